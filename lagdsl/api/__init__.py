@@ -1,0 +1,1 @@
+"""What `lagdsl.compile` returns: a facade over the floors below."""

@@ -1,0 +1,6 @@
+"""Diagnostics: what is wrong, where, and the way out. All words live in the catalog."""
+
+from lagdsl.diagnostics.diagnostic import Diagnostic, Label, Severity
+from lagdsl.diagnostics.sink import CompilationFailed, Sink
+
+__all__ = ["CompilationFailed", "Diagnostic", "Label", "Severity", "Sink"]

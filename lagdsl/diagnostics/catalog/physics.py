@@ -1,0 +1,5 @@
+"""Family 05: physics."""
+
+from lagdsl.diagnostics.catalog.row import Row
+
+ROWS: dict[str, Row] = {}

@@ -1,0 +1,5 @@
+"""Family 09: export, engines and files."""
+
+from lagdsl.diagnostics.catalog.row import Row
+
+ROWS: dict[str, Row] = {}

@@ -1,0 +1,37 @@
+"""What a stage says about a model: product of the diagnostics floor."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from lagdsl.source import Span
+
+
+class Severity(StrEnum):
+    """How much a diagnostic matters; an error stops the compiler after its stage."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    NOTE = "note"
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A place and what it has to do with the matter."""
+
+    span: Span
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Diagnostic:
+    """One fact about a model text.
+
+    The words come from the row of `code` in the catalog; `labels[0]` is the primary place (caret `^`), the others explain it.
+    """
+
+    code: str
+    severity: Severity
+    message: str
+    labels: tuple[Label, ...] = ()
+    notes: tuple[str, ...] = ()
+    help: str | None = None

@@ -1,0 +1,67 @@
+"""Collects diagnostics while a stage goes on."""
+
+from lagdsl.diagnostics.catalog import ROWS
+from lagdsl.diagnostics.diagnostic import Diagnostic, Label, Severity
+from lagdsl.source import Span
+
+
+class Sink:
+    """Where the early stages put what they find; later ones raise `CompilationFailed` through it."""
+
+    def __init__(self) -> None:
+        self._diagnostics: list[Diagnostic] = []
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        return tuple(self._diagnostics)
+
+    @property
+    def has_errors(self) -> bool:
+        return any(d.severity is Severity.ERROR for d in self._diagnostics)
+
+    def report(
+        self,
+        code: str,
+        primary: Span | Label | None,
+        *labels: Label,
+        notes: tuple[str, ...] = (),
+        help: str | None = None,
+        **arguments: object,
+    ) -> None:
+        """Add the diagnostic `code`, its catalog templates filled with `arguments`.
+
+        `help` and `notes` given here win over the row's own. The same fact at the same place is kept once.
+        """
+        row = ROWS[code]
+        first = Label(primary) if isinstance(primary, Span) else primary
+        if first is not None and not first.text and row.label is not None:
+            first = Label(first.span, row.label.format(**arguments))
+        template = row.help.format(**arguments) if help is None and row.help is not None else help
+        diagnostic = Diagnostic(
+            code=code,
+            severity=row.severity,
+            message=row.message.format(**arguments),
+            labels=((first,) if first is not None else ()) + labels,
+            notes=notes,
+            help=template,
+        )
+        if diagnostic not in self._diagnostics:
+            self._diagnostics.append(diagnostic)
+
+    def raise_if_errors(self) -> None:
+        """Raise `CompilationFailed` with all that was collected if any of it is an error."""
+        if self.has_errors:
+            raise CompilationFailed(self.diagnostics)
+
+
+class CompilationFailed(Exception):
+    """A model text was rejected; `diagnostics` say where and why, `str()` is the rendered text."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        super().__init__(diagnostics)
+        self.diagnostics = diagnostics
+
+    def __str__(self) -> str:
+        from lagdsl.diagnostics.render import render_all
+
+        return render_all(self.diagnostics)

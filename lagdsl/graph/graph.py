@@ -1,0 +1,287 @@
+"""The hash-consed expression graph: every distinct expression is one node, and a node's arguments come before it.
+
+Simplification happens only here, when a node is made, and only by rules that look one level down: constants fold, zeros and
+ones vanish, signs move outward. Products are never expanded. Because ids are a topological order, every pass over a graph is
+one loop over lists.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+from lagdsl.graph.fold import fold
+from lagdsl.graph.operation import FIRST_BINARY, FIRST_TERNARY, FIRST_UNARY, Group, Op
+
+_LARGEST_UNROLLED_POWER = 8
+
+
+class Graph:
+    """Nodes as parallel lists, indexed by id: `op`, and arguments `a`, `b`, `c` (ids; -1 where absent).
+
+    A constant keeps its value in `value`; a symbol keeps its group in `a` and its index in that array in `b`.
+    """
+
+    def __init__(self) -> None:
+        self.op: list[Op] = []
+        self.a: list[int] = []
+        self.b: list[int] = []
+        self.c: list[int] = []
+        self.value: dict[int, float] = {}
+        self._index: dict[tuple[Op, int, int, int], int] = {}
+        self._constants: dict[float, int] = {}
+        self.zero = self.constant(0.0)
+        self.one = self.constant(1.0)
+
+    def __len__(self) -> int:
+        return len(self.op)
+
+    # ---- leaves ------------------------------------------------------------------------------------------------------
+
+    def constant(self, value: float) -> int:
+        """The node of a finite number or infinity; -0.0 is 0.0."""
+        value = float(value) + 0.0
+        assert not math.isnan(value)
+        node = self._constants.get(value)
+        if node is None:
+            node = self._append(Op.CONSTANT, -1, -1, -1)
+            self._constants[value] = node
+            self.value[node] = value
+        return node
+
+    def symbol(self, group: Group, index: int = 0) -> int:
+        return self._make(Op.SYMBOL, int(group), index, -1)
+
+    def symbols(self, group: Group, size: int) -> list[int]:
+        return [self.symbol(group, index) for index in range(size)]
+
+    # ---- arithmetic --------------------------------------------------------------------------------------------------
+
+    def negate(self, x: int) -> int:
+        match self.op[x]:
+            case Op.CONSTANT:
+                return self.constant(-self.value[x])
+            case Op.NEGATE:
+                return self.a[x]
+            case Op.SUBTRACT:
+                return self.subtract(self.b[x], self.a[x])
+            case _:
+                return self._make(Op.NEGATE, x)
+
+    def add(self, x: int, y: int) -> int:
+        if x == self.zero:
+            return y
+        if y == self.zero:
+            return x
+        folded = self._fold(Op.ADD, x, y)
+        if folded is not None:
+            return folded
+        if self.op[y] is Op.NEGATE:
+            return self.subtract(x, self.a[y])
+        if self.op[x] is Op.NEGATE:
+            return self.subtract(y, self.a[x])
+        if x == y:
+            return self.multiply(self.constant(2.0), x)
+        return self._make(Op.ADD, *sorted((x, y)))
+
+    def subtract(self, x: int, y: int) -> int:
+        if y == self.zero:
+            return x
+        if x == self.zero:
+            return self.negate(y)
+        if x == y:
+            return self.zero
+        folded = self._fold(Op.SUBTRACT, x, y)
+        if folded is not None:
+            return folded
+        if self.op[y] is Op.NEGATE:
+            return self.add(x, self.a[y])
+        if self.op[x] is Op.NEGATE:
+            return self.negate(self.add(self.a[x], y))
+        opposite = self._index.get((Op.SUBTRACT, y, x, -1))
+        if opposite is not None:
+            return self._make(Op.NEGATE, opposite)
+        return self._make(Op.SUBTRACT, x, y)
+
+    def multiply(self, x: int, y: int) -> int:
+        if x == self.zero or y == self.zero:
+            return self.zero
+        if x == self.one:
+            return y
+        if y == self.one:
+            return x
+        folded = self._fold(Op.MULTIPLY, x, y)
+        if folded is not None:
+            return folded
+        if self.op[y] is Op.CONSTANT:
+            x, y = y, x
+        if self.op[x] is Op.CONSTANT:
+            if self.value[x] < 0.0:
+                return self.negate(self.multiply(self.constant(-self.value[x]), y))
+            if self.op[y] is Op.MULTIPLY and self.op[self.a[y]] is Op.CONSTANT:
+                return self.multiply(self.constant(self.value[x] * self.value[self.a[y]]), self.b[y])
+        if self.op[x] is Op.NEGATE:
+            return self.negate(self.multiply(self.a[x], y))
+        if self.op[y] is Op.NEGATE:
+            return self.negate(self.multiply(x, self.a[y]))
+        if self.op[x] is not Op.CONSTANT and x > y:
+            x, y = y, x
+        return self._make(Op.MULTIPLY, x, y)
+
+    def divide(self, x: int, y: int) -> int:
+        """Division by the constant 0 is kept as a node: it is a run-time fact."""
+        if x == self.zero and y != self.zero:
+            return self.zero
+        if y == self.one:
+            return x
+        if self.op[y] is Op.CONSTANT and self.value[y] != 0.0:
+            folded = self._fold(Op.DIVIDE, x, y)
+            if folded is not None:
+                return folded
+            if math.frexp(self.value[y])[0] in (0.5, -0.5):
+                return self.multiply(self.constant(1.0 / self.value[y]), x)
+        if self.op[x] is Op.NEGATE:
+            return self.negate(self.divide(self.a[x], y))
+        if self.op[y] is Op.NEGATE:
+            return self.negate(self.divide(x, self.a[y]))
+        return self._make(Op.DIVIDE, x, y)
+
+    def power(self, x: int, y: int) -> int:
+        """x^y; small whole exponents become products, 1/2 a square root."""
+        if self.op[y] is Op.CONSTANT:
+            exponent = self.value[y]
+            if self.op[x] is Op.CONSTANT:
+                folded = self._fold(Op.POWER, x, y)
+                if folded is not None:
+                    return folded
+            if exponent == 0.5:
+                return self.unary(Op.SQRT, x)
+            if exponent.is_integer() and abs(exponent) <= _LARGEST_UNROLLED_POWER:
+                product = self._whole_power(x, abs(int(exponent)))
+                return product if exponent >= 0 else self.divide(self.one, product)
+        return self._make(Op.POWER, x, y)
+
+    def _whole_power(self, x: int, exponent: int) -> int:
+        if exponent == 0:
+            return self.one
+        half = self._whole_power(x, exponent // 2)
+        square = self.multiply(half, half)
+        return self.multiply(square, x) if exponent % 2 else square
+
+    def unary(self, op: Op, x: int) -> int:
+        """Any function of one argument."""
+        assert FIRST_UNARY <= op < FIRST_BINARY
+        if op is Op.NEGATE:
+            return self.negate(x)
+        folded = self._fold(op, x)
+        if folded is not None:
+            return folded
+        if self.op[x] is Op.NEGATE:
+            if op in (Op.SIN, Op.TAN, Op.ASIN, Op.ATAN, Op.SINH, Op.TANH, Op.SIGN):
+                return self.negate(self.unary(op, self.a[x]))
+            if op in (Op.COS, Op.COSH, Op.ABS):
+                return self.unary(op, self.a[x])
+        return self._make(op, x)
+
+    def binary(self, op: Op, x: int, y: int) -> int:
+        """Any function of two arguments."""
+        assert FIRST_BINARY <= op < FIRST_TERNARY
+        match op:
+            case Op.ADD:
+                return self.add(x, y)
+            case Op.SUBTRACT:
+                return self.subtract(x, y)
+            case Op.MULTIPLY:
+                return self.multiply(x, y)
+            case Op.DIVIDE:
+                return self.divide(x, y)
+            case Op.POWER:
+                return self.power(x, y)
+            case _:
+                folded = self._fold(op, x, y)
+                return self._make(op, x, y) if folded is None else folded
+
+    def select(self, condition: int, value: int, otherwise: int) -> int:
+        """`value` where `condition` is not 0, else `otherwise`."""
+        if self.op[condition] is Op.CONSTANT:
+            return value if self.value[condition] != 0.0 else otherwise
+        if value == otherwise:
+            return value
+        return self._make(Op.SELECT, condition, value, otherwise)
+
+    # ---- sums and products -------------------------------------------------------------------------------------------
+
+    def sum(self, terms: Iterable[int]) -> int:
+        total = self.zero
+        for term in terms:
+            total = self.add(total, term)
+        return total
+
+    def dot(self, left: Sequence[int], right: Sequence[int]) -> int:
+        return self.sum(self.multiply(x, y) for x, y in zip(left, right, strict=True))
+
+    # ---- reading -----------------------------------------------------------------------------------------------------
+
+    def arguments(self, node: int) -> tuple[int, ...]:
+        """Ids of the nodes that `node` is computed from."""
+        op = self.op[node]
+        if op < FIRST_UNARY:
+            return ()
+        if op < FIRST_BINARY:
+            return (self.a[node],)
+        if op < FIRST_TERNARY:
+            return (self.a[node], self.b[node])
+        return (self.a[node], self.b[node], self.c[node])
+
+    def is_constant(self, node: int) -> bool:
+        return self.op[node] is Op.CONSTANT
+
+    def group(self, symbol: int) -> Group:
+        return Group(self.a[symbol])
+
+    def live(self, roots: Iterable[int]) -> list[int]:
+        """Ids of all nodes that `roots` are computed from, themselves included, ascending."""
+        roots = list(roots)
+        mark = bytearray(max(roots, default=-1) + 1)
+        for root in roots:
+            mark[root] = 1
+        for node in range(len(mark) - 1, -1, -1):
+            if mark[node]:
+                for argument in self.arguments(node):
+                    mark[argument] = 1
+        return [node for node, marked in enumerate(mark) if marked]
+
+    def rebuild(self, node: int, arguments: Sequence[int]) -> int:
+        """The operation of `node` on other arguments, simplified anew."""
+        op = self.op[node]
+        if op < FIRST_UNARY:
+            return node
+        if op < FIRST_BINARY:
+            return self.unary(op, arguments[0])
+        if op < FIRST_TERNARY:
+            return self.binary(op, arguments[0], arguments[1])
+        return self.select(arguments[0], arguments[1], arguments[2])
+
+    # ---- making ------------------------------------------------------------------------------------------------------
+
+    def _fold(self, op: Op, *arguments: int) -> int | None:
+        """The constant that `op` gives for constant arguments, where it is a number."""
+        if any(self.op[x] is not Op.CONSTANT for x in arguments):
+            return None
+        result = fold(op, *(self.value[x] for x in arguments))
+        return None if result is None else self.constant(result)
+
+    def _make(self, op: Op, a: int, b: int = -1, c: int = -1) -> int:
+        key = (op, a, b, c)
+        node = self._index.get(key)
+        if node is None:
+            node = self._append(op, a, b, c)
+            self._index[key] = node
+        return node
+
+    def _append(self, op: Op, a: int, b: int, c: int) -> int:
+        self.op.append(op)
+        self.a.append(a)
+        self.b.append(b)
+        self.c.append(c)
+        return len(self.op) - 1

@@ -1,0 +1,97 @@
+"""The operations of the graph."""
+
+from enum import IntEnum
+
+
+class Op(IntEnum):
+    """What a node computes. Comparisons and logic give 0 or 1; SELECT(c, a, b) is a where c is not 0, else b.
+
+    The order matters: leaves, then one, two and three arguments.
+    """
+
+    CONSTANT = 0
+    SYMBOL = 1
+    # one argument
+    NEGATE = 10
+    SIN = 11
+    COS = 12
+    TAN = 13
+    ASIN = 14
+    ACOS = 15
+    ATAN = 16
+    SINH = 17
+    COSH = 18
+    TANH = 19
+    EXP = 20
+    LOG = 21
+    SQRT = 22
+    ABS = 23
+    SIGN = 24
+    FLOOR = 25
+    CEIL = 26
+    NOT = 27
+    # two arguments
+    ADD = 40
+    SUBTRACT = 41
+    MULTIPLY = 42
+    DIVIDE = 43
+    POWER = 44
+    ATAN2 = 45
+    MOD = 46
+    MIN = 47
+    MAX = 48
+    LESS = 49
+    LESS_EQUAL = 50
+    EQUAL = 51
+    AND = 52
+    OR = 53
+    # three arguments
+    SELECT = 60
+
+
+FIRST_UNARY = Op.NEGATE
+FIRST_BINARY = Op.ADD
+FIRST_TERNARY = Op.SELECT
+
+
+class Group(IntEnum):
+    """What a symbol stands for: one of the arrays that a program's functions take, by name in the vocabulary."""
+
+    TIME = 0
+    Q = 1
+    QD = 2
+    Z = 3
+    U = 4
+    W = 5
+    P = 6
+    QDD = 7
+    LAMBDA = 8
+    DIRECTION_Q = 9
+    DIRECTION_QD = 10
+    DIRECTION_Z = 11
+    DIRECTION_U = 12
+    DIRECTION_QDD = 13
+    DIRECTION_LAMBDA = 14
+    DIRECTION_P = 15
+    RELEASE = 16
+    RELEASE_RATE = 17
+
+
+ARGUMENT_NAMES: dict[Group, str] = {
+    Group.TIME: "t",
+    Group.Q: "q",
+    Group.QD: "qd",
+    Group.Z: "z",
+    Group.U: "u",
+    Group.W: "w",
+    Group.P: "p",
+    Group.QDD: "qdd",
+    Group.LAMBDA: "lam",
+    Group.DIRECTION_Q: "dq",
+    Group.DIRECTION_QD: "dqd",
+    Group.DIRECTION_Z: "dz",
+    Group.DIRECTION_U: "du",
+    Group.DIRECTION_QDD: "dqdd",
+    Group.DIRECTION_LAMBDA: "dlam",
+    Group.DIRECTION_P: "dp",
+}

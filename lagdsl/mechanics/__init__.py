@@ -1,0 +1,1 @@
+"""The scalable derivation: Lagrange's equations on the expression graph."""

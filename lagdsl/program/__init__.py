@@ -1,0 +1,1 @@
+"""Named functions over one graph, ready for a backend."""

@@ -1,0 +1,54 @@
+"""The functions of a program: their names, arguments and results. Both derivations provide all of them.
+
+nq coordinates, nz states, nu inputs, np parameters, nc declared constraint rows, ny outputs, ni invariants, na assertions.
+The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
+
+| function | arguments | results |
+|---|---|---|
+| start | t p | start values q (nq), qd (nq), z (nz), and default inputs u (nu) |
+| position_constraint | t q qd z u w p | phi (nc), and J (nc, nq); `phi` is zero for rows of velocity level |
+| velocity_constraint | t q qd z u w p | residual J qd + b (nc) of every row, and J (nc, nq) |
+| mass_matrix | t q qd z u w p | M (nq, nq), symmetric, both halves |
+| dynamics | t q qd z u w p | M (nq, nq), f (nq), J (nc, nq), gamma (nc) |
+| inverse_dynamics | t q qd z u w p qdd | tau = M qdd - f (nq), of about the size of T and V |
+| residual | t q qd z u w p qdd lam | r = M qdd - f - J' lam (nq), s = J qdd - gamma (nc) |
+| residual_tangent | t q qd z u w p qdd lam dq dqd dz du dp | dr (nq), ds (nc): directional derivative, qdd and lam held |
+| state_derivative | t q qd z u w p qdd lam | zd (nz) |
+| state_derivative_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dzd (nz) |
+| output | t q qd z u w p qdd lam | y (ny) |
+| output_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dy (ny) |
+| energies | t q qd z u w p | total, kinetic, potential, jacobi (each shape ()) |
+| momenta | t q qd z u w p | dL/dqd (nq) |
+| power | t q qd z u w p | load: Q . qd, dissipated: dD/dqd . qd (each shape (nq), per coordinate) |
+| monitor | t q qd z u w p qdd lam | invariant (ni), scale (ni): largest absolute term of each, assertion (na) |
+| initial_equation | t q qd z u w p qdd lam | residual (ne) of the initial equations |
+
+`w` is empty until events are there. Directions `dp` hold one entry per independent parameter.
+"""
+
+from lagdsl.graph.operation import Group
+
+STATE = (Group.TIME, Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P)
+SOLVED = (*STATE, Group.QDD, Group.LAMBDA)
+DIRECTIONS = (Group.DIRECTION_Q, Group.DIRECTION_QD, Group.DIRECTION_Z, Group.DIRECTION_U, Group.DIRECTION_P)
+SOLVED_DIRECTIONS = (*DIRECTIONS, Group.DIRECTION_QDD, Group.DIRECTION_LAMBDA)
+
+SIGNATURES: dict[str, tuple[Group, ...]] = {
+    "start": (Group.TIME, Group.P),
+    "position_constraint": STATE,
+    "velocity_constraint": STATE,
+    "mass_matrix": STATE,
+    "dynamics": STATE,
+    "inverse_dynamics": (*STATE, Group.QDD),
+    "residual": SOLVED,
+    "residual_tangent": (*SOLVED, *DIRECTIONS),
+    "state_derivative": SOLVED,
+    "state_derivative_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
+    "output": SOLVED,
+    "output_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
+    "energies": STATE,
+    "momenta": STATE,
+    "power": STATE,
+    "monitor": SOLVED,
+    "initial_equation": SOLVED,
+}

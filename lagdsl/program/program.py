@@ -1,0 +1,98 @@
+"""The program: product of the program floor and input of every backend.
+
+Named functions over one expression graph, each a list of output blocks whose elements are node ids. `graph.evaluate` is its
+meaning; a backend is right if it computes the same numbers. No SymPy, no source text: names stand in the layout only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import prod
+
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Slot:
+    """One entry of an argument or result array: its name in results and its coherent SI unit; where it was declared."""
+
+    name: str
+    unit: str = "1"
+    place: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Layout:
+    """Names by index. `parameters` are the independent ones, with their default values beside them.
+
+    `redundant` flags constraint rows found dependent on others; `position_level` flags rows that restrict q itself.
+    """
+
+    coordinates: tuple[Slot, ...]
+    states: tuple[Slot, ...]
+    inputs: tuple[Slot, ...]
+    discretes: tuple[Slot, ...]
+    parameters: tuple[Slot, ...]
+    defaults: tuple[float, ...]
+    outputs: tuple[Slot, ...]
+    constraints: tuple[Slot, ...]
+    position_level: tuple[bool, ...]
+    redundant: tuple[bool, ...]
+    invariants: tuple[Slot, ...]
+    assertions: tuple[str, ...]
+
+    def size(self, group: Group) -> int:
+        """Length of the argument array of `group`."""
+        match group:
+            case Group.TIME:
+                return 1
+            case Group.Q | Group.QD | Group.QDD | Group.DIRECTION_Q | Group.DIRECTION_QD | Group.DIRECTION_QDD:
+                return len(self.coordinates)
+            case Group.Z | Group.DIRECTION_Z:
+                return len(self.states)
+            case Group.U | Group.DIRECTION_U:
+                return len(self.inputs)
+            case Group.W:
+                return len(self.discretes)
+            case Group.P | Group.DIRECTION_P:
+                return len(self.parameters)
+            case Group.LAMBDA | Group.DIRECTION_LAMBDA:
+                return len(self.constraints)
+            case Group.RELEASE | Group.RELEASE_RATE:
+                raise AssertionError("release symbols never reach a program")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Block:
+    """One result array of a function: `elements` are node ids in row-major order of `shape`."""
+
+    name: str
+    shape: tuple[int, ...]
+    elements: tuple[int, ...]
+
+    def __post_init__(self) -> None:
+        assert len(self.elements) == prod(self.shape), self.name
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Function:
+    """`arguments` in the order of the signature; every symbol a result depends on belongs to one of them."""
+
+    name: str
+    arguments: tuple[Group, ...]
+    results: tuple[Block, ...]
+    doc: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Program:
+    """One complete model as functions. Which functions there are is said in `lagdsl/program/functions.py`."""
+
+    name: str
+    layout: Layout
+    graph: Graph
+    functions: tuple[Function, ...]
+
+    def function(self, name: str) -> Function:
+        return next(f for f in self.functions if f.name == name)

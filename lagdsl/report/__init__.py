@@ -1,0 +1,1 @@
+"""The derivation report and the tables of the command line."""

@@ -1,0 +1,46 @@
+"""What the simulator needs of a compiled model: one interface, a NumPy and a C implementation."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lagdsl.program.program import Layout
+
+Floats = NDArray[np.float64]
+
+
+class SingularSystem(ArithmeticError):
+    """The accelerations are not determined at this state. `coordinate` is the index of the direction without inertia."""
+
+    def __init__(self, coordinate: int) -> None:
+        super().__init__(f"singular in coordinate {coordinate}")
+        self.coordinate = coordinate
+
+
+class Engine(Protocol):
+    """Functions of one program at one state: `t` a float, arrays one-dimensional and contiguous, SI units, layout order.
+
+    Rank-deficient constraints are solved in minimum norm of lam. Raises SingularSystem where M is singular on the null space of
+    J; values that are not finite are returned as they are, the caller says what they mean.
+    """
+
+    layout: Layout
+
+    def solve(
+        self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
+    ) -> tuple[Floats, Floats]:
+        """Accelerations qdd (nq,) and multipliers lam (nc,)."""
+        ...
+
+    def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
+        """Any function of `lagdsl.program.functions` by name: its result blocks."""
+        ...
+
+    def jacobian(
+        self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
+    ) -> Floats:
+        """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz)."""
+        ...

@@ -1,0 +1,1 @@
+"""From a tree to the flat model: names, types, dimensions, expansion."""

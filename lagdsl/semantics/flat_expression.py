@@ -1,0 +1,240 @@
+"""Expressions of the flat model: names resolved, arrays and functions expanded, units converted to SI.
+
+Two shapes are left: scalars, and geometric vectors (three world components). Vectors stay whole, so that both derivations
+lower points, frames and their derivatives in their own way. Comparisons and logic are scalars with the values 0 and 1.
+Nodes are immutable and may be shared; they compare by value, lowering passes should memoise by identity.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+# ---- scalars ---------------------------------------------------------------------------------------------------------
+
+UnaryOperator: TypeAlias = Literal["-", "not"]
+BinaryOperator: TypeAlias = Literal["+", "-", "*", "/", "^", "<", "<=", ">", ">=", "==", "<>", "and", "or"]
+
+# Scalar functions that reach the flat model, with their number of arguments. Everything else (limit, wrap, unit, sum,
+# functions of the user) is expanded before.
+FUNCTIONS: dict[str, int] = {
+    "sin": 1,
+    "cos": 1,
+    "tan": 1,
+    "asin": 1,
+    "acos": 1,
+    "atan": 1,
+    "atan2": 2,
+    "sinh": 1,
+    "cosh": 1,
+    "tanh": 1,
+    "exp": 1,
+    "log": 1,
+    "sqrt": 1,
+    "abs": 1,
+    "sign": 1,
+    "floor": 1,
+    "ceil": 1,
+    "mod": 2,
+    "min": 2,
+    "max": 2,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A value in SI units."""
+
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """Any named scalar of the flat model (parameter, coordinate, state, input, discrete, definition) or `time`."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Derivative:
+    """Total time derivative of a scalar or, in the inertial frame, of a vector. `Derivative(Variable(q))` is the rate of q."""
+
+    operand: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class Unary:
+    """`-` also negates vectors."""
+
+    operator: UnaryOperator
+    operand: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """On scalars every operator; on vectors `+` and `-`; `*` of a scalar (left) and a vector (right); `/` of a vector by a
+    scalar. Exponents of `^` are scalars. The scalar product of vectors is `Dot`."""
+
+    operator: BinaryOperator
+    left: FlatExpression
+    right: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """One of FUNCTIONS."""
+
+    name: str
+    arguments: tuple[FlatExpression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Conditional:
+    """`if condition then value else otherwise`, of scalars or of vectors."""
+
+    condition: FlatExpression
+    value: FlatExpression
+    otherwise: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class Component:
+    """World component 0, 1 or 2 of a vector."""
+
+    vector: FlatExpression
+    axis: int
+
+
+@dataclass(frozen=True, slots=True)
+class Dot:
+    left: FlatExpression
+    right: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class Norm:
+    """Euclidean length; its derivative does not exist at zero (a run-time diagnostic names `element`)."""
+
+    vector: FlatExpression
+    element: str
+
+
+# ---- vectors ---------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Vector:
+    """Three world components."""
+
+    x: FlatExpression
+    y: FlatExpression
+    z: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class PointReference:
+    """Position of the named point from the world origin."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class FrameOrigin:
+    """Position of the origin of the named frame (`world` included)."""
+
+    frame: str
+
+
+@dataclass(frozen=True, slots=True)
+class FrameAxis:
+    """Unit vector x, y or z (0, 1, 2) of the named frame."""
+
+    frame: str
+    axis: int
+
+
+@dataclass(frozen=True, slots=True)
+class AngularVelocity:
+    """omega of the named frame relative to the world."""
+
+    frame: str
+
+
+@dataclass(frozen=True, slots=True)
+class MaterialVelocity:
+    """Velocity of the material point of `frame` that is at `point` now."""
+
+    point: FlatExpression
+    frame: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cross:
+    left: FlatExpression
+    right: FlatExpression
+
+
+# ---- what the mechanics provides: allowed in outputs, invariants and assertions only --------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Multiplier:
+    """Multiplier of one constraint row, by the row's name (`wire`, `pin[2]`)."""
+
+    row: str
+
+
+@dataclass(frozen=True, slots=True)
+class FrameReaction:
+    """Force or torque (vector) that the side of the parent of `frame` exerts on all that `frame` carries, at its origin."""
+
+    frame: str
+    kind: Literal["force", "torque"]
+
+
+@dataclass(frozen=True, slots=True)
+class ReactionAlong:
+    """d'Alembert value (scalar) of the non-contributing force on the named point along `direction`: the point is released by
+    s*direction, and the equation of s is evaluated at s = 0 (direction is not normalised and is held as if unreleased)."""
+
+    point: str
+    direction: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class SystemEnergy:
+    """`total` is energy(): T + V and, for each lagrangian term Lx, qd.dLx/dqd - Lx; `jacobi` is qd.dL/dqd - L."""
+
+    kind: Literal["total", "kinetic", "potential", "jacobi"]
+
+
+@dataclass(frozen=True, slots=True)
+class GeneralizedMomentum:
+    """dL/dqd of the named coordinate."""
+
+    coordinate: str
+
+
+@dataclass(frozen=True, slots=True)
+class LinearMomentum:
+    """Vector: sum of m v over all masses and bodies."""
+
+
+@dataclass(frozen=True, slots=True)
+class AngularMomentum:
+    """Vector: of the named body (None: of all masses and bodies) about a point."""
+
+    body: str | None
+    about: FlatExpression
+
+
+FlatExpression: TypeAlias = (
+    "Number | Variable | Derivative | Unary | Binary | Function | Conditional | Component | Dot | Norm | Vector "
+    "| PointReference | FrameOrigin | FrameAxis | AngularVelocity | MaterialVelocity | Cross | Multiplier "
+    "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | LinearMomentum | AngularMomentum"
+)
+
+ZERO = Number(0.0)
+ONE = Number(1.0)
+ZERO_VECTOR = Vector(ZERO, ZERO, ZERO)
+TIME = Variable("time")

@@ -1,0 +1,336 @@
+"""The flat model: product of the semantics floor and input of both derivations.
+
+Names are qualified and unique, modifiers applied, arrays and structural `for`/`if` expanded, functions inlined, units SI,
+dimensions checked. Definitions, points and frames stand in one order in which nothing is used before it is defined.
+Every item keeps the stack of source spans that produced it, innermost first (today of length one for a single class).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Literal, TypeAlias
+
+from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.source import Span
+from lagdsl.units import Dimension
+
+Spans: TypeAlias = tuple[Span, ...]
+
+
+class Variability(StrEnum):
+    CONSTANT = "constant"
+    STRUCTURAL = "structural"
+    PARAMETER = "parameter"
+    DISCRETE = "discrete"
+    CONTINUOUS = "continuous"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Item:
+    spans: Spans = field(compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Quantity(Item):
+    """What every named scalar has. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see."""
+
+    name: str
+    dimension: Dimension
+    unit: str = "1"
+    display_unit: str | None = None
+    doc: str | None = None
+    type_name: str = "Real"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Parameter(Quantity):
+    """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1.
+
+    `structural` ones (and constants) are listed for reports; they are folded into the expressions and never in `p`.
+    """
+
+    value: float
+    minimum: float | None = None
+    maximum: float | None = None
+    structural: bool = False
+    kind: Literal["Real", "Integer", "Boolean", "String"] = "Real"
+    text: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Coordinate(Quantity):
+    """A generalized coordinate; starts may depend on parameters. `explicit` says that the user wrote the start."""
+
+    start: FlatExpression
+    start_explicit: bool
+    fixed: bool
+    rate_start: FlatExpression
+    rate_start_explicit: bool
+    rate_fixed: bool
+    nominal: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
+    start_span: Span | None = field(default=None, compare=False, repr=False)
+    rate_start_span: Span | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class State(Quantity):
+    """A first-order state and its equation `der(x) = derivative`."""
+
+    start: FlatExpression
+    start_explicit: bool
+    fixed: bool
+    derivative: FlatExpression
+    nominal: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Input(Quantity):
+    """A top-level input. `smooth` is the number of time derivatives the caller provides, as further inputs `der(name)`,
+    `der(der(name))` that follow it directly in the list of inputs (they are items of their own, with `derivative_of`)."""
+
+    default: FlatExpression
+    smooth: int = 0
+    derivative_of: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Definition(Quantity):
+    """A named scalar with a binding: dependent parameters, algebraic variables, labels of energies and loads."""
+
+    value: FlatExpression
+    variability: Variability
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Output(Quantity):
+    """A result column; `value` may use what the mechanics provides."""
+
+    value: FlatExpression
+
+
+# ---- geometry --------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Point(Item):
+    name: str
+    position: FlatExpression
+    doc: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Rotate:
+    """Turn about the frame's own x, y or z axis (0, 1, 2)."""
+
+    axis: int
+    angle: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class RotateAbout:
+    """Turn about an axis given in the frame's own axes; it is normalised. `axis` depends on parameters only."""
+
+    axis: tuple[FlatExpression, FlatExpression, FlatExpression]
+    angle: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class RotateQuaternion:
+    """Turn by the rotation of e/|e|, scalar first."""
+
+    e: tuple[FlatExpression, FlatExpression, FlatExpression, FlatExpression]
+
+
+@dataclass(frozen=True, slots=True)
+class SetAxes:
+    """World axes of the new frame: three orthonormal vectors."""
+
+    x: FlatExpression
+    y: FlatExpression
+    z: FlatExpression
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """Displace the origin by a vector given in the frame's own axes."""
+
+    offset: tuple[FlatExpression, FlatExpression, FlatExpression]
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Put the origin at a world position (vector)."""
+
+    position: FlatExpression
+
+
+FrameStep: TypeAlias = "Rotate | RotateAbout | RotateQuaternion | SetAxes | Move | Place"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Frame(Item):
+    """`parent` is a frame of the model or `world`; the steps are applied in order."""
+
+    name: str
+    parent: str
+    steps: tuple[FrameStep, ...]
+    doc: str | None = None
+
+
+Named: TypeAlias = "Definition | Point | Frame"
+
+# ---- physics ---------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EnergyTerm(Item):
+    """A contribution to T, V, L or D, in J or W."""
+
+    kind: Literal["kinetic", "potential", "lagrangian", "dissipation"]
+    label: str | None
+    value: FlatExpression
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointMass(Item):
+    mass: FlatExpression
+    position: FlatExpression
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RigidBody(Item):
+    """`com` in the axes of `frame` from its origin; `inertia` is Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the mass centre in the
+    same axes (tensor elements)."""
+
+    label: str | None
+    frame: str
+    mass: FlatExpression
+    com: tuple[FlatExpression, FlatExpression, FlatExpression]
+    inertia: tuple[FlatExpression, FlatExpression, FlatExpression, FlatExpression, FlatExpression, FlatExpression]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointForce(Item):
+    """A force vector at a point. With `frame` the material point of that frame is displaced, else the point itself; with
+    `origin` the opposite force acts there."""
+
+    label: str | None
+    force: FlatExpression
+    point: FlatExpression
+    frame: str | None
+    origin: FlatExpression | None
+    origin_frame: str | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FrameTorque(Item):
+    """A moment vector on a frame and, with `origin`, the opposite one on another."""
+
+    label: str | None
+    torque: FlatExpression
+    frame: str
+    origin: str | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GeneralizedForce(Item):
+    """Q_j = value * d(target)/dq_j; `target` is any scalar of q, t. `origin`: the opposite value on another scalar."""
+
+    label: str | None
+    keyword: Literal["force", "torque"]
+    value: FlatExpression
+    target: FlatExpression
+    origin: FlatExpression | None
+
+
+Load: TypeAlias = "PointForce | FrameTorque | GeneralizedForce"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Constraint(Item):
+    """Rows `residual = left - right = 0` in source order. `level` position: of q and t; velocity: linear in the rates.
+
+    `normalisation` marks the unit-length row that a quaternion brings along.
+    """
+
+    name: str
+    rows: tuple[str, ...]
+    residuals: tuple[FlatExpression, ...]
+    dimension: Dimension
+    level: Literal["position", "velocity"]
+    normalisation: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Invariant(Item):
+    """A claim that `value` stays constant; `tolerance` None means the default."""
+
+    name: str
+    value: FlatExpression
+    dimension: Dimension
+    tolerance: float | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Assertion(Item):
+    """The simulation stops with `message` when `condition` becomes 0."""
+
+    condition: FlatExpression
+    message: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InitialEquation(Item):
+    """`residual = 0` at the start time; may hold rates and accelerations."""
+
+    residual: FlatExpression
+    dimension: Dimension
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drawing(Item):
+    """A shape of the viewer; `anchors` are vectors (points) or the name of a frame."""
+
+    shape: str
+    arguments: tuple[tuple[str, FlatExpression | str], ...]
+    place: Literal["at", "on", "between"]
+    anchors: tuple[FlatExpression | str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Experiment:
+    start_time: float = 0.0
+    stop_time: float = 10.0
+    tolerance: float = 1e-8
+    interval: float | None = None
+    stop_time_explicit: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FlatModel:
+    """One complete model."""
+
+    name: str
+    doc: str | None
+    parameters: tuple[Parameter, ...]
+    coordinates: tuple[Coordinate, ...]
+    states: tuple[State, ...]
+    inputs: tuple[Input, ...]
+    named: tuple[Named, ...]
+    energies: tuple[EnergyTerm, ...]
+    masses: tuple[PointMass, ...]
+    bodies: tuple[RigidBody, ...]
+    gravity: FlatExpression | None
+    loads: tuple[Load, ...]
+    constraints: tuple[Constraint, ...]
+    outputs: tuple[Output, ...]
+    invariants: tuple[Invariant, ...]
+    assertions: tuple[Assertion, ...]
+    initial_equations: tuple[InitialEquation, ...]
+    drawings: tuple[Drawing, ...]
+    experiment: Experiment

@@ -1,0 +1,1 @@
+"""Motion: consistent starts, steppers, projection, trajectories."""

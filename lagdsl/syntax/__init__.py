@@ -1,0 +1,1 @@
+"""The text's shape: parser, printer and tree."""

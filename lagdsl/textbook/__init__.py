@@ -1,0 +1,1 @@
+"""The literal derivation in SymPy: what people read, and the oracle."""

@@ -1,0 +1,45 @@
+"""Dimensions as vectors of rational exponents over the seven SI base units."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+BASE_UNITS = ("kg", "m", "s", "A", "K", "mol", "cd")
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """Exponents of kg, m, s, A, K, mol, cd. `rad` is dimensionless."""
+
+    exponents: tuple[Fraction, ...]
+
+    def __mul__(self, other: "Dimension") -> "Dimension":
+        return Dimension(tuple(a + b for a, b in zip(self.exponents, other.exponents, strict=True)))
+
+    def __truediv__(self, other: "Dimension") -> "Dimension":
+        return Dimension(tuple(a - b for a, b in zip(self.exponents, other.exponents, strict=True)))
+
+    def __pow__(self, exponent: Fraction | int) -> "Dimension":
+        return Dimension(tuple(a * exponent for a in self.exponents))
+
+    @property
+    def is_dimensionless(self) -> bool:
+        return not any(self.exponents)
+
+
+def dimension(**exponents: int | Fraction) -> Dimension:
+    """`dimension(kg=1, m=2, s=-2)` is an energy."""
+    unknown = set(exponents) - set(BASE_UNITS)
+    assert not unknown, unknown
+    return Dimension(tuple(Fraction(exponents.get(base, 0)) for base in BASE_UNITS))
+
+
+DIMENSIONLESS = dimension()
+LENGTH = dimension(m=1)
+MASS = dimension(kg=1)
+TIME = dimension(s=1)
+VELOCITY = dimension(m=1, s=-1)
+ACCELERATION = dimension(m=1, s=-2)
+FORCE = dimension(kg=1, m=1, s=-2)
+ENERGY = dimension(kg=1, m=2, s=-2)
+POWER = dimension(kg=1, m=2, s=-3)
+INERTIA = dimension(kg=1, m=2)
