@@ -1,0 +1,50 @@
+"""The same equations from SymPy's LagrangesMethod and lambdify, in the same run."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import sympy as sm
+from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+
+from lagdsl.diagnostics import Sink
+from lagdsl.mechanics.derive import derive
+from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.semantics.flatten import flatten
+from lagdsl.semantics.library import read_source
+from lagdsl.syntax.parser import parse
+
+MODEL = Path(__file__).parents[1] / "models" / "cart_double_pendulum.lag"
+
+
+def lagdsl_cart_double_pendulum() -> NumpyEngine:
+    """From the text to callable NumPy functions, all of them."""
+    sink = Sink()
+    source = read_source(MODEL, sink)
+    assert source is not None
+    unit = parse(source, sink)
+    assert unit is not None
+    flat = flatten(unit, sink)
+    sink.raise_if_errors()
+    assert flat is not None
+    return NumpyEngine(derive(flat))
+
+
+def sympy_cart_double_pendulum() -> Callable[..., object]:
+    """As SymPy's documentation does it: T - V, LagrangesMethod, lambdify of mass matrix and forcing."""
+    time = dynamicsymbols._t
+    x, a, b = q = list(dynamicsymbols("x a b"))
+    rates = [coordinate.diff(time) for coordinate in q]
+    cart, m1, m2, l1, l2, g, c, u = parameters = sm.symbols("M m1 m2 l1 l2 g c u", positive=True)
+    x1, y1 = x + l1 * sm.sin(a), -l1 * sm.cos(a)
+    x2, y2 = x1 + l2 * sm.sin(b), y1 - l2 * sm.cos(b)
+    kinetic = cart * rates[0] ** 2 / 2
+    potential = sm.S.Zero
+    for mass, px, py in ((m1, x1, y1), (m2, x2, y2)):
+        kinetic += mass * (px.diff(time) ** 2 + py.diff(time) ** 2) / 2
+        potential += mass * g * py
+    frame = sm.physics.mechanics.ReferenceFrame("N")
+    hook = sm.physics.mechanics.Point("C")
+    hook.set_vel(frame, rates[0] * frame.x)
+    method = LagrangesMethod(kinetic - potential, q, forcelist=[(hook, (u - c * rates[0]) * frame.x)], frame=frame)
+    method.form_lagranges_equations()
+    return sm.lambdify([q, rates, parameters], [method.mass_matrix, method.forcing], cse=True)

@@ -1,0 +1,75 @@
+"""Run all benchmarks, print the tables and write them to benchmarks/README.md: `make bench`."""
+
+import sys
+from pathlib import Path
+
+import growth
+import peers
+from measure import cpu_seconds, process_cpu_seconds
+
+README = Path(__file__).with_name("README.md")
+PENDULUM = Path(__file__).parents[1] / "models" / "pendulum.lag"
+
+
+def no_swell() -> list[str]:
+    """Table of growth with the fitted exponents."""
+    rows = growth.measure()
+    sizes = [float(row.links) for row in rows]
+    nodes = growth.exponent(sizes, [float(row.nodes) for row in rows])
+    seconds = growth.exponent(sizes, [row.seconds for row in rows])
+    return [
+        "## No swell: the hanging chain, text to program, all functions",
+        "",
+        "| links | graph nodes | CPU s |",
+        "|---|---|---|",
+        *(f"| {row.links} | {row.nodes} | {row.seconds:.3f} |" for row in rows),
+        f"| exponent (must stay below 2) | {nodes:.2f} | {seconds:.2f} |",
+    ]
+
+
+def against_sympy() -> list[str]:
+    """Cart double pendulum, definition to callable functions."""
+    ours = cpu_seconds(peers.lagdsl_cart_double_pendulum)
+    theirs = cpu_seconds(peers.sympy_cart_double_pendulum, runs=3)
+    return [
+        "## Text to callable NumPy functions: the cart double pendulum",
+        "",
+        "| | CPU s |",
+        "|---|---|",
+        f"| lagdsl, all functions (text to callable) | {ours:.3f} |",
+        f"| SymPy `LagrangesMethod` and `lambdify`, mass matrix and forcing | {theirs:.3f} |",
+        f"| ratio (must be at most 0.1) | {ours / theirs:.3f} |",
+    ]
+
+
+def start_up() -> list[str]:
+    """`lag check` of a ten-line model as a whole process."""
+    numpy = process_cpu_seconds([sys.executable, "-c", "import numpy"])
+    check = process_cpu_seconds([sys.executable, "-m", "lagdsl", "check", str(PENDULUM)])
+    return [
+        "## `lag check` on a ten-line model",
+        "",
+        "| whole process | CPU s |",
+        "|---|---|",
+        f'| `python -c "import numpy"` | {numpy:.3f} |',
+        f"| `lag check models/pendulum.lag` | {check:.3f} |",
+        f"| ratio (must be at most 4) | {check / numpy:.2f} |",
+    ]
+
+
+def main() -> None:
+    """Measure, print, write."""
+    lines = [
+        "# Benchmarks",
+        "",
+        "Written by `make bench`: medians of CPU time, every ratio from one run on one machine.",
+    ]
+    for table in (start_up, against_sympy, no_swell):
+        lines += ["", *table()]
+    text = "\n".join(lines) + "\n"
+    print(text)
+    README.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
