@@ -1,0 +1,61 @@
+"""The nearest name: what the user may have meant.
+
+Distance: Damerau-Levenshtein in its restricted form (optimal string alignment), where a swap of neighbours counts once;
+F. J. Damerau, Communications of the ACM 7 (1964) 171.
+"""
+
+from collections.abc import Iterable
+
+_LONGEST = 64  # names beyond it are compared for equality only: hostile input must not cost quadratic time
+
+
+def distance(left: str, right: str) -> int:
+    """Number of insertions, deletions, substitutions and swaps of neighbours between two names."""
+    before: list[int] = []
+    previous = list(range(len(right) + 1))
+    for i, a in enumerate(left, 1):
+        current = [i]
+        for j, b in enumerate(right, 1):
+            cost = min(previous[j] + 1, current[j - 1] + 1, previous[j - 1] + (a != b))
+            if i > 1 and j > 1 and a == right[j - 2] and left[i - 2] == b:
+                cost = min(cost, before[j - 2] + 1)
+            current.append(cost)
+        before, previous = previous, current
+    return previous[-1]
+
+
+def nearest(name: str, candidates: Iterable[str]) -> str | None:
+    """The candidate most like `name`, or None if none is likely meant.
+
+    A name that differs only in case comes first. Otherwise one slip is allowed in names of up to four letters (the
+    first letter must agree in names of two), two up to seven, three beyond. Of equally near ones the first of the
+    alphabet wins, so the answer does not depend on the order of `candidates`.
+    """
+    if len(name) > _LONGEST:
+        return None
+    ranked = [
+        (_slips(name, candidate), candidate)
+        for candidate in sorted(set(candidates))
+        if candidate != name and len(candidate) <= _LONGEST and abs(len(candidate) - len(name)) <= _allowed(name)
+    ]
+    likely = [pair for pair in ranked if pair[0] <= _allowed(name) and _alike(name, pair[1])]
+    return min(likely)[1] if likely else None
+
+
+def _slips(name: str, candidate: str) -> float:
+    """Distance that holds a change of case for half a slip and less than one altogether if nothing else differs."""
+    folded = distance(name.casefold(), candidate.casefold())
+    return folded if name == candidate else folded + (0.5 if folded == 0 else distance(name, candidate) / 1000)
+
+
+def _allowed(name: str) -> int:
+    if len(name) <= 1:
+        return 1
+    return 1 if len(name) <= 4 else 2 if len(name) <= 7 else 3
+
+
+def _alike(name: str, candidate: str) -> bool:
+    """Very short names resemble everything: they must share their first letter, or differ in case only."""
+    if min(len(name), len(candidate)) > 2 or name.casefold() == candidate.casefold():
+        return True
+    return len(name) > 1 and len(candidate) > 1 and name[0].casefold() == candidate[0].casefold()
