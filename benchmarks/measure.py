@@ -3,8 +3,10 @@
 import resource
 import statistics
 import subprocess
+import sys
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 
 
 def cpu_seconds(work: Callable[[], object], runs: int = 5) -> float:
@@ -27,3 +29,19 @@ def process_cpu_seconds(command: Sequence[str], runs: int = 9) -> float:
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
     return statistics.median(times[1:])
+
+
+def first_call_cpu_seconds(module: str, function: str, runs: int = 5) -> float:
+    """Median CPU time of the first call of `module.function` in a fresh process, imports not counted.
+
+    SymPy remembers results from call to call; the first call is what a user waits for.
+    """
+    code = (
+        f"import time, {module}\nstart = time.process_time()\n{module}.{function}()\nprint(time.process_time() - start)"
+    )
+    here = Path(__file__).parent
+    outputs = [
+        subprocess.run([sys.executable, "-c", code], cwd=here, check=True, capture_output=True, text=True).stdout
+        for _ in range(runs)
+    ]
+    return statistics.median(float(output) for output in outputs)
