@@ -8,18 +8,23 @@ one loop over lists.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 
 from lagdsl.graph.fold import fold
 from lagdsl.graph.operation import FIRST_BINARY, FIRST_TERNARY, FIRST_UNARY, Group, Op
 
 _LARGEST_UNROLLED_POWER = 8
+_ODD = (Op.SIN, Op.TAN, Op.ASIN, Op.ATAN, Op.SINH, Op.TANH, Op.SIGN)
+_EVEN = (Op.COS, Op.COSH, Op.ABS)
+# Looking a member up in its enumeration costs more than everything else that `add` and `multiply` do.
+_CONSTANT, _NEGATE, _ADD, _SUBTRACT, _MULTIPLY = Op.CONSTANT, Op.NEGATE, Op.ADD, Op.SUBTRACT, Op.MULTIPLY
 
 
 class Graph:
     """Nodes as parallel lists, indexed by id: `op`, and arguments `a`, `b`, `c` (ids; -1 where absent).
 
-    A constant keeps its value in `value`; a symbol keeps its group in `a` and its index in that array in `b`.
+    A constant keeps its value in `value`; a symbol keeps its group in `a` and its index in that array in `b`. `groups` holds
+    for every node the groups of symbols it is computed from, as a bit mask (`1 << group`).
     """
 
     def __init__(self) -> None:
@@ -27,9 +32,9 @@ class Graph:
         self.a: list[int] = []
         self.b: list[int] = []
         self.c: list[int] = []
+        self.groups: list[int] = []
         self.value: dict[int, float] = {}
-        self._index: dict[tuple[Op, int, int, int], int] = {}
-        self._constants: dict[float, int] = {}
+        self._index: list[dict[Hashable, int]] = [{} for _ in range(max(Op) + 1)]
         self.zero = self.constant(0.0)
         self.one = self.constant(1.0)
 
@@ -42,15 +47,21 @@ class Graph:
         """The node of a finite number or infinity; -0.0 is 0.0."""
         value = float(value) + 0.0
         assert not math.isnan(value)
-        node = self._constants.get(value)
+        node = self._index[_CONSTANT].get(value)
         if node is None:
-            node = self._append(Op.CONSTANT, -1, -1, -1)
-            self._constants[value] = node
+            node = self._append(_CONSTANT, -1, -1, -1, 0)
+            self._index[_CONSTANT][value] = node
             self.value[node] = value
         return node
 
     def symbol(self, group: Group, index: int = 0) -> int:
-        return self._make(Op.SYMBOL, int(group), index, -1)
+        table = self._index[Op.SYMBOL]
+        key = (int(group), index)
+        node = table.get(key)
+        if node is None:
+            node = self._append(Op.SYMBOL, *key, -1, 1 << group)
+            table[key] = node
+        return node
 
     def symbols(self, group: Group, size: int) -> list[int]:
         return [self.symbol(group, index) for index in range(size)]
@@ -58,31 +69,32 @@ class Graph:
     # ---- arithmetic --------------------------------------------------------------------------------------------------
 
     def negate(self, x: int) -> int:
-        match self.op[x]:
-            case Op.CONSTANT:
-                return self.constant(-self.value[x])
-            case Op.NEGATE:
-                return self.a[x]
-            case Op.SUBTRACT:
-                return self.subtract(self.b[x], self.a[x])
-            case _:
-                return self._make(Op.NEGATE, x)
+        op = self.op[x]
+        if op is _CONSTANT:
+            return self.constant(-self.value[x])
+        if op is _NEGATE:
+            return self.a[x]
+        if op is _SUBTRACT:
+            return self.subtract(self.b[x], self.a[x])
+        return self._make_unary(_NEGATE, x)
 
     def add(self, x: int, y: int) -> int:
         if x == self.zero:
             return y
         if y == self.zero:
             return x
-        folded = self._fold(Op.ADD, x, y)
-        if folded is not None:
-            return folded
-        if self.op[y] is Op.NEGATE:
+        op_x, op_y = self.op[x], self.op[y]
+        if op_x is _CONSTANT and op_y is _CONSTANT:
+            folded = self._fold(_ADD, x, y)
+            if folded is not None:
+                return folded
+        if op_y is _NEGATE:
             return self.subtract(x, self.a[y])
-        if self.op[x] is Op.NEGATE:
+        if op_x is _NEGATE:
             return self.subtract(y, self.a[x])
         if x == y:
             return self.multiply(self.constant(2.0), x)
-        return self._make(Op.ADD, *sorted((x, y)))
+        return self._make_binary(_ADD, x, y) if x < y else self._make_binary(_ADD, y, x)
 
     def subtract(self, x: int, y: int) -> int:
         if y == self.zero:
@@ -91,17 +103,19 @@ class Graph:
             return self.negate(y)
         if x == y:
             return self.zero
-        folded = self._fold(Op.SUBTRACT, x, y)
-        if folded is not None:
-            return folded
-        if self.op[y] is Op.NEGATE:
+        op_x, op_y = self.op[x], self.op[y]
+        if op_x is _CONSTANT and op_y is _CONSTANT:
+            folded = self._fold(_SUBTRACT, x, y)
+            if folded is not None:
+                return folded
+        if op_y is _NEGATE:
             return self.add(x, self.a[y])
-        if self.op[x] is Op.NEGATE:
+        if op_x is _NEGATE:
             return self.negate(self.add(self.a[x], y))
-        opposite = self._index.get((Op.SUBTRACT, y, x, -1))
+        opposite = self._index[_SUBTRACT].get((y, x))
         if opposite is not None:
-            return self._make(Op.NEGATE, opposite)
-        return self._make(Op.SUBTRACT, x, y)
+            return self._make_unary(_NEGATE, opposite)
+        return self._make_binary(_SUBTRACT, x, y)
 
     def multiply(self, x: int, y: int) -> int:
         if x == self.zero or y == self.zero:
@@ -110,23 +124,29 @@ class Graph:
             return y
         if y == self.one:
             return x
-        folded = self._fold(Op.MULTIPLY, x, y)
-        if folded is not None:
-            return folded
-        if self.op[y] is Op.CONSTANT:
-            x, y = y, x
-        if self.op[x] is Op.CONSTANT:
-            if self.value[x] < 0.0:
-                return self.negate(self.multiply(self.constant(-self.value[x]), y))
-            if self.op[y] is Op.MULTIPLY and self.op[self.a[y]] is Op.CONSTANT:
-                return self.multiply(self.constant(self.value[x] * self.value[self.a[y]]), self.b[y])
-        if self.op[x] is Op.NEGATE:
+        op_x, op_y = self.op[x], self.op[y]
+        if op_y is _CONSTANT or op_x is _CONSTANT:
+            return self._multiply_by_constant(x, y) if op_x is _CONSTANT else self._multiply_by_constant(y, x)
+        if op_x is _NEGATE:
             return self.negate(self.multiply(self.a[x], y))
-        if self.op[y] is Op.NEGATE:
+        if op_y is _NEGATE:
             return self.negate(self.multiply(x, self.a[y]))
-        if self.op[x] is not Op.CONSTANT and x > y:
-            x, y = y, x
-        return self._make(Op.MULTIPLY, x, y)
+        return self._make_binary(_MULTIPLY, x, y) if x < y else self._make_binary(_MULTIPLY, y, x)
+
+    def _multiply_by_constant(self, constant: int, y: int) -> int:
+        op_y = self.op[y]
+        if op_y is _CONSTANT:
+            folded = self._fold(_MULTIPLY, constant, y)
+            if folded is not None:
+                return folded
+        factor = self.value[constant]
+        if factor < 0.0:
+            return self.negate(self.multiply(self.constant(-factor), y))
+        if op_y is _NEGATE:
+            return self.negate(self.multiply(constant, self.a[y]))
+        if op_y is _MULTIPLY and self.op[self.a[y]] is _CONSTANT:
+            return self.multiply(self.constant(factor * self.value[self.a[y]]), self.b[y])
+        return self._make_binary(_MULTIPLY, constant, y)
 
     def divide(self, x: int, y: int) -> int:
         """Division by the constant 0 is kept as a node: it is a run-time fact."""
@@ -134,23 +154,25 @@ class Graph:
             return self.zero
         if y == self.one:
             return x
-        if self.op[y] is Op.CONSTANT and self.value[y] != 0.0:
-            folded = self._fold(Op.DIVIDE, x, y)
-            if folded is not None:
-                return folded
+        op_x, op_y = self.op[x], self.op[y]
+        if op_y is _CONSTANT and self.value[y] != 0.0:
+            if op_x is _CONSTANT:
+                folded = self._fold(Op.DIVIDE, x, y)
+                if folded is not None:
+                    return folded
             if math.frexp(self.value[y])[0] in (0.5, -0.5):
                 return self.multiply(self.constant(1.0 / self.value[y]), x)
-        if self.op[x] is Op.NEGATE:
+        if op_x is _NEGATE:
             return self.negate(self.divide(self.a[x], y))
-        if self.op[y] is Op.NEGATE:
+        if op_y is _NEGATE:
             return self.negate(self.divide(x, self.a[y]))
-        return self._make(Op.DIVIDE, x, y)
+        return self._make_binary(Op.DIVIDE, x, y)
 
     def power(self, x: int, y: int) -> int:
         """x^y; small whole exponents become products, 1/2 a square root."""
-        if self.op[y] is Op.CONSTANT:
+        if self.op[y] is _CONSTANT:
             exponent = self.value[y]
-            if self.op[x] is Op.CONSTANT:
+            if self.op[x] is _CONSTANT:
                 folded = self._fold(Op.POWER, x, y)
                 if folded is not None:
                     return folded
@@ -159,7 +181,7 @@ class Graph:
             if exponent.is_integer() and abs(exponent) <= _LARGEST_UNROLLED_POWER:
                 product = self._whole_power(x, abs(int(exponent)))
                 return product if exponent >= 0 else self.divide(self.one, product)
-        return self._make(Op.POWER, x, y)
+        return self._make_binary(Op.POWER, x, y)
 
     def _whole_power(self, x: int, exponent: int) -> int:
         if exponent == 0:
@@ -171,17 +193,18 @@ class Graph:
     def unary(self, op: Op, x: int) -> int:
         """Any function of one argument."""
         assert FIRST_UNARY <= op < FIRST_BINARY
-        if op is Op.NEGATE:
+        if op is _NEGATE:
             return self.negate(x)
-        folded = self._fold(op, x)
-        if folded is not None:
-            return folded
-        if self.op[x] is Op.NEGATE:
-            if op in (Op.SIN, Op.TAN, Op.ASIN, Op.ATAN, Op.SINH, Op.TANH, Op.SIGN):
+        if self.op[x] is _CONSTANT:
+            folded = self._fold(op, x)
+            if folded is not None:
+                return folded
+        if self.op[x] is _NEGATE:
+            if op in _ODD:
                 return self.negate(self.unary(op, self.a[x]))
-            if op in (Op.COS, Op.COSH, Op.ABS):
+            if op in _EVEN:
                 return self.unary(op, self.a[x])
-        return self._make(op, x)
+        return self._make_unary(op, x)
 
     def binary(self, op: Op, x: int, y: int) -> int:
         """Any function of two arguments."""
@@ -198,16 +221,23 @@ class Graph:
             case Op.POWER:
                 return self.power(x, y)
             case _:
-                folded = self._fold(op, x, y)
-                return self._make(op, x, y) if folded is None else folded
+                both = self.op[x] is _CONSTANT and self.op[y] is _CONSTANT
+                folded = self._fold(op, x, y) if both else None
+                return self._make_binary(op, x, y) if folded is None else folded
 
     def select(self, condition: int, value: int, otherwise: int) -> int:
         """`value` where `condition` is not 0, else `otherwise`."""
-        if self.op[condition] is Op.CONSTANT:
+        if self.op[condition] is _CONSTANT:
             return value if self.value[condition] != 0.0 else otherwise
         if value == otherwise:
             return value
-        return self._make(Op.SELECT, condition, value, otherwise)
+        table = self._index[Op.SELECT]
+        key = (condition, value, otherwise)
+        node = table.get(key)
+        if node is None:
+            groups = self.groups[condition] | self.groups[value] | self.groups[otherwise]
+            node = table[key] = self._append(Op.SELECT, *key, groups)
+        return node
 
     # ---- sums and products -------------------------------------------------------------------------------------------
 
@@ -234,10 +264,14 @@ class Graph:
         return (self.a[node], self.b[node], self.c[node])
 
     def is_constant(self, node: int) -> bool:
-        return self.op[node] is Op.CONSTANT
+        return self.op[node] is _CONSTANT
 
     def group(self, symbol: int) -> Group:
         return Group(self.a[symbol])
+
+    def depends(self, node: int, *groups: Group) -> bool:
+        """Whether a symbol of one of `groups` occurs in the expression of `node`."""
+        return any(self.groups[node] >> group & 1 for group in groups)
 
     def live(self, roots: Iterable[int]) -> list[int]:
         """Ids of all nodes that `roots` are computed from, themselves included, ascending."""
@@ -265,23 +299,29 @@ class Graph:
     # ---- making ------------------------------------------------------------------------------------------------------
 
     def _fold(self, op: Op, *arguments: int) -> int | None:
-        """The constant that `op` gives for constant arguments, where it is a number."""
-        if any(self.op[x] is not Op.CONSTANT for x in arguments):
-            return None
+        """The constant that `op` gives for these constants, where it is a number."""
         result = fold(op, *(self.value[x] for x in arguments))
         return None if result is None else self.constant(result)
 
-    def _make(self, op: Op, a: int, b: int = -1, c: int = -1) -> int:
-        key = (op, a, b, c)
-        node = self._index.get(key)
+    def _make_unary(self, op: Op, a: int) -> int:
+        table = self._index[op]
+        node = table.get(a)
         if node is None:
-            node = self._append(op, a, b, c)
-            self._index[key] = node
+            node = table[a] = self._append(op, a, -1, -1, self.groups[a])
         return node
 
-    def _append(self, op: Op, a: int, b: int, c: int) -> int:
+    def _make_binary(self, op: Op, a: int, b: int) -> int:
+        table = self._index[op]
+        key = (a, b)
+        node = table.get(key)
+        if node is None:
+            node = table[key] = self._append(op, a, b, -1, self.groups[a] | self.groups[b])
+        return node
+
+    def _append(self, op: Op, a: int, b: int, c: int, groups: int) -> int:
         self.op.append(op)
         self.a.append(a)
         self.b.append(b)
         self.c.append(c)
+        self.groups.append(groups)
         return len(self.op) - 1

@@ -53,6 +53,9 @@ FIRST_UNARY = Op.NEGATE
 FIRST_BINARY = Op.ADD
 FIRST_TERNARY = Op.SELECT
 
+# Piecewise constant: the derivative is 0 wherever there is one.
+STEPS = frozenset({Op.SIGN, Op.FLOOR, Op.CEIL, Op.NOT, Op.LESS, Op.LESS_EQUAL, Op.EQUAL, Op.AND, Op.OR})
+
 
 class Group(IntEnum):
     """What a symbol stands for: one of the arrays that a program's functions take, by name in the vocabulary."""

@@ -1,0 +1,86 @@
+"""Partial derivatives of single operations, as nodes that reuse the operation's own value where they can."""
+
+from __future__ import annotations
+
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Op
+
+
+def unary_partial(graph: Graph, node: int) -> int:
+    """d(node)/d(its argument). Steps (sign, floor, ceil, not) have derivative 0, |x| has sign(x): 0 at 0."""
+    x, one = graph.a[node], graph.one
+    match graph.op[node]:
+        case Op.SIN:
+            return graph.unary(Op.COS, x)
+        case Op.COS:
+            return graph.negate(graph.unary(Op.SIN, x))
+        case Op.TAN:
+            return graph.add(one, graph.multiply(node, node))
+        case Op.ASIN:
+            return graph.divide(one, _root_of_one_minus_square(graph, x))
+        case Op.ACOS:
+            return graph.negate(graph.divide(one, _root_of_one_minus_square(graph, x)))
+        case Op.ATAN:
+            return graph.divide(one, graph.add(one, graph.multiply(x, x)))
+        case Op.SINH:
+            return graph.unary(Op.COSH, x)
+        case Op.COSH:
+            return graph.unary(Op.SINH, x)
+        case Op.TANH:
+            return graph.subtract(one, graph.multiply(node, node))
+        case Op.EXP:
+            return node
+        case Op.LOG:
+            return graph.divide(one, x)
+        case Op.SQRT:
+            return graph.divide(graph.constant(0.5), node)
+        case Op.ABS:
+            return graph.unary(Op.SIGN, x)
+        case Op.SIGN | Op.FLOOR | Op.CEIL | Op.NOT:
+            return graph.zero
+        case op:
+            raise AssertionError(op)
+
+
+def _root_of_one_minus_square(graph: Graph, x: int) -> int:
+    """sqrt(1 - x^2) as (1 - x)(1 + x), which keeps its digits near 1."""
+    product = graph.multiply(graph.subtract(graph.one, x), graph.add(graph.one, x))
+    return graph.unary(Op.SQRT, product)
+
+
+def binary_partial(graph: Graph, node: int, position: int) -> int:
+    """d(node)/d(argument 0 or 1) of an operation other than + - * /. Comparisons and logic have derivative 0."""
+    x, y = graph.a[node], graph.b[node]
+    match graph.op[node]:
+        case Op.POWER:
+            return _power_exponent(graph, node) if position else _power_base(graph, x, y)
+        case Op.ATAN2:
+            square = graph.add(graph.multiply(x, x), graph.multiply(y, y))
+            return graph.negate(graph.divide(x, square)) if position else graph.divide(y, square)
+        case Op.MOD:
+            return graph.negate(graph.unary(Op.FLOOR, graph.divide(x, y))) if position else graph.one
+        case Op.MIN:
+            return _indicator(graph, graph.binary(Op.LESS_EQUAL, x, y), position)
+        case Op.MAX:
+            return _indicator(graph, graph.binary(Op.LESS_EQUAL, y, x), position)
+        case Op.LESS | Op.LESS_EQUAL | Op.EQUAL | Op.AND | Op.OR:
+            return graph.zero
+        case op:
+            raise AssertionError(op)
+
+
+def _power_base(graph: Graph, x: int, y: int) -> int:
+    """y x^(y-1); with a constant exponent the lower power is a product or a root where it can be one."""
+    return graph.multiply(y, graph.power(x, graph.subtract(y, graph.one)))
+
+
+def _power_exponent(graph: Graph, node: int) -> int:
+    """x^y log(x), and 0 at x = 0: the logarithm is taken of 1 there."""
+    x = graph.a[node]
+    at_zero = graph.binary(Op.EQUAL, x, graph.zero)
+    return graph.multiply(node, graph.unary(Op.LOG, graph.select(at_zero, graph.one, x)))
+
+
+def _indicator(graph: Graph, first: int, position: int) -> int:
+    """1 where the argument at `position` is the one taken, else 0."""
+    return graph.select(first, graph.zero, graph.one) if position else graph.select(first, graph.one, graph.zero)

@@ -1,0 +1,45 @@
+"""Total time derivatives of nodes along a motion: q moves with qd, qd with qdd, time with 1.
+
+Applied twice it gives accelerations. Derivatives are made by the local rules of forward differentiation and memoised, so
+that the derivative of a chain of points is as small as the chain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from lagdsl.graph.differentiate import Tangent
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group, Op
+
+MOVING = (Group.TIME, Group.Q, Group.QD, Group.Z, Group.U, Group.RELEASE, Group.QDD, Group.LAMBDA)
+
+
+class TimeDerivative(Tangent):
+    """d/dt of nodes. Parameters, discretes and release rates are held.
+
+    `rate(symbol)` gives the derivative of states, inputs, accelerations and multipliers, or raises where there is none. With
+    `coasting` the accelerations are 0 instead of symbols: what is left of d/dt then does not depend on them.
+    """
+
+    def __init__(self, graph: Graph, rate: Callable[[int], int], *, coasting: bool = False) -> None:
+        super().__init__(graph, MOVING, self._motion)
+        self._graph_of_rates = graph
+        self._rate = rate
+        self._coasting = coasting
+
+    def _motion(self, symbol: int) -> int:
+        graph = self._graph_of_rates
+        assert graph.op[symbol] is Op.SYMBOL
+        index = graph.b[symbol]
+        match graph.group(symbol):
+            case Group.TIME:
+                return graph.one
+            case Group.Q:
+                return graph.symbol(Group.QD, index)
+            case Group.QD:
+                return graph.zero if self._coasting else graph.symbol(Group.QDD, index)
+            case Group.RELEASE:
+                return graph.symbol(Group.RELEASE_RATE, index)
+            case _:
+                return self._rate(symbol)
