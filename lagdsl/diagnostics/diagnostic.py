@@ -26,7 +26,8 @@ class Label:
 class Diagnostic:
     """One fact about a model text.
 
-    The words come from the row of `code` in the catalog; `labels[0]` is the primary place (caret `^`), the others explain it.
+    The words come from the row of `code` in the catalog; `labels[0]` is the primary place (caret `^`), the others
+    explain it.
     """
 
     code: str

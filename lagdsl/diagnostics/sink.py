@@ -54,7 +54,7 @@ class Sink:
             raise CompilationFailed(self.diagnostics)
 
 
-class CompilationFailed(Exception):
+class CompilationFailed(Exception):  # noqa: N818 the public name says what happened
     """A model text was rejected; `diagnostics` say where and why, `str()` is the rendered text."""
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:

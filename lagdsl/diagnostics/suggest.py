@@ -33,19 +33,17 @@ def nearest(name: str, candidates: Iterable[str]) -> str | None:
     """
     if len(name) > _LONGEST:
         return None
-    ranked = [
-        (_slips(name, candidate), candidate)
-        for candidate in sorted(set(candidates))
-        if candidate != name and len(candidate) <= _LONGEST and abs(len(candidate) - len(name)) <= _allowed(name)
+    likely = [
+        (slips, distance(name, candidate), candidate)
+        for candidate in set(candidates)
+        if _comparable(name, candidate) and (slips := distance(name.casefold(), candidate.casefold())) <= _allowed(name)
     ]
-    likely = [pair for pair in ranked if pair[0] <= _allowed(name) and _alike(name, pair[1])]
-    return min(likely)[1] if likely else None
+    return min(likely)[2] if likely else None
 
 
-def _slips(name: str, candidate: str) -> float:
-    """Distance that holds a change of case for half a slip and less than one altogether if nothing else differs."""
-    folded = distance(name.casefold(), candidate.casefold())
-    return folded if name == candidate else folded + (0.5 if folded == 0 else distance(name, candidate) / 1000)
+def _comparable(name: str, candidate: str) -> bool:
+    close = len(candidate) <= _LONGEST and abs(len(candidate) - len(name)) <= _allowed(name)
+    return close and candidate != name and _alike(name, candidate)
 
 
 def _allowed(name: str) -> int:
