@@ -1,1 +1,1 @@
-"""The command line: one command, one file."""
+"""The command `lag`: one command, one file."""

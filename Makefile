@@ -1,0 +1,44 @@
+# One door to everything: `make help` lists the doors.
+PYTHON ?= python3
+VENV   ?= .venv
+BIN    := $(VENV)/bin
+READY  := $(VENV)/.ready
+
+.DEFAULT_GOAL := help
+.PHONY: help check lint test test-fast update c-test bench docs
+
+help:  ## this list
+	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
+
+$(READY): pyproject.toml
+	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	touch $@
+
+check: lint c-test test  ## everything that must hold: style, types, floors, C tests, all tests with coverage
+
+lint: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+test: $(READY)  ## all tests, branch coverage of at least 95 %
+	$(BIN)/python -m pytest -n auto --cov --cov-report=term
+
+test-fast: $(READY)  ## the tests of the floors, without models and packaging
+	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
+
+c-test: $(READY)  ## tests of the C runtime, with the address and undefined-behavior sanitizers
+	$(MAKE) --directory=lagdsl/runtime/c test
+
+update: $(READY)  ## regenerate what is generated: parser tables, unit table, expectations of the corpus
+	$(BIN)/python -m lagdsl.syntax.generate
+	$(BIN)/python -m lagdsl.units.generate
+	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics
+
+bench: $(READY)  ## the figures of benchmarks/README.md
+	$(BIN)/python benchmarks/run.py
+
+docs: $(READY)  ## figures of the README
+	$(BIN)/lag run models/double_pendulum.lag --plot docs/double_pendulum.png -o /dev/null

@@ -1,0 +1,43 @@
+"""A language and compiler for mechanics: Lagrange's equations from a page of text to motion.
+
+`compile` turns a model text into a `Model` that computes accelerations, multipliers, energies and motions; `check`
+lists what is wrong with a text. Names are loaded when they are first used, so that importing the package costs nothing.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from lagdsl.api.check import check
+    from lagdsl.api.compile import compile
+    from lagdsl.api.model import Model
+    from lagdsl.diagnostics import CompilationFailed, Diagnostic
+    from lagdsl.simulate import SimulationFailed, Trajectory
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "CompilationFailed": "lagdsl.diagnostics",
+    "Diagnostic": "lagdsl.diagnostics",
+    "Model": "lagdsl.api.model",
+    "SimulationFailed": "lagdsl.simulate",
+    "Trajectory": "lagdsl.simulate",
+    "check": "lagdsl.api.check",
+    "compile": "lagdsl.api.compile",
+}
+
+__all__ = ["CompilationFailed", "Diagnostic", "Model", "SimulationFailed", "Trajectory", "check", "compile"]
+
+
+def __getattr__(name: str) -> object:
+    try:
+        home = _HOMES[name]
+    except KeyError:
+        raise AttributeError(f"module 'lagdsl' has no attribute {name!r}") from None
+    value = getattr(import_module(home), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -1,0 +1,46 @@
+"""`lag build FILE --target T -o DIR`: a module that stands alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.output import Unwritable, write_text
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import Derivation, front, middle
+
+_TARGETS = ("numpy", "c")
+
+
+@click.command("build")
+@takes_model
+@click.option("--target", type=click.Choice(_TARGETS), required=True, help="Language of the module.")
+@click.option("-o", "--output", "folder", type=click.Path(path_type=Path), required=True, help="Folder to write to.")
+@click.option(
+    "--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations."
+)
+def command(
+    file: Path, model: str | None, style: Format, target: str, folder: Path, derivation: Derivation
+) -> None:
+    """Write the equations of motion of FILE as one NumPy file, or as C sources with header, Makefile and example."""
+    source = read_or_leave(file, style)
+    sink = Sink()
+    flat = front(source, sink, model=model)
+    compilation = middle(flat, sink, derivation) if flat is not None else None
+    if compilation is None:
+        leave_with_errors(sink.diagnostics, style)
+    tell(sink.diagnostics, style)
+
+    from lagdsl.backends.registry import BACKENDS
+
+    artifact = BACKENDS[target].emit(compilation.program)
+    for name, text in artifact.files.items():
+        path = folder / name
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise Unwritable(path.parent, error) from error
+        write_text(text, path)
+        click.echo(path)

@@ -1,0 +1,28 @@
+"""`lag flat FILE`: the model after expansion, before mechanics."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.output import require_writable, write_text
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import front
+from lagdsl.semantics.flat_text import flat_text
+
+
+@click.command("flat")
+@takes_model
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file instead.")
+def command(file: Path, model: str | None, style: Format, output: Path | None) -> None:
+    """Show the flat model of FILE: the lists q, L, D, Q, constraints, then states, definitions, outputs."""
+    require_writable(output)
+    source = read_or_leave(file, style)
+    sink = Sink()
+    flat = front(source, sink, model=model)
+    if flat is None:
+        leave_with_errors(sink.diagnostics, style)
+    tell(sink.diagnostics, style)
+    write_text(flat_text(flat), output)

@@ -1,0 +1,98 @@
+"""The group of commands and what is common to all: exit statuses, interrupts, broken pipes."""
+
+from __future__ import annotations
+
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from importlib import import_module
+from typing import NoReturn
+
+import click
+
+import lagdsl
+from lagdsl.cli.status import ERRORS, INTERNAL, INTERRUPTED, SUCCESS
+
+# Commands by name and what `lag --help` says of each; the module is loaded when the command is used.
+_COMMANDS = {
+    "check": "Find everything that is wrong with a model.",
+    "run": "Simulate a model.",
+    "derive": "Show the derivation of the equations of motion, step by step.",
+    "build": "Write the equations as a module that stands alone.",
+    "flat": "Show the flat model: coordinates, energies, loads, constraints.",
+    "fmt": "Format model texts in place.",
+    "explain": "Show the manual page of a diagnostic.",
+    "new": "Write a first model.",
+}
+
+
+class Commands(click.Group):
+    """Loads a command when it is used, so that no command pays for another."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        return list(_COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        if cmd_name not in _COMMANDS:
+            return None
+        command: click.Command = import_module(f"lagdsl.cli.{cmd_name}").command
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if args and args[0] not in _COMMANDS and not args[0].startswith("-"):
+            from lagdsl.diagnostics.suggest import nearest
+
+            likely = nearest(args[0], _COMMANDS)
+            ctx.fail(f"no command `{args[0]}`" + (f"; did you mean `{likely}`?" if likely else ""))
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        with formatter.section("Commands"):
+            formatter.write_dl(list(_COMMANDS.items()))
+
+
+@click.command(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(lagdsl.__version__, prog_name="lag")
+def lag() -> None:
+    """Mechanics from a page of text to motion: the compiler of `.lag` models."""
+
+
+def main(arguments: Sequence[str] | None = None) -> NoReturn:
+    """Run `lag` and leave with its status; whatever happens, no Python traceback."""
+    sys.exit(_status(arguments))
+
+
+def _status(arguments: Sequence[str] | None) -> int:
+    try:
+        status = lag.main(args=arguments, prog_name="lag", standalone_mode=False)
+        sys.stdout.flush()
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("interrupted", err=True)
+        return INTERRUPTED
+    except BrokenPipeError:
+        _silence_standard_output()
+        return SUCCESS
+    except SystemExit as leaving:  # click leaves by itself when the reader of a pipe has gone
+        _silence_standard_output()
+        return leaving.code if isinstance(leaving.code, int) else ERRORS
+    except Exception as error:
+        return _internal_error(error)
+    return status if isinstance(status, int) else SUCCESS
+
+
+def _silence_standard_output() -> None:
+    """Nobody reads any more: let the interpreter's last flush go nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _internal_error(error: Exception) -> int:
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    click.echo(f"internal error: {type(error).__name__}: {error} ({place.filename}:{place.lineno})", err=True)
+    click.echo("This is a fault of lagdsl, not of your model. Please report it with the model text.", err=True)
+    return INTERNAL

@@ -1,0 +1,69 @@
+"""What the commands that take a model have in common: their arguments, and telling what was found."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Literal, NoReturn, TypeAlias, TypeVar
+
+import click
+
+from lagdsl.cli.status import ERRORS, USAGE
+from lagdsl.diagnostics import Diagnostic, Sink
+from lagdsl.pipeline import read
+from lagdsl.source import SourceFile
+
+Format: TypeAlias = Literal["text", "json"]
+_Command = TypeVar("_Command", bound=Callable[..., Any])
+
+
+def takes_model(command: _Command) -> _Command:
+    """Add FILE, `-m` and `--format`."""
+    for decorate in (
+        click.option(
+            "--format",
+            "style",
+            type=click.Choice(["text", "json"]),
+            default="text",
+            show_default=True,
+            help="Form of the diagnostics.",
+        ),
+        click.option("-m", "--model", metavar="MODEL", help="Which model of the file; default: the last complete one."),
+        click.argument("file", type=click.Path(path_type=Path)),
+    ):
+        command = decorate(command)
+    return command
+
+
+def read_or_leave(file: Path, style: Format) -> SourceFile:
+    """The text of FILE; leaves with status 2 where it cannot be read."""
+    sink = Sink()
+    source = read(file, sink)
+    if source is None:
+        tell(sink.diagnostics, style)
+        click.get_current_context().exit(USAGE)
+    return source
+
+
+def tell(diagnostics: Sequence[Diagnostic], style: Format, *, to_output: bool = False) -> None:
+    """Print diagnostics to standard error, or JSON to standard output where it is the result."""
+    if style == "json":
+        from lagdsl.diagnostics.json import to_json
+
+        click.echo(to_json(diagnostics), err=not to_output)
+    elif diagnostics:
+        from lagdsl.diagnostics.render import render_all
+
+        click.echo(render_all(diagnostics, color=_color()).rstrip("\n"), err=True)
+
+
+def leave_with_errors(diagnostics: Sequence[Diagnostic], style: Format) -> NoReturn:
+    """Tell them and leave with status 1."""
+    tell(diagnostics, style)
+    click.get_current_context().exit(ERRORS)
+
+
+def _color() -> bool:
+    return sys.stderr.isatty() and not os.environ.get("NO_COLOR")
