@@ -1,0 +1,122 @@
+"""Lagrange's equations by the letter: d/dt(dL/dqd_j) - dL/dq_j + dD/dqd_j = Q_j + sum_r lam_r dphi_r/dq_j.
+
+Everything is differentiated as a textbook does it, by SymPy; nothing is simplified. The graph route forms the same
+equations by other means and is compared with this one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import chain
+
+from sympy import Add, Expr, ImmutableDenseMatrix, Integer
+
+from lagdsl.semantics.flat_expression import Binary, FlatExpression, SystemEnergy, Unary
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.textbook.contributions import Contributions, contributions, generalized_force
+from lagdsl.textbook.convert import Converter
+from lagdsl.textbook.equations import Energies, EquationsOfMotion, MonitoredValue
+from lagdsl.textbook.mechanical import MechanicalValues
+from lagdsl.textbook.symbols import Symbols, symbols
+
+
+def derive(flat: FlatModel) -> EquationsOfMotion:
+    """The equations of motion of `flat`."""
+    table = symbols(flat)
+    return equations_of(flat, table, contributions(flat, Converter(model=flat, symbols=table)))
+
+
+def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> EquationsOfMotion:
+    """Lagrange's equations for contributions already gathered."""
+    converter = parts.converter
+    lagrangian, dissipation = parts.lagrangian, parts.dissipation
+    momenta = [lagrangian.diff(qd) for qd in table.qd]
+    mass = _symmetric([[momentum.diff(qd) for qd in table.qd[: i + 1]] for i, momentum in enumerate(momenta)])
+    loads = [generalized_force(parts, q, qd) for q, qd in zip(table.q, table.qd, strict=True)]
+    drag = [-dissipation.diff(qd) for qd in table.qd]
+    forcing = [
+        load + resistance + lagrangian.diff(q) - converter.rate(momentum, coasting=True)
+        for load, resistance, q, momentum in zip(loads, drag, table.q, momenta, strict=True)
+    ]
+    levels = [constraint.level for constraint in flat.constraints for _ in constraint.rows]
+    velocities = [
+        converter.rate(residual) if level == "position" else residual
+        for residual, level in zip(parts.residuals, levels, strict=True)
+    ]
+    energies = _energies(table, parts, momenta)
+    converter.mechanical = MechanicalValues(flat, table, parts, energies, momenta)
+    starts = [(c.start, c.rate_start) for c in flat.coordinates]
+    return EquationsOfMotion(
+        name=flat.name,
+        symbols=table,
+        parameters={s: p.value for s, p in zip(table.p, (p for p in flat.parameters if not p.structural), strict=True)},
+        lagrangian=lagrangian,
+        dissipation=dissipation,
+        energies=energies,
+        mass_matrix=_matrix(len(momenta), len(momenta), chain.from_iterable(mass)),
+        forcing=_column(forcing),
+        generalized_force=_column(loads),
+        dissipative_force=_column(drag),
+        momenta=_column(momenta),
+        constraint=_column(
+            residual if level == "position" else Integer(0)
+            for residual, level in zip(parts.residuals, levels, strict=True)
+        ),
+        constraint_jacobian=_matrix(
+            len(velocities), len(table.q), (velocity.diff(qd) for velocity in velocities for qd in table.qd)
+        ),
+        velocity_constraint=_column(velocities),
+        gamma=_column(-converter.rate(velocity, coasting=True) for velocity in velocities),
+        state_derivatives={
+            symbol: converter.scalar(state.derivative) for symbol, state in zip(table.z, flat.states, strict=True)
+        },
+        outputs={output.name: converter.scalar(output.value) for output in flat.outputs},
+        invariants=tuple(
+            MonitoredValue(name=i.name, value=converter.scalar(i.value), terms=_terms(converter, parts, i.value))
+            for i in flat.invariants
+        ),
+        assertions=tuple(converter.scalar(assertion.condition) for assertion in flat.assertions),
+        initial_equations=tuple(converter.scalar(equation.residual) for equation in flat.initial_equations),
+        start=dict(zip(table.q, (converter.scalar(start) for start, _ in starts), strict=True))
+        | dict(zip(table.qd, (converter.scalar(rate) for _, rate in starts), strict=True))
+        | dict(zip(table.z, (converter.scalar(state.start) for state in flat.states), strict=True))
+        | dict(zip(table.u, (converter.scalar(item.default) for item in flat.inputs), strict=True)),
+    )
+
+
+def _energies(table: Symbols, parts: Contributions, momenta: Sequence[Expr]) -> Energies:
+    beyond = Add(*(qd * parts.extra.diff(qd) for qd in table.qd), -parts.extra)
+    return Energies(
+        total=parts.kinetic + parts.potential + beyond,
+        kinetic=parts.kinetic,
+        potential=parts.potential,
+        jacobi=Add(*(qd * momentum for qd, momentum in zip(table.qd, momenta, strict=True)), -parts.lagrangian),
+    )
+
+
+def _terms(converter: Converter, parts: Contributions, value: FlatExpression) -> tuple[Expr, ...]:
+    """The summands whose largest size is the scale of an invariant; an energy counts by its kinds."""
+    match value:
+        case Binary("+" | "-", left, right):
+            return (*_terms(converter, parts, left), *_terms(converter, parts, right))
+        case Unary("-", operand):
+            return _terms(converter, parts, operand)
+        case SystemEnergy("total" | "jacobi"):
+            return (parts.kinetic, parts.potential, converter.scalar(value))
+        case _:
+            return (converter.scalar(value),)
+
+
+def _symmetric(lower: Sequence[Sequence[Expr]]) -> list[list[Expr]]:
+    """A full matrix from its lower triangle."""
+    n = len(lower)
+    return [[lower[max(i, j)][min(i, j)] for j in range(n)] for i in range(n)]
+
+
+def _matrix(rows: int, columns: int, elements: Iterable[Expr]) -> ImmutableDenseMatrix:
+    return ImmutableDenseMatrix(rows, columns, list(elements))
+
+
+def _column(elements: Iterable[Expr]) -> ImmutableDenseMatrix:
+    entries = list(elements)
+    return ImmutableDenseMatrix(len(entries), 1, entries)

@@ -1,0 +1,41 @@
+"""The layout of a program from the flat model alone: names by index."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from lagdsl.program.program import Layout, Slot
+from lagdsl.semantics.flat_model import FlatModel, Item, Quantity
+from lagdsl.units.naming import unit_text
+
+
+def layout(flat: FlatModel) -> Layout:
+    """No row is flagged redundant: that is found numerically, later."""
+    independent = [p for p in flat.parameters if not p.structural]
+    rows = [(row, constraint) for constraint in flat.constraints for row in constraint.rows]
+    return Layout(
+        coordinates=_slots(flat.coordinates),
+        states=_slots(flat.states),
+        inputs=_slots(flat.inputs),
+        discretes=(),
+        parameters=_slots(independent),
+        defaults=tuple(item.value for item in independent),
+        outputs=_slots(flat.outputs),
+        constraints=tuple(Slot(name=row, unit=unit_text(c.dimension), place=_place(c)) for row, c in rows),
+        position_level=tuple(constraint.level == "position" for _, constraint in rows),
+        redundant=(False,) * len(rows),
+        invariants=tuple(Slot(name=i.name, unit=unit_text(i.dimension), place=_place(i)) for i in flat.invariants),
+        assertions=tuple(assertion.message for assertion in flat.assertions),
+    )
+
+
+def _slots(items: Sequence[Quantity]) -> tuple[Slot, ...]:
+    return tuple(Slot(name=item.name, unit=item.unit, place=_place(item)) for item in items)
+
+
+def _place(item: Item) -> str | None:
+    """File and line of the declaration."""
+    if not item.spans:
+        return None
+    span = item.spans[0]
+    return f"{span.file.name}:{span.first.line}"

@@ -1,0 +1,114 @@
+"""What outputs may ask of the mechanics: multipliers, energies, momenta, and reactions, by a release."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import assert_never
+
+from sympy import Add, Expr, Integer
+
+from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.textbook import geometry
+from lagdsl.textbook.contributions import Contributions, Inertial, contributions, generalized_force
+from lagdsl.textbook.convert import Converter, Mechanical
+from lagdsl.textbook.equations import Energies
+from lagdsl.textbook.geometry import Vector
+from lagdsl.textbook.kinematics import RELEASE, RELEASE_RATE, Release
+from lagdsl.textbook.symbols import Symbols
+
+
+@dataclass
+class MechanicalValues:
+    """Evaluates such nodes for one derived model."""
+
+    model: FlatModel
+    symbols: Symbols
+    parts: Contributions
+    energies: Energies
+    momenta: Sequence[Expr]
+
+    def __call__(self, node: Mechanical) -> Expr | Vector:
+        match node:
+            case flat.Multiplier(row):
+                rows = [name for constraint in self.model.constraints for name in constraint.rows]
+                return self.symbols.lam[rows.index(row)]
+            case flat.SystemEnergy(kind):
+                return self._energy(kind)
+            case flat.GeneralizedMomentum(coordinate):
+                return self.momenta[[c.name for c in self.model.coordinates].index(coordinate)]
+            case flat.LinearMomentum():
+                return _vector_sum([geometry.scale(item.mass, item.velocity) for item in self.parts.inertials])
+            case flat.AngularMomentum(body, about):
+                return self._angular_momentum(body, self.parts.converter.vector(about))
+            case flat.ReactionAlong(point, direction):
+                along = self.parts.converter.vector(direction)
+                return self._reaction(Release(kind="point", name=point, direction=along))
+            case flat.FrameReaction(frame, kind):
+                x, y, z = (
+                    self._reaction(
+                        Release(kind="displace frame" if kind == "force" else "turn frame", name=frame, axis=axis)
+                    )
+                    for axis in range(3)
+                )
+                return (x, y, z)
+            case _:
+                assert_never(node)
+
+    def _energy(self, kind: str) -> Expr:
+        match kind:
+            case "total":
+                return self.energies.total
+            case "kinetic":
+                return self.energies.kinetic
+            case "potential":
+                return self.energies.potential
+            case _:
+                return self.energies.jacobi
+
+    def _angular_momentum(self, body: str | None, about: Vector) -> Vector:
+        items = self.parts.inertials
+        if body is not None:
+            index = [b.label for b in self.model.bodies].index(body)
+            items = (items[len(self.model.masses) + index],)
+        return _vector_sum([self._moment(item, about) for item in items])
+
+    def _moment(self, item: Inertial, about: Vector) -> Vector:
+        """(r - about) x m v, and for a body R I omega."""
+        arm = geometry.subtract(item.position, about)
+        orbital = geometry.cross(arm, geometry.scale(item.mass, item.velocity))
+        if item.frame is None or item.tensor is None:
+            return orbital
+        rotation = self.parts.converter.kinematics.poses[item.frame].rotation
+        return geometry.add(orbital, geometry.apply(rotation, geometry.apply(item.tensor, item.spin)))
+
+    def _reaction(self, release: Release) -> Expr:
+        """The equation of the released coordinate s, solved for the force that keeps s at 0."""
+        converter = Converter(model=self.model, symbols=self.symbols, release=release)
+        parts = contributions(self.model, converter)
+        lagrangian = parts.lagrangian
+        levels = [constraint.level for constraint in self.model.constraints for _ in constraint.rows]
+        upheld = [
+            lam * residual.diff(RELEASE if level == "position" else RELEASE_RATE)
+            for lam, residual, level in zip(self.symbols.lam, parts.residuals, levels, strict=True)
+        ]
+        others = (
+            parts.dissipation.diff(RELEASE_RATE)
+            - lagrangian.diff(RELEASE)
+            - generalized_force(parts, RELEASE, RELEASE_RATE)
+            - Add(*upheld)
+        )
+        momentum = _unreleased(lagrangian.diff(RELEASE_RATE))
+        return self.parts.converter.rate(momentum) + _unreleased(others)
+
+
+def _unreleased(expression: Expr) -> Expr:
+    return expression.xreplace({RELEASE: Integer(0), RELEASE_RATE: Integer(0)})
+
+
+def _vector_sum(vectors: Sequence[Vector]) -> Vector:
+    total = geometry.ZERO
+    for vector in vectors:
+        total = geometry.add(total, vector)
+    return total

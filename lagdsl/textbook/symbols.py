@@ -1,0 +1,61 @@
+"""The symbols of a model, and what differentiation by time means for them.
+
+A symbol carries the name the user gave, so that `model.equations` reads like the model; SymPy never parses these names,
+and printing goes through a table of its own. Arguments of motion are plain symbols: q, der(q), der(der(q)) are
+independent in partial derivatives, and the total derivative is the chain rule over all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sympy import Add, Expr, Integer, Symbol
+
+from lagdsl.semantics.flat_model import FlatModel
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Symbols:
+    """Symbols in the order of the layout; `lam` holds one multiplier per constraint row."""
+
+    time: Symbol
+    q: tuple[Symbol, ...]
+    qd: tuple[Symbol, ...]
+    qdd: tuple[Symbol, ...]
+    z: tuple[Symbol, ...]
+    u: tuple[Symbol, ...]
+    p: tuple[Symbol, ...]
+    lam: tuple[Symbol, ...]
+
+
+def symbols(flat: FlatModel) -> Symbols:
+    names = [coordinate.name for coordinate in flat.coordinates]
+    rows = [row for constraint in flat.constraints for row in constraint.rows]
+    return Symbols(
+        time=Symbol("time"),
+        q=tuple(Symbol(name) for name in names),
+        qd=tuple(Symbol(f"der({name})") for name in names),
+        qdd=tuple(Symbol(f"der(der({name}))") for name in names),
+        z=tuple(Symbol(state.name) for state in flat.states),
+        u=tuple(Symbol(item.name) for item in flat.inputs),
+        p=tuple(Symbol(item.name) for item in flat.parameters if not item.structural),
+        lam=tuple(Symbol(f"multiplier({row})") for row in rows),
+    )
+
+
+def rates_of_motion(flat: FlatModel, symbols: Symbols) -> dict[Symbol, Expr]:
+    """d/dt of time, coordinates, rates, and of inputs whose derivatives are inputs too."""
+    rates: dict[Symbol, Expr] = {symbols.time: Integer(1)}
+    rates |= dict(zip(symbols.q, symbols.qd, strict=True))
+    rates |= dict(zip(symbols.qd, symbols.qdd, strict=True))
+    for item, symbol in zip(flat.inputs, symbols.u, strict=True):
+        if item.derivative_of is not None:
+            rates[Symbol(item.derivative_of)] = symbol
+    return rates
+
+
+def total_derivative(expression: Expr, rates: Mapping[Symbol, Expr]) -> Expr:
+    """d/dt by the chain rule over everything in `rates` that occurs."""
+    occurring = expression.free_symbols
+    return Add(*(expression.diff(symbol) * rate for symbol, rate in rates.items() if symbol in occurring and rate != 0))
