@@ -1,5 +1,78 @@
 """Family 01: reading the text."""
 
-from lagdsl.diagnostics.catalog.row import Row
+from lagdsl.diagnostics.catalog.row import Row, error, note
 
-ROWS: dict[str, Row] = {}
+ROWS: dict[str, Row] = {
+    "E0100": error("{found} does not fit here", label="expected {expected}"),
+    "E0101": error("expected `;` after this {what}", label="`;` is missing here", help="insert `;`"),
+    "E0102": error("unknown statement `{word}`", label="no statement begins with this word", help="did you mean `{meant}`?"),
+    "E0103": error(
+        "a bare equation must be in an `equation` section",
+        label="this is an equation, not a declaration",
+        help="insert `equation` above line {line}; a new quantity needs its type: `Real x = ...;`",
+    ),
+    "E0104": error(
+        "a unit has one `/`; everything after it divides",
+        label="second `/` after the unit `{unit}`",
+        help="join what divides with `.` or an exponent: `m/s2`, `J/(kg.K)` is `J/kg.K`; to divide by a variable put "
+        "brackets around the quantity: `(5 m/s)/s`",
+    ),
+    "E0105": error("unknown unit `{unit}`", label="not a unit after a number", help="for a product write `*`"),
+    "E0107": error("comment is not closed", label="this comment runs to the end of the file", help="close it with `*/`"),
+    "E0108": error("`{character}` is no part of the language", label="unexpected character"),
+    "E0109": error(
+        "nested more than {limit} levels deep",
+        label="the limit is reached here",
+        help="name parts of the expression; a long sum is written `sum(... for i in 1:n)` (each term of a sum written "
+        "out counts as a level)",
+    ),
+    "E0110": error("`{mark}` closes nothing", label="no open bracket before this", help="remove it, or open the bracket"),
+    "E0111": error("`{mark}` is never closed", label="opened here", help="insert `{closing}`"),
+    "E0112": error("`{mark}` is closed by `{found}`", label="`{closing}` is expected here"),
+    "E0113": error("`{block}` has no `end`", label="begins here", help="insert `end {ending};`"),
+    "E0114": error(
+        "`{kind} {name}` ends with the name `{end_name}`", label="expected `{name}`", help="write `end {name};`"
+    ),
+    "E0115": error(
+        "`{word}` is a reserved word", label="cannot be used as a name", help="choose another name, such as `{word}_`"
+    ),
+    "E0116": error(
+        "this number is too {extreme}", label="not a number of double precision", help="the range is 5e-324 to 1.7e308"
+    ),
+    "E0117": error(
+        "a statement stands outside of any model",
+        label="only models, packages, functions, types and imports stand here",
+        help="put it between `model Name` and `end Name;`",
+    ),
+    "E0118": error(
+        "a declaration stands in the `{section}` section",
+        label="declared here",
+        help="move it above `{section}`; only declarations with a prefix such as `output` may follow",
+    ),
+    "E0119": error(
+        "`{word}` begins a statement here, it is not the variable",
+        label="read as the keyword `{word}`",
+        help="write the other side first: `... = {word}{rest};`",
+    ),
+    "E0120": error("`end {found}` closes nothing", label="no `{found}` is open here"),
+    "E0121": error("only functions can be called", label="this is not a function", help="for a product write `*`"),
+    "E0122": error(
+        "the size of an array follows the name", label="after the type", help="write `{type_name} {name}{size}`"
+    ),
+    "E0123": error("expected `{word}`", label="`{word}` is missing here", help="insert `{word}`"),
+    "E0124": error("this {what} is longer than {limit} characters", label="too long"),
+    "E0125": error("relations do not chain", label="second relation", help="write `a < b and b < c`"),
+    "E0126": error("text in quotes is not closed", label="opened here", help='close it with `"` on the same line'),
+    "E0130": error(
+        "{name} is larger than {limit} characters and is not read",
+        help="split the model into several files and `import` them",
+    ),
+    "E0131": error("{name} is not a text in UTF-8 (byte {position})", help="save it in the encoding UTF-8"),
+    "E0132": error("{name} is a directory", help="give the name of a `.lag` file in it"),
+    "E0133": error("{name} does not exist", help="check the name; `lag new NAME` makes a first model"),
+    "E0134": error("{name} cannot be read: {reason}", help="check the permissions of the file"),
+    "E0135": error("{name} contains no model", help="a model is written `model Name ... end Name;`"),
+    "E0136": error("{name} contains the character NUL (position {position}) and is no model text", help="give a `.lag` file"),
+    "N0106": note("`{literal}` is a number with a unit, not a product with {names}; write `{meant}` for that"),
+    "N0199": note("stopped after {count} errors", help="repair the first ones; later ones often follow from them"),
+}

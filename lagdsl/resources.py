@@ -1,0 +1,37 @@
+"""Where the files lie that are not Python: grammar, component library, pages of diagnostics, C sources.
+
+A checkout or an editable install has them beside the package; a wheel carries them in `lagdsl/_data`. C sources are part
+of the package in every case.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+_PACKAGE = Path(__file__).resolve().parent
+
+
+def grammar_file() -> Path:
+    """The grammar of the language, in Lark's notation."""
+    return _folder("grammar", "grammar") / "lagdsl.lark"
+
+
+def library_folder() -> Path:
+    """Root of the component library: `.lag` files."""
+    return _folder("stdlib", "stdlib")
+
+
+def diagnostics_folder() -> Path:
+    """The manual pages of the diagnostics: `E0401.md` and so on."""
+    return _folder("diagnostics", "docs/diagnostics")
+
+
+def c_folder() -> Path:
+    """The written C: `include/lag/*.h` and `src/*.c`."""
+    return _PACKAGE / "runtime" / "c"
+
+
+def _folder(packed: str, checked_out: str) -> Path:
+    """The folder inside the wheel if there is one, else the one of the checkout."""
+    inside = _PACKAGE / "_data" / packed
+    return inside if inside.is_dir() else _PACKAGE.parent / checked_out
