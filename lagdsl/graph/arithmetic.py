@@ -19,7 +19,7 @@ def _real(x: Value) -> Value:
 
 def _absolute(x: Value) -> Value:
     """|x| that a complex step passes through: the sign is that of the real part."""
-    return np.where(_real(x) < 0, -x, x) if np.iscomplexobj(x) else np.abs(x)
+    return _choose(_real(x) < 0, -x, x) if np.iscomplexobj(x) else np.abs(x)
 
 
 def _atan2(y: Value, x: Value) -> Value:
@@ -35,8 +35,9 @@ def _truth(condition: Value) -> Value:
     return np.asarray(condition, dtype=np.float64)[()]
 
 
-def _where(condition: Value, value: Value, otherwise: Value) -> Value:
-    return np.where(condition != 0, value, otherwise)[()]
+def _choose(condition: Value, value: Value, otherwise: Value) -> Value:
+    chosen: Value = np.where(condition, value, otherwise)
+    return chosen[()]
 
 
 NUMPY: Table = {
@@ -65,20 +66,20 @@ NUMPY: Table = {
     Op.POWER: np.power,
     Op.ATAN2: _atan2,
     Op.MOD: lambda x, y: x - np.floor(_real(x / y)) * y,
-    Op.MIN: lambda x, y: np.where(_real(x) <= _real(y), x, y)[()],
-    Op.MAX: lambda x, y: np.where(_real(x) >= _real(y), x, y)[()],
+    Op.MIN: lambda x, y: _choose(_real(x) <= _real(y), x, y),
+    Op.MAX: lambda x, y: _choose(_real(x) >= _real(y), x, y),
     Op.LESS: lambda x, y: _truth(_real(x) < _real(y)),
     Op.LESS_EQUAL: lambda x, y: _truth(_real(x) <= _real(y)),
     Op.EQUAL: lambda x, y: _truth(_real(x) == _real(y)),
     Op.AND: lambda x, y: _truth((x != 0) & (y != 0)),
     Op.OR: lambda x, y: _truth((x != 0) | (y != 0)),
-    Op.SELECT: _where,
+    Op.SELECT: lambda condition, value, otherwise: _choose(condition != 0, value, otherwise),
 }
 
 
 def precise() -> Table:
     """The same on mpmath numbers, at mpmath's working precision."""
-    import mpmath
+    import mpmath  # type: ignore[import-untyped]
 
     functions = {
         Op.SIN: "sin",

@@ -57,4 +57,5 @@ def fold(op: Op, *arguments: float) -> float | None:
         result = SCALAR[op](*arguments)
     except (ValueError, ArithmeticError):
         return None
-    return result if math.isfinite(result) or any(math.isinf(x) for x in arguments) and not math.isnan(result) else None
+    infinite = any(math.isinf(x) for x in arguments) and not math.isnan(result)
+    return result if infinite or math.isfinite(result) else None

@@ -118,8 +118,9 @@ class Graph:
         return self._make_binary(_SUBTRACT, x, y)
 
     def multiply(self, x: int, y: int) -> int:
-        if x == self.zero or y == self.zero:
-            return self.zero
+        zero = self.zero
+        if zero in (x, y):
+            return zero
         if x == self.one:
             return y
         if y == self.one:

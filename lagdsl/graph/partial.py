@@ -2,44 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
 
 
 def unary_partial(graph: Graph, node: int) -> int:
     """d(node)/d(its argument). Steps (sign, floor, ceil, not) have derivative 0, |x| has sign(x): 0 at 0."""
-    x, one = graph.a[node], graph.one
-    match graph.op[node]:
-        case Op.SIN:
-            return graph.unary(Op.COS, x)
-        case Op.COS:
-            return graph.negate(graph.unary(Op.SIN, x))
-        case Op.TAN:
-            return graph.add(one, graph.multiply(node, node))
-        case Op.ASIN:
-            return graph.divide(one, _root_of_one_minus_square(graph, x))
-        case Op.ACOS:
-            return graph.negate(graph.divide(one, _root_of_one_minus_square(graph, x)))
-        case Op.ATAN:
-            return graph.divide(one, graph.add(one, graph.multiply(x, x)))
-        case Op.SINH:
-            return graph.unary(Op.COSH, x)
-        case Op.COSH:
-            return graph.unary(Op.SINH, x)
-        case Op.TANH:
-            return graph.subtract(one, graph.multiply(node, node))
-        case Op.EXP:
-            return node
-        case Op.LOG:
-            return graph.divide(one, x)
-        case Op.SQRT:
-            return graph.divide(graph.constant(0.5), node)
-        case Op.ABS:
-            return graph.unary(Op.SIGN, x)
-        case Op.SIGN | Op.FLOOR | Op.CEIL | Op.NOT:
-            return graph.zero
-        case op:
-            raise AssertionError(op)
+    return _UNARY[graph.op[node]](graph, node, graph.a[node])
+
+
+_UNARY: dict[Op, Callable[[Graph, int, int], int]] = {
+    Op.SIN: lambda graph, node, x: graph.unary(Op.COS, x),
+    Op.COS: lambda graph, node, x: graph.negate(graph.unary(Op.SIN, x)),
+    Op.TAN: lambda graph, node, x: graph.add(graph.one, graph.multiply(node, node)),
+    Op.ASIN: lambda graph, node, x: graph.divide(graph.one, _root_of_one_minus_square(graph, x)),
+    Op.ACOS: lambda graph, node, x: graph.negate(graph.divide(graph.one, _root_of_one_minus_square(graph, x))),
+    Op.ATAN: lambda graph, node, x: graph.divide(graph.one, graph.add(graph.one, graph.multiply(x, x))),
+    Op.SINH: lambda graph, node, x: graph.unary(Op.COSH, x),
+    Op.COSH: lambda graph, node, x: graph.unary(Op.SINH, x),
+    Op.TANH: lambda graph, node, x: graph.subtract(graph.one, graph.multiply(node, node)),
+    Op.EXP: lambda graph, node, x: node,
+    Op.LOG: lambda graph, node, x: graph.divide(graph.one, x),
+    Op.SQRT: lambda graph, node, x: graph.divide(graph.constant(0.5), node),
+    Op.ABS: lambda graph, node, x: graph.unary(Op.SIGN, x),
+    **dict.fromkeys((Op.SIGN, Op.FLOOR, Op.CEIL, Op.NOT), lambda graph, node, x: graph.zero),
+}
 
 
 def _root_of_one_minus_square(graph: Graph, x: int) -> int:

@@ -40,7 +40,7 @@ def _same(value: Value, *arguments: Sized) -> Value:
 
 
 SIZES: dict[Op, Rule] = {
-    **{op: _same for op in Op},
+    **dict.fromkeys(Op, _same),
     Op.NEGATE: lambda value, x: x[1],
     Op.SIN: _slope(lambda x, value: np.cos(x)),
     Op.COS: _slope(lambda x, value: np.sin(x)),

@@ -1,0 +1,93 @@
+"""What carries mass: positions, velocities and angular momenta of point masses and rigid bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from lagdsl.graph.graph import Graph
+from lagdsl.mechanics import vectors
+from lagdsl.mechanics.lowering import Lowering
+from lagdsl.mechanics.vectors import Axes, Vector
+from lagdsl.semantics.flat_model import FlatModel, RigidBody
+
+
+@dataclass(frozen=True, slots=True)
+class Spin:
+    """Turning of a rigid body in its own axes: angular velocity, and angular momentum about the mass centre."""
+
+    axes: Axes
+    velocity: Vector
+    momentum: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Carrier:
+    """A mass [kg], its centre's position [m] and velocity [m/s], world components; point masses have no spin."""
+
+    label: str | None
+    mass: int
+    position: Vector
+    velocity: Vector
+    spin: Spin | None
+
+
+def carriers(lowering: Lowering, flat: FlatModel) -> tuple[Carrier, ...]:
+    found = []
+    for item in flat.masses:
+        position = lowering.vector(item.position)
+        found.append(Carrier(None, lowering.scalar(item.mass), position, lowering.velocity(position), None))
+    found += [_body(lowering, body) for body in flat.bodies]
+    return tuple(found)
+
+
+def _body(lowering: Lowering, body: RigidBody) -> Carrier:
+    graph = lowering.graph
+    mass = lowering.scalar(body.mass)
+    pose = lowering.poses(body.frame)[body.frame]
+    x, y, z = (lowering.scalar(component) for component in body.com)
+    position = vectors.add(graph, pose.origin, vectors.to_world(graph, pose.axes, (x, y, z)))
+    at_rest = (graph.zero, graph.zero, graph.zero)
+    velocity = at_rest if mass == graph.zero else lowering.velocity(position)
+    return Carrier(body.label, mass, position, velocity, _spin(lowering, body))
+
+
+def _spin(lowering: Lowering, body: RigidBody) -> Spin | None:
+    graph = lowering.graph
+    xx, yy, zz, xy, xz, yz = (lowering.scalar(entry) for entry in body.inertia)
+    tensor = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    if all(entry == graph.zero for row in tensor for entry in row):
+        return None
+    poses = lowering.poses(body.frame)
+    velocity = poses.own_velocity(body.frame)
+    momentum = (graph.dot(tensor[0], velocity), graph.dot(tensor[1], velocity), graph.dot(tensor[2], velocity))
+    return Spin(poses[body.frame].axes, velocity, momentum)
+
+
+def kinetic_energy(graph: Graph, carrier: Carrier) -> int:
+    """1/2 m v.v + 1/2 omega.I omega."""
+    half = graph.constant(0.5)
+    twice = graph.multiply(carrier.mass, graph.dot(carrier.velocity, carrier.velocity))
+    if carrier.spin is not None:
+        twice = graph.add(twice, graph.dot(carrier.spin.velocity, carrier.spin.momentum))
+    return graph.multiply(half, twice)
+
+
+def linear_momentum(graph: Graph, found: tuple[Carrier, ...]) -> Vector:
+    """Sum of m v [kg.m/s]."""
+    total = (graph.zero, graph.zero, graph.zero)
+    for carrier in found:
+        total = vectors.add(graph, total, vectors.scale(graph, carrier.mass, carrier.velocity))
+    return total
+
+
+def angular_momentum(graph: Graph, found: tuple[Carrier, ...], about: Vector) -> Vector:
+    """Sum of (r - about) x m v and of the bodies' own angular momenta [kg.m2/s], world components."""
+    total = (graph.zero, graph.zero, graph.zero)
+    for carrier in found:
+        arm = vectors.subtract(graph, carrier.position, about)
+        moved = vectors.cross(graph, arm, vectors.scale(graph, carrier.mass, carrier.velocity))
+        total = vectors.add(graph, total, moved)
+        if carrier.spin is not None:
+            own = vectors.to_world(graph, carrier.spin.axes, carrier.spin.momentum)
+            total = vectors.add(graph, total, own)
+    return total

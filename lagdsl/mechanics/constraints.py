@@ -1,0 +1,65 @@
+"""Constraint rows: residuals phi(q, t) or A(q, t) qd + b(q, t), their Jacobian, and its transpose times the multipliers.
+
+The constraint force of `a = b` is +lambda d(a - b)/dq: a positive multiplier pushes towards larger a - b.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from lagdsl.graph.differentiate import adjoints, jacobian
+from lagdsl.graph.graph import Graph
+from lagdsl.mechanics.acceleration import refuse_accelerations
+from lagdsl.mechanics.lowering import Lowering
+from lagdsl.mechanics.symbols import Directions
+from lagdsl.semantics.flat_model import FlatModel
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """One entry per row in source order; `position_level` rows restrict the coordinates themselves."""
+
+    residuals: tuple[int, ...]
+    position_level: tuple[bool, ...]
+
+
+def constraint_rows(lowering: Lowering, flat: FlatModel) -> Rows:
+    residuals: list[int] = []
+    levels: list[bool] = []
+    for constraint in flat.constraints:
+        nodes = [lowering.scalar(residual) for residual in constraint.residuals]
+        refuse_accelerations(lowering.graph, nodes, constraint.spans)
+        residuals += nodes
+        levels += [constraint.level == "position"] * len(nodes)
+    return Rows(tuple(residuals), tuple(levels))
+
+
+def constraint_jacobian(graph: Graph, rows: Rows, directions: Directions) -> list[list[int]]:
+    """J: d(phi)/dq of rows of position level, d(residual)/d(qd) of rows of velocity level."""
+    matrix = []
+    for residual, position_level in zip(rows.residuals, rows.position_level, strict=True):
+        symbols = directions.positions if position_level else directions.rates
+        matrix += jacobian(graph, [residual], symbols)
+    return matrix
+
+
+def constraint_forces(graph: Graph, rows: Rows, multipliers: list[int], directions: Directions) -> list[int]:
+    """J' lambda for each of `directions`, by one reverse sweep over the rows of each level."""
+    seeds: tuple[dict[int, int], dict[int, int]] = ({}, {})
+    for residual, position_level, multiplier in zip(rows.residuals, rows.position_level, multipliers, strict=True):
+        weights = seeds[0] if position_level else seeds[1]
+        weights[residual] = graph.add(weights.get(residual, graph.zero), multiplier)
+    moved = adjoints(graph, seeds[0], (directions.position_group,))
+    driven = adjoints(graph, seeds[1], (directions.rate_group,))
+    return [
+        graph.add(moved.get(position, graph.zero), driven.get(rate, graph.zero))
+        for position, rate in zip(directions.positions, directions.rates, strict=True)
+    ]
+
+
+def velocity_residuals(lowering: Lowering, rows: Rows) -> list[int]:
+    """J qd + b of every row: what has to vanish for the rates."""
+    return [
+        lowering.rate.of(residual) if position_level else residual
+        for residual, position_level in zip(rows.residuals, rows.position_level, strict=True)
+    ]

@@ -1,0 +1,154 @@
+"""From the flat model to a program by the scalable route: everything on one graph, nothing expanded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from lagdsl.graph.graph import Graph
+from lagdsl.mechanics import constraints, energies, lagrange
+from lagdsl.mechanics.layout import layout
+from lagdsl.mechanics.lowering import Lowering
+from lagdsl.mechanics.monitor import largest_term
+from lagdsl.mechanics.provided import Provider
+from lagdsl.mechanics.symbols import Symbols
+from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
+from lagdsl.program.functions import SIGNATURES
+from lagdsl.program.program import Block, Function, Program
+from lagdsl.semantics.flat_model import FlatModel
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Derivation:
+    """A model's equations as nodes, before they are arranged in functions."""
+
+    flat: FlatModel
+    graph: Graph
+    symbols: Symbols
+    lowering: Lowering
+    dynamics: lagrange.Dynamics
+    energies: energies.SystemEnergies
+    rows: constraints.Rows
+
+
+def form_equations(flat: FlatModel) -> Derivation:
+    """Energies, loads and constraints of `flat` on a new graph, with what outputs may ask of them."""
+    graph = Graph()
+    symbols = Symbols(graph, flat)
+    lowering = Lowering(graph, flat, symbols)
+    found = lagrange.dynamics(lowering, flat, symbols.directions)
+    totals = energies.system_energies(graph, found, symbols.directions)
+    lowering.provide = Provider(lowering, flat, symbols, found, totals)
+    rows = constraints.constraint_rows(lowering, flat)
+    return Derivation(
+        flat=flat, graph=graph, symbols=symbols, lowering=lowering, dynamics=found, energies=totals, rows=rows
+    )
+
+
+def derive(flat: FlatModel) -> Program:
+    """All functions of `lagdsl.program.functions`.
+
+    Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that has
+    none (E0304).
+    """
+    derivation = form_equations(flat)
+    blocks = {
+        **_equations(derivation),
+        **_energies(derivation),
+        **_observed(derivation),
+        **_start(derivation),
+    }
+    functions = tuple(
+        Function(name=name, arguments=arguments, results=tuple(blocks[name])) for name, arguments in SIGNATURES.items()
+    )
+    return Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
+
+
+def _equations(derivation: Derivation) -> dict[str, list[Block]]:
+    graph, symbols, lowering = derivation.graph, derivation.symbols, derivation.lowering
+    directions, rows, terms = symbols.directions, derivation.rows, derivation.dynamics.terms
+    phi = [
+        residual if position_level else graph.zero
+        for residual, position_level in zip(rows.residuals, rows.position_level, strict=True)
+    ]
+    velocity = constraints.velocity_residuals(lowering, rows)
+    jacobian = _matrix("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
+    mass = _matrix("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
+    gamma = [graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity]
+    tau = lagrange.inverse_dynamics(lowering, terms)
+    pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
+    r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
+    s = [lowering.rate.of(residual) for residual in velocity]
+    return {
+        "position_constraint": [_vector("phi", phi), jacobian],
+        "velocity_constraint": [_vector("residual", velocity), jacobian],
+        "mass_matrix": [mass],
+        "dynamics": [mass, _vector("f", lagrange.forcing(lowering, terms)), jacobian, _vector("gamma", gamma)],
+        "inverse_dynamics": [_vector("tau", tau)],
+        "residual": [_vector("r", r), _vector("s", s)],
+        "residual_tangent": [
+            _vector("dr", directional(graph, r, STATE_GROUPS)),
+            _vector("ds", directional(graph, s, STATE_GROUPS)),
+        ],
+    }
+
+
+def _energies(derivation: Derivation) -> dict[str, list[Block]]:
+    graph, directions = derivation.graph, derivation.symbols.directions
+    found, totals = derivation.dynamics, derivation.energies
+    return {
+        "energies": [
+            _number("total", totals.total),
+            _number("kinetic", totals.kinetic),
+            _number("potential", totals.potential),
+            _number("jacobi", totals.jacobi),
+        ],
+        "momenta": [_vector("momenta", found.terms.momentum)],
+        "power": [
+            _vector("load", energies.load_power(graph, found, directions)),
+            _vector("dissipated", energies.dissipated_power(graph, found, directions)),
+        ],
+    }
+
+
+def _observed(derivation: Derivation) -> dict[str, list[Block]]:
+    graph, flat, scalar = derivation.graph, derivation.flat, derivation.lowering.scalar
+    rates = [scalar(state.derivative) for state in flat.states]
+    outputs = [scalar(output.value) for output in flat.outputs]
+    invariants = [scalar(invariant.value) for invariant in flat.invariants]
+    return {
+        "state_derivative": [_vector("zd", rates)],
+        "state_derivative_tangent": [_vector("dzd", directional(graph, rates, SOLVED_GROUPS))],
+        "output": [_vector("y", outputs)],
+        "output_tangent": [_vector("dy", directional(graph, outputs, SOLVED_GROUPS))],
+        "monitor": [
+            _vector("invariant", invariants),
+            _vector("scale", [largest_term(graph, invariant) for invariant in invariants]),
+            _vector("assertion", [scalar(assertion.condition) for assertion in flat.assertions]),
+        ],
+        "initial_equation": [_vector("residual", [scalar(equation.residual) for equation in flat.initial_equations])],
+    }
+
+
+def _start(derivation: Derivation) -> dict[str, list[Block]]:
+    flat, scalar = derivation.flat, derivation.lowering.scalar
+    return {
+        "start": [
+            _vector("q", [scalar(coordinate.start) for coordinate in flat.coordinates]),
+            _vector("qd", [scalar(coordinate.rate_start) for coordinate in flat.coordinates]),
+            _vector("z", [scalar(state.start) for state in flat.states]),
+            _vector("u", [scalar(item.default) for item in flat.inputs]),
+        ]
+    }
+
+
+def _number(name: str, node: int) -> Block:
+    return Block(name=name, shape=(), elements=(node,))
+
+
+def _vector(name: str, nodes: Sequence[int]) -> Block:
+    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
+
+
+def _matrix(name: str, rows: Sequence[Sequence[int]], columns: int) -> Block:
+    return Block(name=name, shape=(len(rows), columns), elements=tuple(node for row in rows for node in row))

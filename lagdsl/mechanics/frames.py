@@ -1,0 +1,202 @@
+"""Frames on the graph: three world axes and an origin, and the angular velocity, found recursively from the parent's.
+
+Structural zeros of the world's axes make planar code planar. Rotations follow Goldstein, *Classical Mechanics* (3rd ed.),
+sections 4.2 to 4.9; quaternions are homogeneous, scalar first: the rotation is that of e/|e|.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias, assert_never
+
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Op
+from lagdsl.mechanics.vectors import Axes, Vector, add, cross, negate, scale, subtract, to_own, to_world
+
+Quaternion: TypeAlias = tuple[int, int, int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """About own axis 0, 1 or 2 by an angle with this cosine and sine; `direction` is the axis in the world."""
+
+    axis: int
+    angle: int
+    cosine: int
+    sine: int
+    direction: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class TurnAbout:
+    """About a unit vector `axis` in own components by an angle; `direction` is the axis in the world."""
+
+    axis: Vector
+    angle: int
+    columns: Axes
+    direction: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class TurnQuaternion:
+    """By a quaternion; `columns` is its matrix, `axes` the world axes after it."""
+
+    e: Quaternion
+    columns: Axes
+    axes: Axes
+
+
+@dataclass(frozen=True, slots=True)
+class SetTo:
+    """Axes given in the world, whatever the parent does."""
+
+    axes: Axes
+
+
+@dataclass(frozen=True, slots=True)
+class Released:
+    """Turned by a small rotation `angle` (world components) that vanishes, but not its `rate`; `axes` after it."""
+
+    angle: Vector
+    rate: Vector
+    axes: Axes
+
+
+Motion: TypeAlias = "Turn | TurnAbout | TurnQuaternion | SetTo | Released"
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """Where a frame is, and what turned it since its parent: enough for its angular velocity."""
+
+    parent: str | None
+    axes: Axes
+    origin: Vector
+    motions: tuple[Motion, ...] = ()
+
+
+def world(graph: Graph) -> Pose:
+    zero, one = graph.zero, graph.one
+    return Pose(None, ((one, zero, zero), (zero, one, zero), (zero, zero, one)), (zero, zero, zero))
+
+
+# ---- orientation -----------------------------------------------------------------------------------------------------
+
+
+def turn(graph: Graph, axes: Axes, axis: int, angle: int) -> tuple[Axes, Turn]:
+    """Rotation by `angle` about own axis 0, 1 or 2."""
+    cosine, sine = graph.unary(Op.COS, angle), graph.unary(Op.SIN, angle)
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    turned = list(axes)
+    turned[i] = add(graph, scale(graph, cosine, axes[i]), scale(graph, sine, axes[j]))
+    turned[j] = subtract(graph, scale(graph, cosine, axes[j]), scale(graph, sine, axes[i]))
+    return (turned[0], turned[1], turned[2]), Turn(axis, angle, cosine, sine, axes[axis])
+
+
+def turn_about(graph: Graph, axes: Axes, axis: Vector, angle: int) -> tuple[Axes, TurnAbout]:
+    """Rotation by `angle` about `axis` in own components, normalized (Rodrigues)."""
+    length = graph.unary(Op.SQRT, graph.dot(axis, axis))
+    n = (graph.divide(axis[0], length), graph.divide(axis[1], length), graph.divide(axis[2], length))
+    cosine, sine = graph.unary(Op.COS, angle), graph.unary(Op.SIN, angle)
+    versine = graph.subtract(graph.one, cosine)
+    columns = []
+    for k in range(3):
+        unit = _unit(graph, k)
+        along = scale(graph, graph.multiply(versine, n[k]), n)
+        across = scale(graph, sine, cross(graph, n, unit))
+        columns.append(add(graph, add(graph, scale(graph, cosine, unit), across), along))
+    matrix = (columns[0], columns[1], columns[2])
+    turned = _compose(graph, axes, matrix)
+    return turned, TurnAbout(n, angle, matrix, to_world(graph, axes, n))
+
+
+def turn_quaternion(graph: Graph, axes: Axes, e: Quaternion) -> tuple[Axes, TurnQuaternion]:
+    """Rotation of e/|e| (Euler-Rodrigues): 1 - 2 (y^2 + z^2)/|e|^2 on the diagonal, so that zeros stay zeros."""
+    factor = graph.divide(graph.constant(2.0), graph.dot(e, e))
+
+    def double(i: int, j: int) -> int:
+        return graph.multiply(factor, graph.multiply(e[i], e[j]))
+
+    def diagonal(i: int, j: int) -> int:
+        return graph.subtract(graph.one, graph.add(double(i, i), double(j, j)))
+
+    matrix = (
+        (diagonal(2, 3), graph.add(double(1, 2), double(0, 3)), graph.subtract(double(1, 3), double(0, 2))),
+        (graph.subtract(double(1, 2), double(0, 3)), diagonal(1, 3), graph.add(double(2, 3), double(0, 1))),
+        (graph.add(double(1, 3), double(0, 2)), graph.subtract(double(2, 3), double(0, 1)), diagonal(1, 2)),
+    )
+    turned = _compose(graph, axes, matrix)
+    return turned, TurnQuaternion(e, matrix, turned)
+
+
+def release(graph: Graph, axes: Axes, angle: Vector, rate: Vector) -> tuple[Axes, Released]:
+    """Each axis moved by angle x axis: exact to first order, which is all a release needs."""
+    x, y, z = (add(graph, axis, cross(graph, angle, axis)) for axis in axes)
+    return (x, y, z), Released(angle, rate, (x, y, z))
+
+
+def _unit(graph: Graph, axis: int) -> Vector:
+    x, y, z = (graph.one if k == axis else graph.zero for k in range(3))
+    return (x, y, z)
+
+
+def _compose(graph: Graph, axes: Axes, matrix: Axes) -> Axes:
+    return (to_world(graph, axes, matrix[0]), to_world(graph, axes, matrix[1]), to_world(graph, axes, matrix[2]))
+
+
+# ---- angular velocity ------------------------------------------------------------------------------------------------
+
+
+class Rates(Protocol):
+    """Time derivatives of nodes, as the angular velocity needs them."""
+
+    def of(self, root: int) -> int: ...
+
+
+def own_velocity(graph: Graph, before: Vector, motion: Motion, rates: Rates) -> Vector:
+    """Angular velocity in own axes after `motion`, from that in own axes before it."""
+    match motion:
+        case Turn(axis, angle, cosine, sine):
+            i, j = (axis + 1) % 3, (axis + 2) % 3
+            after = list(before)
+            after[i] = graph.add(graph.multiply(cosine, before[i]), graph.multiply(sine, before[j]))
+            after[j] = graph.subtract(graph.multiply(cosine, before[j]), graph.multiply(sine, before[i]))
+            after[axis] = graph.add(before[axis], rates.of(angle))
+            return (after[0], after[1], after[2])
+        case TurnAbout(axis=n, angle=angle, columns=columns):
+            return add(graph, to_own(graph, columns, before), scale(graph, rates.of(angle), n))
+        case TurnQuaternion(e, columns):
+            return add(graph, to_own(graph, columns, before), quaternion_velocity(graph, e, rates))
+        case SetTo((x, y, z)):
+            dx, dy, dz = _derivative(x, rates), _derivative(y, rates), _derivative(z, rates)
+            return (graph.dot(dy, z), graph.dot(dz, x), graph.dot(dx, y))
+        case Released(rate=rate, axes=axes):
+            return add(graph, before, to_own(graph, axes, rate))
+    assert_never(motion)
+
+
+def world_velocity(graph: Graph, before: Vector, motion: Motion, rates: Rates) -> Vector:
+    """Angular velocity in world axes after `motion`, from that in world axes before it."""
+    match motion:
+        case Turn(angle=angle, direction=direction) | TurnAbout(angle=angle, direction=direction):
+            return add(graph, before, scale(graph, rates.of(angle), direction))
+        case TurnQuaternion(e, _, axes):
+            return add(graph, before, to_world(graph, axes, quaternion_velocity(graph, e, rates)))
+        case SetTo(axes):
+            return to_world(graph, axes, own_velocity(graph, before, motion, rates))
+        case Released(angle, rate):
+            return add(graph, add(graph, before, cross(graph, angle, before)), rate)
+    assert_never(motion)
+
+
+def quaternion_velocity(graph: Graph, e: Quaternion, rates: Rates) -> Vector:
+    """2 conj(e) der(e) / |e|^2 without its scalar part: the rate of turning in the axes after the turn."""
+    w, v = e[0], (e[1], e[2], e[3])
+    dw, dv = rates.of(w), (rates.of(e[1]), rates.of(e[2]), rates.of(e[3]))
+    vector = subtract(graph, scale(graph, w, dv), scale(graph, dw, v))
+    vector = add(graph, vector, negate(graph, cross(graph, v, dv)))
+    return scale(graph, graph.divide(graph.constant(2.0), graph.dot(e, e)), vector)
+
+
+def _derivative(vector: Vector, rates: Rates) -> Vector:
+    return (rates.of(vector[0]), rates.of(vector[1]), rates.of(vector[2]))

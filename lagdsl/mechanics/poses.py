@@ -1,0 +1,134 @@
+"""The poses of all frames of a model, their angular velocities on demand, and what a release adds to them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import assert_never
+
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics import frames
+from lagdsl.mechanics.frames import Motion, Pose, Rates, SetTo
+from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_world
+from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.semantics.flat_model import (
+    Frame,
+    Move,
+    Place,
+    Rotate,
+    RotateAbout,
+    RotateQuaternion,
+    SetAxes,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Release:
+    """Indices of RELEASE symbols: three for the origin and three for the turning of a frame, one for a point with its direction."""
+
+    origins: dict[str, int] = field(default_factory=dict)
+    turns: dict[str, int] = field(default_factory=dict)
+    points: dict[str, list[tuple[int, Vector]]] = field(default_factory=dict)
+
+    def move_point(self, graph: Graph, name: str, position: Vector) -> Vector:
+        for index, direction in self.points.get(name, ()):
+            position = add(graph, position, scale(graph, graph.symbol(Group.RELEASE, index), direction))
+        return position
+
+    def move_frame(self, graph: Graph, name: str, pose: Pose) -> Pose:
+        if name in self.origins:
+            pose = replace(pose, origin=add(graph, pose.origin, _triple(graph, Group.RELEASE, self.origins[name])))
+        if name in self.turns:
+            angle = _triple(graph, Group.RELEASE, self.turns[name])
+            rate = _triple(graph, Group.RELEASE_RATE, self.turns[name])
+            axes, motion = frames.release(graph, pose.axes, angle, rate)
+            pose = replace(pose, axes=axes, motions=(*pose.motions, motion))
+        return pose
+
+
+class Poses:
+    """Poses by name; `world` is there from the start."""
+
+    def __init__(self, graph: Graph, rates: Rates, release: Release) -> None:
+        self._graph = graph
+        self._rates = rates
+        self._release = release
+        self._poses = {"world": frames.world(graph)}
+        at_rest = (graph.zero, graph.zero, graph.zero)
+        self._own = {"world": at_rest}
+        self._world = {"world": at_rest}
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._poses
+
+    def __getitem__(self, name: str) -> Pose:
+        return self._poses[name]
+
+    def make(
+        self, frame: Frame, node: Callable[[FlatExpression], int], triple: Callable[[FlatExpression], Vector]
+    ) -> None:
+        """The pose of a frame whose parent and expressions have been lowered."""
+        parent = self._poses[frame.parent]
+        axes, origin = parent.axes, parent.origin
+        motions: list[Motion] = []
+        for step in frame.steps:
+            if isinstance(step, Move):
+                x, y, z = (node(component) for component in step.offset)
+                origin = add(self._graph, origin, to_world(self._graph, axes, (x, y, z)))
+            elif isinstance(step, Place):
+                origin = triple(step.position)
+            else:
+                axes, motion = self._turn(axes, step, node, triple)
+                motions.append(motion)
+        pose = Pose(frame.parent, axes, origin, tuple(motions))
+        self._poses[frame.name] = self._release.move_frame(self._graph, frame.name, pose)
+
+    def _turn(
+        self,
+        axes: Axes,
+        step: Rotate | RotateAbout | RotateQuaternion | SetAxes,
+        node: Callable[[FlatExpression], int],
+        triple: Callable[[FlatExpression], Vector],
+    ) -> tuple[Axes, Motion]:
+        match step:
+            case Rotate(axis, angle):
+                return frames.turn(self._graph, axes, axis, node(angle))
+            case RotateAbout((x, y, z), angle):
+                return frames.turn_about(self._graph, axes, (node(x), node(y), node(z)), node(angle))
+            case RotateQuaternion((w, x, y, z)):
+                return frames.turn_quaternion(self._graph, axes, (node(w), node(x), node(y), node(z)))
+            case SetAxes(x, y, z):
+                axes = (triple(x), triple(y), triple(z))
+                return axes, SetTo(axes)
+        assert_never(step)
+
+    # ---- angular velocity --------------------------------------------------------------------------------------------
+
+    def own_velocity(self, name: str) -> Vector:
+        """Angular velocity relative to the world in the frame's own axes: rotations about own axes cost least there."""
+        return self._velocity(name, self._own, frames.own_velocity)
+
+    def world_velocity(self, name: str) -> Vector:
+        """Angular velocity relative to the world in world axes."""
+        return self._velocity(name, self._world, frames.world_velocity)
+
+    def _velocity(
+        self, name: str, known: dict[str, Vector], after: Callable[[Graph, Vector, Motion, Rates], Vector]
+    ) -> Vector:
+        ancestry = []
+        while name not in known:
+            ancestry.append(name)
+            parent = self._poses[name].parent
+            assert parent is not None
+            name = parent
+        velocity = known[name]
+        for descendant in reversed(ancestry):
+            for motion in self._poses[descendant].motions:
+                velocity = after(self._graph, velocity, motion, self._rates)
+            known[descendant] = velocity
+        return velocity
+
+
+def _triple(graph: Graph, group: Group, first: int) -> Vector:
+    return (graph.symbol(group, first), graph.symbol(group, first + 1), graph.symbol(group, first + 2))

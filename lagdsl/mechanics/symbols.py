@@ -1,0 +1,70 @@
+"""The leaves of a model on the graph: which symbol, or which number, a name stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group
+from lagdsl.semantics.flat_model import FlatModel, Input
+
+
+@dataclass(frozen=True, slots=True)
+class Directions:
+    """Generalized coordinates to form equations for, with their rates: those of the model, or released ones."""
+
+    positions: tuple[int, ...]
+    rates: tuple[int, ...]
+    position_group: Group
+    rate_group: Group
+
+
+class Symbols:
+    """Symbols of `flat` in the order of the layout."""
+
+    def __init__(self, graph: Graph, flat: FlatModel) -> None:
+        self.time = graph.symbol(Group.TIME)
+        self.q = graph.symbols(Group.Q, len(flat.coordinates))
+        self.qd = graph.symbols(Group.QD, len(flat.coordinates))
+        self.qdd = graph.symbols(Group.QDD, len(flat.coordinates))
+        self.z = graph.symbols(Group.Z, len(flat.states))
+        self.u = graph.symbols(Group.U, len(flat.inputs))
+        independent = [parameter for parameter in flat.parameters if not parameter.structural]
+        self.p = graph.symbols(Group.P, len(independent))
+        self.rows = [row for constraint in flat.constraints for row in constraint.rows]
+        self.lam = graph.symbols(Group.LAMBDA, len(self.rows))
+        self.coordinate_index = {item.name: index for index, item in enumerate(flat.coordinates)}
+        self.by_name = {"time": self.time}
+        self.by_name |= {item.name: graph.constant(item.value) for item in flat.parameters if item.structural}
+        for items, nodes in (
+            (independent, self.p),
+            (flat.coordinates, self.q),
+            (flat.states, self.z),
+            (flat.inputs, self.u),
+        ):
+            self.by_name |= {item.name: node for item, node in zip(items, nodes, strict=True)}
+
+    @property
+    def directions(self) -> Directions:
+        return Directions(tuple(self.q), tuple(self.qd), Group.Q, Group.QD)
+
+
+def input_rates(graph: Graph, flat: FlatModel) -> Callable[[int], int]:
+    """For each input the input that is its time derivative; one without is refused with its declaration."""
+    following = {item.derivative_of: index for index, item in enumerate(flat.inputs) if item.derivative_of is not None}
+
+    def rate(index: int) -> int:
+        item = flat.inputs[index]
+        if item.name not in following:
+            raise _not_differentiable(item)
+        return graph.symbol(Group.U, following[item.name])
+
+    return rate
+
+
+def _not_differentiable(item: Input) -> CompilationFailed:
+    sink = Sink()
+    sink.report("E0304", item.spans[0], name=item.name)
+    return CompilationFailed(sink.diagnostics)
