@@ -30,18 +30,19 @@ class Sink:
     ) -> None:
         """Add the diagnostic `code`, its catalog templates filled with `arguments`.
 
-        `help` and `notes` given here win over the row's own. The same fact at the same place is kept once.
+        `help` and `notes` given here win over the row's own, and so do texts of labels. The same fact at the same place
+        is kept once.
         """
         row = ROWS[code]
         first = Label(primary) if isinstance(primary, Span) else primary
-        if first is not None and not first.text and row.label is not None:
-            first = Label(first.span, row.label.format(**arguments))
+        places = [] if first is None else [_worded(first, row.label, arguments)]
+        places += [_worded(label, row.secondary, arguments) for label in labels]
         template = row.help.format(**arguments) if help is None and row.help is not None else help
         diagnostic = Diagnostic(
             code=code,
             severity=row.severity,
             message=row.message.format(**arguments),
-            labels=((first,) if first is not None else ()) + labels,
+            labels=tuple(places),
             notes=notes,
             help=template,
         )
@@ -52,6 +53,10 @@ class Sink:
         """Raise `CompilationFailed` with all that was collected if any of it is an error."""
         if self.has_errors:
             raise CompilationFailed(self.diagnostics)
+
+
+def _worded(label: Label, template: str | None, arguments: dict[str, object]) -> Label:
+    return label if label.text or template is None else Label(label.span, template.format(**arguments))
 
 
 class CompilationFailed(Exception):  # noqa: N818 the public name says what happened

@@ -326,6 +326,7 @@ class FlatModel:
     masses: tuple[PointMass, ...]
     bodies: tuple[RigidBody, ...]
     gravity: FlatExpression | None
+    gravity_span: Span | None = field(default=None, compare=False, repr=False)
     loads: tuple[Load, ...]
     constraints: tuple[Constraint, ...]
     outputs: tuple[Output, ...]

@@ -1,5 +1,75 @@
 """Family 05: physics."""
 
-from lagdsl.diagnostics.catalog.row import Row
+from lagdsl.diagnostics.catalog.row import Row, error, warning
 
-ROWS: dict[str, Row] = {}
+ROWS: dict[str, Row] = {
+    "E0501": error(
+        "coordinate `{name}` is never used",
+        label="no mass, energy, load or constraint depends on it",
+        help="let a point, an energy or a constraint depend on it, or delete it",
+    ),
+    "E0502": error(
+        "`{keyword}` depends on `{rate}`; velocity-dependent potentials go into `lagrangian`",
+        label="a potential energy is a function of position and time",
+        help="write `lagrangian -(...)`: a potential enters the Lagrangian with a minus sign",
+    ),
+    "E0503": error(
+        "`{name}` has no inertia",
+        label="no kinetic energy depends on der({name})",
+        help="give what it moves a mass or an inertia, or prescribe the motion by a definition",
+    ),
+    "E0504": error(
+        "`kinetic` is not quadratic in the rates",
+        label="a kinetic energy is quadratic plus linear plus constant in the rates",
+        help="write `lagrangian` instead of `kinetic` for a Lagrangian of another form",
+    ),
+    "E0505": error(
+        "the {what} depends on `{name}`, but masses and inertias cannot change during the motion",
+        label="must be built from parameters",
+        help="a changing mass carries momentum away: state energies and forces by hand in `lagrangian` and `force`",
+    ),
+    "E0506": error(
+        "the {what} is negative: {value} {unit} with the given parameters",
+        label="must be zero or positive",
+    ),
+    "E0507": error(
+        "gravity depends on `{name}`",
+        label="may depend on time and parameters only",
+        help="write a field that changes with position as `potential`",
+    ),
+    "E0508": error(
+        "the {what} depends on the rate `{rate}`",
+        label="a position is a function of the coordinates and time",
+        help="make `{base}` a state of its own, or use a coordinate",
+    ),
+    "E0509": error(
+        "impossible inertia: {left} < {right} for body `{name}`",
+        label="no distribution of mass has these moments",
+        help="two moments of inertia together are never smaller than the third; a thin disc has Ixx + Iyy = Izz",
+    ),
+    "W0510": warning(
+        "masses but no gravity: state `gravity = ...`, or `gravity = 0` if weightless is meant",
+        label="has no weight",
+        help="`gravity = -g_n*world.y;` is the usual one",
+    ),
+    "W0511": warning(
+        "gravity may be counted twice",
+        label="equals the automatic term",
+        secondary="already adds -m*g.r",
+        help="remove one of the two",
+    ),
+    "E0512": error(
+        "`{keyword}` depends on the acceleration `{acceleration}`",
+        label="an energy is a function of coordinates, rates and time",
+    ),
+    "E0513": error(
+        "nothing moves: the model has neither a coordinate nor a state",
+        label="declare what moves",
+        help="for example `coordinate Angle theta;`",
+    ),
+    "W0514": warning(
+        "this `{keyword}` has no effect: {reason}",
+        label="changes nothing in the equations of motion",
+        help="delete it, or let it depend on what moves",
+    ),
+}

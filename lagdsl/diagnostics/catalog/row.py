@@ -9,22 +9,24 @@ from lagdsl.diagnostics.diagnostic import Severity
 class Row:
     """Words of one diagnostic; `{name}` fields are filled with typed arguments by `Sink.report`.
 
-    `message` is one sentence in the user's vocabulary, `label` stands at the caret, `help` is a way out.
+    `message` is one sentence in the user's vocabulary, `label` stands at the caret, `secondary` at other places that
+    come without words of their own, `help` is a way out.
     """
 
     severity: Severity
     message: str
     label: str | None = None
     help: str | None = None
+    secondary: str | None = None
 
 
-def error(message: str, label: str | None = None, help: str | None = None) -> Row:
-    return Row(Severity.ERROR, message, label, help)
+def error(message: str, label: str | None = None, help: str | None = None, secondary: str | None = None) -> Row:
+    return Row(Severity.ERROR, message, label, help, secondary)
 
 
-def warning(message: str, label: str | None = None, help: str | None = None) -> Row:
-    return Row(Severity.WARNING, message, label, help)
+def warning(message: str, label: str | None = None, help: str | None = None, secondary: str | None = None) -> Row:
+    return Row(Severity.WARNING, message, label, help, secondary)
 
 
-def note(message: str, label: str | None = None, help: str | None = None) -> Row:
-    return Row(Severity.NOTE, message, label, help)
+def note(message: str, label: str | None = None, help: str | None = None, secondary: str | None = None) -> Row:
+    return Row(Severity.NOTE, message, label, help, secondary)

@@ -1,0 +1,82 @@
+"""The degree of an expression as a polynomial in the rates: a kinetic energy has two, a velocity one."""
+
+from __future__ import annotations
+
+import math
+
+from lagdsl.semantics import flat_expression as fx
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_dependence import Dependence
+
+INFINITE = math.inf
+
+
+class RateDegree:
+    """Upper bounds from the structure of the text: cancellation is not seen; inf where it is no polynomial."""
+
+    def __init__(self, dependence: Dependence) -> None:
+        self.dependence = dependence
+        flat = dependence.flat
+        self._moving = {item.name for item in (*flat.coordinates, *flat.states, *flat.inputs)}
+        self._definitions = {item.name: item for item in flat.named if isinstance(item, fm.Definition)}
+        self._known: dict[int, tuple[fx.FlatExpression, float]] = {}
+
+    def of(self, expression: fx.FlatExpression) -> float:
+        """0 for an expression without rates, up to inf."""
+        orders = self.dependence.of(expression)
+        if not any(order and name in self._moving for name, order in orders.items()):
+            return 0
+        known = self._known.get(id(expression))
+        if known is None:
+            known = self._known[id(expression)] = (expression, self._compute(expression))
+        return known[1]
+
+    def _compute(self, expression: fx.FlatExpression) -> float:
+        match expression:
+            case fx.Variable(name):
+                return self.of(self._definitions[name].value)
+            case fx.Derivative(operand):
+                return 1 if self.of(operand) == 0 else INFINITE
+            case fx.AngularVelocity() | fx.MaterialVelocity():
+                return 1
+            case fx.Unary(operator, operand):
+                return self.of(operand) if operator == "-" else INFINITE
+            case fx.Binary(operator, left, right):
+                return self._binary(operator, left, right)
+            case fx.Conditional(condition, value, otherwise):
+                return INFINITE if self.of(condition) else max(self.of(value), self.of(otherwise))
+            case fx.Component(vector, _):
+                return self.of(vector)
+            case fx.Dot(left, right) | fx.Cross(left, right):
+                return self.of(left) + self.of(right)
+            case fx.Vector(x, y, z):
+                return max(self.of(x), self.of(y), self.of(z))
+            case _:
+                return INFINITE
+
+    def _binary(self, operator: str, left: fx.FlatExpression, right: fx.FlatExpression) -> float:
+        match operator:
+            case "+" | "-":
+                return max(self.of(left), self.of(right))
+            case "*":
+                return self.of(left) + self.of(right)
+            case "/":
+                return INFINITE if self.of(right) else self.of(left)
+            case "^":
+                return self._power(left, right)
+            case _:
+                return INFINITE
+
+    def _power(self, base: fx.FlatExpression, exponent: fx.FlatExpression) -> float:
+        if not isinstance(exponent, fx.Number) or exponent.value < 0 or exponent.value % 1:
+            return INFINITE
+        even = exponent.value % 2 == 0
+        match base:
+            case fx.Norm(vector) if even:
+                return self.of(vector) * exponent.value
+            case fx.Function("abs", (operand,)) if even:
+                return self.of(operand) * exponent.value
+            case fx.Function("sqrt", (operand,)) if even:
+                return self.of(operand) * exponent.value / 2
+            case _:
+                return self.of(base) * exponent.value

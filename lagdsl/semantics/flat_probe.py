@@ -1,0 +1,38 @@
+"""Random moments at which a flat model is tried, always the same ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from random import Random
+
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_evaluate import NotEvaluable, Values, evaluate
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """Values and rates of the coordinates, values of states, inputs and time."""
+
+    variables: dict[str, float]
+    rates: dict[str, float]
+
+
+def probes(flat: fm.FlatModel, count: int) -> list[Moment]:
+    """`count` moments around the start, spread by the nominal size of each coordinate (1 where none is given)."""
+    random = Random(20240229)
+    starts = {c.name: _start(flat, c) for c in flat.coordinates}
+    moments = []
+    for _ in range(count):
+        variables = {c.name: starts[c.name] + (c.nominal or 1.0) * random.uniform(-1, 1) for c in flat.coordinates}
+        variables.update({item.name: random.uniform(0.1, 1) for item in (*flat.states, *flat.inputs)})
+        variables["time"] = random.uniform(0, 1)
+        rates = {c.name: (c.nominal or 1.0) * random.uniform(-1, 1) for c in flat.coordinates}
+        moments.append(Moment(variables, rates))
+    return moments
+
+
+def _start(flat: fm.FlatModel, coordinate: fm.Coordinate) -> float:
+    try:
+        return evaluate(flat, coordinate.start, Values())
+    except NotEvaluable:
+        return 0.0

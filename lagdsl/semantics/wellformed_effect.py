@@ -1,0 +1,126 @@
+"""E0501, E0508, E0513, W0514: everything declared must do something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from lagdsl.diagnostics import Sink
+from lagdsl.semantics import flat_expression as fx
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_dependence import Dependence, Orders
+from lagdsl.semantics.flat_spans import place
+from lagdsl.source import Span
+
+
+def check_unused_coordinates(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
+    """E0501 for coordinates in no physics item: outputs and drawings only look at them."""
+    used = {name for orders in _physics(flat, dependence) for name in orders}
+    for coordinate in flat.coordinates:
+        if coordinate.name not in used:
+            sink.report("E0501", place(coordinate), name=coordinate.name)
+
+
+def _physics(flat: fm.FlatModel, dependence: Dependence) -> Iterator[Orders]:
+    for term in flat.energies:
+        yield dependence.of(term.value)
+    for mass in flat.masses:
+        yield dependence.of(mass.position)
+    for body in flat.bodies:
+        yield dependence.of_frame(body.frame)
+    for constraint in flat.constraints:
+        if not constraint.normalisation:
+            yield dependence.of_all(constraint.residuals)
+    for state in flat.states:
+        yield dependence.of(state.derivative)
+    for load in flat.loads:
+        yield dependence.of_all(load_expressions(load))
+        yield from (dependence.of_frame(frame) for frame in load_frames(load))
+
+
+def load_expressions(load: fm.Load) -> list[fx.FlatExpression]:
+    """The expressions of a load, its value first."""
+    match load:
+        case fm.PointForce():
+            return [load.force, load.point] + ([load.origin] if load.origin is not None else [])
+        case fm.FrameTorque():
+            return [load.torque]
+        case fm.GeneralizedForce():
+            return [load.value, load.target] + ([load.origin] if load.origin is not None else [])
+
+
+def load_frames(load: fm.Load) -> list[str]:
+    """The frames a load acts on or refers to."""
+    match load:
+        case fm.PointForce():
+            return [frame for frame in (load.frame, load.origin_frame) if frame is not None]
+        case fm.FrameTorque():
+            return [frame for frame in (load.frame, load.origin) if frame is not None]
+        case fm.GeneralizedForce():
+            return []
+
+
+def check_effects(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
+    """E0513 for a model in which nothing moves, E0508 for positions made of rates, W0514 for items without effect."""
+    if not flat.coordinates and not flat.states:
+        sink.report("E0513", _anywhere(flat))
+        return
+    for mass in flat.masses:
+        _check_place(flat, mass, _Place("mass", "position of this mass", dependence.of(mass.position)), sink)
+    for body in flat.bodies:
+        _check_place(flat, body, _Place("body", "frame of this body", dependence.of_frame(body.frame)), sink)
+    for load in flat.loads:
+        keyword, displaced = _displaced(load, dependence)
+        _check_place(flat, load, _Place(keyword, "place of this load", displaced), sink)
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where an item acts: its keyword, the place in words, and what the place depends on."""
+
+    keyword: str
+    words: str
+    orders: Orders
+
+
+def _displaced(load: fm.Load, dependence: Dependence) -> tuple[str, Orders]:
+    """Keyword of a load and what its virtual displacement depends on."""
+    match load:
+        case fm.PointForce():
+            # A material point of a frame moves with the frame, wherever the force finds it.
+            at = dependence.of(load.point) if load.frame is None else dependence.of_frame(load.frame)
+            reaction = {} if load.origin is None else dependence.of(load.origin)
+            if load.origin_frame is not None:
+                reaction = dependence.of_frame(load.origin_frame)
+            return "force", {**at, **reaction}
+        case fm.FrameTorque():
+            frames = [frame for frame in (load.frame, load.origin) if frame is not None]
+            orders: Orders = {}
+            for frame in frames:
+                orders.update(dependence.of_frame(frame, turning_only=True))
+            return "torque", orders
+        case fm.GeneralizedForce():
+            scalars = [load.target] + ([load.origin] if load.origin is not None else [])
+            return load.keyword, dependence.of_all(scalars)
+
+
+def _check_place(flat: fm.FlatModel, item: fm.Item, where: _Place, sink: Sink) -> None:
+    coordinates = [coordinate.name for coordinate in flat.coordinates]
+    rates = [name for name in coordinates if where.orders.get(name)]
+    if rates:
+        sink.report("E0508", place(item), what=where.words, rate=f"der({rates[0]})", base=rates[0])
+    elif not any(name in where.orders for name in coordinates):
+        reason = "no coordinate moves the place where it acts"
+        sink.report("W0514", place(item), keyword=where.keyword, reason=reason)
+
+
+def _anywhere(flat: fm.FlatModel) -> Span | None:
+    items: tuple[fm.Item, ...] = (
+        *flat.parameters,
+        *flat.inputs,
+        *flat.named,
+        *flat.masses,
+        *flat.bodies,
+        *flat.outputs,
+    )
+    return next((place(item) for item in items if item.spans), None)

@@ -1,0 +1,64 @@
+"""E0502, E0504, E0512, W0514: the form of hand-written energies."""
+
+from __future__ import annotations
+
+import math
+
+from lagdsl.diagnostics import Sink
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_degree import RateDegree
+from lagdsl.semantics.flat_dependence import Dependence, Orders
+from lagdsl.semantics.flat_evaluate import NotEvaluable, Values, evaluate
+from lagdsl.semantics.flat_probe import probes
+from lagdsl.semantics.flat_spans import place
+
+_POINTS = 6
+
+
+def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
+    """Each `kinetic`, `potential`, `lagrangian`, `dissipation` must have its form and an effect."""
+    coordinates = {coordinate.name for coordinate in flat.coordinates}
+    degree = RateDegree(dependence)
+    for term in flat.energies:
+        orders = {name: order for name, order in dependence.of(term.value).items() if name in coordinates}
+        accelerations = [name for name, order in orders.items() if order > 1]
+        rates = [name for name, order in orders.items() if order == 1]
+        if accelerations:
+            sink.report("E0512", place(term), keyword=term.kind, acceleration=f"der(der({accelerations[0]}))")
+        elif term.kind == "potential" and rates:
+            sink.report("E0502", place(term), keyword=term.kind, rate=f"der({rates[0]})")
+        elif term.kind == "kinetic" and degree.of(term.value) > 2 and not _is_quadratic(flat, term):
+            sink.report("E0504", place(term))
+        else:
+            _check_effect(term, orders, sink)
+
+
+def _check_effect(term: fm.EnergyTerm, orders: Orders, sink: Sink) -> None:
+    if not orders:
+        sink.report("W0514", place(term), keyword=term.kind, reason="it depends on no coordinate")
+    elif term.kind == "dissipation" and not any(orders.values()):
+        sink.report("W0514", place(term), keyword=term.kind, reason="it depends on no rate, and only rates dissipate")
+
+
+def _is_quadratic(flat: fm.FlatModel, term: fm.EnergyTerm) -> bool:
+    """Whether the term is a quadratic polynomial along random lines of rates: the third difference vanishes.
+
+    For texts whose degree does not show, such as `norm(v)*norm(v)`. Undecided counts as quadratic.
+    """
+    for moment in probes(flat, _POINTS):
+        try:
+            values = [
+                evaluate(flat, term.value, Values(variables=moment.variables, rates=_scaled(moment.rates, factor)))
+                for factor in (-2.0, -0.5, 1.0, 2.5, 4.0)
+            ]
+        except NotEvaluable:
+            return True
+        size = max(map(abs, values))
+        difference = [values[i + 3] - 3 * values[i + 2] + 3 * values[i + 1] - values[i] for i in (0, 1)]
+        if math.isfinite(size) and max(map(abs, difference)) > 1e-9 * size:
+            return False
+    return True
+
+
+def _scaled(rates: dict[str, float], factor: float) -> dict[str, float]:
+    return {name: rate if name == "time" else factor * rate for name, rate in rates.items()}

@@ -1,0 +1,135 @@
+"""E0507, W0510, W0511: gravity forgotten, out of place, or counted twice."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lagdsl.diagnostics import Label, Sink
+from lagdsl.semantics import flat_expression as fx
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_dependence import Dependence
+from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.semantics.flat_probe import Moment, probes
+from lagdsl.semantics.flat_spans import place
+
+_MOST_TERMS = 40  # additive terms of a potential that are told apart
+_TOLERANCE = 1e-9
+
+
+def check_gravity(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
+    """One `gravity` statement, depending on time and parameters, and no weight written twice."""
+    if flat.gravity is None:
+        _check_forgotten(flat, sink)
+        return
+    moving = {item.name for item in (*flat.coordinates, *flat.states)}
+    positions = [name for name in dependence.of(flat.gravity) if name in moving]
+    if positions:
+        sink.report("E0507", flat.gravity_span, name=positions[0])
+    elif any(term.kind == "potential" for term in flat.energies):
+        _check_twice(flat, sink)
+
+
+def _check_forgotten(flat: fm.FlatModel, sink: Sink) -> None:
+    heavy: list[fm.Item] = [mass for mass in flat.masses if mass.mass != fx.ZERO]
+    heavy += [body for body in flat.bodies if body.mass != fx.ZERO]
+    if heavy and not any(term.kind in ("potential", "lagrangian") for term in flat.energies):
+        sink.report("W0510", place(heavy[0]))
+
+
+# ---- the comparison of a hand-written potential with the automatic terms ---------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Weight:
+    """-m g.r of one mass or body at the probed moments, up to a constant."""
+
+    item: fm.Item
+    values: NDArray[np.float64]
+
+
+def _check_twice(flat: fm.FlatModel, sink: Sink) -> None:
+    """W0511 where additive terms of a potential sum up to the weight of a mass, or of all masses.
+
+    Terms and weights are sampled at random moments and compared as functions up to a constant: a least-squares fit of
+    the weight by the terms must leave nothing and use each term either once or not at all.
+    """
+    terms = [
+        (energy, value) for energy in flat.energies if energy.kind == "potential" for value in _terms(energy.value)
+    ]
+    terms = terms[:_MOST_TERMS]
+    moments = probes(flat, 2 * len(terms) + 8)
+    try:
+        columns = np.array([[_at(flat, moment).scalar(value) for _, value in terms] for moment in moments])
+        weights = _weights(flat, moments)
+    except NotEvaluable:
+        return
+    sound = np.all(np.isfinite(columns), axis=1)
+    if np.count_nonzero(sound) < len(terms) + 4:
+        return
+    columns = _centered(columns[sound])
+    for weight in weights:
+        used = _sum_of(columns, _centered(weight.values[sound]))
+        if used:
+            energy = terms[used[0]][0]
+            others = [Label(span) for span in (place(weight.item), flat.gravity_span) if span is not None]
+            sink.report("W0511", place(energy), *others)
+
+
+def _sum_of(columns: NDArray[np.float64], target: NDArray[np.float64]) -> list[int]:
+    """The columns whose sum the target is; empty where it is no such sum."""
+    size = float(np.max(np.abs(target), initial=0.0))
+    if size == 0.0 or not np.all(np.isfinite(target)):
+        return []
+    scales = np.max(np.abs(columns), axis=0)
+    factors = np.linalg.lstsq(columns / np.where(scales > 0, scales, 1.0), target, rcond=None)[0]
+    factors = np.where(scales > 0, factors / np.where(scales > 0, scales, 1.0), 0.0)
+    chosen = np.abs(factors) > 0.5
+    left = target - columns @ chosen.astype(float)
+    return [int(i) for i in np.flatnonzero(chosen)] if float(np.max(np.abs(left))) < _TOLERANCE * size else []
+
+
+def _terms(expression: fx.FlatExpression, sign: int = 1) -> list[fx.FlatExpression]:
+    """The additive terms of an expression, signs applied."""
+    match expression:
+        case fx.Binary("+" | "-", left, right):
+            return _terms(left, sign) + _terms(right, sign if expression.operator == "+" else -sign)
+        case fx.Unary("-", operand):
+            return _terms(operand, -sign)
+        case _:
+            return [expression if sign > 0 else fx.Unary("-", expression)]
+
+
+def _weights(flat: fm.FlatModel, moments: list[Moment]) -> list[_Weight]:
+    """Of each mass and body, and of all of them together where there are several."""
+    assert flat.gravity is not None
+    items: list[tuple[fm.Item, list[float]]] = [(item, []) for item in (*flat.masses, *flat.bodies)]
+    for moment in moments:
+        evaluator = _at(flat, moment)
+        gravity = evaluator.vector(flat.gravity)
+        for item, values in items:
+            values.append(-float(gravity @ _moment_of_mass(evaluator, item)))
+    weights = [_Weight(item, np.array(values)) for item, values in items]
+    if len(weights) > 1:
+        weights.append(_Weight(weights[0].item, np.sum([weight.values for weight in weights], axis=0)))
+    return weights
+
+
+def _moment_of_mass(evaluator: Evaluator, item: fm.Item) -> NDArray[np.float64]:
+    """m r of a mass or body, shape (3,)."""
+    if isinstance(item, fm.PointMass):
+        return evaluator.scalar(item.mass) * evaluator.vector(item.position)
+    assert isinstance(item, fm.RigidBody)
+    origin, axes = evaluator.frame(item.frame)
+    com = np.array([evaluator.scalar(component) for component in item.com])
+    return np.asarray(evaluator.scalar(item.mass) * (origin + axes @ com))
+
+
+def _at(flat: fm.FlatModel, moment: Moment) -> Evaluator:
+    return Evaluator(flat, Values(variables=moment.variables, rates=moment.rates))
+
+
+def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.asarray(values - np.mean(values, axis=0))

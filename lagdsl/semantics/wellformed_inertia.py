@@ -1,0 +1,88 @@
+"""E0505, E0506, E0509: masses and inertias must be possible."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from lagdsl.diagnostics import Sink
+from lagdsl.semantics import flat_expression as fx
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_dependence import Dependence
+from lagdsl.semantics.flat_evaluate import Values, evaluate
+from lagdsl.semantics.flat_spans import place
+
+_MOMENTS = ("Ixx", "Iyy", "Izz")
+_SLACK = 1e-9  # a thin disc lies on the boundary, up to rounding
+
+
+def check_inertias(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
+    """Values are those of the parameters' defaults."""
+    checks = _Checks(flat, dependence, sink)
+    for mass in flat.masses:
+        if checks.constant(mass, "mass", mass.mass):
+            checks.not_negative(mass, "mass", mass.mass, "kg")
+    for body in flat.bodies:
+        checks.body(body)
+
+
+@dataclass(frozen=True, slots=True)
+class _Checks:
+    flat: fm.FlatModel
+    dependence: Dependence
+    sink: Sink
+
+    def body(self, body: fm.RigidBody) -> None:
+        """Its mass, its moments and what they allow; each only if what comes before is sound."""
+        name = f"body `{body.label}`" if body.label is not None else "body"
+        parts = [(f"mass of {name}", body.mass, "kg")]
+        parts += [(f"moment {axis} of {name}", body.inertia[i], "kg.m2") for i, axis in enumerate(_MOMENTS)]
+        everything = [(what, value) for what, value, _ in parts]
+        everything += [(f"inertia of {name}", product) for product in body.inertia[3:]]
+        sound = [self.constant(body, what, value) for what, value in everything]
+        if all(sound):
+            sound = [self.not_negative(body, what, value, unit) for what, value, unit in parts]
+            if all(sound):
+                self._triangle(body)
+
+    def constant(self, item: fm.Item, what: str, value: fx.FlatExpression) -> bool:
+        """E0505 unless the value is built from parameters (ruling 13)."""
+        fixed = {parameter.name for parameter in self.flat.parameters}
+        changing = [name for name in self.dependence.of(value) if name not in fixed]
+        if changing:
+            self.sink.report("E0505", place(item), what=what, name=changing[0])
+        return not changing
+
+    def not_negative(self, item: fm.Item, what: str, value: fx.FlatExpression, unit: str) -> bool:
+        number = evaluate(self.flat, value, Values())
+        if number < 0.0:
+            self.sink.report("E0506", place(item), what=what, value=f"{number:.6g}", unit=unit)
+        return not number < 0.0
+
+    def _triangle(self, body: fm.RigidBody) -> None:
+        """E0509 for the three moments as given, else for the principal ones.
+
+        Entries that are not given are unstated (ruling 18): nothing is checked unless all three moments are.
+        """
+        numbers = [evaluate(self.flat, value, Values()) for value in body.inertia]
+        if any(moment == fx.ZERO for moment in body.inertia[:3]) or not np.all(np.isfinite(numbers)):
+            return
+        xx, yy, zz, xy, xz, yz = numbers
+        values = (f"Ixx = {xx:.6g}, Iyy = {yy:.6g}, Izz = {zz:.6g} kg.m2",)
+        for left, two, right, third in (
+            ("Ixx + Iyy", xx + yy, "Izz", zz),
+            ("Ixx + Izz", xx + zz, "Iyy", yy),
+            ("Iyy + Izz", yy + zz, "Ixx", xx),
+        ):
+            if two < third * (1 - _SLACK):
+                self._impossible(body, left, right, values)
+                return
+        principal = np.linalg.eigvalsh(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]))
+        if principal[0] + principal[1] < principal[2] * (1 - _SLACK):
+            shown = ", ".join(f"{value:.6g}" for value in principal)
+            note = f"with the products of inertia the principal moments are {shown} kg.m2"
+            self._impossible(body, "I1 + I2", "I3", (*values, note))
+
+    def _impossible(self, body: fm.RigidBody, left: str, right: str, notes: tuple[str, ...]) -> None:
+        self.sink.report("E0509", place(body), left=left, right=right, name=body.label or body.frame, notes=notes)
