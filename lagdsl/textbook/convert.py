@@ -83,6 +83,10 @@ def plain_number(value: float) -> Expr:
     return Float(value)
 
 
+def as_it_is(expression: Expr) -> Expr:
+    return expression
+
+
 class NoDerivativeError(ValueError):
     """An input's derivative is asked for and the model does not provide it; the checker refuses such models before."""
 
@@ -102,6 +106,7 @@ class Converter:
     symbols: Symbols
     release: Release | None = None
     number: Callable[[float], Expr] = plain_number
+    tidy: Callable[[Expr], Expr] = as_it_is
     opaque: Mapping[str, Symbol] = field(default_factory=dict)
     mechanical: Callable[[Mechanical], Expr | Vector] | None = None
     rates: dict[Symbol, Expr] = field(init=False)
@@ -114,7 +119,9 @@ class Converter:
         self.rates = rates_of_motion(self.model, self.symbols)
         if self.release is not None:
             self.rates[RELEASE] = RELEASE_RATE
-        self.kinematics = Kinematics(scalar=self.scalar, vector=self.vector, rate=self.rate, release=self.release)
+        self.kinematics = Kinematics(
+            scalar=self.scalar, vector=self.vector, rate=self.rate, tidy=self.tidy, release=self.release
+        )
         s = self.symbols
         known = (s.time, *s.q, *s.z, *s.u, *s.p)
         self._values = {symbol.name: symbol for symbol in known}
@@ -152,7 +159,7 @@ class Converter:
         rates = self.rates
         if coasting:
             rates = {symbol: rate for symbol, rate in rates.items() if symbol not in self.symbols.qd}
-        return total_derivative(expression, rates)
+        return self.tidy(total_derivative(expression, rates))
 
     # ---- scalars -----------------------------------------------------------------------------------------------------
 
@@ -200,7 +207,7 @@ class Converter:
             case flat.Dot(left, right):
                 return geometry.dot(self.vector(left), self.vector(right))
             case flat.Norm(vector, _):
-                return geometry.norm(self.vector(vector))
+                return self.tidy(geometry.norm(self.vector(vector)))
             case _:
                 return self._make_vector(node)
 

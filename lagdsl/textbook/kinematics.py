@@ -45,11 +45,13 @@ WORLD = Pose(geometry.IDENTITY, geometry.ZERO)
 
 @dataclass
 class Kinematics:
-    """Poses by name, made in the order of the flat model. `scalar` and `vector` convert expressions; `rate` is d/dt."""
+    """Poses by name, made in the order of the flat model. `scalar` and `vector` convert expressions; `rate` is d/dt;
+    `tidy` leaves everything as it is, except in reports."""
 
     scalar: Callable[[FlatExpression], Expr]
     vector: Callable[[FlatExpression], Vector]
     rate: Callable[[Expr], Expr]
+    tidy: Callable[[Expr], Expr]
     release: Release | None = None
     poses: dict[str, Pose] = field(default_factory=lambda: {"world": WORLD})
     points: dict[str, Vector] = field(default_factory=dict)
@@ -61,7 +63,7 @@ class Kinematics:
         release = self.release
         if release is not None and release.kind == "point" and release.name == point.name:
             position = geometry.add(position, geometry.scale(RELEASE, release.direction))
-        self.points[point.name] = position
+        self.points[point.name] = geometry.each(self.tidy, position)
 
     def place_frame(self, frame: Frame) -> None:
         pose = self.poses[frame.parent]
@@ -78,7 +80,11 @@ class Kinematics:
                     pose = Pose(geometry.multiply(turn, pose.rotation), pose.origin)
                 case "point":
                     pass
-        self.poses[frame.name] = pose
+        self.poses[frame.name] = Pose(self._tidy(pose.rotation), geometry.each(self.tidy, pose.origin))
+
+    def _tidy(self, rotation: Rotation) -> Rotation:
+        x, y, z = (geometry.each(self.tidy, row) for row in rotation)
+        return (x, y, z)
 
     def _step(self, pose: Pose, step: Rotate | RotateAbout | RotateQuaternion | SetAxes | Move | Place) -> Pose:
         match step:
@@ -109,18 +115,16 @@ class Kinematics:
         """omega in world components: dR/dt R' = [omega]x."""
         if frame not in self._spins:
             rotation = self.poses[frame].rotation
-            self._spins[frame] = geometry.vee(
-                geometry.multiply(self._rotation_rate(rotation), geometry.transpose(rotation))
-            )
+            spin = geometry.multiply(self._rotation_rate(rotation), geometry.transpose(rotation))
+            self._spins[frame] = geometry.each(self.tidy, geometry.vee(spin))
         return self._spins[frame]
 
     def body_angular_velocity(self, frame: str) -> Vector:
         """omega in the frame's own components: R' dR/dt = [omega]x."""
         if frame not in self._body_spins:
             rotation = self.poses[frame].rotation
-            self._body_spins[frame] = geometry.vee(
-                geometry.multiply(geometry.transpose(rotation), self._rotation_rate(rotation))
-            )
+            spin = geometry.multiply(geometry.transpose(rotation), self._rotation_rate(rotation))
+            self._body_spins[frame] = geometry.each(self.tidy, geometry.vee(spin))
         return self._body_spins[frame]
 
     def _rotation_rate(self, rotation: Rotation) -> Rotation:

@@ -85,7 +85,10 @@ class MechanicalValues:
 
     def _reaction(self, release: Release) -> Expr:
         """The equation of the released coordinate s, solved for the force that keeps s at 0."""
-        converter = Converter(model=self.model, symbols=self.symbols, release=release)
+        unreleased = self.parts.converter
+        converter = Converter(
+            model=self.model, symbols=self.symbols, release=release, number=unreleased.number, tidy=unreleased.tidy
+        )
         parts = contributions(self.model, converter)
         lagrangian = parts.lagrangian
         levels = [constraint.level for constraint in self.model.constraints for _ in constraint.rows]
@@ -100,7 +103,7 @@ class MechanicalValues:
             - Add(*upheld)
         )
         momentum = _unreleased(lagrangian.diff(RELEASE_RATE))
-        return self.parts.converter.rate(momentum) + _unreleased(others)
+        return unreleased.rate(unreleased.tidy(momentum)) + _unreleased(others)
 
 
 def _unreleased(expression: Expr) -> Expr:

@@ -1,0 +1,246 @@
+"""Expressions made short for people, with a bound on the work.
+
+An expression is multiplied out into a polynomial whose variables are its symbols, functions and roots; sin^2 + cos^2 = 1
+and the addition theorems are applied; then terms are collected by parameters and each bracket is factored. Whichever is
+shorter, the result or what was there before, is kept. Numbers that run a simulation never pass through here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+import sympy
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
+
+from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, exponents, multiply, times
+from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry
+
+_LARGEST_POLYNOMIAL = 1500
+_LARGEST_TO_FACTOR = 12
+_DEEPEST = 60
+
+
+class TooLargeError(Exception):
+    """The bound on work or size is reached; the expression is left as it is."""
+
+
+@dataclass
+class Tidy:
+    """Shortens expressions. `constants` do not change during a motion, `positive` symbols have positive values.
+
+    `budget` counts products of monomials over the life of the object; when it is used up all is returned as given.
+    """
+
+    constants: frozenset[Symbol]
+    positive: frozenset[Symbol]
+    budget: int = 150_000
+    _kernels: list[Expr] = field(default_factory=list)
+    _index: dict[Expr, int] = field(default_factory=dict)
+    _memo: dict[Expr, Expr] = field(default_factory=dict)
+
+    def __call__(self, expression: Expr) -> Expr:
+        if expression.is_Atom:
+            return expression
+        known = self._memo.get(expression)
+        if known is None:
+            known = self._shortest(expression)
+            self._memo[expression] = known
+            self._memo[known] = known
+        return known
+
+    def _shortest(self, expression: Expr) -> Expr:
+        try:
+            reduced = self.reduced(expression)
+        except TooLargeError:
+            return expression
+        collected = self._collect(reduced)
+        return min(collected, expression, key=size)
+
+    def reduced(self, expression: Expr) -> Polynomial:
+        """The expression as a polynomial in kernels, trigonometry reduced; raises TooLargeError."""
+        polynomial = self._polynomial(expression, 0)
+        angles = Angles(kernel=self.kernel, expression=lambda index: self._kernels[index])
+        return reduce_trigonometry(polynomial, angles)
+
+    def is_zero(self, expression: Expr) -> bool:
+        """Whether it vanishes identically, as far as the bound lets one see."""
+        try:
+            return not self.reduced(expression)
+        except TooLargeError:
+            return False
+
+    # ---- multiplying out ---------------------------------------------------------------------------------------------
+
+    def kernel(self, expression: Expr) -> int:
+        if expression not in self._index:
+            self._index[expression] = len(self._kernels)
+            self._kernels.append(expression)
+        return self._index[expression]
+
+    def _polynomial(self, expression: Expr, depth: int) -> Polynomial:
+        if depth > _DEEPEST:
+            raise TooLargeError
+        if expression.is_Rational:
+            return {(): expression} if expression else {}
+        if expression.is_Add:
+            total: Polynomial = {}
+            for argument in expression.args:
+                add_into(total, self._polynomial(argument, depth + 1))
+            return self._bounded(total)
+        if expression.is_Mul:
+            product: Polynomial = {(): Integer(1)}
+            for argument in expression.args:
+                product = self._times(product, self._polynomial(argument, depth + 1))
+            return product
+        if expression.is_Pow and expression.exp.is_Rational:
+            return self._power(expression.base, expression.exp, depth)
+        if expression.is_Symbol or expression.is_NumberSymbol:
+            return self._single(expression, 1)
+        rebuilt = expression.func(*(self(argument) for argument in expression.args))
+        if rebuilt.is_Function or rebuilt.is_Pow or rebuilt.is_Float or not rebuilt.args:
+            return self._single(rebuilt, 1)
+        return self._polynomial(rebuilt, depth + 1)
+
+    def _power(self, base: Expr, exponent: Rational, depth: int) -> Polynomial:
+        if exponent.is_Integer and 0 < exponent <= 8:
+            factor = self._polynomial(base, depth + 1)
+            product: Polynomial = {(): Integer(1)}
+            for _ in range(int(exponent)):
+                product = self._times(product, factor)
+            return product
+        inner = self._root(self(base)) if exponent.q == 2 else Pow(self(base), Rational(1, exponent.q))
+        whole = Integer(exponent.p)
+        if inner.is_Mul or (inner.is_Pow and inner.exp.is_Integer):
+            product = {(): Integer(1)}
+            for factor, power in inner.as_powers_dict().items():
+                product = self._times(product, self._one_power(factor, power * whole, depth))
+            return product
+        return self._one_power(inner, whole, depth)
+
+    def _one_power(self, base: Expr, power: Expr, depth: int) -> Polynomial:
+        if base.is_Rational:
+            return {(): Pow(base, power)} if power.is_Integer else self._single(Pow(base, power), 1)
+        if not power.is_Integer or abs(power) > 64:
+            return self._single(Pow(base, power), 1)
+        if power > 1 and base.is_Pow and base.exp == Rational(1, 2) and power % 2 == 0:
+            return self._power(base.base, power / 2, depth + 1)
+        return self._single(base, int(power))
+
+    def _root(self, base: Expr) -> Expr:
+        """The square root; squares of positive symbols leave it."""
+        outside, inside = [], []
+        for factor, power in base.as_powers_dict().items():
+            if factor in self.positive and power.is_Integer:
+                outside.append(factor ** (power // 2))
+                inside.append(factor ** (power % 2))
+            else:
+                inside.append(factor**power)
+        return Mul(*outside, sympy.sqrt(Mul(*inside)))
+
+    def _single(self, expression: Expr, power: int) -> Polynomial:
+        return {((self.kernel(expression), power),): Integer(1)}
+
+    def _times(self, left: Polynomial, right: Polynomial) -> Polynomial:
+        self.budget -= len(left) * len(right)
+        if self.budget < 0:
+            raise TooLargeError
+        return self._bounded(multiply(left, right))
+
+    def _bounded(self, polynomial: Polynomial) -> Polynomial:
+        if len(polynomial) > _LARGEST_POLYNOMIAL:
+            raise TooLargeError
+        return polynomial
+
+    # ---- collecting --------------------------------------------------------------------------------------------------
+
+    def _collect(self, polynomial: Polynomial) -> Expr:
+        """Sum over brackets: (sum of parameter factors) * bracket, brackets factored, equal ones merged."""
+        groups: dict[Monomial, Polynomial] = {}
+        for monomial, coefficient in polynomial.items():
+            fixed = tuple(pair for pair in monomial if self._is_constant(pair[0]))
+            moving = tuple(pair for pair in monomial if not self._is_constant(pair[0]))
+            groups.setdefault(fixed, {})[moving] = coefficient
+        brackets: dict[Expr, list[Expr]] = {}
+        for fixed, moving_part in groups.items():
+            content, bracket = self._factor(moving_part)
+            brackets.setdefault(bracket, []).append(content * self._monomial(fixed))
+        return Add(*(_common(factors) * bracket for bracket, factors in brackets.items()))
+
+    def _is_constant(self, index: int) -> bool:
+        return bool(self._kernels[index].free_symbols <= self.constants)
+
+    def _monomial(self, monomial: Monomial) -> Expr:
+        return Mul(*(self._kernels[index] ** power for index, power in monomial))
+
+    def _factor(self, polynomial: Polynomial) -> tuple[Expr, Expr]:
+        """Rational content and the rest, factored where it is small."""
+        lowest = _lowest(polynomial)
+        shifted = {times(monomial, _inverse(lowest)): c for monomial, c in polynomial.items()}
+        common = self._monomial(lowest)
+        if len(shifted) == 1:
+            [(monomial, coefficient)] = shifted.items()
+            return coefficient, common * self._monomial(monomial)
+        if len(shifted) > _LARGEST_TO_FACTOR:
+            return Integer(1), common * self._sum(shifted)
+        content, factors = _factor_list(shifted)
+        if sum(1 for factor, power in factors if power % 2 and _mostly_negative(factor)) % 2:
+            content = -content
+        factors = [(_positive(factor), power) for factor, power in factors]
+        return content, Mul(common, *(self._sum(factor) ** power for factor, power in factors))
+
+    def _sum(self, polynomial: Polynomial) -> Expr:
+        return Add(*(c * self._monomial(monomial) for monomial, c in polynomial.items()))
+
+
+def _mostly_negative(polynomial: Polynomial) -> bool:
+    negative = sum(1 for coefficient in polynomial.values() if coefficient < 0)
+    return 2 * negative > len(polynomial)
+
+
+def _positive(polynomial: Polynomial) -> Polynomial:
+    return {m: -c for m, c in polynomial.items()} if _mostly_negative(polynomial) else polynomial
+
+
+def _common(factors: list[Expr]) -> Expr:
+    total = Add(*factors)
+    return sympy.factor_terms(total) if total.is_Add else total
+
+
+def _lowest(polynomial: Polynomial) -> Monomial:
+    """The monomial that divides every term (exponents may be negative)."""
+    tables = [dict(monomial) for monomial in polynomial]
+    indices = sorted({index for table in tables for index in table})
+    lowest = ((index, min(table.get(index, 0) for table in tables)) for index in indices)
+    return tuple((index, power) for index, power in lowest if power)
+
+
+def _inverse(monomial: Monomial) -> Monomial:
+    return tuple((index, -power) for index, power in monomial)
+
+
+def _factor_list(polynomial: Polynomial) -> tuple[Expr, list[tuple[Polynomial, int]]]:
+    """Factors over the rationals, by SymPy's polynomial ring."""
+    indices = sorted({index for monomial in polynomial for index, _ in monomial})
+    ring = sympy.polys.rings.PolyRing([f"x{i}" for i in indices], sympy.QQ)
+    terms = {exponents(monomial, indices): sympy.QQ(c.p, c.q) for monomial, c in polynomial.items()}
+    content, factors = ring.from_dict(terms).factor_list()
+    result = [(_from_ring(factor.terms(), indices), power) for factor, power in factors]
+    return Rational(content.numerator, content.denominator), result
+
+
+def _from_ring(terms: Iterable[tuple[tuple[int, ...], object]], indices: list[int]) -> Polynomial:
+    return {
+        tuple((index, power) for index, power in zip(indices, powers, strict=True) if power): sympy.QQ.to_sympy(value)
+        for powers, value in terms
+    }
+
+
+def size(expression: Expr) -> int:
+    """How long it reads: nodes of the tree, shared ones counted as often as they stand there; at most a thousand."""
+    total, stack = 0, [expression]
+    while stack and total < 1000:
+        node = stack.pop()
+        total += 1
+        stack.extend(node.args)
+    return total
