@@ -1,6 +1,6 @@
 """Family 05: physics."""
 
-from lagdsl.diagnostics.catalog.row import Row, error, warning
+from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
 ROWS: dict[str, Row] = {
     "E0501": error(
@@ -71,5 +71,9 @@ ROWS: dict[str, Row] = {
         "this `{keyword}` has no effect: {reason}",
         label="changes nothing in the equations of motion",
         help="delete it, or let it depend on what moves",
+    ),
+    "N0515": note(
+        "invariant `{name}` is proved: it holds for every motion and all parameters",
+        label="follows from the Lagrangian itself",
     ),
 }
