@@ -1,5 +1,39 @@
 """Family 06: constraints."""
 
-from lagdsl.diagnostics.catalog.row import Row
+from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
-ROWS: dict[str, Row] = {}
+ROWS: dict[str, Row] = {
+    "E0602": error(
+        "constraint `{name}` can never hold",
+        "no values of the coordinates satisfy this",
+        "check the lengths and positions that enter it",
+    ),
+    "E0603": error(
+        "constraint `{name}` contradicts {others}",
+        "each holds alone, together they cannot",
+        "drop one of them, or change what it demands",
+    ),
+    "E0604": error(
+        "velocity constraint `{name}` is not linear in the rates",
+        "rates may enter with constant or position-dependent factors only",
+        "state the condition for the components, or the holonomic condition it follows from",
+    ),
+    "N0605": note(
+        "component {component} of `{name}` is identically satisfied; its multiplier is 0",
+        "says nothing about the motion",
+    ),
+    "N0606": note(
+        "velocity constraint `{name}` is integrable; stating it for the coordinates themselves saves one state",
+        "restricts the configuration as well",
+        "for rolling along a line: `x = R*phi` instead of `der(x) = R*der(phi)`",
+    ),
+    "N0607": note(
+        "constraint `{name}` follows from {others} and is redundant",
+        "adds nothing; its multiplier is not unique and is given in minimum norm",
+    ),
+    "W0608": warning(
+        "at t = {time} s the constraints lose rank ({rank} instead of {general}) at `{name}`",
+        "a singular position of the mechanism",
+        "the motion is not unique there; the one that the given rates and the smallest accelerations lead to is taken",
+    ),
+}

@@ -1,5 +1,130 @@
 """Family 08: initial values and run time."""
 
-from lagdsl.diagnostics.catalog.row import Row
+from lagdsl.diagnostics.catalog.row import Row, error, warning
 
-ROWS: dict[str, Row] = {}
+ROWS: dict[str, Row] = {
+    "E0801": error(
+        "the initial state is over-determined by {excess}",
+        "one condition too many",
+        "drop `fixed = true` here; `start` then acts as a guess",
+    ),
+    "E0802": error(
+        "initial position not found: the residual {residual} stalls at `{name}`",
+        "does not hold from this start",
+        "give starts closer to the configuration you mean",
+    ),
+    "E0803": error(
+        "initial rates not found: the residual {residual} stalls at `{name}`",
+        "no rates satisfy this together with the fixed ones",
+        "drop a `fixed = true` of a rate",
+    ),
+    "E0805": error(
+        "there is no start value `{name}`",
+        None,
+        "start values are coordinates, states and rates: {known}",
+    ),
+    "E0806": error(
+        "mass matrix became singular at t = {time} s: `{name}` has no inertia there",
+        "the accelerations are not determined",
+        "choose coordinates that are regular in this position, e.g. `Quaternion` instead of three angles",
+    ),
+    "E0807": error(
+        "invariant `{name}` violated at t = {time} s: drift {drift} exceeds {limit}",
+        "claimed to be constant",
+        "if the claim is right, simulate with a smaller tolerance",
+    ),
+    "E0808": error(
+        "the motion cannot be continued at t = {time} s: `{name}` is not a number",
+        None,
+        "a division by zero, a root or a logarithm leaves its domain here",
+    ),
+    "E0809": error(
+        "the motion cannot be continued at t = {time} s: steps became smaller than {step} s because of `{name}`",
+        None,
+        "the motion is unbounded or not smooth there; a relation inside a force, or a tolerance below round-off, does this",
+    ),
+    "E0810": error(
+        "assertion failed at t = {time} s: {text}",
+        "became false",
+    ),
+    "E0811": error(
+        "constraint `{name}` was lost at t = {time} s: residual {residual}",
+        "no configuration nearby satisfies it",
+        "the mechanism reached a position in which it cannot move on; limit the motion or check the lengths",
+    ),
+    "E0812": error(
+        "gave up at t = {time} s after {steps} steps",
+        None,
+        "use a larger tolerance, another solver, or allow more steps",
+    ),
+    "E0813": error(
+        "at t = {time} s the norm of `{element}` is zero, where its derivative does not exist",
+        "a vector of length zero has no direction",
+        "use a smooth form, e.g. sqrt(v*v + eps^2)",
+    ),
+    "W0814": warning(
+        "the start value of `{name}` does not fit the constraints: {start} was moved to {value}",
+        "explicit start",
+        "mark what must stay with `fixed = true`",
+    ),
+    "E0815": error(
+        "the initial equations are not satisfied: residual {residual}",
+        "stalls here",
+        "give starts closer to the state you mean, or free a coordinate that is fixed",
+    ),
+    "E0816": error(
+        "at the start `{name}` is not a number",
+        None,
+        "a division by zero, a root or a logarithm of a negative number: check the start values and parameters",
+    ),
+    "E0817": error(
+        "the table of input `{name}` covers {first} s to {last} s, the simulation {start} s to {stop} s",
+        None,
+        "add rows to the table or change the stop time",
+    ),
+    "E0818": error(
+        "input `{name}` is given as a function and the model needs its derivative `{derivative}`",
+        "moves a frame or a constraint",
+        "give functions for its derivatives too, or give the input as a table",
+    ),
+    "E0819": error(
+        "there is no input `{name}`",
+        None,
+        "inputs of the model: {known}",
+    ),
+    "E0820": error(
+        "cannot read the table `{file}`: {reason}",
+    ),
+    "E0821": error(
+        "the table `{file}` has no column `{column}`",
+        "names of the columns",
+        "the first line names the columns: `time` and inputs of the model",
+    ),
+    "E0822": error(
+        "time runs backward in line {line} of the table",
+        "earlier than the line before",
+        "sort the rows by time; two equal times are a jump",
+    ),
+    "E0823": error(
+        "`{text}` is not a number",
+        "line {line}, column `{column}`",
+    ),
+    "E0824": error(
+        "line {line} of the table has {found} cells instead of {expected}",
+        None,
+        "separate cells by commas, numbers have a decimal point",
+    ),
+    "E0825": error(
+        "{what} needs the package `{package}`",
+        None,
+        "install it with: pip install 'lagdsl[table]'",
+    ),
+    "E0826": error(
+        "cannot write `{file}`: {reason}",
+    ),
+    "E0827": error(
+        "the table `{file}` has {found} row(s) of numbers",
+        None,
+        "a table needs two rows at least",
+    ),
+}

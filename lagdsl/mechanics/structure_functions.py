@@ -1,0 +1,37 @@
+"""The functions of a program by the meaning of its graph: what `lag check` evaluates before there is an engine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from lagdsl.graph.evaluate import evaluate
+from lagdsl.mechanics.rank import Floats
+from lagdsl.program.program import Layout, Program
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramFunctions:
+    """`evaluate` as an engine has it, for one state at a time."""
+
+    program: Program
+
+    @property
+    def layout(self) -> Layout:
+        return self.program.layout
+
+    def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
+        """Result blocks of `function`; what is not a number comes out as nan or inf."""
+        definition = self.program.function(function)
+        symbols = {
+            group: argument.tolist() if isinstance(argument, np.ndarray) else argument
+            for group, argument in zip(definition.arguments, arguments, strict=True)
+        }
+        roots = [node for block in definition.results for node in block.elements]
+        values = np.array([float(value) for value in evaluate(self.program.graph, roots, symbols)])
+        blocks, first = [], 0
+        for block in definition.results:
+            blocks.append(values[first : first + len(block.elements)].reshape(block.shape))
+            first += len(block.elements)
+        return tuple(blocks)

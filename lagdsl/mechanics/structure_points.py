@@ -1,0 +1,154 @@
+"""Points of the constraint set at which ranks and inertia are probed: deterministic, near the start, inside the bounds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_newton import Descent, descend
+from lagdsl.program.program import Layout
+from lagdsl.semantics.flat_model import Coordinate, FlatModel
+
+_SEED = 20011
+# Residuals, as a part of the row's natural size, below which a constraint counts as met; generous, because a constraint that only
+# touches (two circles that meet in one point) is approached linearly.
+HOLDS = 1e-7
+
+
+class Functions(Protocol):
+    """The functions of a program at one state; every engine is one."""
+
+    @property
+    def layout(self) -> Layout: ...
+
+    def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]: ...
+
+
+def natural_sizes(coordinates: tuple[Coordinate, ...], start: Floats) -> Floats:
+    """What counts as a change of order one: `nominal`, else 1 for angles and numbers, else the largest start of the same unit."""
+    sizes = np.ones(len(coordinates))
+    for index, coordinate in enumerate(coordinates):
+        if coordinate.nominal is not None and coordinate.nominal != 0.0:
+            sizes[index] = abs(coordinate.nominal)
+        elif not coordinate.dimension.is_dimensionless:
+            alike = [
+                abs(value)
+                for value, other in zip(start.tolist(), coordinates, strict=True)
+                if other.dimension == coordinate.dimension and np.isfinite(value)
+            ]
+            sizes[index] = max(alike) if max(alike, default=0.0) > 0.0 else 1.0
+    return sizes
+
+
+@dataclass(frozen=True, slots=True)
+class Geometry:
+    """The constraints of a model as functions of q alone; everything else is held at its start."""
+
+    functions: Functions
+    t: float
+    q: Floats
+    qd: Floats
+    z: Floats
+    u: Floats
+    w: Floats
+    p: Floats
+    sizes: Floats
+    row_sizes: Floats
+
+    @property
+    def position_rows(self) -> list[int]:
+        """Indices of the rows that restrict q itself."""
+        return [row for row, level in enumerate(self.functions.layout.position_level) if level]
+
+    def position(self, q: Floats) -> tuple[Floats, Floats]:
+        """phi (nc,) and J (nc, nq)."""
+        phi, jacobian = self.functions.evaluate(
+            "position_constraint", self.t, q, self.qd, self.z, self.u, self.w, self.p
+        )
+        return phi, jacobian
+
+    def velocity(self, q: Floats, qd: Floats) -> tuple[Floats, Floats]:
+        """J qd + b (nc,) and J (nc, nq)."""
+        residual, jacobian = self.functions.evaluate(
+            "velocity_constraint", self.t, q, qd, self.z, self.u, self.w, self.p
+        )
+        return residual, jacobian
+
+    def mass(self, q: Floats, qd: Floats) -> Floats:
+        return self.functions.evaluate("mass_matrix", self.t, q, qd, self.z, self.u, self.w, self.p)[0]
+
+    def project(self, q: Floats, rows: list[int]) -> Descent:
+        """The nearest point, in natural sizes, at which the given rows hold; residuals relative to the rows' sizes."""
+        if not rows:
+            return Descent(point=q, residual=np.zeros(0), size=0.0)
+
+        def equations(x: Floats) -> tuple[Floats, Floats]:
+            phi, jacobian = self.position(x * self.sizes)
+            return phi[rows] / self.row_sizes[rows], jacobian[rows] * self.sizes / self.row_sizes[rows, None]
+
+        found = descend(equations, q / self.sizes)
+        return Descent(point=found.point * self.sizes, residual=found.residual * self.row_sizes[rows], size=found.size)
+
+
+def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None) -> Geometry:
+    """The constraints of `flat` at its start time and start values."""
+    layout = functions.layout
+    parameters = np.array(layout.defaults, dtype=np.float64) if p is None else p
+    t = flat.experiment.start_time
+    q, qd, z, u = functions.evaluate("start", t, parameters)
+    sizes = natural_sizes(flat.coordinates, q)
+    plain = Geometry(functions, t, q, qd, z, u, np.zeros(len(layout.discretes)), parameters, sizes, np.ones(0))
+    row_sizes = np.zeros(len(layout.constraints))
+    for point in random_points(flat.coordinates, q, sizes, 3):
+        lengths = np.linalg.norm(plain.velocity(point, qd)[1] * sizes, axis=1)
+        row_sizes = np.maximum(row_sizes, np.where(np.isfinite(lengths), lengths, 0.0))
+    row_sizes = np.where(row_sizes > 0.0, row_sizes, 1.0)
+    return Geometry(functions, t, q, qd, z, u, plain.w, parameters, sizes, row_sizes)
+
+
+def random_points(coordinates: tuple[Coordinate, ...], start: Floats, sizes: Floats, count: int) -> list[Floats]:
+    """`count` points about the start, ever wider apart; the same for every run."""
+    generator = np.random.default_rng(_SEED)
+    lower = np.array([-np.inf if c.minimum is None else c.minimum for c in coordinates])
+    upper = np.array([np.inf if c.maximum is None else c.maximum for c in coordinates])
+    points = []
+    for index in range(count):
+        width = 0.4 * 1.2 ** min(index, 12)
+        point = start + width * sizes * generator.standard_normal(len(coordinates))
+        points.append(np.clip(point, lower, upper))
+    return points
+
+
+def random_rates(coordinates: tuple[Coordinate, ...], sizes: Floats, count: int) -> list[Floats]:
+    """`count` sets of rates of natural size per second."""
+    generator = np.random.default_rng(_SEED + 1)
+    return [sizes * generator.standard_normal(len(coordinates)) for _ in range(count)]
+
+
+def probes(flat: FlatModel, space: Geometry, rows: list[int], *, wanted: int = 3, tries: int = 24) -> list[Floats]:
+    """Up to `wanted` general points at which the position rows hold and the functions are finite.
+
+    Where the functions exist near the start only (roots, logarithms) the points are drawn closer and closer to it.
+    """
+    found: list[Floats] = []
+    scale = 1.0
+    for candidate in random_points(flat.coordinates, space.q, space.sizes, tries):
+        result = space.project(space.q + scale * (candidate - space.q), rows)
+        if result.size <= HOLDS and _finite(space, result.point):
+            found.append(result.point)
+            if len(found) == wanted:
+                return found
+        else:
+            scale *= 0.7
+    if not found:
+        result = space.project(space.q, rows)
+        if result.size <= HOLDS and _finite(space, result.point):
+            found.append(result.point)
+    return found
+
+
+def _finite(space: Geometry, q: Floats) -> bool:
+    return bool(np.all(np.isfinite(space.velocity(q, space.qd)[1])) and np.all(np.isfinite(space.mass(q, space.qd))))

@@ -1,0 +1,98 @@
+"""Start positions: as near as possible to the starts, on the constraints, fixed coordinates untouched."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.diagnostics import Label, Sink
+from lagdsl.mechanics.rank import Floats, rank
+from lagdsl.mechanics.structure_constraints import configuration, located, unit_suffix
+from lagdsl.mechanics.structure_newton import Descent, Equations, descend
+from lagdsl.mechanics.structure_points import HOLDS, random_points
+from lagdsl.simulate.initial_problem import Problem
+from lagdsl.simulate.nearest import nearest
+
+_TRIES = 24
+
+
+def positions(task: Problem, sink: Sink) -> Floats:
+    """Minimise sum (q - start)^2 / width^2 subject to phi(q, t0) = 0; E0801 or E0802 where that cannot be done."""
+    space, rows = task.space, task.space.position_rows
+    if not rows or _already_there(task, rows):
+        return space.q
+    free = np.flatnonzero(~task.fixed)
+    widths = task.widths
+
+    def placed(y: Floats) -> Floats:
+        q = space.q.copy()
+        q[free] += widths[free] * y
+        return q
+
+    def equations(y: Floats) -> tuple[Floats, Floats]:
+        phi, jacobian = space.position(placed(y))
+        scale = space.row_sizes[rows]
+        return phi[rows] / scale, (jacobian[rows] * widths / scale[:, None])[:, free]
+
+    found = _feasible(task, equations, free)
+    if found.size > HOLDS:
+        _report(task, placed(found.point), rows, free, sink)
+        return placed(found.point)
+    return placed(nearest(equations, found.point, holds=max(1e-12, found.size)))
+
+
+def _already_there(task: Problem, rows: list[int]) -> bool:
+    phi = task.space.position(task.space.q)[0]
+    return bool(np.all(np.abs(phi[rows]) <= 1e-15 * task.space.row_sizes[rows]))
+
+
+def _feasible(task: Problem, equations: Equations, free: np.ndarray) -> Descent:
+    """Any point of the constraint set: from the starts if that works, else the nearest that other beginnings lead to."""
+    best = descend(equations, np.zeros(len(free)))
+    if best.size <= HOLDS:
+        return best
+    space = task.space
+    for other in random_points(task.flat.coordinates, space.q, space.sizes, _TRIES):
+        found = descend(equations, ((other - space.q) / task.widths)[free])
+        both_hold = found.size <= HOLDS and best.size <= HOLDS
+        closer = float(np.linalg.norm(found.point)) < float(np.linalg.norm(best.point))
+        if (both_hold and closer) or (found.size < best.size and not best.size <= HOLDS):
+            best = found
+    return best
+
+
+def _report(task: Problem, q: Floats, rows: list[int], free: np.ndarray, sink: Sink) -> None:
+    """E0801 where fixed starts leave the constraints too few coordinates to move, else E0802."""
+    space = task.space
+    phi, jacobian = space.position(q)
+    scaled = jacobian[rows] * space.sizes / space.row_sizes[rows, None]
+    excess = rank(scaled) - rank(scaled[:, free])
+    if excess > 0 or (not len(free) and task.fixed.any()):
+        freedom = len(task.flat.coordinates) - rank(scaled)
+        report_overdetermined(task, max(excess, 1), freedom, sink)
+        return
+    sizes = np.where(np.isfinite(phi), np.abs(phi) / space.row_sizes, np.inf)
+    worst = max(rows, key=lambda row: float(sizes[row]))
+    item = next(item for item in located(task.flat) if worst in item.rows)
+    sink.report(
+        "E0802",
+        item.constraint.spans[0] if item.constraint.spans else None,
+        notes=(f"configuration reached: {configuration(task.flat, q)}",),
+        residual=f"{abs(float(phi[worst])):.3g}{unit_suffix(item.constraint)}",
+        name=space.functions.layout.constraints[worst].name,
+    )
+
+
+def report_overdetermined(task: Problem, excess: int, freedom: int, sink: Sink) -> None:
+    """E0801 at the last fixed start, the others as labels."""
+    fixed = [c for c in task.flat.coordinates if c.fixed]
+    spans = [span for c in fixed if (span := c.start_span or (c.spans[0] if c.spans else None)) is not None]
+    degrees = f"{freedom} degree{'s' if freedom != 1 else ''} of freedom"
+    many = "one coordinate" if freedom == 1 else f"{freedom} coordinates"
+    can = f"so {many} can be fixed" if freedom else "so no coordinate can be fixed"
+    sink.report(
+        "E0801",
+        Label(spans[-1], "one fixed start too many") if spans else None,
+        *(Label(span, "fixed as well") for span in spans[:-1]),
+        notes=(f"the mechanism has {degrees}, {can}; fixed are {', '.join(f'`{c.name}`' for c in fixed)}",),
+        excess=excess,
+    )

@@ -1,0 +1,11 @@
+"""The integrators by name: one method, one file. SciPy is imported only when one is started."""
+
+from lagdsl.simulate.integrators.bdf import BDF
+from lagdsl.simulate.integrators.dop853 import DOP853
+from lagdsl.simulate.integrators.method import Method
+from lagdsl.simulate.integrators.radau import RADAU
+from lagdsl.simulate.integrators.rk45 import RK45
+
+METHODS: dict[str, Method] = {method.name: method for method in (DOP853, RK45, RADAU, BDF)}
+
+__all__ = ["METHODS", "Method"]

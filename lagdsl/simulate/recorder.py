@@ -1,0 +1,77 @@
+"""Collects the rows of a trajectory."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_display import Display, display, display_rate
+from lagdsl.runtime.engine import Engine
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.simulate.moved import MovedRow
+from lagdsl.simulate.projection import Projection
+from lagdsl.simulate.right_hand_side import RightHandSide
+from lagdsl.simulate.trajectory import Column, InvariantRecord, Kind, Statistics, Trajectory
+
+
+class Recorder:
+    """Takes states at the requested times, computes outputs, energy and residuals there."""
+
+    def __init__(self, flat: FlatModel, engine: Engine, system: RightHandSide, projection: Projection) -> None:
+        self._flat = flat
+        self._engine = engine
+        self._system = system
+        self._projection = projection
+        self._rows: list[Floats] = []
+        self._residuals: list[tuple[float, float]] = []
+        self._energies: list[float] = []
+
+    def add(self, t: float, y: Floats) -> None:
+        """One row. Outputs that are not numbers are kept as they are."""
+        q, qd, z = (np.ascontiguousarray(part) for part in self._system.split(y))
+        u, w, p = self._system.inputs(t), self._system.w, self._system.p
+        outputs = np.zeros(0)
+        if self._engine.layout.outputs:
+            solved = self._system.solved(t, y)
+            if solved is None:
+                outputs = np.full(len(self._engine.layout.outputs), np.nan)
+            else:
+                arguments = (t, q, qd, z, u, w, p, solved.qdd, solved.lam)
+                outputs = self._engine.evaluate("output", *arguments)[0]
+        self._rows.append(np.concatenate([[t], q, qd, z, w, outputs]))
+        self._residuals.append(self._projection.residuals(t, y))
+        self._energies.append(float(self._engine.evaluate("energies", t, q, qd, z, u, w, p)[0]))
+
+    def trajectory(
+        self, invariants: tuple[InvariantRecord, ...], moved: tuple[MovedRow, ...], statistics: Statistics
+    ) -> Trajectory:
+        """All rows so far."""
+        heads = _heads(self._flat, self._engine)
+        table = np.array(self._rows).reshape(len(self._rows), len(heads))
+        residuals = np.array(self._residuals).reshape(len(self._rows), 2)
+        return Trajectory(
+            model=self._flat.name,
+            columns=tuple(
+                Column(name=name, unit=unit, kind=kind, display=shown, values=table[:, index].copy())
+                for index, (name, unit, kind, shown) in enumerate(heads)
+            ),
+            position_residual=residuals[:, 0].copy(),
+            velocity_residual=residuals[:, 1].copy(),
+            energy=np.array(self._energies),
+            invariants=invariants,
+            moved=moved,
+            statistics=statistics,
+        )
+
+
+def _heads(flat: FlatModel, engine: Engine) -> list[tuple[str, str, Kind, Display]]:
+    """Names, units and kinds of the columns, in the order of result files."""
+    heads: list[tuple[str, str, Kind, Display]] = [("time", "s", "time", Display("s"))]
+    heads += [(c.name, c.unit, "coordinate", display(c)) for c in flat.coordinates]
+    for c in flat.coordinates:
+        unit = "1/s" if c.unit == "1" else f"{c.unit}/s"
+        heads.append((f"der({c.name})", unit, "rate", display_rate(c)))
+    heads += [(s.name, s.unit, "state", display(s)) for s in flat.states]
+    heads += [(slot.name, slot.unit, "discrete", Display(slot.unit)) for slot in engine.layout.discretes]
+    heads += [(o.name, o.unit, "output", display(o)) for o in flat.outputs]
+    return heads

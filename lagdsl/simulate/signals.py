@@ -1,0 +1,123 @@
+"""Inputs of a simulation as functions of time: constants, functions, tables; and the times at which they are not smooth."""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lagdsl.diagnostics import Sink
+from lagdsl.mechanics.rank import Floats
+from lagdsl.semantics.flat_model import FlatModel, Input
+
+# `pair`: (times, values), straight lines between them. Two equal times are a jump.
+Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]]"
+# (t, before) -> value; `before` asks for the limit from the left.
+_Function: TypeAlias = Callable[[float, bool], float]
+
+
+@dataclass(frozen=True, slots=True)
+class Signals:
+    """The input vector at any time; `breaks` are the times at which a step must end."""
+
+    functions: tuple[_Function, ...]
+    breaks: tuple[float, ...]
+
+    def at(self, t: float, *, before: bool = False) -> Floats:
+        """u (nu,); at a jump the value after it, or before it."""
+        return np.array([function(t, before) for function in self.functions])
+
+
+def signals(
+    flat: FlatModel, defaults: Floats, inputs: Mapping[str, Signal], span: tuple[float, float], sink: Sink
+) -> Signals:
+    """Every input of the model: given ones, derivatives of given tables and constants, defaults.
+
+    Errors go to `sink`: unknown names (E0819), a table that does not cover `span` (E0817), a function whose derivative the model needs
+    and nobody gave (E0818).
+    """
+    names = [item.name for item in flat.inputs]
+    for name in inputs:
+        if name not in names:
+            sink.report("E0819", None, name=name, known=", ".join(names) or "none")
+    functions: list[_Function] = []
+    breaks: set[float] = set()
+    for item, default in zip(flat.inputs, defaults.tolist(), strict=True):
+        base, order = _base(item.name)
+        if item.name in inputs:
+            smooth = item.smooth > 0 and f"der({item.name})" not in inputs
+            functions.append(_function(item, inputs[item.name], 0, smooth, span, breaks, sink))
+        elif order and base in inputs:
+            functions.append(_function(item, inputs[base], order, True, span, breaks, sink))
+        else:
+            functions.append(_constant(default))
+    return Signals(tuple(functions), tuple(sorted(b for b in breaks if span[0] < b < span[1])))
+
+
+def _base(name: str) -> tuple[str, int]:
+    """`der(der(road))` is (`road`, 2)."""
+    order = 0
+    while name.startswith("der(") and name.endswith(")"):
+        name, order = name[4:-1], order + 1
+    return name, order
+
+
+def _function(
+    item: Input, signal: Signal, order: int, smooth: bool, span: tuple[float, float], breaks: set[float], sink: Sink
+) -> _Function:
+    """The derivative of the given order of one signal."""
+    if callable(signal):
+        given = signal
+        if order:
+            sink.report("E0818", item.spans[0] if item.spans else None, name=_base(item.name)[0], derivative=item.name)
+        return lambda t, before: float(given(t))
+    if isinstance(signal, tuple):
+        times, values = (np.asarray(column, dtype=np.float64) for column in signal)
+        if times[0] > span[0] or times[-1] < span[1]:
+            sink.report(
+                "E0817", None, name=_base(item.name)[0], first=times[0], last=times[-1], start=span[0], stop=span[1]
+            )
+            return _constant(0.0)
+        if smooth:
+            return _spline(times, values, order)
+        breaks.update(_kinks(times, values))
+        return _lines(times.tolist(), values.tolist())
+    return _constant(float(signal) if order == 0 else 0.0)
+
+
+def _constant(value: float) -> _Function:
+    return lambda t, before: value
+
+
+def _lines(times: list[float], values: list[float]) -> _Function:
+    """Straight lines between the points; at equal times a jump."""
+
+    def value(t: float, before: bool) -> float:
+        index = (bisect_left if before else bisect_right)(times, t)
+        index = min(max(index, 1), len(times) - 1)
+        t0, t1 = times[index - 1], times[index]
+        part = (t - t0) / (t1 - t0) if t1 > t0 else 1.0
+        return values[index - 1] + part * (values[index] - values[index - 1])
+
+    return value
+
+
+def _spline(times: Floats, values: Floats, order: int) -> _Function:
+    """A cubic spline, where the model needs derivatives of the signal."""
+    from scipy.interpolate import CubicSpline  # noqa: PLC0415 imported when used
+
+    curve: Any = CubicSpline(times, values).derivative(order) if order else CubicSpline(times, values)
+    return lambda t, before: float(curve(t))
+
+
+def _kinks(times: Floats, values: Floats) -> list[float]:
+    """Times at which the value jumps or the slope changes."""
+    spans = np.diff(times)
+    jump = spans <= 0.0
+    slopes = np.diff(values) / np.where(jump, 1.0, spans)
+    size = float(np.max(np.abs(slopes), initial=0.0))
+    changed = np.abs(np.diff(slopes)) > 1e-9 * size
+    return [float(t) for t in times[1:-1][changed | jump[1:] | jump[:-1]]]

@@ -1,0 +1,98 @@
+"""Motion from an initial state: the entry of the simulator."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from lagdsl.diagnostics import Sink
+from lagdsl.mechanics.rank import Floats
+from lagdsl.runtime.engine import Engine
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.simulate.initialize import initial_state
+from lagdsl.simulate.integrators import METHODS
+from lagdsl.simulate.motion import Motion, Task
+from lagdsl.simulate.signals import Signal, signals
+from lagdsl.simulate.trajectory import Trajectory
+
+SOLVERS = ("auto", *METHODS)
+DEFAULT_ROWS = 500
+LARGEST_ROWS = 20_000_000
+
+
+def simulate(
+    engine: Engine,
+    flat: FlatModel,
+    *,
+    stop: float | None = None,
+    interval: float | None = None,
+    tolerance: float | None = None,
+    p: Floats | None = None,
+    inputs: Mapping[str, Signal] | None = None,
+    start: Mapping[str, float] | None = None,
+    solver: str = "auto",
+    max_steps: int = 1_000_000,
+    progress: Callable[[float], None] | None = None,
+    sink: Sink | None = None,
+) -> Trajectory:
+    """Integrate from the model's start time to `stop` and return rows every `interval`; what is left out comes from the experiment.
+
+    `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start` further start values;
+    SI units. `progress` is called with the part of the time that is done. What is wrong before the first step raises
+    CompilationFailed (warnings go to `sink`), what goes wrong on the way SimulationFailed, bad options ValueError.
+    """
+    experiment = flat.experiment
+    t0 = experiment.start_time
+    end = experiment.stop_time if stop is None else float(stop)
+    relative = experiment.tolerance if tolerance is None else float(tolerance)
+    _check_options(t0, end, relative, solver)
+    own = Sink() if sink is None else sink
+    parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        # What is not a number is found by looking at the numbers; SciPy's LU decomposition warns of singular matrices that the
+        # next, shorter step avoids.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        defaults = engine.evaluate("start", t0, parameters)[3]
+        given = signals(flat, defaults, inputs or {}, (t0, end), own)
+        own.raise_if_errors()
+        initial = initial_state(flat, engine, parameters, u=given.at(t0), start=start, sink=own)
+        own.raise_if_errors()
+        times = grid(t0, end, experiment.interval if interval is None else float(interval))
+        task = Task(
+            flat=flat,
+            engine=engine,
+            p=parameters,
+            signals=given,
+            initial=initial,
+            times=times,
+            sink=own,
+            tolerance=relative,
+            solver=solver,
+            max_steps=max_steps,
+            progress=progress,
+        )
+        return Motion(task).run()
+
+
+def grid(t0: float, stop: float, interval: float | None) -> Floats:
+    """t0, t0 + interval, ...; the stop time is always the last."""
+    step = (stop - t0) / DEFAULT_ROWS if interval is None else interval
+    if not step > 0.0 or not (stop - t0) / step < LARGEST_ROWS:
+        raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
+    count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
+    times = t0 + step * np.arange(count + 1)
+    if stop - times[-1] > 1e-9 * step:
+        return np.append(times, stop)
+    times[-1] = stop
+    return np.asarray(times)
+
+
+def _check_options(t0: float, stop: float, tolerance: float, solver: str) -> None:
+    if not np.isfinite(stop) or not stop > t0:
+        raise ValueError(f"the stop time {stop:g} s must be after the start time {t0:g} s")
+    if not 1e-13 <= tolerance <= 0.1:
+        raise ValueError(f"the tolerance {tolerance:g} must be between 1e-13 and 0.1")
+    if solver not in SOLVERS:
+        raise ValueError(f"there is no solver `{solver}`; there are {', '.join(SOLVERS)}")

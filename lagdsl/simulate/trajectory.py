@@ -1,0 +1,159 @@
+"""The product of a simulation: columns over time, and what the solver can tell about their quality."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_display import Display
+from lagdsl.simulate.moved import MovedRow
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Kind = Literal["time", "coordinate", "rate", "state", "discrete", "output"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """One quantity over time in its coherent SI unit; `display` is how people see it."""
+
+    name: str
+    unit: str
+    kind: Kind
+    display: Display
+    values: Floats
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InvariantRecord:
+    """How well a claimed invariant held: its value at the start, the largest drift from it, and what was allowed."""
+
+    name: str
+    start: float
+    drift: float
+    limit: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Event:
+    """Something that happened at an instant. This release has no events; the list is there for what comes."""
+
+    time: float
+    name: str
+    kind: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Statistics:
+    """What the solver did. `notes` tell of changes of method and of singular positions passed."""
+
+    solver: str
+    steps: int = 0
+    evaluations: int = 0
+    jacobians: int = 0
+    projections: int = 0
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Trajectory:
+    """Rows at the requested times. `trajectory["theta"]` is a column in SI units.
+
+    `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the units of the
+    constraint rows; `energy` is energy() [J].
+    """
+
+    model: str
+    columns: tuple[Column, ...]
+    position_residual: Floats
+    velocity_residual: Floats
+    energy: Floats
+    invariants: tuple[InvariantRecord, ...]
+    moved: tuple[MovedRow, ...]
+    statistics: Statistics
+    events: tuple[Event, ...] = ()
+
+    @property
+    def time(self) -> Floats:
+        return self.columns[0].values
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(column.name for column in self.columns)
+
+    def column(self, name: str) -> Column:
+        """The column with its unit; KeyError with the known names otherwise."""
+        for column in self.columns:
+            if column.name == name:
+                return column
+        raise KeyError(f"no column `{name}`; there are {', '.join(self.names)}")
+
+    def __getitem__(self, name: str) -> Floats:
+        return self.column(name).values
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """All columns as a pandas DataFrame; needs the extra `table`."""
+        import pandas as pd  # noqa: PLC0415 an extra
+
+        return pd.DataFrame({column.name: column.values for column in self.columns})
+
+    def crossings(self, name: str, level: float = 0.0, *, direction: int = 0) -> Floats:
+        """Times at which a column passes `level`; `direction` 1 rising, -1 falling, 0 both.
+
+        Between rows the column is the polynomial through the eight nearest rows, so rows a tenth of a period apart give
+        times to about 1e-6 of the period, and finer rows much better ones.
+        """
+        return crossing_times(self.time, self[name] - level, direction)
+
+
+def crossing_times(t: Floats, x: Floats, direction: int) -> Floats:
+    """Zeros of the data x(t)."""
+    found: list[float] = []
+    for row in range(len(t) - 1):
+        before, after = float(x[row]), float(x[row + 1])
+        if before == 0.0:
+            rising = after > 0.0 if after != 0.0 else None
+            arrived = row > 0 and float(x[row - 1]) * after < 0.0
+            if row == 0 or arrived:
+                _append(found, float(t[row]), rising, direction)
+        elif before * after < 0.0:
+            _append(found, _zero(t, x, row), after > before, direction)
+        elif after == 0.0 and row + 2 == len(t):
+            _append(found, float(t[-1]), before < 0.0, direction)
+    return np.array(found)
+
+
+def _append(found: list[float], time: float, rising: bool | None, direction: int) -> None:
+    if direction == 0 or (rising is not None and rising == (direction > 0)):
+        found.append(time)
+
+
+def _zero(t: Floats, x: Floats, row: int) -> float:
+    """The zero between two rows, by bisection on the interpolating polynomial."""
+    first = min(max(row - 3, 0), max(len(t) - 8, 0))
+    nodes, values = t[first : first + 8], x[first : first + 8]
+    low, high = float(t[row]), float(t[row + 1])
+    sign = np.sign(x[row])
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if np.sign(_polynomial(nodes, values, middle)) == sign:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+def _polynomial(nodes: Floats, values: Floats, t: float) -> float:
+    """Neville's scheme."""
+    p = values.copy()
+    for k in range(1, len(p)):
+        ahead, behind = nodes[k:], nodes[:-k]
+        p = ((t - behind) * p[1:] - (t - ahead) * p[:-1]) / (ahead - behind)
+    return float(p[0])
