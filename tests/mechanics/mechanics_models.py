@@ -175,12 +175,12 @@ def triple(values: Any) -> Any:
 
 
 def body(on: str, m: Any = 0.0, com: Any = (0, 0, 0), inertia: Any = (0,) * 6, label: str | None = None) -> RigidBody:
-    return RigidBody(
-        spans=SPANS, label=label, frame=on, mass=expression(m), com=triple(com), inertia=triple(inertia)
-    )
+    return RigidBody(spans=SPANS, label=label, frame=on, mass=expression(m), com=triple(com), inertia=triple(inertia))
 
 
-def force(value: Any, at: Any, on: str | None = None, origin: Any = None, origin_frame: str | None = None) -> PointForce:
+def force(
+    value: Any, at: Any, on: str | None = None, origin: Any = None, origin_frame: str | None = None
+) -> PointForce:
     return PointForce(
         spans=SPANS,
         label=None,
