@@ -11,8 +11,9 @@ if TYPE_CHECKING:
     from lagdsl.api.check import check
     from lagdsl.api.compile import compile
     from lagdsl.api.model import Model
+    from lagdsl.api.trajectory import Trajectory
     from lagdsl.diagnostics import CompilationFailed, Diagnostic
-    from lagdsl.simulate import SimulationFailed, Trajectory
+    from lagdsl.simulate.failure import SimulationFailed
 
 __version__ = "0.1.0"
 
@@ -20,8 +21,8 @@ _HOMES = {
     "CompilationFailed": "lagdsl.diagnostics",
     "Diagnostic": "lagdsl.diagnostics",
     "Model": "lagdsl.api.model",
-    "SimulationFailed": "lagdsl.simulate",
-    "Trajectory": "lagdsl.simulate",
+    "SimulationFailed": "lagdsl.simulate.failure",
+    "Trajectory": "lagdsl.api.trajectory",
     "check": "lagdsl.api.check",
     "compile": "lagdsl.api.compile",
 }

@@ -1,4 +1,4 @@
-"""The compiler on one screen: text, tree, flat model, program, structure.
+"""The compiler on one screen: text, tree, flat model, program, structure, initial state.
 
 Every stage reports into one sink and the next one runs only on sound input, so one wrong line is told once.
 """
@@ -12,19 +12,21 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from lagdsl.diagnostics import Diagnostic, Sink
+from lagdsl.diagnostics import CompilationFailed, Diagnostic, Sink
 from lagdsl.semantics.flatten import flatten
 from lagdsl.semantics.library import read_source
-from lagdsl.semantics.wellformed import check as check_wellformed
+from lagdsl.semantics.wellformed import check as check_physics
 from lagdsl.source import SourceFile
 from lagdsl.syntax.parser import parse
 
 if TYPE_CHECKING:
     from lagdsl.mechanics.structure import Structure
     from lagdsl.program.program import Program
+    from lagdsl.runtime.broadcast import BatchEngine
     from lagdsl.semantics.flat_model import FlatModel
 
 Derivation: TypeAlias = Literal["graph", "textbook"]
+EngineName: TypeAlias = Literal["numpy", "c"]
 
 _DEEPEST_RECURSION = 20_000
 
@@ -57,7 +59,7 @@ def front(
         flat = flatten(unit, sink, model=model, structural=structural or {})
         if flat is None or sink.has_errors:
             return None
-        check_wellformed(flat, sink)
+        check_physics(flat, sink)
     return None if sink.has_errors else flat
 
 
@@ -86,21 +88,37 @@ def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Com
     return Compilation(flat=flat, program=structure.program, structure=structure, diagnostics=sink.diagnostics)
 
 
-def compile_source(
-    source: Path | str,
-    *,
-    model: str | None = None,
-    structural: Mapping[str, float] | None = None,
-    derivation: Derivation = "graph",
-) -> Compilation:
-    """A path or text to a program. Raises CompilationFailed with everything that was found."""
+def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
+    """What computes the functions of `program`. Raises CompilationFailed where no C compiler is found."""
+    match name:
+        case "numpy":
+            from lagdsl.runtime.numpy_engine import NumpyEngine
+
+            return NumpyEngine(program)
+        case "c":
+            from lagdsl.runtime.c_engine import CEngine
+
+            return CEngine(program)
+
+
+def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:
+    """Everything that can be found before the first time step, the initial state included."""
     sink = Sink()
-    file = read(source, sink)
-    flat = front(file, sink, model=model, structural=structural) if file is not None else None
-    compilation = middle(flat, sink, derivation) if flat is not None else None
-    sink.raise_if_errors()
-    assert compilation is not None, "internal error: a stage gave up without saying why"
-    return compilation
+    try:
+        flat = front(file, sink, model=model)
+        compilation = middle(flat, sink) if flat is not None else None
+        if compilation is not None:
+            from lagdsl.simulate.initialize import initial_state
+
+            initial_state(compilation.flat, engine_of(compilation.program), sink=sink)
+    except CompilationFailed as failure:
+        return findings(sink, failure), None
+    return sink.diagnostics, None if sink.has_errors else compilation
+
+
+def findings(sink: Sink, failure: CompilationFailed) -> tuple[Diagnostic, ...]:
+    """Everything that is known of a model: what the early stages collected and what a later one raised."""
+    return tuple(dict.fromkeys([*sink.diagnostics, *failure.diagnostics]))
 
 
 @contextmanager

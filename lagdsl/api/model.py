@@ -2,35 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, TypedDict, Unpack
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from lagdsl.api.broadcast import Shape, over_leading_axes, vector
+from lagdsl.api.names import known
+from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
 
 if TYPE_CHECKING:
+    from lagdsl.api.trajectory import Trajectory
+    from lagdsl.diagnostics import Sink
     from lagdsl.pipeline import Compilation
     from lagdsl.program.program import Slot
-    from lagdsl.runtime.engine import Engine
+    from lagdsl.runtime.broadcast import BatchEngine
+    from lagdsl.simulate.initialize import InitialState
+    from lagdsl.simulate.signals import Signal
     from lagdsl.textbook.equations import EquationsOfMotion
 
 Floats = NDArray[np.float64]
 
 
-class Given(TypedDict, total=False):
-    """Arguments that every function takes and that may be left out."""
-
-    z: ArrayLike | None
-    u: ArrayLike | None
-    w: ArrayLike | None
-    p: ArrayLike | None
-
-
-class Model:
+class Model(Interface):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -39,7 +36,15 @@ class Model:
     `coordinates`, `states`, `inputs`, `parameters`, `outputs` and `constraints`.
     """
 
-    def __init__(self, compilation: Compilation, engine: Engine) -> None:
+    def __init__(self, compilation: Compilation, engine: BatchEngine) -> None:
+        program = compilation.program
+        super().__init__(
+            engine.evaluate_many,
+            engine.solve_many,
+            engine.jacobian_many,
+            motion_sizes(program),
+            program.layout.defaults,
+        )
         self._compilation = compilation
         self._engine = engine
         self._layout = compilation.program.layout
@@ -101,100 +106,64 @@ class Model:
 
         return derive(self._compilation.flat)
 
-    # ---- equations of motion -----------------------------------------------------------------------------------------
+    # ---- motion ------------------------------------------------------------------------------------------------------
 
-    def forward_dynamics(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, **given: Unpack[Given]) -> Floats:
-        """Accelerations qdd, shape (..., nq), from M qdd - J' lam = f, J qdd = gamma; no stabilization terms."""
+    def initial_state(
+        self, *, parameters: Mapping[str, float] | None = None, start: Mapping[str, float] | None = None
+    ) -> InitialState:
+        """The consistent state to start from: `.q .qd .z` in SI units and `.moved`, which tells what was adjusted.
 
-        def accelerations(*state: Floats) -> Floats:
-            return self._solve(*state)[0]
+        `start` overrides start values by name, `theta` or `der(theta)`. Raises CompilationFailed where there is none.
+        """
+        from lagdsl.simulate.initialize import initial_state
 
-        return over_leading_axes(accelerations, (self._nq,), t, *self._state(q, qd, **given))
+        p = self._parameter_vector(parameters)
+        return initial_state(self._compilation.flat, self._engine, p, start=self._start_values(start))
 
-    def multipliers(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, **given: Unpack[Given]) -> Floats:
-        """Multipliers lam of all constraint rows, shape (..., nc); the constraint force is J' lam."""
-
-        def multipliers(*state: Floats) -> Floats:
-            return self._solve(*state)[1]
-
-        return over_leading_axes(multipliers, (len(self.constraints),), t, *self._state(q, qd, **given))
-
-    def inverse_dynamics(
-        self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, **given: Unpack[Given]
-    ) -> Floats:
-        """Generalized forces M qdd - f missing to produce qdd, shape (..., nq)."""
-        accelerations = vector("qdd", qdd, self.coordinates)
-        return self._evaluate("inverse_dynamics", 0, (self._nq,), t, *self._state(q, qd, **given), accelerations)
-
-    def mass_matrix(
-        self, t: ArrayLike, q: ArrayLike, qd: ArrayLike | None = None, *, p: ArrayLike | None = None
-    ) -> Floats:
-        """M = d2L/dqd2, shape (..., nq, nq); `qd` matters only where L is not quadratic in the rates."""
-        return self._evaluate("mass_matrix", 0, (self._nq, self._nq), t, *self._state(q, qd, p=p))
-
-    def constraint_jacobian(self, t: ArrayLike, q: ArrayLike, *, p: ArrayLike | None = None) -> Floats:
-        """J of all declared rows, redundant ones too, shape (..., nc, nq)."""
-        shape = (len(self.constraints), self._nq)
-        return self._evaluate("velocity_constraint", 1, shape, t, *self._state(q, None, p=p))
-
-    def output(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, **given: Unpack[Given]) -> Floats:
-        """Outputs y, shape (..., ny)."""
-
-        def outputs(*state: Floats) -> Floats:
-            return self._engine.evaluate("output", *state, *self._solve(*state))[0]
-
-        return over_leading_axes(outputs, (len(self.outputs),), t, *self._state(q, qd, **given))
-
-    def energy(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, *, p: ArrayLike | None = None) -> Floats:
-        """`energy()` of the language [J]: T + V, and qd.dLx/dqd - Lx for each `lagrangian` term Lx; shape (...)."""
-        return self._evaluate("energies", 0, (), t, *self._state(q, qd, p=p))
-
-    def state_jacobian(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, **given: Unpack[Given]) -> Floats:
-        """d(qd, qdd, zd)/d(q, qd, z), exact, shape (..., 2 nq + nz, 2 nq + nz)."""
-        size = 2 * self._nq + len(self.states)
-        return over_leading_axes(self._engine.jacobian, (size, size), t, *self._state(q, qd, **given))
-
-    # ---- arguments ---------------------------------------------------------------------------------------------------
-
-    @property
-    def _nq(self) -> int:
-        return len(self._layout.coordinates)
-
-    def _solve(self, *state: Floats) -> tuple[Floats, Floats]:
-        return self._engine.solve(*state)
-
-    def _evaluate(self, function: str, block: int, shape: Shape, t: ArrayLike, *vectors: Floats) -> Floats:
-        def result(*arguments: Floats) -> Floats:
-            return self._engine.evaluate(function, *arguments)[block]
-
-        return over_leading_axes(result, shape, t, *vectors)
-
-    def _state(
+    def simulate(
         self,
-        q: ArrayLike,
-        qd: ArrayLike | None,
         *,
-        z: ArrayLike | None = None,
-        u: ArrayLike | None = None,
-        w: ArrayLike | None = None,
-        p: ArrayLike | None = None,
-    ) -> tuple[Floats, ...]:
-        """The arguments q qd z u w p of every function, with the model's own values for what is None."""
-        parameters = self.defaults if p is None else vector("p", p, self.parameters)
-        rates = np.zeros(self._nq) if qd is None else vector("qd", qd, self.coordinates)
-        return (
-            vector("q", q, self.coordinates),
-            rates,
-            self._starts[2] if z is None else vector("z", z, self.states),
-            self._starts[3] if u is None else vector("u", u, self.inputs),
-            np.zeros(len(self._layout.discretes)) if w is None else vector("w", w, _names(self._layout.discretes)),
-            parameters,
-        )
+        stop: float | None = None,
+        interval: float | None = None,
+        tolerance: float | None = None,
+        parameters: Mapping[str, float] | None = None,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, Signal] | None = None,
+        solver: str = "auto",
+        progress: Callable[[float], None] | None = None,
+        sink: Sink | None = None,
+    ) -> Trajectory:
+        """The motion from the initial state, a row every `interval`; what is left out says the model's experiment.
 
-    @cached_property
-    def _starts(self) -> tuple[Floats, ...]:
-        """Start values q, qd, z and default inputs u of the model's own parameters."""
-        return self._engine.evaluate("start", self._compilation.flat.experiment.start_time, self.defaults)
+        `inputs` are constants, functions of time or pairs (times, values), by name. `progress` is called with the part
+        of the time that is done; warnings go to `sink`. Raises CompilationFailed before the first step,
+        SimulationFailed after it, with the motion so far.
+        """
+        from lagdsl.api.trajectory import Trajectory
+        from lagdsl.simulate.simulate import simulate
+
+        motion = simulate(
+            self._engine,
+            self._compilation.flat,
+            stop=stop,
+            interval=interval,
+            tolerance=tolerance,
+            p=self._parameter_vector(parameters),
+            inputs=inputs,
+            start=self._start_values(start),
+            solver=solver,
+            progress=progress,
+            sink=sink,
+        )
+        return Trajectory.of(motion)
+
+    def _parameter_vector(self, given: Mapping[str, float] | None) -> Floats:
+        """The defaults with some replaced by name."""
+        values = dict(zip(self.parameters, self._layout.defaults, strict=True))
+        return np.array(list({**values, **known("parameter", given, self.parameters)}.values()), dtype=np.float64)
+
+    def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
+        return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:

@@ -18,12 +18,8 @@ _TARGETS = ("numpy", "c")
 @takes_model
 @click.option("--target", type=click.Choice(_TARGETS), required=True, help="Language of the module.")
 @click.option("-o", "--output", "folder", type=click.Path(path_type=Path), required=True, help="Folder to write to.")
-@click.option(
-    "--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations."
-)
-def command(
-    file: Path, model: str | None, style: Format, target: str, folder: Path, derivation: Derivation
-) -> None:
+@click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
+def command(file: Path, model: str | None, style: Format, target: str, folder: Path, derivation: Derivation) -> None:
     """Write the equations of motion of FILE as one NumPy file, or as C sources with header, Makefile and example."""
     source = read_or_leave(file, style)
     sink = Sink()

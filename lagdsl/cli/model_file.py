@@ -37,12 +37,12 @@ def takes_model(command: _Command) -> _Command:
     return command
 
 
-def read_or_leave(file: Path, style: Format) -> SourceFile:
+def read_or_leave(file: Path, style: Format, *, to_output: bool = False) -> SourceFile:
     """The text of FILE; leaves with status 2 where it cannot be read."""
     sink = Sink()
     source = read(file, sink)
     if source is None:
-        tell(sink.diagnostics, style)
+        tell(sink.diagnostics, style, to_output=to_output)
         click.get_current_context().exit(USAGE)
     return source
 

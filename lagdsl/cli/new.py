@@ -9,7 +9,26 @@ import click
 
 from lagdsl.cli.output import Unwritable
 
-_RESERVED = frozenset("end if then elseif else for loop when elsewhen equation and or not true false in".split())
+_RESERVED = frozenset(
+    [
+        "end",
+        "if",
+        "then",
+        "elseif",
+        "else",
+        "for",
+        "loop",
+        "when",
+        "elsewhen",
+        "equation",
+        "and",
+        "or",
+        "not",
+        "true",
+        "false",
+        "in",
+    ]
+)
 
 _TEMPLATE = """\
 model {name} "Point mass on a massless rod"

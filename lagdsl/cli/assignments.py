@@ -1,0 +1,136 @@
+"""`--set name=value`: parameters, start values and structural parameters from the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import click
+
+from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics.flat_model import Coordinate, FlatModel, Parameter, Quantity
+from lagdsl.source import SourceFile
+from lagdsl.syntax import nodes
+from lagdsl.syntax.parser import parse_expression
+from lagdsl.units.definition import si_value
+from lagdsl.units.dimension import DIMENSIONLESS, TIME, Dimension
+from lagdsl.units.naming import describe, rate_text
+from lagdsl.units.parse import UnknownUnit, parse_unit
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Values in SI units by name; starts by `theta` or `der(theta)`."""
+
+    parameters: dict[str, float] = field(default_factory=dict)
+    start: dict[str, float] = field(default_factory=dict)
+    structural: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class _Literal:
+    """A number as written; without a unit (`dimension` None) it takes that of what it is bound to."""
+
+    text: str
+    value: float
+    dimension: Dimension | None
+    boolean: bool = False
+
+
+def split(assignments: Sequence[str]) -> dict[str, str]:
+    """`name=value` texts by name."""
+    pairs: dict[str, str] = {}
+    for assignment in assignments:
+        name, equals, value = assignment.partition("=")
+        if not equals or not name.strip() or not value.strip():
+            raise click.UsageError(f"{assignment}: expected name=value, as in --set 'm=2 kg'")
+        pairs[name.strip()] = value.strip()
+    return pairs
+
+
+def settings(flat: FlatModel, pairs: dict[str, str]) -> Settings:
+    """What the assignments mean for this model. Raises UsageError for unknown names and values that do not fit."""
+    result = Settings()
+    parameters = {p.name: p for p in flat.parameters}
+    starts: dict[str, Quantity] = {s.name: s for s in (*flat.coordinates, *flat.states)}
+    rates: dict[str, Coordinate] = {f"der({c.name})": c for c in flat.coordinates}
+    for name, text in pairs.items():
+        base = name.removesuffix(".start")
+        if name in parameters:
+            parameter = parameters[name]
+            target = result.structural if parameter.structural else result.parameters
+            target[name] = _parameter_value(parameter, text)
+        elif name != base and base in starts:
+            result.start[base] = _fitting(name, starts[base].dimension, starts[base].unit, literal(name, text))
+        elif name != base and base in rates:
+            rate = rates[base]
+            result.start[base] = _fitting(
+                name, rate.dimension / TIME, rate_text(rate.dimension, rate.unit), literal(name, text)
+            )
+        else:
+            raise click.UsageError(_unknown(flat, name, [*parameters, *(f"{s}.start" for s in [*starts, *rates])]))
+    return result
+
+
+def seconds(option: str, text: str | None) -> float | None:
+    """The value of an option that takes a time: `10` or `500 ms`."""
+    return None if text is None else _fitting(option, TIME, "s", literal(option, text))
+
+
+def literal(name: str, text: str) -> _Literal:
+    """A number, a quantity as in a model text (`2000 g`), or true or false."""
+    expression = parse_expression(SourceFile(name, text), Sink())
+    sign = 1.0
+    while isinstance(expression, nodes.Unary) and expression.operator in "+-":
+        sign = -sign if expression.operator == "-" else sign
+        expression = expression.operand
+    match expression:
+        case nodes.Number(text=digits):
+            return _Literal(text, sign * float(digits), None)
+        case nodes.Quantity(number=digits, unit=unit):
+            try:
+                definition = parse_unit(unit)
+            except UnknownUnit as error:
+                raise click.UsageError(f"{name}={text}: {error}") from error
+            return _Literal(text, sign * si_value(digits, definition), definition.dimension)
+        case nodes.Boolean(value=value):
+            return _Literal(text, float(value), DIMENSIONLESS, boolean=True)
+        case _:
+            raise click.UsageError(f"{name}={text}: expected a number with or without a unit, as in 2 kg")
+
+
+def _parameter_value(parameter: Parameter, text: str) -> float:
+    given = literal(parameter.name, text)
+    where = f"{parameter.name}={text}"
+    if given.boolean != (parameter.kind == "Boolean"):
+        expected = "true or false" if parameter.kind == "Boolean" else "a number"
+        raise click.UsageError(f"{where}: `{parameter.name}` is {expected}")
+    if parameter.kind == "Integer" and not given.value.is_integer():
+        raise click.UsageError(f"{where}: `{parameter.name}` is a whole number")
+    value = _fitting(parameter.name, parameter.dimension, parameter.unit, given)
+    if parameter.minimum is not None and value < parameter.minimum:
+        raise click.UsageError(f"{where}: `{parameter.name}` must be at least {parameter.minimum:g} {parameter.unit}")
+    if parameter.maximum is not None and value > parameter.maximum:
+        raise click.UsageError(f"{where}: `{parameter.name}` must be at most {parameter.maximum:g} {parameter.unit}")
+    return value
+
+
+def _fitting(name: str, dimension: Dimension, unit: str, given: _Literal) -> float:
+    if given.dimension is not None and given.dimension != dimension:
+        raise click.UsageError(
+            f"{name}={given.text}: `{name}` is {describe(dimension)} [{unit}], this is {describe(given.dimension)}"
+        )
+    return given.value
+
+
+def _unknown(flat: FlatModel, name: str, known: Sequence[str]) -> str:
+    if any(getattr(item, "name", None) == name for item in flat.named):
+        return f"`{name}` is computed from others in {flat.name}; set what it depends on"
+    if any(item.name == name for item in (*flat.coordinates, *flat.states)):
+        return f"`{name}` moves; set its start value with --set '{name}.start=...'"
+    likely = nearest(name, known)
+    if likely is not None:
+        return f"{flat.name} has no parameter `{name}`; did you mean `{likely}`?"
+    listing = ", ".join(known) if known else "none"
+    return f"{flat.name} has no parameter `{name}`; what can be set: {listing}"

@@ -1,0 +1,41 @@
+"""`lag check FILE`: everything that can be found before the first time step."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from lagdsl.cli.model_file import Format, read_or_leave, takes_model, tell
+from lagdsl.cli.status import ERRORS, SUCCESS
+from lagdsl.diagnostics import Severity
+from lagdsl.pipeline import Compilation, check
+
+
+@click.command("check")
+@takes_model
+def command(file: Path, model: str | None, style: Format) -> None:
+    """Find everything that is wrong with the model in FILE; then one line of what it is."""
+    source = read_or_leave(file, style, to_output=True)
+    diagnostics, compilation = check(source, model=model)
+    tell(diagnostics, style, to_output=True)
+    wrong = any(d.severity is Severity.ERROR for d in diagnostics)
+    if compilation is not None and style == "text":
+        click.echo(_line(compilation))
+    click.get_current_context().exit(ERRORS if wrong else SUCCESS)
+
+
+def _line(compilation: Compilation) -> str:
+    """`FourBar: 3 coordinates - 2 independent constraints = 1 degree of freedom; 2 constraint rows, 0 states, ...`."""
+    from lagdsl.mechanics.structure import structure_text
+
+    layout = compilation.program.layout
+    counts = (
+        (len(layout.constraints), "constraint"),
+        (len(layout.states), "state"),
+        (len(layout.inputs), "input"),
+        (len(layout.outputs), "output"),
+    )
+    rank = f" (rank {compilation.structure.rank})"
+    parts = [f"{n} {noun}{'' if n == 1 else 's'}{rank if noun == 'constraint' else ''}" for n, noun in counts]
+    return f"{compilation.flat.name}: {structure_text(compilation.structure)}; {', '.join(parts)}"

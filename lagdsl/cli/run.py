@@ -1,0 +1,124 @@
+"""`lag run FILE`: from a page of text to motion."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from lagdsl.api.model import Model
+from lagdsl.cli.assignments import Settings, seconds, settings, split
+from lagdsl.cli.columns import read_inputs, require_parquet, write_columns
+from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.output import require_writable, whole_file
+from lagdsl.cli.progress import progress
+from lagdsl.cli.status import FAILED_RUN
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.pipeline import Compilation, Derivation, EngineName, engine_of, findings, front, middle
+from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.source import SourceFile
+
+_SECONDS = "e.g. 10, '500 ms'"
+
+
+@click.command("run")
+@takes_model
+@click.option("--stop", metavar="T", help=f"End of the simulation [s], {_SECONDS}; default: the model's experiment.")
+@click.option("--interval", metavar="H", help="Time between rows [s].")
+@click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration.")
+@click.option(
+    "--set",
+    "assignments",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Parameter or start value: 'm=2 kg', 'x.start=1 m'.",
+)
+@click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
+@click.option("--engine", type=click.Choice(["numpy", "c"]), default="numpy", show_default=True)
+@click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf.")
+@click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the columns to this .csv or .parquet.")
+@click.option("--plot", "picture", type=click.Path(path_type=Path), help="Write a figure of the motion.")
+def command(
+    file: Path,
+    model: str | None,
+    style: Format,
+    stop: str | None,
+    interval: str | None,
+    tolerance: float | None,
+    assignments: tuple[str, ...],
+    inputs: Path | None,
+    engine: EngineName,
+    solver: str,
+    derivation: Derivation,
+    output: Path | None,
+    picture: Path | None,
+) -> None:
+    """Simulate the model in FILE; without -o, show a summary of the motion."""
+    for path in (output, picture):
+        require_writable(path)
+    require_parquet(output)
+    source = read_or_leave(file, style)
+    signals = read_inputs(inputs) if inputs is not None else {}
+    sink = Sink()
+    compilation, chosen = _compile(source, sink, style, model, derivation, split(assignments))
+    try:
+        compiled = Model(compilation, engine_of(compilation.program, engine))
+        with progress(compiled.name) as report:
+            motion = compiled.simulate(
+                stop=seconds("--stop", stop),
+                interval=seconds("--interval", interval),
+                tolerance=tolerance,
+                parameters=chosen.parameters,
+                start=chosen.start,
+                inputs=signals,
+                solver=solver,
+                progress=report,
+                sink=sink,
+            )
+    except CompilationFailed as failure:
+        leave_with_errors(findings(sink, failure), style)
+    except SimulationFailed as failure:
+        tell((*sink.diagnostics, *failure.diagnostics), style)
+        if output is not None:
+            write_columns(failure.trajectory, output)
+        click.get_current_context().exit(FAILED_RUN)
+    except ValueError as error:  # options that make no sense
+        raise click.UsageError(str(error)) from error
+    tell(sink.diagnostics, style)
+    if output is not None:
+        write_columns(motion, output)
+    if picture is not None:
+        from lagdsl.plot.figure import plot
+
+        with whole_file(picture) as draft:
+            plot(motion, draft)
+    if output is None:
+        from lagdsl.cli.summary import summary
+
+        click.echo(summary(motion, freedom=compilation.structure.freedom, curves=sys.stdout.isatty()))
+
+
+def _compile(
+    source: SourceFile,
+    sink: Sink,
+    style: Format,
+    name: str | None,
+    derivation: Derivation,
+    pairs: dict[str, str],
+) -> tuple[Compilation, Settings]:
+    """The model with structural parameters as set, and what else was set; leaves where it is wrong."""
+    try:
+        flat = front(source, sink, model=name)
+        chosen = settings(flat, pairs) if flat is not None else Settings()
+        if flat is not None and chosen.structural:
+            sink = Sink()
+            flat = front(source, sink, model=name, structural=chosen.structural)
+            chosen = settings(flat, pairs) if flat is not None else chosen
+        compilation = middle(flat, sink, derivation) if flat is not None else None
+        if compilation is None:
+            leave_with_errors(sink.diagnostics, style)
+    except CompilationFailed as failure:
+        leave_with_errors(findings(sink, failure), style)
+    return compilation, chosen

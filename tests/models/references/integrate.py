@@ -1,0 +1,29 @@
+"""Solutions of ordinary differential equations to about 1e-12."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.integrate import solve_ivp
+
+Floats = NDArray[np.float64]
+
+G_N = 9.80665
+
+
+def solve(
+    rates: Callable[[float, Floats], ArrayLike], start: Sequence[float], t: Floats, tolerance: float = 1e-12
+) -> Floats:
+    """Rows of the solution of x' = rates(t, x), x(t[0]) = start, at the times `t`; shape (len(start), len(t))."""
+    scale = np.maximum(np.abs(start), 1e-3 * np.max(np.abs(start)))
+    solution = solve_ivp(
+        lambda time, x: np.asarray(rates(time, x), dtype=float),
+        (t[0], t[-1]),
+        start,
+        method="DOP853",
+        t_eval=t,
+        rtol=tolerance,
+        atol=tolerance * np.where(scale > 0, scale, 1.0),
+    )
+    assert solution.success, solution.message
+    return np.asarray(solution.y)

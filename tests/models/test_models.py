@@ -1,0 +1,248 @@
+"""What holds for every model in models/: drop a file in, and it is tested."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from lagdsl.syntax.printer import format_text
+
+from lagdsl.diagnostics import Sink
+from lagdsl.graph.evaluate import evaluate
+from lagdsl.graph.operation import Group
+from lagdsl.program.program import Program
+from lagdsl.runtime.engine import Engine
+from lagdsl.semantics.flat_text import flat_text
+from lagdsl.syntax.parser import parse
+from models.corpus import (
+    MODELS,
+    STATES,
+    Arrays,
+    arguments,
+    c_engine,
+    compiled,
+    expectations,
+    independent_rows,
+    numpy_engine,
+    path_of,
+    random_states,
+    saddle_point,
+    textbook,
+    values,
+    values_with_size,
+)
+
+EVERY = pytest.mark.parametrize("name", MODELS)
+STEP = 1e-30
+ROUNDING = 1e-12  # of the size of the terms
+
+
+def test_there_are_at_least_twenty_six_models_each_with_expectations() -> None:
+    assert len(MODELS) >= 26
+    for name in MODELS:
+        assert expectations(name)["source"]
+
+
+@EVERY
+def test_the_format_is_canonical_stable_and_means_the_same(name: str) -> None:
+    source = compiled(name).source
+    sink = Sink()
+    formatted = format_text(source, sink)
+    assert formatted == source.text, "run `lag fmt models/*.lag`"
+    again = type(source)(source.name, formatted)
+    assert format_text(again, sink) == formatted
+    assert parse(again, sink) == parse(source, sink) is not None
+    assert not sink.diagnostics
+
+
+@EVERY
+def test_check_finds_nothing_wrong(name: str) -> None:
+    from lagdsl import check
+
+    found = [d for d in check(path_of(name)) if d.severity != "note"]
+    assert [d.code for d in found] == expectations(name).get("warnings", []), [d.message for d in found]
+
+
+@EVERY
+def test_the_flat_text_lists_every_coordinate_and_parameter(name: str) -> None:
+    flat = compiled(name).flat
+    text = flat_text(flat)
+    assert text == flat_text(flat)
+    for item in (*flat.coordinates, *flat.states, *flat.parameters, *flat.outputs, *flat.inputs):
+        assert item.name in text
+    for constraint in flat.constraints:
+        assert constraint.name in text
+
+
+# ---- two derivations, three ways to compute -------------------------------------------------------------------------
+
+_COMPARED = (
+    "start",
+    "position_constraint",
+    "velocity_constraint",
+    "mass_matrix",
+    "dynamics",
+    "inverse_dynamics",
+    "residual",
+    "state_derivative",
+    "output",
+    "energies",
+    "momenta",
+    "power",
+    "monitor",
+    "initial_equation",
+)
+
+
+@EVERY
+def test_both_derivations_agree(name: str) -> None:
+    graph, symbolic = compiled(name).graph, textbook(name)
+    states = random_states(name)
+    for function in _COMPARED:
+        pairs = zip(
+            values_with_size(graph, function, states), values_with_size(symbolic, function, states), strict=True
+        )
+        for (ours, size), (theirs, other) in pairs:
+            _assert_close(ours, theirs, np.maximum(size, other), function)
+
+
+@EVERY
+def test_the_derivations_solve_to_the_same_motion(name: str) -> None:
+    """Accelerations and multipliers of one route leave nothing in the equations of the other."""
+    from lagdsl.runtime.numpy_engine import NumpyEngine
+
+    states = random_states(name)
+    _assert_solved(numpy_engine(name), textbook(name), states)
+    _assert_solved(NumpyEngine(textbook(name)), compiled(name).graph, states)
+
+
+@EVERY
+@pytest.mark.parametrize("make", [numpy_engine, c_engine])
+def test_engines_compute_what_the_graph_means(name: str, make: object) -> None:
+    assert callable(make)
+    engine: Engine = make(name)
+    program, states = compiled(name).graph, random_states(name)
+    for function in program.functions:
+        expected = values_with_size(program, function.name, states)
+        rows = [engine.evaluate(function.name, *arguments(program, function.name, states, i)) for i in range(STATES)]
+        for index, (value, size) in enumerate(expected):
+            _assert_close(np.array([row[index] for row in rows]), value, size, function.name)
+
+
+@EVERY
+@pytest.mark.parametrize("make", [numpy_engine, c_engine])
+def test_solutions_satisfy_the_equations(name: str, make: object) -> None:
+    assert callable(make)
+    _assert_solved(make(name), compiled(name).graph, random_states(name))
+
+
+def _assert_solved(engine: Engine, program: Program, states: Arrays) -> None:
+    """What qdd and lam leave in M qdd - f - J' lam = 0 and J qdd = gamma, against the size of the terms."""
+    for i in range(STATES):
+        qdd, lam = engine.solve(*arguments(program, "dynamics", states, i))
+        solved = {g: a[i] for g, a in states.items()} | {Group.QDD: qdd, Group.LAMBDA: lam}
+        for value, size in values_with_size(program, "residual", solved):
+            _assert_close(value, np.zeros_like(value), size, "residual")
+
+
+def _assert_close(ours: np.ndarray, theirs: np.ndarray, size: np.ndarray, what: str) -> None:
+    assert ours.shape == theirs.shape, what
+    wrong = np.abs(ours - theirs) > ROUNDING * size
+    assert not np.any(wrong), (what, np.argwhere(wrong)[:3], ours[wrong][:3], theirs[wrong][:3], size[wrong][:3])
+
+
+# ---- derivatives -----------------------------------------------------------------------------------------------------
+
+
+@EVERY
+@pytest.mark.parametrize("make", [numpy_engine, c_engine])
+def test_the_jacobian_is_exact(name: str, make: object) -> None:
+    """Against a complex step through the equations and their solution."""
+    assert callable(make)
+    engine: Engine = make(name)
+    program, states = compiled(name).graph, random_states(name)
+    for i in range(0, STATES, 5):
+        state = {g: a[i] for g, a in states.items()}
+        ours = engine.jacobian(*arguments(program, "dynamics", states, i))
+        directions = _consistent_directions(program, state)
+        exact = np.array([_derivative_along(program, state, d) for d in directions.T]).T
+        error = np.abs(ours @ directions - exact)
+        scale = np.max(np.abs(ours), axis=1, keepdims=True, initial=0.0)
+        assert np.all(error <= 1e-10 * np.maximum(scale, 1e-30)), np.max(error / np.maximum(scale, 1e-30))
+
+
+def _consistent_directions(program: Program, state: Arrays) -> np.ndarray:
+    """All directions of (q, qd, z); with redundant rows those that stay on the constraints, where all rows agree."""
+    nq, nz = len(program.layout.coordinates), len(program.layout.states)
+    if not any(program.layout.redundant):
+        return np.eye(2 * nq + nz)
+    stepped = [_stepped(state, nq, direction) for direction in np.eye(2 * nq + nz)]
+    rows = ("position_constraint", "velocity_constraint")
+    columns = [np.concatenate([_complex(program, row, step)[0].imag / STEP for row in rows]) for step in stepped]
+    matrix = np.array(columns).T
+    _, sizes, axes = np.linalg.svd(matrix)
+    rank = int(np.sum(sizes > 1e-9 * sizes[0]))
+    return axes[rank:].T
+
+
+def _stepped(state: Arrays, nq: int, direction: np.ndarray) -> Arrays:
+    return state | {
+        Group.Q: state[Group.Q] + 1j * STEP * direction[:nq],
+        Group.QD: state[Group.QD] + 1j * STEP * direction[nq : 2 * nq],
+        Group.Z: state[Group.Z] + 1j * STEP * direction[2 * nq :],
+    }
+
+
+def _derivative_along(program: Program, state: Arrays, direction: np.ndarray) -> np.ndarray:
+    """d(qd, qdd, zd) along (dq, dqd, dz)."""
+    stepped = _stepped(state, len(program.layout.coordinates), direction)
+    qdd, lam = _complex_solution(program, stepped)
+    (zd,) = _complex(program, "state_derivative", stepped | {Group.QDD: qdd, Group.LAMBDA: lam})
+    return np.concatenate([stepped[Group.QD].imag, qdd.imag, zd.imag]) / STEP
+
+
+def _complex_solution(program: Program, state: Arrays) -> tuple[np.ndarray, np.ndarray]:
+    mass, force, jacobian, gamma = _complex(program, "dynamics", state)
+    rows = independent_rows(program)
+    matrix = saddle_point(mass, jacobian[rows])
+    right = np.concatenate([force, gamma[rows]])
+    solution = np.linalg.solve(matrix, right)
+    lam = np.zeros(len(gamma), dtype=complex)
+    lam[rows] = solution[len(force) :]
+    return solution[: len(force)], lam
+
+
+def _complex(program: Program, function: str, state: Arrays) -> list[np.ndarray]:
+    definition = program.function(function)
+    given = {group: state[group] for group in definition.arguments}
+    blocks = []
+    for block in definition.results:
+        numbers = evaluate(program.graph, block.elements, given)
+        blocks.append(np.array(numbers, dtype=complex).reshape(block.shape))
+    return blocks
+
+
+# ---- power -----------------------------------------------------------------------------------------------------------
+
+
+@EVERY
+def test_power_balance(name: str) -> None:
+    """dh/dt = (Q - dD/dqd) . qd + lam . J qd - dL/dt with h = qd . dL/dqd - L, inputs and states held."""
+    program, states = compiled(name).graph, random_states(name)
+    for i in range(0, STATES, 5):
+        state = {g: a[i] for g, a in states.items()}
+        qdd, lam = (x.real for x in _complex_solution(program, state))
+        moving = state | {
+            Group.TIME: state[Group.TIME] + 1j * STEP,
+            Group.Q: state[Group.Q] + 1j * STEP * state[Group.QD],
+            Group.QD: state[Group.QD] + 1j * STEP * qdd,
+        }
+        rate = _complex(program, "energies", moving)[3].imag / STEP
+        later = state | {Group.TIME: state[Group.TIME] + 1j * STEP}
+        jacobi, momenta = _complex(program, "energies", later)[3], _complex(program, "momenta", later)[0]
+        explicit = (momenta @ state[Group.QD] - jacobi).imag / STEP
+        load, dissipated = values(program, "power", state)
+        _, jacobian = values(program, "velocity_constraint", state)
+        terms = np.concatenate([load, -dissipated, lam * (jacobian @ state[Group.QD]), [-explicit]])
+        momentum = values(program, "momenta", state)[0]
+        size = max(np.sum(np.abs(terms)), np.sum(np.abs(momentum * qdd)), abs(rate))
+        assert abs(rate - np.sum(terms)) <= 1e-10 * size

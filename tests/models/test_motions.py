@@ -1,0 +1,102 @@
+"""The motion of every model over its experiment: closed forms, invariants, constraints; and the pages about it."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import lagdsl
+from lagdsl.cli.main import lag
+from models.corpus import MODELS, expectations, path_of
+from models.references import REFERENCES, pendulums
+
+EVERY = pytest.mark.parametrize("name", MODELS)
+CONSERVED = 1e-9
+
+
+@cache
+def _model(name: str) -> lagdsl.Model:
+    return lagdsl.compile(path_of(name))
+
+
+@cache
+def _motion(name: str) -> lagdsl.Trajectory:
+    tolerance = 1e-8 if name == "slider_crank" else 1e-10
+    return _model(name).simulate(tolerance=tolerance)
+
+
+@EVERY
+def test_motion_is_the_known_one(name: str) -> None:
+    motion = _motion(name)
+    parameters = dict(zip(_model(name).parameters, _model(name).defaults, strict=True))
+    expected = REFERENCES[name](parameters, motion.time)
+    assert expected
+    for column, values in expected.items():
+        scale = max(float(np.max(np.abs(values))), 1e-3)
+        error = float(np.max(np.abs(motion[column] - values))) / scale
+        assert error <= expectations(name)["tolerance"], (column, error)
+
+
+@EVERY
+def test_what_is_conserved_stays(name: str) -> None:
+    """Invariants to 1e-9 of their own size or of that of their terms; a model without damping and drive claims one."""
+    motion = _motion(name)
+    for record in motion.invariants:
+        assert record.limit > 0
+        assert record.drift <= record.limit
+    if "E" in (record.name for record in motion.invariants):
+        scale = max(abs(motion.energy[0]), _kinetic_scale(name))
+        assert np.max(np.abs(motion.energy - motion.energy[0])) <= CONSERVED * scale
+
+
+def _kinetic_scale(name: str) -> float:
+    """The largest kinetic or potential energy on the way."""
+    model, motion = _model(name), _motion(name)
+    q = np.stack([motion[c] for c in model.coordinates], axis=-1)
+    qd = np.stack([motion[f"der({c})"] for c in model.coordinates], axis=-1)
+    rest = model.energy(motion.time, q, np.zeros_like(qd))
+    return float(max(np.max(np.abs(rest)), np.max(np.abs(model.energy(motion.time, q, qd) - rest))))
+
+
+@EVERY
+def test_constraints_do_not_drift(name: str) -> None:
+    motion = _motion(name)
+    assert np.max(motion.position_residual, initial=0.0) <= CONSERVED
+    scale = max(1.0, *(float(np.max(np.abs(motion[f"der({c})"]))) for c in _model(name).coordinates), 1.0)
+    assert np.max(motion.velocity_residual, initial=0.0) <= CONSERVED * scale
+
+
+def test_the_pendulum_has_the_period_of_the_elliptic_integral() -> None:
+    expected = expectations("pendulum")["period"]
+    model = _model("pendulum")
+    period = getattr(pendulums, expected["reference"])(dict(zip(model.parameters, model.defaults, strict=True)))
+    rising = _motion("pendulum").crossings(expected["column"], 0.0, direction=1)
+    assert len(rising) > 3
+    np.testing.assert_allclose(np.diff(rising), period, rtol=expected["tolerance"])
+
+
+def test_a_closed_loop_keeps_its_constraints_for_a_hundred_seconds() -> None:
+    motion = _model("four_bar_angles").simulate(stop=100.0, interval=0.1)
+    assert motion.time[-1] == 100.0
+    assert np.max(motion.position_residual) < CONSERVED
+    assert np.max(motion.velocity_residual) < CONSERVED
+
+
+@EVERY
+def test_the_command_line_runs_it(name: str, tmp_path: Path) -> None:
+    """One second of motion as `lag run`, and the derivation as a page."""
+    runner = CliRunner()
+    table = tmp_path / "out.csv"
+    result = runner.invoke(lag, ["run", str(path_of(name)), "--stop", "0.1", "-o", str(table)])
+    assert result.exit_code == 0, result.output
+    header, *rows = table.read_text().splitlines()
+    assert header.split(",")[0] == "time"
+    assert len(rows) > 2
+    page = tmp_path / "page.html"
+    result = runner.invoke(lag, ["derive", str(path_of(name)), "--to", "html", "-o", str(page)])
+    assert result.exit_code == 0, result.output
+    assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
