@@ -46,6 +46,10 @@ class Sink:
             notes=notes,
             help=template,
         )
+        self.add(diagnostic)
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """Add what another sink has collected; the same fact at the same place is kept once."""
         if diagnostic not in self._diagnostics:
             self._diagnostics.append(diagnostic)
 

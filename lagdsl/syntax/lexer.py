@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.catalog.syntax import character_help
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import limits, tables
 from lagdsl.syntax.automaton import END_OF_TEXT, TERMINAL
@@ -64,7 +65,7 @@ class Lexer:
         self.sink = sink
         self.position = 0
         self.comments: list[Comment] = []
-        self._refused = -1
+        self.fault_at = -1  # where the last thing was that is no token
 
     def next(self, accepted: Container[int] = ()) -> Token:
         """The next token; a word is a keyword if its terminal is among the `accepted` ones or the word is reserved."""
@@ -89,11 +90,18 @@ class Lexer:
                     self.sink.report("E0107", self.span(start, end))
                     self.position = len(text)
                 case "open_string":
+                    self.fault_at = start
                     self.sink.report("E0126", self.span(start, start + 1))
                     return Token(STRING, match[0].replace("\\", "") + '"', start, end)
                 case _:
                     self._unknown(start)
         return Token(END_OF_TEXT, "", len(text), len(text))
+
+    def rewind(self, position: int) -> None:
+        """Go on from an earlier place."""
+        self.position = position
+        while self.comments and self.comments[-1].start >= position:
+            self.comments.pop()
 
     def span(self, start: int, end: int) -> Span:
         return Span(self.file, start, end)
@@ -138,49 +146,20 @@ class Lexer:
             self.sink.report("E0116", self.span(*match.span()), extreme="small")
 
     def _unknown(self, start: int) -> None:
-        """Characters that begin no token: a run of them is reported once."""
+        """A character that begins no token; a word in letters of another alphabet is reported as a whole."""
         text = self.file.text
         match = _STRANGE.match(text, start)
-        end = match.end() if match is not None else start + 1
-        self.position = end
-        if start != self._refused:
-            spelled = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text[start : min(end, start + 20)])
-            self.sink.report("E0108", self.span(start, end), character=spelled, help=character_help(text[start:end]))
-        self._refused = end
+        assert match is not None
+        end = self.position = match.end()
+        self.fault_at = start
+        spelled = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text[start : min(end, start + 20)])
+        self.sink.report("E0108", self.span(start, end), character=spelled, help=character_help(text[start:end]))
+        if len(self.sink.diagnostics) >= limits.MAX_ERRORS:
+            self.position = len(text)
 
 
 _NUMBER = re.compile(tables.PATTERNS["NUMBER"])
-_STRANGE = re.compile(r"(?:&&|\|\||[^\x00-\x7f]+|.)", re.DOTALL)
-_HINTS = {
-    "&&": "write `and`",
-    "||": "write `or`",
-    "!": "write `not` before a condition, `<>` for unequal",
-    "%": "write a percentage as a number: `0.05`; a comment begins with `//`",
-    "#": "a comment begins with `//`",
-    "'": 'text stands in double quotes: "..."',
-    "“": 'text stands in straight double quotes: "..."',
-    "”": 'text stands in straight double quotes: "..."',
-    "−": "write the minus of the keyboard: `-`",
-    "–": "write the minus of the keyboard: `-`",
-    "·": "write `*` for a product",
-    "×": "write `*` for a product, `cross(a, b)` for a vector product",
-    "²": "write `^2`",
-    "³": "write `^3`",
-    "°": "write the unit `deg`",
-    "µ": "write the prefix `u`: `um` is a micrometre",
-    "Ω": "write the unit `Ohm`",
-    "\ufeff": "remove the byte order mark inside the text",
-}
-
-
-def character_help(text: str) -> str | None:
-    """What to write instead of `text`, which begins with a character that is no part of the language."""
-    hint = _HINTS.get(text) or _HINTS.get(text[0])
-    if hint is None and text[0].isalpha():
-        return "names consist of the letters a to z, digits and `_`; write `theta` for a Greek letter"
-    return hint
-
-
+_STRANGE = re.compile(r"&&|\|\||[^\W\x00-\x7f]\w*|[\s\S]")
 def unit_of(quantity: str) -> str:
     """`m/s2` of `9.81 m/s2`."""
     return _NUMBER.sub("", quantity, count=1).lstrip(" \t")

@@ -57,6 +57,14 @@ class Machine:
                 self.finished = True
                 return True
 
+    def settle(self) -> None:
+        """Make the reductions that any next token would ask for: finish what is complete before an error is judged."""
+        while len(self.states) > 1:
+            actions = set(row(self.states[-1]).values())
+            if len(actions) != 1 or (action := actions.pop()) >= 0:
+                return
+            self._reduce(rule(~action))
+
     def accepts(self, terminal: int) -> bool:
         """Whether a token of that terminal would be shifted; nothing changes."""
         tail: list[int] = []  # states above the first `height` ones of the stack
@@ -76,6 +84,22 @@ class Machine:
             tail.append(row(state)[reduced.result])
             if terminal == END_OF_TEXT and tail[-1] == self.stop:
                 return True
+
+    def fitting(self, height: int, tokens: list[Token]) -> int:
+        """How many of `tokens` would be shifted one after the other on the stack cut at `height`; nothing changes."""
+        states = self.states[:height]
+        for count, token in enumerate(tokens):
+            options = (*tables.WORDS.get(token.text, ()), token.terminal)
+            while (action := next((row(states[-1])[t] for t in options if t in row(states[-1])), None)) is not None:
+                if action >= 0:
+                    states.append(action)
+                    break
+                reduced = rule(~action)
+                del states[len(states) - reduced.length :]
+                states.append(row(states[-1])[reduced.result])
+            else:
+                return count
+        return len(tokens)
 
     def boundary(self) -> int:
         """Height of the stack at which the innermost unfinished statement began, 0 if there is none."""

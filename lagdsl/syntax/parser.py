@@ -1,34 +1,53 @@
-"""Text to syntax tree."""
+"""Text to syntax tree, with as many errors from one text as have causes of their own."""
 
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile
-from lagdsl.syntax import nodes
-from lagdsl.syntax.build import actions
-from lagdsl.syntax.lexer import Lexer
-from lagdsl.syntax.machine import Machine
+from lagdsl.syntax import limits, nodes
+from lagdsl.syntax.faults import recover
+from lagdsl.syntax.machine import TooDeep
+from lagdsl.syntax.session import Session
 
 
 def parse(file: SourceFile, sink: Sink) -> nodes.Unit | None:
     """The tree of a whole text, or None after errors, which are in `sink`."""
-    lexer, machine = Lexer(file, sink), Machine(file, "start", actions(sink))
-    while not machine.finished:
-        token = lexer.next(machine.accepted)
-        if not machine.feed(token):
-            sink.report("E0100", lexer.span(token.start, token.end), found=f"`{token.text}`", expected="something else")
-            return None
-    unit = machine.values[-1]
-    assert isinstance(unit, nodes.Unit)
+    unit = _run(file, sink, "start")
+    assert unit is None or isinstance(unit, nodes.Unit)
+    if unit is not None and not unit.items:
+        sink.report("E0135", None, name=file.name)
+        return None
     return unit
 
 
 def parse_expression(file: SourceFile, sink: Sink) -> nodes.Expression | None:
     """The tree of a text that is one expression, or None after errors."""
-    lexer, machine = Lexer(file, sink), Machine(file, "expr", actions(sink))
-    while not machine.finished:
-        token = lexer.next(machine.accepted)
-        if not machine.feed(token):
-            sink.report("E0100", lexer.span(token.start, token.end), found=f"`{token.text}`", expected="something else")
-            return None
-    return machine.values[-1]  # type: ignore[return-value]
+    expression: nodes.Expression | None = _run(file, sink, "expr")  # type: ignore[assignment]
+    return expression
+
+
+def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
+    if len(file.text) > limits.MAX_CHARACTERS:
+        sink.report("E0130", None, name=file.name, limit=limits.MAX_CHARACTERS)
+        return None
+    found = Sink()
+    session = Session(file, found, start)
+    try:
+        _read(session)
+    except TooDeep as fault:
+        found.report("E0109", fault.span, limit=limits.MAX_DEPTH)
+    if len(found.diagnostics) >= limits.MAX_ERRORS:
+        found.report("N0199", None, count=limits.MAX_ERRORS)
+    for diagnostic in found.diagnostics:
+        sink.add(diagnostic)
+    return session.machine.values[-1] if session.machine.finished and not found.has_errors else None
+
+
+def _read(session: Session) -> None:
+    while not session.machine.finished and not session.stopped:
+        token = session.take()
+        if session.shift(token):
+            continue
+        if len(session.sink.diagnostics) >= limits.MAX_ERRORS:
+            return
+        recover(session, token)

@@ -14,10 +14,9 @@ ROWS: dict[str, Row] = {
     "E0104": error(
         "a unit has one `/`; everything after it divides",
         label="second `/` after the unit `{unit}`",
-        help="join what divides with `.` or an exponent: `m/s2`, `J/(kg.K)` is `J/kg.K`; to divide by a variable put "
-        "brackets around the quantity: `(5 m/s)/s`",
+        help="write what divides as one group: `m/s2` instead of `m/s/s`; to divide by a variable: `(5 m/s)/s`",
     ),
-    "E0105": error("unknown unit `{unit}`", label="not a unit after a number", help="for a product write `*`"),
+    "E0105": error("unknown unit `{unit}`", label="not a unit"),
     "E0107": error("comment is not closed", label="this comment runs to the end of the file", help="close it with `*/`"),
     "E0108": error("`{character}` is no part of the language", label="unexpected character"),
     "E0109": error(
@@ -28,7 +27,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0110": error("`{mark}` closes nothing", label="no open bracket before this", help="remove it, or open the bracket"),
     "E0111": error("`{mark}` is never closed", label="opened here", help="insert `{closing}`"),
-    "E0112": error("`{mark}` is closed by `{found}`", label="`{closing}` is expected here"),
+    "E0112": error("`{mark}` is closed by `{found}`", label="`{closing}` is expected here", help="write `{closing}`"),
     "E0113": error("`{block}` has no `end`", label="begins here", help="insert `end {ending};`"),
     "E0114": error(
         "`{kind} {name}` ends with the name `{end_name}`", label="expected `{name}`", help="write `end {name};`"
@@ -63,6 +62,7 @@ ROWS: dict[str, Row] = {
     "E0124": error("this {what} is longer than {limit} characters", label="too long"),
     "E0125": error("relations do not chain", label="second relation", help="write `a < b and b < c`"),
     "E0126": error("text in quotes is not closed", label="opened here", help='close it with `"` on the same line'),
+    "E0127": error("a number has no members", label="after a number", help="digits must follow the decimal point: `1.0`"),
     "E0130": error(
         "{name} is larger than {limit} characters and is not read",
         help="split the model into several files and `import` them",
@@ -76,3 +76,57 @@ ROWS: dict[str, Row] = {
     "N0106": note("`{literal}` is a number with a unit, not a product with {names}; write `{meant}` for that"),
     "N0199": note("stopped after {count} errors", help="repair the first ones; later ones often follow from them"),
 }
+
+_CHARACTER_HELP = {
+    "&&": "write `and`",
+    "||": "write `or`",
+    "!": "write `not` before a condition, `<>` for unequal",
+    "%": "write a percentage as a number: `0.05`; a comment begins with `//`",
+    "#": "a comment begins with `//`",
+    "'": 'text stands in double quotes: "..."',
+    "“": 'text stands in straight double quotes: "..."',
+    "”": 'text stands in straight double quotes: "..."',
+    "−": "write the minus of the keyboard: `-`",
+    "–": "write the minus of the keyboard: `-`",
+    "·": "write `*` for a product",
+    "×": "write `*` for a product, `cross(a, b)` for a vector product",
+    "²": "write `^2`",
+    "³": "write `^3`",
+    "°": "write the unit `deg`",
+    "µ": "write the prefix `u`: `um` is a micrometre",
+    "Ω": "write the unit `Ohm`",
+    "\ufeff": "remove the byte order mark inside the text",
+}
+
+
+def character_help(text: str) -> str | None:
+    """Help of E0108: what to write instead of `text`, which begins with a character that is no part of the language."""
+    known = _CHARACTER_HELP.get(text, _CHARACTER_HELP.get(text[0]))
+    if known is None and text[0].isalpha():
+        return "names consist of the letters a to z, digits and `_`: `theta` instead of a Greek letter"
+    return known
+
+
+def unit_help(suggestion: str | None, number: str, word: str) -> str:
+    """Help of E0105."""
+    if suggestion is not None:
+        return f"did you mean `{suggestion}`?"
+    return f"for a product write `{number}*{word}`"
+
+
+def unexpected_help(found: str, after: str) -> str | None:
+    """Help of E0100, from the texts of the token at fault and of the one before it."""
+    match (after, found):
+        case (":", "="):
+            return "an equation or binding is written with `=`"
+        case ("*", "*"):
+            return "a power is written `^`"
+        case (("=" | "<" | ">"), "="):
+            return "relations are `<=`, `>=`, `==` and `<>`"
+        case (_, ("elif" | "elsif")):
+            return "write `elseif`"
+        case (_, "=") if after.isidentifier():
+            return "a condition is compared with `==`"
+    if found[:1].isalnum() and (after[-1:].isalnum() or after in (")", "]", "}")):
+        return "an operator may be missing: a product is written with `*`"
+    return None

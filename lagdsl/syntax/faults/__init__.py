@@ -1,0 +1,66 @@
+"""Recognises what went wrong where the parser can not go on, reports it and repairs it.
+
+A recogniser looks at the session and the token that does not fit. It returns False if this is not its kind of fault;
+otherwise it has reported the fault and left the session in a state from which reading goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from lagdsl.syntax.faults.blocks import end_of_block, end_of_text, missing_class_name
+from lagdsl.syntax.faults.brackets import unclosed_bracket, wrong_bracket
+from lagdsl.syntax.faults.literals import open_string, unit_after_number
+from lagdsl.syntax.faults.statements import (
+    array_size_after_type,
+    bare_equation,
+    declaration_among_equations,
+    keyword_as_variable,
+    misspelt_keyword,
+    missing_separator,
+    outside_of_classes,
+    reserved_name,
+    second_relation,
+    unexpected,
+)
+from lagdsl.syntax.lexer import Token
+from lagdsl.syntax.session import Session
+
+RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
+    open_string,
+    unit_after_number,
+    wrong_bracket,
+    unclosed_bracket,
+    end_of_text,
+    end_of_block,
+    keyword_as_variable,
+    reserved_name,
+    missing_class_name,
+    misspelt_keyword,
+    outside_of_classes,
+    array_size_after_type,
+    bare_equation,
+    declaration_among_equations,
+    missing_separator,
+    second_relation,
+    unexpected,
+)
+
+
+def recover(session: Session, token: Token) -> None:
+    """Report what is wrong at `token` and leave the session where reading can go on."""
+    session.machine.settle()
+    if token.start == session.failed_at:  # a repair did not help: say no more about this statement
+        session.panic(token)
+        return
+    session.failed_at = token.start
+    if session.statement_start(token) <= session.lexer.fault_at < token.start:  # what follows from a fault that is told
+        if session.starts_line(token) and session.insert(";"):
+            session.lexer.rewind(token.start)
+        else:
+            session.panic(token)
+        return
+    any(recognise(session, token) for recognise in RECOGNISERS)
+
+
+__all__ = ["recover"]

@@ -1,0 +1,22 @@
+"""E0105: what stands after a number is no unit."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.catalog.syntax import unit_help
+from lagdsl.source import Span
+
+
+def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str) -> None:
+    """Report `unit` at `span`, with the unit that was meant if it resembles one, else with the product."""
+    sink.report("E0105", span, help=unit_help(_suggestion(unit), number, unit), unit=unit)
+
+
+def _suggestion(unit: str) -> str | None:
+    from lagdsl.units.parse import UnknownUnit, parse_unit
+
+    try:
+        parse_unit(unit)
+    except UnknownUnit as fault:
+        return fault.suggestion
+    return None
