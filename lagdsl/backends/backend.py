@@ -1,0 +1,30 @@
+"""What a backend is: a program in, named texts out. Backends write nothing to disk."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Protocol
+
+from lagdsl.program.program import Program
+
+
+@dataclass(frozen=True, slots=True)
+class Artifact:
+    """Texts by relative path (`/` between folders), in the order of writing; the same bytes for the same program, always."""
+
+    files: Mapping[str, str]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "files", MappingProxyType(dict(self.files)))
+
+
+class Backend(Protocol):
+    """One target language."""
+
+    name: str
+
+    def emit(self, program: Program) -> Artifact:
+        """Complete sources that stand alone."""
+        ...

@@ -1,0 +1,49 @@
+"""C sources that build with their own Makefile: the generated model and, copied beside it, the runtime it is written against."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from lagdsl.backends.backend import Artifact
+from lagdsl.backends.c.source import header, source, symbol
+from lagdsl.backends.identifier import identifier
+from lagdsl.program.program import Program
+
+# Names that the Makefile, the runtime or the example have taken.
+_RESERVED = frozenset({"main", "makefile", "lag", "all", "clean"})
+_RUNTIME = Path(__file__).parents[2] / "runtime" / "c"
+
+
+class CBackend:
+    """Target `c`."""
+
+    name = "c"
+
+    def emit(self, program: Program) -> Artifact:
+        stem = identifier(program.name, _RESERVED)
+        example = (_RUNTIME / "example" / "main.c").read_text(encoding="utf-8")
+        makefile = (_RUNTIME / "example" / "Makefile").read_text(encoding="utf-8")
+        return Artifact(
+            {
+                **sources(program),
+                "main.c": f'#include "{stem}.h"\n#define MODEL {symbol(stem)}\n\n{example}',
+                "Makefile": f"MODEL := {stem}\n{makefile}",
+            }
+        )
+
+
+def model_symbol(program: Program) -> str:
+    """Name of the constant of type lag_model that the sources define."""
+    return symbol(identifier(program.name, _RESERVED))
+
+
+def sources(program: Program) -> dict[str, str]:
+    """What a library of the model is compiled from, by relative path."""
+    stem = identifier(program.name, _RESERVED)
+    return {f"{stem}.c": source(program, stem), f"{stem}.h": header(stem), **runtime_sources()}
+
+
+def runtime_sources() -> dict[str, str]:
+    """The runtime's own files, all in one folder `lag`."""
+    files = sorted([*(_RUNTIME / "include" / "lag").glob("*.h"), *(_RUNTIME / "src").glob("*.c")], key=lambda f: f.name)
+    return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in files}

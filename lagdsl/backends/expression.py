@@ -1,0 +1,55 @@
+"""Printing nodes as infix expressions; C, Python and their kin differ in their leaves and function names only."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Final
+
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Op
+
+_INFIX: Final = {Op.ADD: (" + ", 1), Op.SUBTRACT: (" - ", 1), Op.MULTIPLY: ("*", 2), Op.DIVIDE: ("/", 2)}
+_NEGATION: Final = 3
+_ATOM: Final = 4
+
+
+class ExpressionPrinter:
+    """`leaf` gives the text of a node that is at hand (a variable, a symbol, a number) or None; `functions` the names of the
+    operations that are not infix. The order of evaluation is that of the graph: nothing is reassociated."""
+
+    def __init__(
+        self, graph: Graph, leaf: Callable[[int], str | None], functions: Mapping[Op, str], divide: str | None = None
+    ) -> None:
+        self._graph = graph
+        self._leaf = leaf
+        self._functions = functions
+        self._divide = divide
+
+    def text(self, node: int) -> str:
+        """The expression of `node`; an atom if the node is at hand."""
+        leaf = self._leaf(node)
+        return self.definition(node) if leaf is None else leaf
+
+    def definition(self, node: int) -> str:
+        """The expression that computes `node` from its arguments."""
+        return self._operation(node)[0]
+
+    def _operation(self, node: int) -> tuple[str, int]:
+        graph = self._graph
+        op = graph.op[node]
+        if op is Op.NEGATE:
+            return "-" + self._wrapped(graph.a[node], _ATOM), _NEGATION
+        if op is Op.DIVIDE and self._divide is not None and all(map(graph.is_constant, graph.arguments(node))):
+            return f"{self._divide}({self.text(graph.a[node])}, {self.text(graph.b[node])})", _ATOM
+        if op in _INFIX:
+            sign, level = _INFIX[op]
+            return self._wrapped(graph.a[node], level) + sign + self._wrapped(graph.b[node], level + 1), level
+        arguments = ", ".join(self.text(argument) for argument in graph.arguments(node))
+        return f"{self._functions[op]}({arguments})", _ATOM
+
+    def _wrapped(self, node: int, level: int) -> str:
+        leaf = self._leaf(node)
+        text, own = self._operation(node) if leaf is None else (leaf, _ATOM)
+        if text.startswith("-"):
+            own = 0  # a sign is never left next to another one, nor in front of a product of which it is not the first factor
+        return f"({text})" if own < level else text

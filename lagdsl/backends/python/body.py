@@ -1,0 +1,88 @@
+"""The body of one function as Python text: straight-line code on plain numbers or on arrays, whatever it is given."""
+
+from __future__ import annotations
+
+import math
+
+from lagdsl.backends.expression import ExpressionPrinter
+from lagdsl.graph.operation import ARGUMENT_NAMES, Op
+from lagdsl.program.passes.schedule import schedule
+from lagdsl.program.program import Function, Program
+
+# Names in the table of elementary functions that a body is given as its first argument.
+ELEMENTARY: dict[Op, str] = {
+    Op.SIN: "sin",
+    Op.COS: "cos",
+    Op.TAN: "tan",
+    Op.ASIN: "asin",
+    Op.ACOS: "acos",
+    Op.ATAN: "atan",
+    Op.SINH: "sinh",
+    Op.COSH: "cosh",
+    Op.TANH: "tanh",
+    Op.EXP: "exp",
+    Op.LOG: "log",
+    Op.SQRT: "sqrt",
+    Op.ABS: "absolute",
+    Op.SIGN: "sign",
+    Op.FLOOR: "floor",
+    Op.CEIL: "ceil",
+    Op.NOT: "negation",
+    Op.DIVIDE: "divide",
+    Op.POWER: "power",
+    Op.ATAN2: "atan2",
+    Op.MOD: "modulo",
+    Op.MIN: "minimum",
+    Op.MAX: "maximum",
+    Op.LESS: "less",
+    Op.LESS_EQUAL: "less_equal",
+    Op.EQUAL: "equal",
+    Op.AND: "both",
+    Op.OR: "either",
+    Op.SELECT: "select",
+}
+
+_RESULTS_PER_LINE = 8
+
+
+def body_name(function: str) -> str:
+    return f"_{function}"
+
+
+def body(program: Program, function: Function) -> str:
+    """`def _name(F, t, q, ...)` that returns the elements of all results in one flat tuple."""
+    graph = program.graph
+    roots = [node for block in function.results for node in block.elements]
+    plan = schedule(graph, roots)
+    variable = {node: f"v{index}" for index, node in enumerate(plan.named)}
+
+    def leaf(node: int) -> str | None:
+        match graph.op[node]:
+            case Op.CONSTANT:
+                return number(graph.value[node])
+            case Op.SYMBOL:
+                array = ARGUMENT_NAMES[graph.group(node)]
+                return array if array == "t" else f"{array}[{graph.b[node]}]"
+            case _:
+                return variable.get(node)
+
+    printer = ExpressionPrinter(graph, leaf, ELEMENTARY, divide="divide")
+    statements = [f"{variable[node]} = {printer.definition(node)}" for node in plan.named]
+    used = sorted({graph.op[node] for node in graph.live(roots)} & ELEMENTARY.keys())
+    table = [f"{ELEMENTARY[op]} = F.{ELEMENTARY[op]}" for op in used]
+    arguments = ", ".join(ARGUMENT_NAMES[group] for group in function.arguments)
+    lines = [f"def {body_name(function.name)}(F, {arguments}):", *(f"    {line}" for line in (*table, *statements))]
+    return "\n".join([*lines, *_returned([printer.text(root) for root in roots])]) + "\n"
+
+
+def number(value: float) -> str:
+    """A Python literal; `inf` is a name of the module."""
+    text = repr(value) if math.isfinite(value) else ("inf" if value > 0 else "-inf")
+    return f"({text})" if text.startswith("-") else text
+
+
+def _returned(values: list[str]) -> list[str]:
+    if not values:
+        return ["    return ()"]
+    rows = [values[start : start + _RESULTS_PER_LINE] for start in range(0, len(values), _RESULTS_PER_LINE)]
+    return ["    return (", *(f"        {', '.join(row)}," for row in rows), "    )"]

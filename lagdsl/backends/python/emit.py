@@ -1,0 +1,157 @@
+"""One NumPy file that stands alone: tables of names, support code, bodies of the functions, and the functions users call."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+from lagdsl.backends.backend import Artifact
+from lagdsl.backends.identifier import identifier
+from lagdsl.backends.python.body import body, body_name, number
+from lagdsl.backends.python.support.motion import Sizes
+from lagdsl.graph.operation import ARGUMENT_NAMES, Group
+from lagdsl.program.program import Function, Program, Slot
+
+_SUPPORT = ("elementary", "vectorize", "linear", "motion", "interface")
+_PUBLIC = (
+    "forward_dynamics",
+    "inverse_dynamics",
+    "mass_matrix",
+    "constraint_jacobian",
+    "multipliers",
+    "output",
+    "energy",
+    "state_jacobian",
+)
+_RESERVED = frozenset({"numpy", "scipy", "setup", "conftest"})
+
+_INTRODUCTION = '''"""Equations of motion of one model, generated. Needs NumPy only.
+
+The functions at the end of this file take t [s], q, qd and, by name, z (states), u (inputs), w (discretes) and p (parameters),
+each with one entry per row of the table of that name below; all broadcast over leading axes. `help` on any of them tells
+shapes. `evaluate(name, ...)` calls any row of FUNCTIONS. Signs: M qdd - J'lam = f, J qdd = gamma.
+"""
+'''
+
+
+class PythonBackend:
+    """Target `numpy`."""
+
+    name = "numpy"
+
+    def emit(self, program: Program) -> Artifact:
+        return Artifact({f"{identifier(program.name, _RESERVED)}.py": module(program)})
+
+
+def module(program: Program) -> str:
+    """The text of the module."""
+    parts = [
+        _INTRODUCTION,
+        "from collections.abc import Callable, Mapping, Sequence\nfrom dataclasses import dataclass\n",
+        "import numpy as np\nfrom numpy import inf\nfrom numpy.typing import ArrayLike, NDArray\n",
+        tables(program),
+        *(_support(name) for name in _SUPPORT),
+        *(body(program, function) for function in program.functions),
+        _functions(program),
+        f"evaluate = Functions(FUNCTIONS)\n_interface = Interface.over(evaluate, {sizes_text(program)}, DEFAULTS)",
+        *(f"{name} = _interface.{name}" for name in _PUBLIC),
+        "",
+    ]
+    return "\n".join(parts)
+
+
+def tables(program: Program) -> str:
+    """Names, units and defaults as Python data, in the order of the arrays."""
+    layout = program.layout
+    return "\n".join(
+        [
+            f"NAME = {ascii(program.name)}",
+            "# (name, SI unit) by index: q and qd; z; u; w; p; rows of constraints and lam; y",
+            _table("COORDINATES", layout.coordinates),
+            _table("STATES", layout.states),
+            _table("INPUTS", layout.inputs),
+            _table("DISCRETES", layout.discretes),
+            _table("PARAMETERS", layout.parameters),
+            _table("CONSTRAINTS", layout.constraints),
+            _table("OUTPUTS", layout.outputs),
+            f"DEFAULTS = {_tuple([_number(value) for value in layout.defaults])}",
+            f"REDUNDANT = {layout.redundant!r}",
+            "",
+        ]
+    )
+
+
+def _table(title: str, slots: Sequence[Slot]) -> str:
+    if not slots:
+        return f"{title}: tuple[tuple[str, str], ...] = ()"
+    rows = "".join(f"    ({ascii(slot.name)}, {ascii(slot.unit)}),\n" for slot in slots)
+    return f"{title} = (\n{rows})"
+
+
+def _functions(program: Program) -> str:
+    rows = "".join(f"    {ascii(function.name)}: {_row(program, function)},\n" for function in program.functions)
+    return (
+        "# body, (name, length) of every argument, shapes of the results\n"
+        f"FUNCTIONS: dict[str, Row] = {{\n{rows}}}\n"
+    )
+
+
+def _row(program: Program, function: Function) -> str:
+    return f"({body_name(function.name)}, {signature(program, function)!r}, {shapes(function)!r})"
+
+
+def signature(program: Program, function: Function) -> tuple[tuple[str, int | None], ...]:
+    """Name and length of every argument; the time has no axis of its own."""
+    return tuple(
+        (ARGUMENT_NAMES[group], None if group is Group.TIME else program.layout.size(group)) for group in function.arguments
+    )
+
+
+def shapes(function: Function) -> tuple[tuple[int, ...], ...]:
+    return tuple(block.shape for block in function.results)
+
+
+def sizes_text(program: Program) -> str:
+    sizes = motion_sizes(program)
+    return f"Sizes({', '.join(f'{name}={value}' for name, value in asdict(sizes).items())})"
+
+
+def motion_sizes(program: Program) -> Sizes:
+    """Lengths of the arrays, and the largest number of rows of J that can be independent."""
+    layout = program.layout
+    return Sizes(
+        q=len(layout.coordinates),
+        z=len(layout.states),
+        u=len(layout.inputs),
+        w=len(layout.discretes),
+        p=len(layout.parameters),
+        c=len(layout.constraints),
+        rank=len(layout.constraints) - sum(layout.redundant),
+    )
+
+
+def _tuple(items: list[str]) -> str:
+    return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
+
+
+def _number(value: float) -> str:
+    return "float('nan')" if math.isnan(value) else number(value)
+
+
+def _support(name: str) -> str:
+    """A file of the support folder without its imports: the module imports once, and holds the rest itself."""
+    text = (Path(__file__).parent / "support" / f"{name}.py").read_text(encoding="utf-8")
+    kept = [line for line in text.splitlines() if not line.startswith(("import ", "from ", "Floats = ", "Evaluate = "))]
+    alias = "Floats = NDArray[np.float64]\nEvaluate = Callable[..., tuple[Floats, ...]]\n\n" if name == _SUPPORT[0] else ""
+    return alias + _squeezed(kept)
+
+
+def _squeezed(lines: list[str]) -> str:
+    kept: list[str] = []
+    for line in lines:
+        if line or kept[-2:] != ["", ""]:
+            kept.append(line)
+    return "\n".join(kept).strip("\n") + "\n\n"
+

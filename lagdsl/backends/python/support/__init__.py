@@ -1,0 +1,2 @@
+"""What every generated NumPy module holds besides its own functions. The other files of this folder are copied into it, so they
+import numpy only."""

@@ -1,0 +1,102 @@
+"""Is a program well formed? Run after every pass; what it finds is a mistake of ours, never of a model text."""
+
+from __future__ import annotations
+
+from lagdsl.graph.operation import Group, Op
+from lagdsl.program.functions import SIGNATURES
+from lagdsl.program.program import Function, Layout, Program
+
+_N = "nq"
+_ROWS = "nc"
+
+# Shapes of the results of every function, in order; None where the length is the function's own.
+RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
+    "start": ((_N,), (_N,), ("nz",), ("nu",)),
+    "position_constraint": ((_ROWS,), (_ROWS, _N)),
+    "velocity_constraint": ((_ROWS,), (_ROWS, _N)),
+    "mass_matrix": ((_N, _N),),
+    "dynamics": ((_N, _N), (_N,), (_ROWS, _N), (_ROWS,)),
+    "inverse_dynamics": ((_N,),),
+    "residual": ((_N,), (_ROWS,)),
+    "residual_tangent": ((_N,), (_ROWS,)),
+    "state_derivative": (("nz",),),
+    "state_derivative_tangent": (("nz",),),
+    "output": (("ny",),),
+    "output_tangent": (("ny",),),
+    "energies": ((), (), (), ()),
+    "momenta": ((_N,),),
+    "power": ((_N,), (_N,)),
+    "monitor": (("ni",), ("ni",), ("na",)),
+    "initial_equation": (None,),
+}
+
+
+class InvalidProgram(AssertionError):
+    """A program broke its own contract."""
+
+
+def sizes(layout: Layout) -> dict[str, int]:
+    """The lengths that shapes are written in."""
+    return {
+        "nq": len(layout.coordinates),
+        "nz": len(layout.states),
+        "nu": len(layout.inputs),
+        "nw": len(layout.discretes),
+        "np": len(layout.parameters),
+        "nc": len(layout.constraints),
+        "ny": len(layout.outputs),
+        "ni": len(layout.invariants),
+        "na": len(layout.assertions),
+    }
+
+
+def verify(program: Program) -> None:
+    """Raise InvalidProgram unless every function is there once, with its signature, shapes and symbols."""
+    _verify_layout(program.layout)
+    _verify_graph(program)
+    names = [function.name for function in program.functions]
+    _require(sorted(names) == sorted(SIGNATURES), f"functions are {names}")
+    for function in program.functions:
+        _require(function.arguments == SIGNATURES[function.name], f"signature of {function.name}")
+        _verify_shapes(function, program.layout)
+        _verify_symbols(function, program)
+
+
+def _verify_layout(layout: Layout) -> None:
+    _require(len(layout.defaults) == len(layout.parameters), "one default per parameter")
+    _require(len(layout.position_level) == len(layout.constraints), "one level per constraint row")
+    _require(len(layout.redundant) == len(layout.constraints), "one redundancy flag per constraint row")
+
+
+def _verify_graph(program: Program) -> None:
+    graph = program.graph
+    for node in range(len(graph)):
+        for argument in graph.arguments(node):
+            _require(0 <= argument < node, f"node {node} is computed from node {argument}")
+
+
+def _verify_shapes(function: Function, layout: Layout) -> None:
+    expected = RESULT_SHAPES[function.name]
+    _require(len(function.results) == len(expected), f"number of results of {function.name}")
+    lengths = sizes(layout)
+    for block, shape in zip(function.results, expected, strict=True):
+        if shape is not None:
+            wanted = tuple(lengths[length] for length in shape)
+            _require(block.shape == wanted, f"{block.name} of {function.name} has shape {block.shape}, not {wanted}")
+
+
+def _verify_symbols(function: Function, program: Program) -> None:
+    graph = program.graph
+    roots = [node for block in function.results for node in block.elements]
+    _require(all(0 <= node < len(graph) for node in roots), f"a result of {function.name} is no node")
+    for node in graph.live(roots):
+        if graph.op[node] is Op.SYMBOL:
+            group = graph.group(node)
+            _require(group not in (Group.RELEASE, Group.RELEASE_RATE), f"{function.name} holds a release symbol")
+            _require(group in function.arguments, f"{function.name} depends on {group.name}")
+            _require(graph.b[node] < program.layout.size(group), f"{group.name}[{graph.b[node]}] in {function.name}")
+
+
+def _require(condition: bool, what: str) -> None:
+    if not condition:
+        raise InvalidProgram(f"internal error: invalid program: {what}")

@@ -1,0 +1,67 @@
+"""Functions of one state applied over leading axes, and the functions users call over any engine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.support.interface import Interface
+from lagdsl.program.program import Program
+from lagdsl.runtime.engine import Engine, Floats
+
+
+class BatchEngine(Engine, Protocol):
+    """An engine whose functions also broadcast over leading axes."""
+
+    def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
+        """Result blocks, each of shape (leading axes of the arguments, own shape)."""
+        ...
+
+    def solve_many(self, *state: ArrayLike) -> tuple[Floats, ...]:
+        """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p."""
+        ...
+
+    def jacobian_many(self, *state: ArrayLike) -> Floats:
+        """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz)."""
+        ...
+
+
+def interface(program: Program, engine: BatchEngine) -> Interface:
+    """The functions users call, computed by `engine`."""
+    return Interface(
+        engine.evaluate_many, engine.solve_many, engine.jacobian_many, motion_sizes(program), program.layout.defaults
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Spread:
+    """Arguments with common leading axes, `count` states in all: name, contiguous array, numbers from one state to the next
+    (0 where all states share it)."""
+
+    leading: tuple[int, ...]
+    count: int
+    arrays: tuple[tuple[str, Floats, int], ...]
+
+
+def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[ArrayLike]) -> Spread:
+    """Raises ValueError for an argument of a wrong length. Length None: no axis of its own (the time)."""
+    given = [np.asarray(argument, dtype=np.float64) for argument in arguments]
+    leading: tuple[int, ...] = ()
+    for (name, length), array in zip(signature, given, strict=True):
+        if length is not None and (array.ndim == 0 or array.shape[-1] != length):
+            raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {array.shape}")
+        leading = np.broadcast_shapes(leading, array.shape if length is None else array.shape[:-1])
+    arrays = []
+    for (name, length), array in zip(signature, given, strict=True):
+        own = () if length is None else (length,)
+        if array.shape == own:
+            arrays.append((name, np.ascontiguousarray(array), 0))
+        else:
+            whole = np.ascontiguousarray(np.broadcast_to(array, leading + own))
+            arrays.append((name, whole, 1 if length is None else length))
+    return Spread(leading, int(np.prod(leading, dtype=np.int64)), tuple(arrays))

@@ -1,0 +1,65 @@
+/*
+ * Accelerations and multipliers of a model, whatever the ranks:  M a - J' lam = f,  J a = gamma.
+ *
+ * The null-space method, as in the generated NumPy modules. Coordinates are scaled to a unit diagonal of M and rows of J to
+ * unit length, so that ranks do not depend on units. With J' = Q R, the first components of y = Q'a follow from J a = gamma,
+ * the others from the rows of M a = f + J'lam that no multiplier enters, and lam from the rest, of least Euclidean norm.
+ * M may be singular; only its restriction to the null space of J must not be.
+ */
+#ifndef LAG_DYNAMICS_H
+#define LAG_DYNAMICS_H
+
+#include "lag/model.h"
+
+/* One system; everything points into memory of the caller. */
+typedef struct lag_system {
+    size_t n, m;            /* unknown accelerations, rows */
+    size_t rank;            /* independent rows */
+    size_t indefinite;      /* 1: `factor` holds eigenvectors, 0: a Cholesky factor */
+    const double *mass;     /* (n, n) */
+    const double *jacobian; /* (m, n) */
+    double *column_scale;   /* (n) */
+    double *row_scale;      /* (m) */
+    double *rows;           /* (m, n) factors of the scaled J' */
+    double *tau, *diagonal; /* (min(m, n)) */
+    double *pivot;          /* (m) */
+    double *reduced;        /* (n, n) Q' M Q of the scaled M */
+    double *factor;         /* of its part beyond the rank, tightly packed */
+    double *eigenvalue;     /* (n) */
+    double *copy;           /* (n, n) */
+    double *excess;         /* (m, m) orthonormal combinations of rows that vanish, one per row beyond the rank */
+    double *y, *h, *rest;   /* (n) */
+    double *l, *row_rest;   /* (m) */
+} lag_system;
+
+/* Doubles that a system of n unknowns and m rows needs. */
+size_t lag_system_memory(size_t n, size_t m);
+
+/* Lays out `system` in `memory`. */
+void lag_system_place(lag_system *system, size_t n, size_t m, double *memory);
+
+/*
+ * Factors the system of `mass` (n, n) and `jacobian` (m, n), of whose rows at most `most` are independent; both must stay.
+ * LAG_SINGULAR: *coordinate (if not null) is the index of the coordinate with the largest part in the undetermined direction.
+ */
+lag_status lag_system_factor(
+    lag_system *system, const double *mass, const double *jacobian, size_t most, size_t *coordinate);
+
+/* Solution a (n), lam (m) for force (n) and gamma (m), refined to working accuracy. */
+void lag_system_solve(lag_system *system, const double *force, const double *gamma, double *a, double *lam);
+
+/* Doubles that the functions below need beside the workspace of the model. */
+size_t lag_dynamics_memory(const lag_model *model);
+
+/* Accelerations qdd (nq) and multipliers lam (nc) at t q qd z u w p, after prepare(). */
+lag_status lag_forward_dynamics(
+    const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
+
+/*
+ * d(qd, qdd, zd)/d(q, qd, z) (2 nq + nz, 2 nq + nz) at t q qd z u w p, after prepare(). Exact: M dqdd - J'dlam = -dr and
+ * J dqdd = -ds with the directional derivatives of the residuals.
+ */
+lag_status lag_state_jacobian(
+    const lag_model *model, const lag_arguments *at, double *memory, double *jacobian, size_t *coordinate);
+
+#endif

@@ -1,0 +1,63 @@
+/* Operations of generated code that the C library lacks. Conditions are the numbers 0 and 1. */
+#ifndef LAG_ELEMENTARY_H
+#define LAG_ELEMENTARY_H
+
+#include <math.h>
+
+static inline double lag_sign(double x)
+{
+    return (double)((x > 0.0) - (x < 0.0));
+}
+
+/* x - floor(x/y)*y, with the sign of y. */
+static inline double lag_mod(double x, double y)
+{
+    return x - floor(x / y) * y;
+}
+
+static inline double lag_min(double x, double y)
+{
+    return y < x ? y : x;
+}
+
+static inline double lag_max(double x, double y)
+{
+    return y > x ? y : x;
+}
+
+static inline double lag_less(double x, double y)
+{
+    return x < y ? 1.0 : 0.0;
+}
+
+static inline double lag_less_equal(double x, double y)
+{
+    return x <= y ? 1.0 : 0.0;
+}
+
+static inline double lag_equal(double x, double y)
+{
+    return x == y ? 1.0 : 0.0;
+}
+
+static inline double lag_not(double x)
+{
+    return x == 0.0 ? 1.0 : 0.0;
+}
+
+static inline double lag_and(double x, double y)
+{
+    return x != 0.0 && y != 0.0 ? 1.0 : 0.0;
+}
+
+static inline double lag_or(double x, double y)
+{
+    return x != 0.0 || y != 0.0 ? 1.0 : 0.0;
+}
+
+static inline double lag_select(double condition, double value, double otherwise)
+{
+    return condition != 0.0 ? value : otherwise;
+}
+
+#endif

@@ -1,0 +1,29 @@
+/* Small dense linear algebra: row-major matrices, nothing allocated. */
+#ifndef LAG_LINALG_H
+#define LAG_LINALG_H
+
+#include <stddef.h>
+
+/* Cholesky factor L of the symmetric a (n, n), into its lower half. Returns the index of the first pivot that is not above
+ * `tolerance` (the factor is complete before it), n if there is none. */
+size_t lag_cholesky(size_t n, double *a, double tolerance);
+
+/* x (n) := (L L')^-1 x. */
+void lag_cholesky_solve(size_t n, const double *factor, double *x);
+
+/* Eigenvalues (n) and eigenvectors, the columns of v (n, n), of the symmetric a (n, n), which is destroyed: cyclic Jacobi. */
+void lag_symmetric_eigen(size_t n, double *a, double *value, double *v);
+
+/*
+ * A' P = Q R for the rows of a (m, n): Householder reflections of the rows, each time of the one that has the longest rest.
+ * Returns the rank: the number of pivots above `tolerance` times the first, at most `most`. Afterwards row i of a came from
+ * row pivot[i] (m; kept as doubles, a workspace is of one type) and holds column i of R left of its diagonal; from there on
+ * it holds the reflection vector, whose factor is tau[i] (rank). diagonal (rank) is that of R.
+ */
+size_t lag_qr(size_t m, size_t n, double *a, double *tau, double *diagonal, double *pivot, size_t most, double tolerance);
+
+/* x (n) := Q x, or Q' x, for the factors of lag_qr; entries of x are `stride` apart. */
+void lag_qr_apply(size_t rank, size_t n, const double *a, const double *tau, double *x, size_t stride);
+void lag_qr_apply_transposed(size_t rank, size_t n, const double *a, const double *tau, double *x, size_t stride);
+
+#endif

@@ -1,0 +1,139 @@
+/*
+ * The one place where generated and written C meet: a model is a constant of type lag_model.
+ *
+ * Arrays are dense, row-major, in the order of the name tables, in the SI units told there. Signs: M qdd - J' lam = f,
+ * J qdd = gamma. Functions do not allocate, keep no state and write to their results and to the workspace only. Later versions
+ * add members at the end or take reserved ones; a reader checks `version` and `size`. What a model lacks is null.
+ */
+#ifndef LAG_MODEL_H
+#define LAG_MODEL_H
+
+#include <stddef.h>
+
+#include "lag/status.h"
+
+#define LAG_MODEL_VERSION 1u
+
+/* One entry of an array. */
+typedef struct lag_slot {
+    const char *name;   /* as in results: theta, q[1], arm.q */
+    const char *unit;   /* coherent SI unit */
+    const char *place;  /* file:line of its declaration, or null */
+} lag_slot;
+
+/* Positions of the nonzero elements of a matrix, row by row. */
+typedef struct lag_pattern {
+    size_t rows, columns, count;
+    const size_t *row, *column; /* (count) */
+} lag_pattern;
+
+/* What functions read; arrays that a function does not take may be null. */
+typedef struct lag_arguments {
+    double t;          /* time [s] */
+    const double *q;   /* (nq) coordinates */
+    const double *qd;  /* (nq) their rates */
+    const double *z;   /* (nz) first-order states */
+    const double *u;   /* (nu) inputs */
+    const double *w;   /* (nw) discrete variables, then one entry per contact: 1 closed, 0 open */
+    const double *p;   /* (np) independent parameters */
+    const double *qdd; /* (nq) accelerations */
+    const double *lam; /* (nc) multipliers */
+    /* directions of derivatives */
+    const double *dq;   /* (nq) */
+    const double *dqd;  /* (nq) */
+    const double *dz;   /* (nz) */
+    const double *du;   /* (nu) */
+    const double *dp;   /* (np) */
+    const double *dqdd; /* (nq) */
+    const double *dlam; /* (nc) */
+    /* (nrelation) truth of every relation, frozen between events; null: relations as they stand */
+    const unsigned char *relations;
+    /* (workspace) owned by the caller, flat and without pointers; its first `prepared` entries hold what prepare() wrote */
+    double *workspace;
+} lag_arguments;
+
+typedef struct lag_model {
+    unsigned version; /* LAG_MODEL_VERSION of the header it was compiled with */
+    size_t size;      /* sizeof(lag_model) then */
+    const char *name;
+
+    size_t nq, nz, nu, nw, np, nc; /* coordinates, states, inputs, discretes, parameters, rows of constraints */
+    size_t ny, ni, na, ne;         /* outputs, invariants, assertions, initial equations */
+    size_t nrelation;              /* relations that can be frozen */
+    size_t rank;                   /* largest number of independent rows of J */
+    size_t workspace;              /* doubles that the functions need */
+    size_t prepared;               /* of these, how many prepare() fills */
+
+    const lag_slot *coordinates;           /* (nq) */
+    const lag_slot *states;                /* (nz) */
+    const lag_slot *inputs;                /* (nu) */
+    const lag_slot *discretes;             /* (nw) */
+    const lag_slot *parameters;            /* (np) */
+    const lag_slot *constraints;           /* (nc) */
+    const lag_slot *outputs;               /* (ny) */
+    const lag_slot *invariants;            /* (ni) */
+    const char *const *assertions;         /* (na) messages */
+    const double *defaults;                /* (np) */
+    const unsigned char *position_level;   /* (nc) 1: the row restricts q itself */
+    const unsigned char *redundant;        /* (nc) 1: the row depends on others */
+
+    /* Fills the part of the workspace that depends on p only. Call it first, and again whenever p changes. */
+    lag_status (*prepare)(const double *p, double *workspace);
+
+    /* t p -> start values q (nq), qd (nq), z (nz); default inputs u (nu) */
+    lag_status (*start)(const lag_arguments *at, double *q, double *qd, double *z, double *u);
+    /* t q qd z u w p -> phi (nc), zero for rows of velocity level; its Jacobian J (nc, nq) */
+    lag_status (*position_constraint)(const lag_arguments *at, double *phi, double *jacobian);
+    /* t q qd z u w p -> J qd + b (nc); J (nc, nq) */
+    lag_status (*velocity_constraint)(const lag_arguments *at, double *residual, double *jacobian);
+    /* t q qd z u w p -> M (nq, nq), symmetric, both halves */
+    lag_status (*mass_matrix)(const lag_arguments *at, double *mass);
+    /* t q qd z u w p -> M (nq, nq), f (nq), J (nc, nq), gamma (nc) */
+    lag_status (*dynamics)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
+    /* t q qd z u w p qdd -> M qdd - f (nq) */
+    lag_status (*inverse_dynamics)(const lag_arguments *at, double *force);
+    /* t q qd z u w p qdd lam -> r = M qdd - f - J' lam (nq), s = J qdd - gamma (nc) */
+    lag_status (*residual)(const lag_arguments *at, double *motion, double *rows);
+    /* t q qd z u w p qdd lam, dq dqd dz du dp -> dr (nq), ds (nc) at fixed qdd and lam */
+    lag_status (*residual_tangent)(const lag_arguments *at, double *motion, double *rows);
+    /* t q qd z u w p qdd lam -> zd (nz) */
+    lag_status (*state_derivative)(const lag_arguments *at, double *rates);
+    /* the same and dq dqd dz du dp dqdd dlam -> dzd (nz) */
+    lag_status (*state_derivative_tangent)(const lag_arguments *at, double *rates);
+    /* t q qd z u w p qdd lam -> y (ny) */
+    lag_status (*output)(const lag_arguments *at, double *y);
+    /* the same and dq dqd dz du dp dqdd dlam -> dy (ny) */
+    lag_status (*output_tangent)(const lag_arguments *at, double *y);
+    /* t q qd z u w p -> energy(), T, V, Jacobi integral [J], each one number */
+    lag_status (*energies)(const lag_arguments *at, double *total, double *kinetic, double *potential, double *jacobi);
+    /* t q qd z u w p -> dL/dqd (nq) */
+    lag_status (*momenta)(const lag_arguments *at, double *momentum);
+    /* t q qd z u w p -> power of loads and of dissipation by coordinate (nq) [W] */
+    lag_status (*power)(const lag_arguments *at, double *load, double *dissipated);
+    /* t q qd z u w p qdd lam -> invariants (ni), their scales (ni), conditions of assertions (na) */
+    lag_status (*monitor)(const lag_arguments *at, double *invariant, double *scale, double *assertion);
+    /* t q qd z u w p qdd lam -> residuals of the initial equations (ne) */
+    lag_status (*initial_equation)(const lag_arguments *at, double *residual);
+
+    /* Reserved, null in this version. */
+
+    /* the linear side in pieces: factor M at a state; overwrite `count` right-hand sides x (count, nq) by M^-1 x */
+    size_t factor_size;
+    lag_status (*factor)(const lag_arguments *at, double *factor);
+    lag_status (*apply_inverse_mass)(const double *factor, size_t count, double *x);
+    /* events: indicators (nindicator), modes of contacts (ncontact), bodies of `when`, the next sampling instant */
+    size_t nindicator, ncontact, nwhen;
+    lag_status (*event_indicators)(const lag_arguments *at, double *indicator);
+    lag_status (*contact_modes)(const lag_arguments *at, double *gap, double *gap_rate);
+    lag_status (*when)(const lag_arguments *at, size_t which, double *q, double *qd, double *z, double *w);
+    lag_status (*next_sample)(const lag_arguments *at, double *instant);
+    /* `lanes` states, or directions, at once: every array has its entries in groups of `lanes` */
+    size_t lanes;
+    lag_status (*dynamics_lanes)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
+    lag_status (*residual_tangent_lanes)(const lag_arguments *at, double *motion, double *rows);
+    /* where M and J can be nonzero */
+    const lag_pattern *mass_pattern;
+    const lag_pattern *jacobian_pattern;
+} lag_model;
+
+#endif

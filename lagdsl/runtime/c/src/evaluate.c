@@ -1,0 +1,49 @@
+#include "lag/evaluate.h"
+
+lag_status lag_prepare(const lag_model *model, const lag_arguments *at)
+{
+    return model->prepare(at->p, at->workspace);
+}
+
+lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    switch (which) {
+    case LAG_START:
+        return model->start(at, r, r + n, r + 2 * n, r + 2 * n + model->nz);
+    case LAG_POSITION_CONSTRAINT:
+        return model->position_constraint(at, r, r + m);
+    case LAG_VELOCITY_CONSTRAINT:
+        return model->velocity_constraint(at, r, r + m);
+    case LAG_MASS_MATRIX:
+        return model->mass_matrix(at, r);
+    case LAG_DYNAMICS:
+        return model->dynamics(at, r, r + n * n, r + n * n + n, r + n * n + n + m * n);
+    case LAG_INVERSE_DYNAMICS:
+        return model->inverse_dynamics(at, r);
+    case LAG_RESIDUAL:
+        return model->residual(at, r, r + n);
+    case LAG_RESIDUAL_TANGENT:
+        return model->residual_tangent(at, r, r + n);
+    case LAG_STATE_DERIVATIVE:
+        return model->state_derivative(at, r);
+    case LAG_STATE_DERIVATIVE_TANGENT:
+        return model->state_derivative_tangent(at, r);
+    case LAG_OUTPUT:
+        return model->output(at, r);
+    case LAG_OUTPUT_TANGENT:
+        return model->output_tangent(at, r);
+    case LAG_ENERGIES:
+        return model->energies(at, r, r + 1, r + 2, r + 3);
+    case LAG_MOMENTA:
+        return model->momenta(at, r);
+    case LAG_POWER:
+        return model->power(at, r, r + n);
+    case LAG_MONITOR:
+        return model->monitor(at, r, r + model->ni, r + 2 * model->ni);
+    case LAG_INITIAL_EQUATION:
+        return model->initial_equation(at, r);
+    }
+    return LAG_MISSING;
+}

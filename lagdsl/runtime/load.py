@@ -1,0 +1,121 @@
+"""The Python view of lag/model.h: a compiled model, loaded."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
+from dataclasses import dataclass
+from pathlib import Path
+
+from lagdsl.graph.operation import ARGUMENT_NAMES, Group
+
+VERSION = 1
+
+# The vectors of lag_arguments, in its order.
+VECTORS: tuple[Group, ...] = (
+    Group.Q,
+    Group.QD,
+    Group.Z,
+    Group.U,
+    Group.W,
+    Group.P,
+    Group.QDD,
+    Group.LAMBDA,
+    Group.DIRECTION_Q,
+    Group.DIRECTION_QD,
+    Group.DIRECTION_Z,
+    Group.DIRECTION_U,
+    Group.DIRECTION_P,
+    Group.DIRECTION_QDD,
+    Group.DIRECTION_LAMBDA,
+)
+_NAMES = [ARGUMENT_NAMES[group] for group in VECTORS]
+
+
+class Arguments(Structure):
+    """lag_arguments."""
+
+    _fields_ = [
+        ("t", c_double),
+        *((name, c_void_p) for name in _NAMES),
+        ("relations", c_void_p),
+        ("workspace", c_void_p),
+    ]
+
+
+class Batch(Structure):
+    """lag_batch."""
+
+    _fields_ = [
+        ("count", c_size_t),
+        ("t", c_void_p),
+        *((name, c_void_p) for name in _NAMES),
+        ("t_stride", c_size_t),
+        *((f"{name}_stride", c_size_t) for name in _NAMES),
+        ("workspace", c_void_p),
+        ("memory", c_void_p),
+    ]
+
+
+class ModelHead(Structure):
+    """The first members of lag_model."""
+
+    _fields_ = [
+        ("version", c_uint),
+        ("size", c_size_t),
+        ("name", c_char_p),
+        *((name, c_size_t) for name in ("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "ne", "nrelation", "rank")),
+        ("workspace", c_size_t),
+        ("prepared", c_size_t),
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class Library:
+    """A loaded model: `model` is a pointer to its lag_model, the others are functions of the runtime compiled with it."""
+
+    model: object
+    workspace: int
+    memory: int
+    prepare: ctypes._NamedFuncPointer
+    evaluate: ctypes._NamedFuncPointer
+    forward_dynamics: ctypes._NamedFuncPointer
+    state_jacobian: ctypes._NamedFuncPointer
+    batch_evaluate: ctypes._NamedFuncPointer
+    batch_forward_dynamics: ctypes._NamedFuncPointer
+    batch_state_jacobian: ctypes._NamedFuncPointer
+
+
+def load(path: Path, symbol: str) -> Library:
+    """Load the shared library at `path`, which defines the model `symbol`. Raises OSError where it cannot be loaded."""
+    library = ctypes.CDLL(str(path))
+    head = ModelHead.in_dll(library, symbol)
+    if head.version != VERSION:
+        raise OSError(f"{path} was compiled for version {head.version} of lag/model.h, not {VERSION}")
+    model = byref(head)
+    measure = _function(library, "lag_dynamics_memory", [c_void_p])
+    measure.restype = c_size_t
+    arguments, batch, results, index = POINTER(Arguments), POINTER(Batch), c_void_p, POINTER(c_size_t)
+    return Library(
+        model=model,
+        workspace=int(head.workspace),
+        memory=int(measure(model)),
+        prepare=_function(library, "lag_prepare", [c_void_p, arguments]),
+        evaluate=_function(library, "lag_evaluate", [c_void_p, c_int, arguments, results]),
+        forward_dynamics=_function(
+            library, "lag_forward_dynamics", [c_void_p, arguments, c_void_p, results, results, index]
+        ),
+        state_jacobian=_function(library, "lag_state_jacobian", [c_void_p, arguments, c_void_p, results, index]),
+        batch_evaluate=_function(library, "lag_batch_evaluate", [c_void_p, c_int, batch, results, c_size_t]),
+        batch_forward_dynamics=_function(
+            library, "lag_batch_forward_dynamics", [c_void_p, batch, results, results, index]
+        ),
+        batch_state_jacobian=_function(library, "lag_batch_state_jacobian", [c_void_p, batch, results, index]),
+    )
+
+
+def _function(library: ctypes.CDLL, name: str, arguments: list[type]) -> ctypes._NamedFuncPointer:
+    function = library[name]
+    function.argtypes = arguments
+    function.restype = c_int
+    return function

@@ -1,0 +1,93 @@
+"""The NumPy engine: the bodies of the generated module, compiled when first called, and its support code."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lagdsl.backends.python.body import ELEMENTARY, body, body_name
+from lagdsl.backends.python.emit import motion_sizes, shapes, signature
+from lagdsl.backends.python.support import linear
+from lagdsl.backends.python.support.motion import differentiate_motion, solve_motion
+from lagdsl.backends.python.support.vectorize import apply, split
+from lagdsl.graph.fold import SCALAR
+from lagdsl.graph.operation import Op
+from lagdsl.program.program import Program
+from lagdsl.runtime.engine import Floats, SingularSystem
+
+# What bodies call on plain Python numbers; several times faster than NumPy is on single numbers.
+_ON_NUMBERS = SimpleNamespace(
+    select=lambda condition, value, otherwise: value if condition != 0.0 else otherwise,
+    **{name: SCALAR[op] for op, name in ELEMENTARY.items() if op is not Op.SELECT},
+)
+
+
+class NumpyEngine:
+    """Engine that needs no compiler. The functions named `..._many` broadcast over leading axes."""
+
+    def __init__(self, program: Program) -> None:
+        self.layout = program.layout
+        self._program = program
+        self._sizes = motion_sizes(program)
+        self._bodies: dict[str, Callable[..., Sequence[float]]] = {}
+        self._functions = {f.name: f for f in program.functions}
+        self._signature = {f.name: signature(program, f) for f in program.functions}
+        self._shapes = {f.name: shapes(f) for f in program.functions}
+
+    def solve(
+        self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
+    ) -> tuple[Floats, Floats]:
+        """Accelerations qdd (nq,) and multipliers lam (nc,). Raises SingularSystem."""
+        try:
+            return solve_motion(self.evaluate, self._sizes, np.float64(t), q, qd, z, u, w, p)
+        except linear.SingularSystem as singular:
+            raise SingularSystem(singular.coordinate) from None
+
+    def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
+        """Result blocks of any function of the program."""
+        try:
+            values = self._body(function)(_ON_NUMBERS, *(_plain(argument) for argument in arguments))
+        except (ArithmeticError, ValueError):  # not a finite number somewhere: NumPy goes on where Python stops
+            return self.evaluate_many(function, *arguments)
+        return split(np.array(values, dtype=np.float64), self._shapes[function])
+
+    def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
+        """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz). Raises SingularSystem."""
+        return self.jacobian_many(t, q, qd, z, u, w, p)
+
+    def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
+        """Result blocks, each of shape (leading axes of the arguments, own shape)."""
+        return apply(function, self._body(function), self._signature[function], self._shapes[function], arguments)
+
+    def solve_many(self, *state: ArrayLike) -> tuple[Floats, ...]:
+        """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
+        try:
+            return solve_motion(self.evaluate_many, self._sizes, *map(np.asarray, state))
+        except linear.SingularSystem as singular:
+            raise SingularSystem(singular.coordinate) from None
+
+    def jacobian_many(self, *state: ArrayLike) -> Floats:
+        """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz). Raises SingularSystem."""
+        try:
+            return differentiate_motion(self.evaluate_many, self._sizes, *map(np.asarray, state))
+        except linear.SingularSystem as singular:
+            raise SingularSystem(singular.coordinate) from None
+
+    def _body(self, function: str) -> Callable[..., Sequence[float]]:
+        """The compiled body. Its text is our own: names of the user stand in no body."""
+        known = self._bodies.get(function)
+        if known is None:
+            namespace: dict[str, Any] = {"inf": math.inf}
+            text = body(self._program, self._functions[function])
+            exec(compile(text, f"<generated {function}>", "exec"), namespace)
+            known = self._bodies[function] = namespace[body_name(function)]
+        return known
+
+
+def _plain(argument: Floats | float) -> list[float] | float:
+    return argument.tolist() if isinstance(argument, np.ndarray) else float(argument)
