@@ -1,7 +1,7 @@
 """Ranks, null spaces and minimum-norm solutions of small dense matrices, all by singular values with one tolerance.
 
-Callers scale first: columns by the natural size of the coordinates, rows to unit length, so that a ratio of singular values
-is a statement about the mechanism and not about its units.
+Callers scale first: columns by the natural size of the coordinates, rows to unit length, so that a ratio of singular
+values is a statement about the mechanism and not about its units.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-# Singular values below this part of the largest count as zero. Far above round-off of a derived Jacobian (1e-13), far below
-# what a mechanism a hundredth of a degree away from a singular position shows (1e-4).
+# Singular values below this part of the largest count as zero. Far above round-off of a derived Jacobian (1e-13),
+# far below what a mechanism a hundredth of a degree away from a singular position shows (1e-4).
 RANK_TOLERANCE = 1e-9
 
 
@@ -54,9 +54,11 @@ def minimum_norm(matrix: Floats, right: Floats, tolerance: float = RANK_TOLERANC
 
 
 def independent_rows(samples: list[Floats], order: list[int], tolerance: float = 1e-8) -> list[bool]:
-    """Which rows are kept when rows are taken in `order` and one is left out if it depends on those kept at every sample.
+    """Which rows are kept when rows are taken in `order` and one is left out if it depends on those kept at every
+    sample.
 
-    `samples` are the same matrix at several points; dependence is the relative distance of a row from the span of the others.
+    `samples` are the same matrix at several points; dependence is the relative distance of a row from the span of
+    the others.
     """
     rows = samples[0].shape[0] if samples else 0
     kept = [False] * rows
@@ -84,8 +86,8 @@ def _without(vector: Floats, basis: list[Floats]) -> Floats:
 
 
 def augmented_mass(mass: Floats, jacobian: Floats) -> Floats:
-    """M + c J'J: the same metric for every displacement with given J dq, and positive definite wherever the constrained
-    system is, even if M alone is singular (quaternions, massless links)."""
+    """M + c J'J: the same metric for every displacement with given J dq, and positive definite wherever the
+    constrained system is, even if M alone is singular (quaternions, massless links)."""
     if not jacobian.size:
         return mass
     outer = jacobian.T @ jacobian

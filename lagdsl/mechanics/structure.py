@@ -1,7 +1,7 @@
 """Structure of a model: degrees of freedom, redundant and contradictory constraints, coordinates without inertia.
 
-Ranks are bounded by the pattern of the Jacobian first and then found numerically at three general points of the constraint set,
-the same ones in every run.
+Ranks are bounded by the pattern of the Jacobian first and then found numerically at three general points of the
+constraint set, the same ones in every run.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from lagdsl.semantics.flat_model import FlatModel
 class Structure:
     """What the constraints leave free. `program` is the analyzed one with `Layout.redundant` filled.
 
-    `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows, the latter
-    those that hold identically.
+    `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
+    the latter those that hold identically.
     """
 
     program: Program

@@ -1,4 +1,5 @@
-"""What can be said of the constraints before the first step: do they hold, do they repeat or contradict each other?"""
+"""What can be said of the constraints before the first step: do they hold, do they repeat or contradict each
+other?"""
 
 from __future__ import annotations
 
@@ -12,6 +13,7 @@ from lagdsl.mechanics.structure_display import quantity_text
 from lagdsl.mechanics.structure_newton import Descent
 from lagdsl.mechanics.structure_points import HOLDS, Geometry, random_points
 from lagdsl.semantics.flat_model import Constraint, FlatModel
+from lagdsl.units.dimension import BASE_UNITS
 
 _TRIES = 24
 
@@ -33,7 +35,7 @@ def located(flat: FlatModel) -> list[Located]:
     return result
 
 
-# ---- do they hold? ---------------------------------------------------------------------------------------------------
+# ---- do they hold? --------------------------------------------------------------------------------------------------
 
 
 def closest(flat: FlatModel, space: Geometry, rows: list[int]) -> Descent:
@@ -75,7 +77,8 @@ def _never_holds(flat: FlatModel, constraint: Constraint, found: Descent, sink: 
 
 
 def _contradiction(flat: FlatModel, space: Geometry, position: list[Located], sink: Sink) -> None:
-    """Name the first constraint that cannot be added to those before it, and the one it contradicts if that is a single one."""
+    """Name the first constraint that cannot be added to those before it, and the one it contradicts if that is a
+    single one."""
     taken: list[Located] = []
     for item in position:
         rows = [row for other in taken for row in other.rows]
@@ -105,13 +108,13 @@ def unit_suffix(constraint: Constraint) -> str:
     """The coherent unit of a constraint's rows, with a leading blank."""
     parts = [
         base if exponent == 1 else f"{base}{exponent}"
-        for base, exponent in zip(("kg", "m", "s", "A", "K", "mol", "cd"), constraint.dimension.exponents, strict=True)
+        for base, exponent in zip(BASE_UNITS, constraint.dimension.exponents, strict=True)
         if exponent
     ]
     return f" {'.'.join(parts)}" if parts else ""
 
 
-# ---- do they repeat each other? --------------------------------------------------------------------------------------
+# ---- do they repeat each other? -------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,8 +126,8 @@ class Dependence:
 
 
 def dependence(space: Geometry, points: list[Floats]) -> Dependence:
-    """Rows that add nothing at any probed point; holonomic rows come first, so a velocity row that repeats the derivative of one is
-    the redundant one (ruling 22)."""
+    """Rows that add nothing at any probed point; holonomic rows come first, so a velocity row that repeats the
+    derivative of one is the redundant one (ruling 22)."""
     count = len(space.functions.layout.constraints)
     if not points:
         return Dependence((False,) * count, (False,) * count)
@@ -132,7 +135,8 @@ def dependence(space: Geometry, points: list[Floats]) -> Dependence:
     holonomic = space.position_rows
     order = holonomic + [row for row in range(count) if row not in set(holonomic)]
     kept = independent_rows(samples, order)
-    empty = [all(float(np.max(np.abs(sample[row]), initial=0.0)) < 1e-11 for sample in samples) for row in range(count)]
+    largest = np.max([np.max(np.abs(sample), axis=1, initial=0.0) for sample in samples], axis=0)
+    empty = [bool(size < 1e-11) for size in largest]
     return Dependence(tuple(not keep for keep in kept), tuple(empty))
 
 

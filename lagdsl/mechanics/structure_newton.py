@@ -1,4 +1,5 @@
-"""Damped Gauss-Newton for a handful of equations with more, fewer or dependent rows: the one root finder of the house.
+"""Damped Gauss-Newton for a handful of equations with more, fewer or dependent rows: the one root finder of the
+house.
 
 Levenberg's damping with steps of minimum norm, so that dependent rows and singular positions pass.
 Source: Nocedal and Wright, Numerical Optimization, 2nd ed., section 10.3.
@@ -21,7 +22,8 @@ _LARGEST_DAMPING = 1e10
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Descent:
-    """Where the search ended: the point, the residuals there and their Euclidean norm (infinite where nothing is a number)."""
+    """Where the search ended: the point, the residuals there and their Euclidean norm (infinite where nothing is a
+    number)."""
 
     point: Floats
     residual: Floats
@@ -31,8 +33,8 @@ class Descent:
 def descend(equations: Equations, start: Floats, *, target: float = 1e-13, iterations: int = 60) -> Descent:
     """Reduce |residual| from `start` until it is below `target`, stalls or `iterations` are used up.
 
-    `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one. Once below `target` it goes on as long as
-    whole steps still halve the residual, so the result is as exact as the arithmetic allows.
+    `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one. Once below `target` it
+    goes on as long as whole steps still halve the residual, so the result is as exact as the arithmetic allows.
     """
     point = start
     residual, jacobian = equations(point)

@@ -1,4 +1,5 @@
-"""Points of the constraint set at which ranks and inertia are probed: deterministic, near the start, inside the bounds."""
+"""Points of the constraint set at which ranks and inertia are probed: deterministic, near the start, inside the
+bounds."""
 
 from __future__ import annotations
 
@@ -13,8 +14,8 @@ from lagdsl.program.program import Layout
 from lagdsl.semantics.flat_model import Coordinate, FlatModel
 
 _SEED = 20011
-# Residuals, as a part of the row's natural size, below which a constraint counts as met; generous, because a constraint that only
-# touches (two circles that meet in one point) is approached linearly.
+# Residuals, as a part of the row's natural size, below which a constraint counts as met; generous, because a
+# constraint that only touches (two circles that meet in one point) is approached linearly.
 HOLDS = 1e-7
 
 
@@ -28,7 +29,8 @@ class Functions(Protocol):
 
 
 def natural_sizes(coordinates: tuple[Coordinate, ...], start: Floats) -> Floats:
-    """What counts as a change of order one: `nominal`, else 1 for angles and numbers, else the largest start of the same unit."""
+    """What counts as a change of order one: `nominal`, else 1 for angles and numbers, else the largest start of the
+    same unit."""
     sizes = np.ones(len(coordinates))
     for index, coordinate in enumerate(coordinates):
         if coordinate.nominal is not None and coordinate.nominal != 0.0:
@@ -81,7 +83,8 @@ class Geometry:
         return self.functions.evaluate("mass_matrix", self.t, q, qd, self.z, self.u, self.w, self.p)[0]
 
     def project(self, q: Floats, rows: list[int]) -> Descent:
-        """The nearest point, in natural sizes, at which the given rows hold; residuals relative to the rows' sizes."""
+        """The nearest point, in natural sizes, at which the given rows hold; residuals relative to the rows'
+        sizes."""
         if not rows:
             return Descent(point=q, residual=np.zeros(0), size=0.0)
 

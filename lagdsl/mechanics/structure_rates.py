@@ -32,8 +32,8 @@ def report_integrable(
 ) -> None:
     """N0606 for velocity rows a(q, t).dq + b(q, t) dt = 0 that are integrable.
 
-    Frobenius' theorem: da(v, w) vanishes for all v, w in the null space of the row itself and the holonomic ones. Tested in
-    (q, t) at the probed points, derivatives by central differences.
+    Frobenius' theorem: da(v, w) vanishes for all v, w in the null space of the row itself and the holonomic ones.
+    Tested in (q, t) at the probed points, derivatives by central differences.
     """
     for item in located(flat):
         if item.constraint.level != "velocity":

@@ -1,9 +1,9 @@
 """From the one tolerance of the user to absolute tolerances of every component.
 
-A component is as accurate as `tolerance` times its scale. The scale is the largest magnitude seen so far among the components of the
-same kind (coordinates of one dimension, their rates, one state), at least 1e-4 of the natural size, and for angles at
-most 1: an angle that has turned a thousand times still enters through its sine. Relative error control of single components
-would waste steps where one of them passes through zero.
+A component is as accurate as `tolerance` times its scale. The scale is the largest magnitude seen so far among the
+components of the same kind (coordinates of one dimension, their rates, one state), at least 1e-4 of the natural
+size, and for angles at most 1: an angle that has turned a thousand times still enters through its sine. Relative
+error control of single components would waste steps where one of them passes through zero.
 """
 
 from __future__ import annotations
@@ -38,5 +38,6 @@ class Accuracy:
     def after(self, y: Floats) -> Floats:
         """Absolute tolerances (2 nq + nz,) now that state `y` was reached."""
         np.maximum.at(self._largest, self._groups, np.abs(y))
-        scale = np.clip(self._largest[self._groups], _FLOOR * self._sizes, np.maximum(self._caps, _FLOOR * self._sizes))
+        floor = _FLOOR * self._sizes
+        scale = np.clip(self._largest[self._groups], floor, np.maximum(self._caps, floor))
         return np.asarray(np.maximum(self.relative * scale, _ROUNDING * self._sizes))

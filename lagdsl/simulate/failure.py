@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 class SimulationFailed(Exception):  # noqa: N818 the interface's name
     """The motion could not be continued. `str()` is the rendered diagnostic.
 
-    `time` [s], `state` (values by name, SI units) and `name` (coordinate, state, constraint or invariant at fault) say where;
-    `trajectory` holds the rows so far.
+    `time` [s], `state` (values by name, SI units) and `name` (coordinate, state, constraint or invariant at fault)
+    say where; `trajectory` holds the rows so far.
     """
 
     def __init__(
@@ -30,6 +30,6 @@ class SimulationFailed(Exception):  # noqa: N818 the interface's name
         self.trajectory = trajectory
 
     def __str__(self) -> str:
-        from lagdsl.diagnostics.render import render_all  # noqa: PLC0415 rendering is only for people
+        from lagdsl.diagnostics.render import render_all
 
         return render_all(self.diagnostics)

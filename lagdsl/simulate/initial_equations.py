@@ -35,7 +35,8 @@ class _Joint:
         return x[:n], x[n : 2 * n], x[2 * n :]
 
     def residual(self, y: Floats) -> Floats:
-        """Constraints of both levels, relative to their rows' sizes, then the initial equations in their own units."""
+        """Constraints of both levels, relative to their rows' sizes, then the initial equations in their own
+        units."""
         q, qd, z = self.split(y)
         space = self.task.space
         phi = space.position(q)[0] / space.row_sizes
@@ -44,11 +45,13 @@ class _Joint:
             qdd, lam = self.task.engine.solve(space.t, q, qd, z, space.u, space.w, space.p)
         except SingularSystem:
             qdd, lam = np.full_like(q, np.nan), np.full_like(phi, np.nan)
-        (extra,) = self.task.engine.evaluate("initial_equation", space.t, q, qd, z, space.u, space.w, space.p, qdd, lam)
+        arguments = (space.t, q, qd, z, space.u, space.w, space.p, qdd, lam)
+        (extra,) = self.task.engine.evaluate("initial_equation", *arguments)
         return np.concatenate([phi[space.position_rows], velocity, extra])
 
     def jacobian(self, y: Floats) -> Floats:
-        """By central differences: rows of the initial equations hold accelerations, whose derivatives nobody else needs."""
+        """By central differences: rows of the initial equations hold accelerations, whose derivatives nobody else
+        needs."""
         columns = []
         for index in range(len(y)):
             step = np.zeros_like(y)
@@ -58,7 +61,8 @@ class _Joint:
 
 
 def joint_state(task: Problem, sink: Sink) -> tuple[Floats, Floats, Floats]:
-    """q, qd, z that satisfy constraints and initial equations, near the starts; E0801 or E0815 where there are none."""
+    """q, qd, z that satisfy constraints and initial equations, near the starts; E0801 or E0815 where there are
+    none."""
     joint = _assemble(task)
     fixed_too = _Joint(task, joint.starts, joint.widths, np.arange(len(joint.starts)))
     lengths = np.linalg.norm(fixed_too.jacobian(np.zeros(len(joint.starts))), axis=1)

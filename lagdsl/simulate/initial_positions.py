@@ -46,7 +46,8 @@ def _already_there(task: Problem, rows: list[int]) -> bool:
 
 
 def _feasible(task: Problem, equations: Equations, free: np.ndarray) -> Descent:
-    """Any point of the constraint set: from the starts if that works, else the nearest that other beginnings lead to."""
+    """Any point of the constraint set: from the starts if that works, else the nearest that other beginnings lead
+    to."""
     best = descend(equations, np.zeros(len(free)))
     if best.size <= HOLDS:
         return best

@@ -16,13 +16,15 @@ from lagdsl.semantics.flat_model import FlatModel
 
 Flags = NDArray[np.bool_]
 
-# An explicitly written start weighs so much more than one that was left to its default (language reference, section 5).
+# An explicitly written start weighs so much more than one that was left to its default (language reference, section
+# 5).
 EXPLICIT_WEIGHT = 100.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """Starts of coordinates and rates as arrays in layout order; `space` holds the constraints and the start values."""
+    """Starts of coordinates and rates as arrays in layout order; `space` holds the constraints and the start
+    values."""
 
     flat: FlatModel
     engine: Engine
@@ -48,7 +50,8 @@ def problem(
     start: Mapping[str, float],
     sink: Sink,
 ) -> Problem:
-    """Starts from the model and from `start` (coordinate, `der(coordinate)` or state, in SI units); these count as explicit."""
+    """Starts from the model and from `start` (coordinate, `der(coordinate)` or state, in SI units); these count as
+    explicit."""
     space = geometry(flat, engine, p)
     if t0 is not None:
         space = replace(space, t=t0)

@@ -1,4 +1,5 @@
-"""Start rates: fixed ones, then explicit ones as far as the constraints leave them free, then least kinetic energy of the change."""
+"""Start rates: fixed ones, then explicit ones as far as the constraints leave them free, then least kinetic energy
+of the change."""
 
 from __future__ import annotations
 
@@ -40,7 +41,8 @@ def rates(task: Problem, q: Floats, sink: Sink) -> Floats:
 
 
 def _explicit(v: Floats, free: Floats, wanted: Floats, explicit: np.ndarray) -> tuple[Floats, Floats]:
-    """Impose explicit rates in order of declaration, each if it is independent of the constraints and those before it."""
+    """Impose explicit rates in order of declaration, each if it is independent of the constraints and those before
+    it."""
     for index in explicit:
         row = free[index]
         length = float(np.linalg.norm(row))

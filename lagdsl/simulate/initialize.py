@@ -20,8 +20,8 @@ from lagdsl.simulate.moved import MovedRow, moved_rows, moved_text, report_moved
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InitialState:
-    """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the rates that the
-    constraints leave free here."""
+    """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the
+    rates that the constraints leave free here."""
 
     model: str
     t: float
@@ -47,8 +47,9 @@ def initial_state(
 ) -> InitialState:
     """The state nearest to the starts that satisfies constraints, fixed values and initial equations.
 
-    `p` are the independent parameters (default: the model's), `u` the inputs at the start, `start` further start values by name in
-    SI units, also `der(theta)`. What is wrong or was moved is reported to `sink`; without one, errors raise CompilationFailed.
+    `p` are the independent parameters (default: the model's), `u` the inputs at the start, `start` further start
+    values by name in SI units, also `der(theta)`. What is wrong or was moved is reported to `sink`; without one,
+    errors raise CompilationFailed.
     """
     own = Sink() if sink is None else sink
     before = len(own.diagnostics)

@@ -1,8 +1,8 @@
 """Back to the constraints: the smallest change in the metric of the mass matrix.
 
-With M the inertia, dq minimises dq' M dq subject to phi(q + dq) = 0, and dv minimises dv' M dv subject to J (v + dv) + b = 0: the
-change a stiff, inelastic mechanism would make. Rows are weighted by minimum norm with rank decisions, so dependent constraints
-and singular positions pass. Source: Eich, SIAM J. Numer. Anal. 30 (1993) 1467.
+With M the inertia, dq minimises dq' M dq subject to phi(q + dq) = 0, and dv minimises dv' M dv subject to J (v + dv)
++ b = 0: the change a stiff, inelastic mechanism would make. Rows are weighted by minimum norm with rank decisions,
+so dependent constraints and singular positions pass. Source: Eich, SIAM J. Numer. Anal. 30 (1993) 1467.
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ _RANK = 1e-8
 
 
 class Projection:
-    """Projects states of one simulation. `tolerance` is the residual, in natural sizes of the rows, that needs no correction."""
+    """Projects states of one simulation. `tolerance` is the residual, in natural sizes of the rows, that needs no
+    correction."""
 
     def __init__(self, system: RightHandSide, space: Geometry, tolerance: float) -> None:
         self.system = system

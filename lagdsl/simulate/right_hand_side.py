@@ -26,7 +26,8 @@ class Solved:
 
 @dataclass(frozen=True, slots=True)
 class Trouble:
-    """A state at which the accelerations could not be found: nan somewhere, or `singular` names a coordinate's index."""
+    """A state at which the accelerations could not be found: nan somewhere, or `singular` names a coordinate's
+    index."""
 
     t: float
     y: Floats
@@ -35,8 +36,8 @@ class Trouble:
 
 
 class RightHandSide:
-    """f(t, y) and its Jacobian. Remembers the last solution and the last trouble; trouble is nan to the integrator, which then tries
-    a shorter step.
+    """f(t, y) and its Jacobian. Remembers the last solution and the last trouble; trouble is nan to the integrator,
+    which then tries a shorter step.
 
     `until` is the end of the present segment: inputs there are taken from the left.
     """

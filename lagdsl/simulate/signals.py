@@ -1,4 +1,5 @@
-"""Inputs of a simulation as functions of time: constants, functions, tables; and the times at which they are not smooth."""
+"""Inputs of a simulation as functions of time: constants, functions, tables; and the times at which they are not
+smooth."""
 
 from __future__ import annotations
 
@@ -36,8 +37,8 @@ def signals(
 ) -> Signals:
     """Every input of the model: given ones, derivatives of given tables and constants, defaults.
 
-    Errors go to `sink`: unknown names (E0819), a table that does not cover `span` (E0817), a function whose derivative the model needs
-    and nobody gave (E0818).
+    Errors go to `sink`: unknown names (E0819), a table that does not cover `span` (E0817), a function whose
+    derivative the model needs and nobody gave (E0818).
     """
     names = [item.name for item in flat.inputs]
     for name in inputs:
@@ -107,7 +108,7 @@ def _lines(times: list[float], values: list[float]) -> _Function:
 
 def _spline(times: Floats, values: Floats, order: int) -> _Function:
     """A cubic spline, where the model needs derivatives of the signal."""
-    from scipy.interpolate import CubicSpline  # noqa: PLC0415 imported when used
+    from scipy.interpolate import CubicSpline
 
     curve: Any = CubicSpline(times, values).derivative(order) if order else CubicSpline(times, values)
     return lambda t, before: float(curve(t))

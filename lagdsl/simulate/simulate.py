@@ -37,11 +37,13 @@ def simulate(
     progress: Callable[[float], None] | None = None,
     sink: Sink | None = None,
 ) -> Trajectory:
-    """Integrate from the model's start time to `stop` and return rows every `interval`; what is left out comes from the experiment.
+    """Integrate from the model's start time to `stop` and return rows every `interval`; what is left out comes from
+    the experiment.
 
-    `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start` further start values;
-    SI units. `progress` is called with the part of the time that is done. What is wrong before the first step raises
-    CompilationFailed (warnings go to `sink`), what goes wrong on the way SimulationFailed, bad options ValueError.
+    `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start`
+    further start values; SI units. `progress` is called with the part of the time that is done. What is wrong before
+    the first step raises CompilationFailed (warnings go to `sink`), what goes wrong on the way SimulationFailed, bad
+    options ValueError.
     """
     experiment = flat.experiment
     t0 = experiment.start_time
@@ -51,8 +53,8 @@ def simulate(
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     with np.errstate(all="ignore"), warnings.catch_warnings():
-        # What is not a number is found by looking at the numbers; SciPy's LU decomposition warns of singular matrices that the
-        # next, shorter step avoids.
+        # What is not a number is found by looking at the numbers; SciPy's LU decomposition warns of singular
+        # matrices that the next, shorter step avoids.
         warnings.simplefilter("ignore", RuntimeWarning)
         defaults = engine.evaluate("start", t0, parameters)[3]
         given = signals(flat, defaults, inputs or {}, (t0, end), own)

@@ -1,7 +1,7 @@
 """Is the step limited by stability instead of accuracy? Asked of the exact Jacobian now and then.
 
-Source of the idea: Hairer and Wanner II, section IV.2 (h |lambda| against the border of the stability region); here lambda is an
-eigenvalue of the exact Jacobian in the left half plane.
+Source of the idea: Hairer and Wanner II, section IV.2 (h |lambda| against the border of the stability region); here
+lambda is an eigenvalue of the exact Jacobian in the left half plane.
 """
 
 from __future__ import annotations
@@ -42,7 +42,8 @@ class Stiffness:
         self._steps, self._signs = 0, 0
 
     def not_worth_it(self, elapsed: float) -> bool:
-        """To be asked after every implicit step with the time since the change: True once, if steps did not become much longer."""
+        """To be asked after every implicit step with the time since the change: True once, if steps did not become
+        much longer."""
         self._steps += 1
         if self.settled or self._steps < _TRIAL:
             return False

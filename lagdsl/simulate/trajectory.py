@@ -63,8 +63,8 @@ class Statistics:
 class Trajectory:
     """Rows at the requested times. `trajectory["theta"]` is a column in SI units.
 
-    `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the units of the
-    constraint rows; `energy` is energy() [J].
+    `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the
+    units of the constraint rows; `energy` is energy() [J].
     """
 
     model: str
@@ -100,15 +100,15 @@ class Trajectory:
 
     def to_dataframe(self) -> pd.DataFrame:
         """All columns as a pandas DataFrame; needs the extra `table`."""
-        import pandas as pd  # noqa: PLC0415 an extra
+        import pandas as pd
 
         return pd.DataFrame({column.name: column.values for column in self.columns})
 
     def crossings(self, name: str, level: float = 0.0, *, direction: int = 0) -> Floats:
         """Times at which a column passes `level`; `direction` 1 rising, -1 falling, 0 both.
 
-        Between rows the column is the polynomial through the eight nearest rows, so rows a tenth of a period apart give
-        times to about 1e-6 of the period, and finer rows much better ones.
+        Between rows the column is the polynomial through the eight nearest rows, so rows a tenth of a period apart
+        give times to about 1e-6 of the period, and finer rows much better ones.
         """
         return crossing_times(self.time, self[name] - level, direction)
 

@@ -12,9 +12,9 @@ from lagdsl.simulate.integrators.method import Method, System, newton_tolerance
 
 
 def _make(*arguments: Any, **options: Any) -> Any:
-    from scipy.integrate import BDF as stepper  # noqa: PLC0415 imported when used, N811
+    from scipy import integrate
 
-    made = stepper(*arguments, **options)
+    made = integrate.BDF(*arguments, **options)
     made.newton_tol = newton_tolerance(1e-6)
     return made
 

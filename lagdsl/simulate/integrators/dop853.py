@@ -11,9 +11,9 @@ from lagdsl.simulate.integrators.method import Method, correct_one_step
 
 
 def _make(*arguments: Any, **options: Any) -> Any:
-    from scipy.integrate import DOP853 as stepper  # noqa: PLC0415 imported when used, N811
+    from scipy import integrate
 
-    return stepper(*arguments, **options)
+    return integrate.DOP853(*arguments, **options)
 
 
 DOP853 = Method("dop853", 8, implicit=False, factor=1e-2, make=_make, correct=correct_one_step)

@@ -10,7 +10,8 @@ import numpy as np
 
 from lagdsl.mechanics.rank import Floats
 
-# SciPy takes no smaller relative tolerance. All of the error control is in the absolute tolerances, which follow the motion.
+# SciPy takes no smaller relative tolerance. All of the error control is in the absolute tolerances, which follow the
+# motion.
 SMALLEST_RELATIVE = 2.3e-14
 
 
@@ -24,9 +25,11 @@ class System(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """`factor`: local tolerance as a part of the tolerance asked for, so that the motion as a whole is about that accurate.
+    """`factor`: local tolerance as a part of the tolerance asked for, so that the motion as a whole is about that
+    accurate.
 
-    `start(system, t, y, t_end, atol, first_step)` makes SciPy's stepper; `correct(stepper, y)` gives it another present state.
+    `start(system, t, y, t_end, atol, first_step)` makes SciPy's stepper; `correct(stepper, y)` gives it another
+    present state.
     """
 
     name: str

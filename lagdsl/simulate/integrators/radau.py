@@ -11,9 +11,9 @@ from lagdsl.simulate.integrators.method import Method, correct_one_step, newton_
 
 
 def _make(*arguments: Any, **options: Any) -> Any:
-    from scipy.integrate import Radau as stepper  # noqa: PLC0415 imported when used, N811
+    from scipy import integrate
 
-    made = stepper(*arguments, **options)
+    made = integrate.Radau(*arguments, **options)
     made.newton_tol = newton_tolerance(1e-6)
     return made
 

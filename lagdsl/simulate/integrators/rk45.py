@@ -11,9 +11,9 @@ from lagdsl.simulate.integrators.method import Method, correct_one_step
 
 
 def _make(*arguments: Any, **options: Any) -> Any:
-    from scipy.integrate import RK45 as stepper  # noqa: PLC0415 imported when used, N811
+    from scipy import integrate
 
-    return stepper(*arguments, **options)
+    return integrate.RK45(*arguments, **options)
 
 
 RK45 = Method("rk45", 5, implicit=False, factor=1e-2, make=_make, correct=correct_one_step)
