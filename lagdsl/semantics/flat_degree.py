@@ -7,6 +7,7 @@ import math
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence
+from lagdsl.semantics.flat_walk import postorder
 
 INFINITE = math.inf
 
@@ -23,15 +24,14 @@ class RateDegree:
 
     def of(self, expression: fx.FlatExpression) -> float:
         """0 for an expression without rates, up to inf."""
+        for node in postorder(expression, self._known):
+            self._known[id(node)] = (node, self._compute(node))
+        return self._known[id(expression)][1]
+
+    def _compute(self, expression: fx.FlatExpression) -> float:
         orders = self.dependence.of(expression)
         if not any(order and name in self._moving for name, order in orders.items()):
             return 0
-        known = self._known.get(id(expression))
-        if known is None:
-            known = self._known[id(expression)] = (expression, self._compute(expression))
-        return known[1]
-
-    def _compute(self, expression: fx.FlatExpression) -> float:
         match expression:
             case fx.Variable(name):
                 return self.of(self._definitions[name].value)

@@ -2,65 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import assert_never
 
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_walk import operands, postorder, step_expressions
 
 Orders = dict[str, int]
 """Variable -> highest number of time derivatives: {"theta": 1} for an expression of theta and der(theta)."""
-
-
-def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  # noqa: C901, PLR0912 a case per node
-    """The direct subexpressions, in the order of the text."""
-    match expression:
-        case fx.Binary() | fx.Dot() | fx.Cross():
-            return (expression.left, expression.right)
-        case fx.Unary() | fx.Derivative():
-            return (expression.operand,)
-        case fx.Function():
-            return expression.arguments
-        case fx.Conditional():
-            return (expression.condition, expression.value, expression.otherwise)
-        case fx.Component() | fx.Norm():
-            return (expression.vector,)
-        case fx.Vector():
-            return (expression.x, expression.y, expression.z)
-        case fx.MaterialVelocity():
-            return (expression.point,)
-        case fx.ReactionAlong():
-            return (expression.direction,)
-        case fx.AngularMomentum():
-            return (expression.about,)
-        case fx.Number() | fx.Variable() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
-            return ()
-        case fx.AngularVelocity() | fx.Multiplier() | fx.FrameReaction() | fx.SystemEnergy():
-            return ()
-        case fx.GeneralizedMomentum() | fx.LinearMomentum():
-            return ()
-        case _:
-            assert_never(expression)
-
-
-def step_expressions(step: fm.FrameStep, *, turning_only: bool = False) -> tuple[fx.FlatExpression, ...]:
-    """The expressions in one step of a frame; with `turning_only` none for a step that only displaces."""
-    match step:
-        case fm.Rotate():
-            return (step.angle,)
-        case fm.RotateAbout():
-            return (*step.axis, step.angle)
-        case fm.RotateQuaternion():
-            return step.e
-        case fm.SetAxes():
-            return (step.x, step.y, step.z)
-        case fm.Move():
-            return () if turning_only else step.offset
-        case fm.Place():
-            return () if turning_only else (step.position,)
-        case _:
-            assert_never(step)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,11 +27,11 @@ class Dependence:
 
     def of(self, expression: fx.FlatExpression) -> Orders:
         """Parameters count too, with order 0. What the mechanics provides (multipliers, energies) has none."""
-        known = self._by_node.get(id(expression))
-        if known is None:
+        known = self._by_node
+        for node in postorder(expression, known):
             # The node is kept with its answer, so that its identity is not given to another one.
-            known = self._by_node[id(expression)] = (expression, self._compute(expression))
-        return known[1]
+            known[id(node)] = (node, self._compute(node))
+        return known[id(expression)][1]
 
     def of_all(self, expressions: Iterable[fx.FlatExpression]) -> Orders:
         return _merged(self.of(expression) for expression in expressions)
@@ -134,15 +84,3 @@ def _merged(parts: Iterable[Mapping[str, int]]) -> Orders:
         for name, order in part.items():
             merged[name] = max(order, merged.get(name, 0))
     return merged
-
-
-def walk(expression: fx.FlatExpression) -> Iterator[fx.FlatExpression]:
-    """The expression and all below it, every shared node once."""
-    seen: set[int] = set()
-    stack = [expression]
-    while stack:
-        node = stack.pop()
-        if id(node) not in seen:
-            seen.add(id(node))
-            yield node
-            stack.extend(reversed(operands(node)))

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_rotation import quaternion_rotation, rotation, rotation_about
+from lagdsl.semantics.flat_walk import postorder
 
 Complexes: TypeAlias = NDArray[np.complex128]
 _Value: TypeAlias = "complex | Complexes"
@@ -109,11 +110,12 @@ class _Moment:
         return value
 
     def _value(self, expression: fx.FlatExpression) -> _Value:
-        known = self._nodes.get(id(expression))
-        if known is None:
-            # The node is kept with its value, so that its identity is not given to another one.
-            known = self._nodes[id(expression)] = (expression, self._compute(expression))
-        return known[1]
+        known = self._nodes
+        if id(expression) not in known:
+            for node in postorder(expression, known):
+                # The node is kept with its value, so that its identity is not given to another one.
+                known[id(node)] = (node, self._compute(node))
+        return known[id(expression)][1]
 
     def _compute(self, expression: fx.FlatExpression) -> _Value:  # noqa: C901, PLR0912 one case per node
         match expression:
@@ -124,8 +126,8 @@ class _Moment:
             case fx.Derivative(operand):
                 return self._derivative(operand)
             case fx.Unary(operator, operand):
-                value = self._value(operand)
-                return -value if operator == "-" else _truth(not _holds(value))
+                inner = self._value(operand)
+                return -inner if operator == "-" else _truth(not _holds(inner))
             case fx.Binary():
                 return self._binary(expression)
             case fx.Function(name, arguments):
@@ -227,16 +229,15 @@ class _Moment:
                 return self._rate(lambda moment: moment._value(operand))
 
     def _rate(self, quantity: Callable[[_Moment], _Value]) -> _Value:
-        value = quantity(self._shifted())
-        return value.imag / _STEP + 0j
+        later = quantity(self._shifted())
+        return complex(later.imag / _STEP) if isinstance(later, complex) else np.asarray(later.imag / _STEP + 0j)
 
     def _angular_velocity(self, frame: str) -> Complexes:
         """omega from the skew matrix Rdot R'."""
         axes = self.frame(frame)[1]
         turning = np.asarray(self._rate(lambda moment: moment.frame(frame)[1])) @ axes.T
-        return (
-            np.array([turning[2, 1] - turning[1, 2], turning[0, 2] - turning[2, 0], turning[1, 0] - turning[0, 1]]) / 2
-        )
+        x, y, z = turning[2, 1] - turning[1, 2], turning[0, 2] - turning[2, 0], turning[1, 0] - turning[0, 1]
+        return np.array([x, y, z], dtype=np.complex128) / 2
 
     def _shifted(self) -> _Moment:
         """The moment an imaginary step later. Complex steps do not nest: a step of a step is refused."""
