@@ -146,7 +146,9 @@ class Graph:
         if op_y is _NEGATE:
             return self.negate(self.multiply(constant, self.a[y]))
         if op_y is _MULTIPLY and self.op[self.a[y]] is _CONSTANT:
-            return self.multiply(self.constant(factor * self.value[self.a[y]]), self.b[y])
+            gathered = fold(_MULTIPLY, factor, self.value[self.a[y]])
+            if gathered is not None:
+                return self.multiply(self.constant(gathered), self.b[y])
         return self._make_binary(_MULTIPLY, constant, y)
 
     def divide(self, x: int, y: int) -> int:
