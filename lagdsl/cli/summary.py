@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import shutil
-
-from lagdsl.cli.sketch import sketch
+from lagdsl.plot.terminal import sketch
 from lagdsl.simulate.moved import moved_text
 from lagdsl.simulate.trajectory import Column, Trajectory
-
-_MOST_CURVES = 3
-_HEIGHT = 5
 
 
 def summary(trajectory: Trajectory, *, freedom: int, curves: bool) -> str:
     """The table, what the start values became, invariants, and curves of the first coordinates and states."""
-    parts = [moved_text(trajectory.model, freedom, trajectory.moved), _table(trajectory), _quality(trajectory)]
-    if curves:
-        parts += _curves(trajectory)
+    parts = [
+        moved_text(trajectory.model, freedom, trajectory.moved),
+        _table(trajectory),
+        _quality(trajectory),
+        sketch(trajectory) if curves else "",
+    ]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -42,18 +40,3 @@ def _row(column: Column) -> tuple[str, ...]:
 def _quality(trajectory: Trajectory) -> str:
     lines = [f"{record.name} stayed within {record.drift:.1e}" for record in trajectory.invariants]
     return "\n".join([*lines, *trajectory.statistics.notes])
-
-
-def _curves(trajectory: Trajectory) -> list[str]:
-    moving = [c for c in trajectory.columns if c.kind in ("coordinate", "state")]
-    width = max(20, min(72, shutil.get_terminal_size().columns - 14))
-    return [_curve(trajectory, column, width) for column in moving[:_MOST_CURVES]]
-
-
-def _curve(trajectory: Trajectory, column: Column, width: int) -> str:
-    lines = sketch(trajectory.time, column.values, width=width, height=_HEIGHT)
-    high, low = (f"{column.display(float(x)):.4g}" for x in (column.values.max(), column.values.min()))
-    labels = [high, *[""] * (_HEIGHT - 2), low]
-    body = [f"{label:>10} {line}".rstrip() for label, line in zip(labels, lines, strict=True)]
-    unit = f" [{column.display.unit}]" if column.display.unit else ""
-    return "\n".join([f"{column.name}{unit}", *body])
