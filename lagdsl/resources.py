@@ -1,7 +1,7 @@
 """Where the files lie that are not Python: grammar, component library, pages of diagnostics, C sources.
 
-A checkout or an editable install has them beside the package; a wheel carries them in `lagdsl/_data`. C sources are part
-of the package in every case.
+A checkout or an editable install has them beside the package; a wheel carries them in `lagdsl/_data`. C sources are
+part of the package in every case.
 """
 
 from __future__ import annotations

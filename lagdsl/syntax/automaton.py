@@ -22,6 +22,7 @@ class Rule(NamedTuple):
     name: str
     is_list: bool
     may_pass: bool
+    renames: bool  # one symbol becomes another of the same value: precedence levels
     children: tuple[tuple[int, bool] | None, ...]  # (position, is spliced); None: an option that is absent
 
 
@@ -45,6 +46,7 @@ def rule(number: int) -> Rule:
             name=name.rstrip("?"),
             is_list=name.startswith("_"),
             may_pass=name.endswith("?"),
+            renames=name.endswith("?") and length == "1" and children == ["0"],
             children=tuple(_child(text) for text in children),
         )
     return found

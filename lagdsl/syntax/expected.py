@@ -10,7 +10,21 @@ from lagdsl.syntax.machine import Machine
 _MOST = 4  # a longer list no longer helps
 _FIRST = (";", ",", "=", ")", "]", "}")
 
-_EXPRESSION = ("IDENT", "NUMBER", "QUANTITY", "STRING", "TRUE", "FALSE", "NOT", "IF", "PLUS", "MINUS", "LPAR", "LBRACE", "LSQB")
+_EXPRESSION = (
+    "IDENT",
+    "NUMBER",
+    "QUANTITY",
+    "STRING",
+    "TRUE",
+    "FALSE",
+    "NOT",
+    "IF",
+    "PLUS",
+    "MINUS",
+    "LPAR",
+    "LBRACE",
+    "LSQB",
+)
 _OPERATORS = ("PLUS", "MINUS", "STAR", "SLASH", "CIRCUMFLEX", "REL", "AND", "OR", "DOT", "LPAR", "LSQB", ".*", "./")
 
 
@@ -18,7 +32,11 @@ def expected(machine: Machine) -> str:
     """`` `;` or an operator ``, `an expression`, `a name`: what the machine would take next."""
     accepted = {t for t in machine.accepted if t < len(TERMINAL) and machine.accepts(t)}
     if TERMINAL["CLASS_KIND"] in accepted or TERMINAL["COORDINATE"] in accepted:
-        return "a declaration, a statement or `end`" if TERMINAL["END"] in accepted else "a model, package, function or type"
+        return (
+            "a declaration, a statement or `end`"
+            if TERMINAL["END"] in accepted
+            else "a model, package, function or type"
+        )
     words: list[str] = []
     if TERMINAL["NUMBER"] in accepted:
         words.append("an expression")

@@ -1,4 +1,4 @@
-"""Cuts the text into tokens. Whether a word is a keyword is asked of the parser's state: soft keywords are names elsewhere."""
+"""Cuts the text into tokens. Whether a word is a keyword is asked of the parser's state: elsewhere it is a name."""
 
 from __future__ import annotations
 
@@ -160,6 +160,8 @@ class Lexer:
 
 _NUMBER = re.compile(tables.PATTERNS["NUMBER"])
 _STRANGE = re.compile(r"&&|\|\||[^\W\x00-\x7f]\w*|[\s\S]")
+
+
 def unit_of(quantity: str) -> str:
     """`m/s2` of `9.81 m/s2`."""
     return _NUMBER.sub("", quantity, count=1).lstrip(" \t")

@@ -52,7 +52,11 @@ class Machine:
                     raise TooDeep(Span(self.file, token.start, token.end))
                 self._push(action, token, token.start, token.end, 0)
                 return True
-            self._reduce(rule(~action))
+            reduced = rule(~action)
+            if reduced.renames:
+                self.states[-1] = row(self.states[-2])[reduced.result]
+            else:
+                self._reduce(reduced)
             if token.terminal == END_OF_TEXT and self.states[-1] == self.stop:
                 self.finished = True
                 return True

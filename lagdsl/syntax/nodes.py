@@ -58,7 +58,7 @@ class Reference(Node):
 class Member(Node):
     """`target.name`; `name_span` covers the identifier after the dot."""
 
-    target: "Expression"
+    target: Expression
     name: str
     name_span: Span = field(compare=False, repr=False)
 
@@ -67,17 +67,17 @@ class Member(Node):
 class Index(Node):
     """`target[i, j]`."""
 
-    target: "Expression"
-    subscripts: tuple["Subscript", ...]
+    target: Expression
+    subscripts: tuple[Subscript, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Range(Node):
     """`start:stop` or `start:step:stop`. A single expression is not wrapped in a Range."""
 
-    start: "Expression"
-    step: "Expression | None"
-    stop: "Expression"
+    start: Expression
+    step: Expression | None
+    stop: Expression
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,15 +90,15 @@ class Named(Node):
     """`name = value` as an argument."""
 
     name: str
-    value: "Expression"
+    value: Expression
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Call(Node):
     """`function(arguments)`; `function` is a Reference or, for methods, a Member."""
 
-    function: "Expression"
-    arguments: tuple["Expression | Named", ...]
+    function: Expression
+    arguments: tuple[Expression | Named, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,15 +106,15 @@ class Iterator(Node):
     """`i in range` of a loop, comprehension or reduction."""
 
     name: str
-    range: "Expression | Range"
+    range: Expression | Range
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reduction(Node):
     """`sum(body for i in 1:n)`; `function` as in Call."""
 
-    function: "Expression"
-    body: "Expression"
+    function: Expression
+    body: Expression
     iterators: tuple[Iterator, ...]
 
 
@@ -122,7 +122,7 @@ class Reduction(Node):
 class Comprehension(Node):
     """`{body for i in 1:n}`."""
 
-    body: "Expression"
+    body: Expression
     iterators: tuple[Iterator, ...]
 
 
@@ -130,21 +130,21 @@ class Comprehension(Node):
 class Array(Node):
     """`{a, b, c}`."""
 
-    elements: tuple["Expression", ...]
+    elements: tuple[Expression, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Matrix(Node):
     """`[a, b; c, d]`."""
 
-    rows: tuple[tuple["Expression", ...], ...]
+    rows: tuple[tuple[Expression, ...], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Tuple(Node):
     """`(a, b)`: parsed, not yet given a meaning."""
 
-    elements: tuple["Expression", ...]
+    elements: tuple[Expression, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -152,7 +152,7 @@ class Unary(Node):
     """`operator` is one of `-`, `+`, `not`."""
 
     operator: str
-    operand: "Expression"
+    operand: Expression
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -160,14 +160,14 @@ class Binary(Node):
     """`operator` is one of `+ - * / .* ./ ^ and or < <= > >= == <>`."""
 
     operator: str
-    left: "Expression"
-    right: "Expression"
+    left: Expression
+    right: Expression
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Branch(Node):
-    condition: "Expression"
-    value: "Expression"
+    condition: Expression
+    value: Expression
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -175,14 +175,14 @@ class Conditional(Node):
     """`if c then a elseif d then b else e`."""
 
     branches: tuple[Branch, ...]
-    otherwise: "Expression"
+    otherwise: Expression
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parenthesized(Node):
     """`(inner)`: kept, so that text prints back as written."""
 
-    inner: "Expression"
+    inner: Expression
 
 
 Expression: TypeAlias = (
@@ -208,7 +208,7 @@ class Modifier(Node):
     prefixes: tuple[str, ...]
     name: Name
     subscripts: tuple[Subscript, ...]
-    modifiers: tuple["AnyModifier", ...]
+    modifiers: tuple[AnyModifier, ...]
     value: Expression | None
 
 
@@ -217,7 +217,7 @@ class RedeclareComponent(Node):
     type_name: Name
     name: str
     subscripts: tuple[Subscript, ...]
-    modifiers: tuple["AnyModifier", ...]
+    modifiers: tuple[AnyModifier, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -225,7 +225,7 @@ class RedeclareClass(Node):
     kind: str
     name: str
     type_name: Name
-    modifiers: tuple["AnyModifier", ...]
+    modifiers: tuple[AnyModifier, ...]
 
 
 AnyModifier: TypeAlias = "Modifier | RedeclareComponent | RedeclareClass"
@@ -405,25 +405,25 @@ class CallEquation(Node):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class For(Node):
     iterators: tuple[Iterator, ...]
-    body: tuple["Item", ...]
+    body: tuple[Item, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IfBranch(Node):
     condition: Expression
-    body: tuple["Item", ...]
+    body: tuple[Item, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class If(Node):
     branches: tuple[IfBranch, ...]
-    otherwise: tuple["Item", ...] | None
+    otherwise: tuple[Item, ...] | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WhenBranch(Node):
     condition: Expression
-    body: tuple["Item", ...]
+    body: tuple[Item, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -433,10 +433,13 @@ class When(Node):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Section(Node):
-    """A header and what follows it. `keyword`: public, protected, equation, kinematics, closure or `initial equation`."""
+    """A header and what follows it.
+
+    `keyword` is public, protected, equation, kinematics, closure or `initial equation`.
+    """
 
     keyword: str
-    items: tuple["Item", ...]
+    items: tuple[Item, ...]
 
 
 # ---- classes and units -----------------------------------------------------------------------------------------------
@@ -451,7 +454,7 @@ class Class(Node):
     name: str
     name_span: Span = field(compare=False, repr=False)
     doc: str | None
-    items: tuple["Item", ...]
+    items: tuple[Item, ...]
     sections: tuple[Section, ...]
     end_name: str | None
 

@@ -76,7 +76,7 @@ class Session:
                 return
             yield token
 
-    # ---- the statement at fault ---------------------------------------------------------------------------------------
+    # ---- the statement at fault ------------------------------------------------------------------------------------
 
     def statement_start(self, token: Token) -> int:
         """Where the statement that holds the error at `token` begins."""
@@ -95,7 +95,7 @@ class Session:
                 return value
         return None
 
-    # ---- repairs ------------------------------------------------------------------------------------------------------
+    # ---- repairs ---------------------------------------------------------------------------------------------------
 
     def insert(self, *words: str) -> bool:
         """Shift words or marks that the text lacks; the rest of the text is read again from where it stood."""

@@ -5,7 +5,9 @@ from lagdsl.diagnostics.catalog.row import Row, error, note
 ROWS: dict[str, Row] = {
     "E0100": error("{found} does not fit here", label="expected {expected}"),
     "E0101": error("expected `;` after this {what}", label="`;` is missing here", help="insert `;`"),
-    "E0102": error("unknown statement `{word}`", label="no statement begins with this word", help="did you mean `{meant}`?"),
+    "E0102": error(
+        "unknown statement `{word}`", label="no statement begins with this word", help="did you mean `{meant}`?"
+    ),
     "E0103": error(
         "a bare equation must be in an `equation` section",
         label="this is an equation, not a declaration",
@@ -17,7 +19,9 @@ ROWS: dict[str, Row] = {
         help="write what divides as one group: `m/s2` instead of `m/s/s`; to divide by a variable: `(5 m/s)/s`",
     ),
     "E0105": error("unknown unit `{unit}`", label="not a unit"),
-    "E0107": error("comment is not closed", label="this comment runs to the end of the file", help="close it with `*/`"),
+    "E0107": error(
+        "comment is not closed", label="this comment runs to the end of the file", help="close it with `*/`"
+    ),
     "E0108": error("`{character}` is no part of the language", label="unexpected character"),
     "E0109": error(
         "nested more than {limit} levels deep",
@@ -25,7 +29,9 @@ ROWS: dict[str, Row] = {
         help="name parts of the expression; a long sum is written `sum(... for i in 1:n)` (each term of a sum written "
         "out counts as a level)",
     ),
-    "E0110": error("`{mark}` closes nothing", label="no open bracket before this", help="remove it, or open the bracket"),
+    "E0110": error(
+        "`{mark}` closes nothing", label="no open bracket before this", help="remove it, or open the bracket"
+    ),
     "E0111": error("`{mark}` is never closed", label="opened here", help="insert `{closing}`"),
     "E0112": error("`{mark}` is closed by `{found}`", label="`{closing}` is expected here", help="write `{closing}`"),
     "E0113": error("`{block}` has no `end`", label="begins here", help="insert `end {ending};`"),
@@ -62,7 +68,9 @@ ROWS: dict[str, Row] = {
     "E0124": error("this {what} is longer than {limit} characters", label="too long"),
     "E0125": error("relations do not chain", label="second relation", help="write `a < b and b < c`"),
     "E0126": error("text in quotes is not closed", label="opened here", help='close it with `"` on the same line'),
-    "E0127": error("a number has no members", label="after a number", help="digits must follow the decimal point: `1.0`"),
+    "E0127": error(
+        "a number has no members", label="after a number", help="digits must follow the decimal point: `1.0`"
+    ),
     "E0130": error(
         "{name} is larger than {limit} characters and is not read",
         help="split the model into several files and `import` them",
@@ -72,7 +80,9 @@ ROWS: dict[str, Row] = {
     "E0133": error("{name} does not exist", help="check the name; `lag new NAME` makes a first model"),
     "E0134": error("{name} cannot be read: {reason}", help="check the permissions of the file"),
     "E0135": error("{name} contains no model", help="a model is written `model Name ... end Name;`"),
-    "E0136": error("{name} contains the character NUL (position {position}) and is no model text", help="give a `.lag` file"),
+    "E0136": error(
+        "{name} contains the character NUL (position {position}) and is no model text", help="give a `.lag` file"
+    ),
     "N0106": note("`{literal}` is a number with a unit, not a product with {names}; write `{meant}` for that"),
     "N0199": note("stopped after {count} errors", help="repair the first ones; later ones often follow from them"),
 }

@@ -16,7 +16,9 @@ def missing_class_name(session: Session, token: Token) -> bool:
     """`model` without a name: go on as if it had one."""
     if session.previous.terminal != CLASS_KIND or not session.machine.accepts(IDENT):
         return False
-    session.sink.report("E0100", session.span(token), found=found(token), expected=f"the name of the {session.previous.text}")
+    session.sink.report(
+        "E0100", session.span(token), found=found(token), expected=f"the name of the {session.previous.text}"
+    )
     session.insert("_")
     if session.starts_line(token) or token.terminal == SEMICOLON:
         session.lexer.rewind(token.start)
@@ -34,16 +36,18 @@ def end_of_text(session: Session, token: Token) -> bool:
     if block is not None and (at_statement or session.previous.text == "end"):
         _report_open(session, block, None)
     else:
-        session.sink.report(
-            "E0100", session.after_previous(), found=found(token), expected=expected(session.machine)
-        )
+        session.sink.report("E0100", session.after_previous(), found=found(token), expected=expected(session.machine))
     session.give_up()
     return True
 
 
 def end_of_block(session: Session, token: Token) -> bool:
     """An `end` of another kind than the innermost block has, or where no block is open."""
-    if token.text == "end" and session.machine.kind(session.machine.boundary() or 1) == "_item" and session.open_block() is None:
+    if (
+        token.text == "end"
+        and session.machine.kind(session.machine.boundary() or 1) == "_item"
+        and session.open_block() is None
+    ):
         ahead = [t.text for t in session.look_ahead(token.end)][:1]
         session.sink.report("E0120", session.span(token), found=" ".join(ahead), help=None)
         session.panic(token)
@@ -55,7 +59,9 @@ def end_of_block(session: Session, token: Token) -> bool:
     if block.terminal == CLASS_KIND:
         return _end_of_nothing(session, token)
     if token.text in BLOCKS:
-        session.sink.report("E0120", _ending(session, token), Label(session.span(block), "this is open"), found=token.text)
+        session.sink.report(
+            "E0120", _ending(session, token), Label(session.span(block), "this is open"), found=token.text
+        )
         return session.insert(block.text)
     _report_open(session, block, session.previous)
     end = session.previous.start

@@ -27,9 +27,7 @@ def wrong_bracket(session: Session, token: Token) -> bool:
             return True
     else:
         label = Label(session.span(opened), "opened here")
-        session.sink.report(
-            "E0112", session.span(token), label, mark=opened.text, found=token.text, closing=closing
-        )
+        session.sink.report("E0112", session.span(token), label, mark=opened.text, found=token.text, closing=closing)
         if session.insert(closing):
             return True
     session.panic(token)
@@ -61,7 +59,9 @@ def unclosed_bracket(session: Session, token: Token) -> bool:
 
 def _report_unclosed(session: Session, opened: Token, token: Token) -> None:
     closing = CLOSING[opened.text]
-    label = Label(session.span(token) if token.text else session.after_previous(), f"`{closing}` is expected before this")
+    label = Label(
+        session.span(token) if token.text else session.after_previous(), f"`{closing}` is expected before this"
+    )
     session.sink.report("E0111", session.span(opened), label, mark=opened.text, closing=closing)
 
 

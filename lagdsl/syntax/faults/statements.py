@@ -118,8 +118,8 @@ def array_size_after_type(session: Session, token: Token) -> bool:
     if closing + 1 >= len(ahead) or ahead[closing + 1].terminal != IDENT:
         return False
     size = Span(session.file, token.start, ahead[closing].end)
-    words = {"type_name": statement[-1].text, "name": ahead[closing + 1].text, "size": size.text}
-    session.sink.report("E0122", size, **words)
+    name = ahead[closing + 1].text
+    session.sink.report("E0122", size, type_name=statement[-1].text, name=name, size=size.text)
     session.lexer.rewind(ahead[closing].end)
     return True
 

@@ -1,0 +1,210 @@
+"""The tree as canonical text: two blanks a level, long statements wrapped, comments and single blank lines kept."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from lagdsl.diagnostics import Sink
+from lagdsl.source import SourceFile
+from lagdsl.syntax import nodes
+from lagdsl.syntax.layout import fill, flat
+from lagdsl.syntax.lexer import STRING, Comment, Lexer, Token
+from lagdsl.syntax.parser import parse
+from lagdsl.syntax.print_expressions import ExpressionWriter, quoted
+from lagdsl.syntax.print_statements import dotted, statement
+from lagdsl.syntax.recursion import deep_recursion
+
+_STEP = 2
+_BLANK_LINE = re.compile(r"\n[ \t]*\n")
+
+
+def print_expression(expression: nodes.Expression) -> str:
+    """An expression on one line, for messages and reports."""
+    with deep_recursion():
+        writer = ExpressionWriter()
+        writer.expression(expression)
+    return flat(writer.pieces)
+
+
+def format_text(file: SourceFile, sink: Sink) -> str | None:
+    """Canonical text of a file, or None after errors.
+
+    Its tree is that of the file, but for names after `end`, which are filled in; formatting it again changes nothing. A
+    statement that holds a comment keeps its lines and is only indented anew.
+    """
+    unit = parse(file, sink)
+    if unit is None:
+        return None
+    with deep_recursion():
+        return _Formatter(file).unit(unit)
+
+
+class _Formatter:
+    """Writes lines in source order; `end` is the place in the source up to which all is written."""
+
+    def __init__(self, file: SourceFile) -> None:
+        self.file = file
+        self.source = file.text
+        self.comments = _comments(file)
+        self.written = 0  # of the comments
+        self.lines: list[str] = []
+        self.end = 0
+
+    def unit(self, unit: nodes.Unit) -> str:
+        if unit.has_within:
+            self._gap(next(self._words(0, "within")).start, 0)
+            self._line(f"within{'' if unit.within is None else f' {dotted(unit.within)}'};", 0)
+            self.end = next(self._words(self.end, ";")).end
+        self._items(unit.items, 0)
+        self._gap(len(self.source), 0)
+        while self.lines and not self.lines[-1]:
+            self.lines.pop()
+        return "\n".join(self.lines) + "\n"
+
+    # ---- structure -------------------------------------------------------------------------------------------------
+
+    def _items(self, items: Iterable[nodes.Item], indent: int) -> None:
+        for item in items:
+            self._gap(item.span.start, indent)
+            match item:
+                case nodes.Class():
+                    self._class(item, indent)
+                case nodes.For():
+                    self._for(item, indent)
+                case nodes.If():
+                    self._if(item, indent)
+                case nodes.When():
+                    self._when(item, indent)
+                case _ if self._holds_comment(item):
+                    self._as_written(item, indent)
+                case _:
+                    self.lines += fill(statement(item), indent)
+            self.end = item.span.end
+
+    def _class(self, node: nodes.Class, indent: int) -> None:
+        head = " ".join((*node.prefixes, node.kind, node.name))
+        self._line(head if node.doc is None else f"{head} {quoted(node.doc)}", indent)
+        self.end = node.name_span.end
+        self._items(node.items, indent + _STEP)
+        for section in node.sections:
+            self._gap(section.span.start, indent + _STEP if self._comment_is_indented(indent) else indent)
+            self._line(section.keyword, indent)
+            self.end = next(self._words(section.span.start, section.keyword.split()[-1])).end
+            self._items(section.items, indent + _STEP)
+        self._ending(node.name, indent)
+
+    def _for(self, node: nodes.For, indent: int) -> None:
+        writer = ExpressionWriter()
+        writer.text("for ")
+        writer.iterators(node.iterators)
+        writer.text(" loop")
+        self.lines += fill(writer.pieces, indent)
+        self.end = next(self._words(node.iterators[-1].span.end, "loop")).end
+        self._items(node.body, indent + _STEP)
+        self._ending("for", indent)
+
+    def _if(self, node: nodes.If, indent: int) -> None:
+        self._branches("if", node.branches, indent)
+        if node.otherwise is not None:
+            self._keyword("else", indent)
+            self._items(node.otherwise, indent + _STEP)
+        self._ending("if", indent)
+
+    def _when(self, node: nodes.When, indent: int) -> None:
+        self._branches("when", node.branches, indent)
+        self._ending("when", indent)
+
+    def _branches(self, word: str, branches: tuple[nodes.IfBranch | nodes.WhenBranch, ...], indent: int) -> None:
+        for position, branch in enumerate(branches):
+            if position:
+                self._gap(next(self._words(self.end, f"else{word}")).start, indent + _STEP)
+            writer = ExpressionWriter()
+            writer.text(f"else{word} " if position else f"{word} ")
+            writer.expression(branch.condition)
+            writer.text(" then")
+            self.lines += fill(writer.pieces, indent)
+            self.end = next(self._words(branch.condition.span.end, "then")).end
+            self._items(branch.body, indent + _STEP)
+
+    def _keyword(self, word: str, indent: int) -> None:
+        token = next(self._words(self.end, word))
+        self._gap(token.start, indent + _STEP)
+        self._line(word, indent)
+        self.end = token.end
+
+    def _ending(self, name: str, indent: int) -> None:
+        self._gap(next(self._words(self.end, "end")).start, indent + _STEP)
+        self._line(f"end {name};", indent)
+
+    def _words(self, position: int, word: str) -> Iterator[Token]:
+        """Tokens spelled `word` from `position` on."""
+        lexer = Lexer(self.file, Sink())
+        lexer.position = position
+        while lexer.position < len(self.source):
+            token = lexer.next()
+            if token.text == word:
+                yield token
+
+    # ---- lines, comments, blank lines ------------------------------------------------------------------------------
+
+    def _line(self, text: str, indent: int) -> None:
+        self.lines.append(" " * indent + text)
+
+    def _gap(self, start: int, indent: int) -> None:
+        """Comments before the place `start` in the source, and a blank line if there was one."""
+        while self.written < len(self.comments) and self.comments[self.written].start < start:
+            comment = self.comments[self.written]
+            self.written += 1
+            between = self.source[self.end : comment.start]
+            if self.lines and "\n" not in between and "\n" not in comment.text:
+                self.lines[-1] += f"  {comment.text}"
+            else:
+                self._blank(between)
+                self.lines += f"{' ' * indent}{comment.text}".split("\n")
+            self.end = max(self.end, comment.end)
+        self._blank(self.source[self.end : start])
+
+    def _blank(self, between: str) -> None:
+        if self.lines and self.lines[-1] and _BLANK_LINE.search(between):
+            self.lines.append("")
+
+    def _comment_is_indented(self, indent: int) -> bool:
+        """Whether the next comment stands deeper than the class: then it belongs to the items above it."""
+        if self.written == len(self.comments):
+            return False
+        start = self.comments[self.written].start
+        return start - self.source.rfind("\n", 0, start) - 1 > indent
+
+    def _holds_comment(self, item: nodes.Item) -> bool:
+        return self.written < len(self.comments) and self.comments[self.written].start < item.span.end
+
+    def _as_written(self, item: nodes.Item, indent: int) -> None:
+        """The lines of the source, moved so that the first one begins at `indent`."""
+        start, end = item.span.start, item.span.end
+        first, *rest = self.source[start:end].split("\n")
+        shift = indent - (start - self.source.rfind("\n", 0, start) - 1)
+        movable = not any(t.terminal == STRING and "\n" in t.text for t in self._tokens(start, end))
+        self._line(first.rstrip() if movable else first, indent)
+        self.lines += [_moved(line, shift) if movable else line for line in rest]
+        while self.written < len(self.comments) and self.comments[self.written].start < end:
+            self.written += 1
+
+    def _tokens(self, start: int, end: int) -> Iterator[Token]:
+        lexer = Lexer(self.file, Sink())
+        lexer.position = start
+        while lexer.position < end:
+            yield lexer.next()
+
+
+def _moved(line: str, shift: int) -> str:
+    text = line.expandtabs().rstrip()
+    indent = len(text) - len(text.lstrip())
+    return " " * max(indent + shift, 0) + text.lstrip()
+
+
+def _comments(file: SourceFile) -> list[Comment]:
+    lexer = Lexer(file, Sink())
+    while lexer.position < len(file.text):
+        lexer.next()
+    return lexer.comments

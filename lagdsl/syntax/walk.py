@@ -1,0 +1,31 @@
+"""Walks over the syntax tree: children of a node, everything below it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields
+
+from lagdsl.syntax import nodes
+
+
+def children(node: nodes.Node) -> Iterator[nodes.Node]:
+    """The nodes that are fields of `node`, in source order."""
+    for field in fields(node):
+        yield from _nodes(getattr(node, field.name))
+
+
+def _nodes(value: object) -> Iterator[nodes.Node]:
+    if isinstance(value, nodes.Node):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from _nodes(part)
+
+
+def descendants(node: nodes.Node) -> Iterator[nodes.Node]:
+    """The node and everything below it, in source order, without recursion."""
+    stack = [node]
+    while stack:
+        current = stack.pop()
+        yield current
+        stack.extend(reversed(list(children(current))))
