@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from lagdsl.diagnostics.catalog import ROWS
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.resources import diagnostics_folder
 
 
 class UnknownCode(LookupError):  # noqa: N818 named after what it says
@@ -21,12 +22,10 @@ class UnknownCode(LookupError):  # noqa: N818 named after what it says
 
 def explain(code: str) -> str:
     """The page of `code` as Markdown; `e0401` and `error[E0401]` are understood. Raises UnknownCode."""
-    from lagdsl.resources import diagnostic_page
-
     name = code.strip().rpartition("[")[2].rstrip("]").upper()
     if name not in ROWS:
         raise UnknownCode(code)
-    return diagnostic_page(name)
+    return (diagnostics_folder() / f"{name}.md").read_text(encoding="utf-8")
 
 
 def _similar(code: str) -> str | None:

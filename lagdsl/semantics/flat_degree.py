@@ -7,7 +7,7 @@ import math
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_walk import postorder
+from lagdsl.semantics.flat_traversal import postorder
 
 INFINITE = math.inf
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_walk import operands, postorder, step_expressions
+from lagdsl.semantics.flat_traversal import operands, postorder, step_expressions
 
 Orders = dict[str, int]
 """Variable -> highest number of time derivatives: {"theta": 1} for an expression of theta and der(theta)."""

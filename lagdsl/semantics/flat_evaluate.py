@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_rotation import quaternion_rotation, rotation, rotation_about
-from lagdsl.semantics.flat_walk import postorder
+from lagdsl.semantics.flat_traversal import postorder
 
 Complexes: TypeAlias = NDArray[np.complex128]
 _Value: TypeAlias = "complex | Complexes"

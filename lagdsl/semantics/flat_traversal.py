@@ -1,0 +1,76 @@
+"""The shape of flat expressions: what stands below a node, and orders to visit it in without recursion."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator
+from typing import assert_never
+
+from lagdsl.semantics import flat_expression as fx
+from lagdsl.semantics import flat_model as fm
+
+
+def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  # noqa: C901, PLR0912 a case per node
+    """The direct subexpressions, in the order of the text."""
+    match expression:
+        case fx.Binary() | fx.Dot() | fx.Cross():
+            return (expression.left, expression.right)
+        case fx.Unary() | fx.Derivative():
+            return (expression.operand,)
+        case fx.Function():
+            return expression.arguments
+        case fx.Conditional():
+            return (expression.condition, expression.value, expression.otherwise)
+        case fx.Component() | fx.Norm():
+            return (expression.vector,)
+        case fx.Vector():
+            return (expression.x, expression.y, expression.z)
+        case fx.MaterialVelocity():
+            return (expression.point,)
+        case fx.ReactionAlong():
+            return (expression.direction,)
+        case fx.AngularMomentum():
+            return (expression.about,)
+        case fx.Number() | fx.Variable() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
+            return ()
+        case fx.AngularVelocity() | fx.Multiplier() | fx.FrameReaction() | fx.SystemEnergy():
+            return ()
+        case fx.GeneralizedMomentum() | fx.LinearMomentum():
+            return ()
+        case _:
+            assert_never(expression)
+
+
+def step_expressions(step: fm.FrameStep, *, turning_only: bool = False) -> tuple[fx.FlatExpression, ...]:
+    """The expressions in one step of a frame; with `turning_only` none for a step that only displaces."""
+    match step:
+        case fm.Rotate():
+            return (step.angle,)
+        case fm.RotateAbout():
+            return (*step.axis, step.angle)
+        case fm.RotateQuaternion():
+            return step.e
+        case fm.SetAxes():
+            return (step.x, step.y, step.z)
+        case fm.Move():
+            return () if turning_only else step.offset
+        case fm.Place():
+            return () if turning_only else (step.position,)
+        case _:
+            assert_never(step)
+
+
+def postorder(expression: fx.FlatExpression, done: Container[int] = ()) -> Iterator[fx.FlatExpression]:
+    """Every node after its operands, shared ones once; nodes whose `id` is in `done` are left out with all below.
+
+    `done` may grow while this runs. Long sums are deep trees: passes that use this need no deep recursion.
+    """
+    seen: set[int] = set()
+    stack = [(expression, False)]
+    while stack:
+        node, ready = stack.pop()
+        if ready:
+            yield node
+        elif id(node) not in seen and id(node) not in done:
+            seen.add(id(node))
+            stack.append((node, True))
+            stack.extend((operand, False) for operand in reversed(operands(node)))

@@ -1,0 +1,88 @@
+"""The manual of diagnostics: a page for each code, and every example does what its page says."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from lagdsl.diagnostics import Severity
+from lagdsl.diagnostics.catalog import ROWS
+from lagdsl.diagnostics.explain import UnknownCode, explain
+from lagdsl.pipeline import check
+from lagdsl.resources import diagnostics_folder
+from lagdsl.source import SourceFile
+
+TESTS = Path(__file__).parents[1]
+ELSEWHERE = "Reported "  # how the front line of a page begins if no model text alone draws the diagnostic
+
+_EXAMPLE = re.compile(r"^```lag (?P<kind>reject|accept)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def page(code: str) -> str:
+    return (diagnostics_folder() / f"{code}.md").read_text(encoding="utf-8")
+
+
+def is_elsewhere(code: str) -> bool:
+    return page(code).split("\n")[2].startswith(ELSEWHERE)
+
+
+def examples() -> list[tuple[str, str, str]]:
+    pages = sorted(diagnostics_folder().glob("*.md"))
+    return [
+        (path.stem, match["kind"], match["text"])
+        for path in pages
+        for match in _EXAMPLE.finditer(path.read_text(encoding="utf-8"))
+    ]
+
+
+def test_pages_and_rows_are_the_same_codes():
+    assert sorted(path.stem for path in diagnostics_folder().glob("[A-Z][0-9]*.md")) == sorted(ROWS)
+
+
+@pytest.mark.parametrize("code", ROWS)
+def test_page_has_a_title_and_both_examples(code):
+    title, blank, *rest = page(code).split("\n")
+    assert re.fullmatch(rf"# {code} [A-Z`].*[^.]", title) and blank == ""
+    assert all(len(line) <= 120 for line in rest if not line.startswith("  "))
+    kinds = {kind for name, kind, _ in examples() if name == code}
+    assert kinds == (set() if is_elsewhere(code) else {"reject", "accept"})
+
+
+@pytest.mark.parametrize("code", ROWS)
+def test_code_is_tested(code):
+    if is_elsewhere(code):
+        tests = [path for path in TESTS.rglob("test_*.py") if code in path.read_text(encoding="utf-8")]
+        assert tests, "no test speaks of this code"
+    else:
+        assert list((TESTS / "corpus" / "reject").glob(f"{code}*.lag"))
+
+
+@pytest.mark.parametrize("code", ROWS)
+def test_letter_is_the_severity(code):
+    letter = {Severity.ERROR: "E", Severity.WARNING: "W", Severity.NOTE: "N"}[ROWS[code].severity]
+    assert code[0] == letter
+
+
+@pytest.mark.parametrize(("code", "kind", "text"), [pytest.param(*e, id=f"{e[0]}-{e[1]}") for e in examples()])
+def test_example(code, kind, text):
+    diagnostics, _ = check(SourceFile(f"{code}.lag", text))
+    codes = [diagnostic.code for diagnostic in diagnostics]
+    if kind == "reject":
+        assert code in codes
+    else:
+        assert code not in codes
+        assert [c for c in codes if c[0] == "E"] == []
+
+
+def test_explain_shows_the_page():
+    for spelled in ("E0401", "e0401", "error[E0401]", " E0401 "):
+        assert explain(spelled) == page("E0401")
+
+
+@pytest.mark.parametrize(("code", "suggestion"), [("W0401", "E0401"), ("E04O1", "E0401"), ("nonsense", None)])
+def test_unknown_code(code, suggestion):
+    with pytest.raises(UnknownCode) as caught:
+        explain(code)
+    assert caught.value.suggestion == suggestion
+    assert code in str(caught.value)
+    assert suggestion is None or suggestion in str(caught.value)
