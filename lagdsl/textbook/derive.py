@@ -43,7 +43,7 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
         converter.rate(residual) if level == "position" else residual
         for residual, level in zip(parts.residuals, levels, strict=True)
     ]
-    energies = _energies(table, parts, momenta)
+    energies = system_energies(table, parts, momenta)
     converter.mechanical = MechanicalValues(flat, table, parts, energies, momenta)
     starts = [(c.start, c.rate_start) for c in flat.coordinates]
     return EquationsOfMotion(
@@ -84,7 +84,7 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
     )
 
 
-def _energies(table: Symbols, parts: Contributions, momenta: Sequence[Expr]) -> Energies:
+def system_energies(table: Symbols, parts: Contributions, momenta: Sequence[Expr]) -> Energies:
     beyond = Add(*(qd * parts.extra.diff(qd) for qd in table.qd), -parts.extra)
     return Energies(
         total=parts.kinetic + parts.potential + beyond,

@@ -1,8 +1,8 @@
 """Expressions made short for people, with a bound on the work.
 
-An expression is multiplied out into a polynomial whose variables are its symbols, functions and roots; sin^2 + cos^2 = 1
-and the addition theorems are applied; then terms are collected by parameters and each bracket is factored. Whichever is
-shorter, the result or what was there before, is kept. Numbers that run a simulation never pass through here.
+An expression is multiplied out into a polynomial whose variables are its symbols, functions and roots; the theorem of
+Pythagoras and the addition theorems are applied; then terms are collected by parameters and each bracket is factored.
+Whichever is shorter, the result or what was there before, is kept. Numbers of a simulation never pass through here.
 """
 
 from __future__ import annotations

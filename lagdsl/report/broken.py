@@ -1,0 +1,59 @@
+"""Equations in lines: long sums are broken between their terms, everything else stays whole."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from lagdsl.report.boxes import EQUALS, Box, Row, Sum
+from lagdsl.report.document import Equation
+from lagdsl.report.unicode_math import line
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line of an equation: `left = right`, or a `right` alone; a continued one starts with its sign."""
+
+    left: Box | None
+    right: Box
+    continued: bool = False
+
+
+def lines(equation: Equation, width: int) -> list[Line]:
+    """The equation in lines of about `width` letters; a long left-hand side takes lines of its own."""
+    right = _broken(equation.right, width)
+    if len(line(equation.left)) <= width // 2:
+        return [Line(equation.left, right[0]), *(Line(None, other, True) for other in right[1:])]
+    first, *others = [*_broken(equation.left, width)]
+    result = [Line(None, first), *(Line(None, other, True) for other in others)]
+    last = result[-1]
+    whole = Row((last.right, EQUALS, equation.right))
+    if len(line(whole)) <= width:
+        return [*result[:-1], Line(None, whole, last.continued)]
+    return [*result, Line(None, Row((EQUALS, right[0]))), *(Line(None, other, True) for other in right[1:])]
+
+
+def starts_with_minus(box: Box) -> bool:
+    match box:
+        case Sum(terms):
+            return terms[0][0] == "-"
+        case Row(items):
+            return starts_with_minus(items[0])
+        case _:
+            return False
+
+
+def _broken(box: Box, width: int) -> list[Box]:
+    """Boxes to be set one under the other; each but the first starts with its sign."""
+    if not isinstance(box, Sum) or len(line(box)) <= width:
+        return [box]
+    pieces: list[Sum] = []
+    room = 0
+    for term in box.terms:
+        length = len(line(term[1])) + 3
+        if not pieces or length > room:
+            pieces.append(Sum((term,)))
+            room = width - length
+        else:
+            pieces[-1] = Sum((*pieces[-1].terms, term))
+            room -= length
+    return list(pieces)

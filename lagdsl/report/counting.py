@@ -1,0 +1,95 @@
+"""The lecture's count in words and numbers."""
+
+from __future__ import annotations
+
+from lagdsl.report.boxes import EQUALS, Box, Name, Number, Row, Sum
+from lagdsl.report.document import Block, Equation, Equations, Paragraph, text
+from lagdsl.textbook.counting import Count
+
+
+def count_blocks(count: Count) -> list[Block]:
+    blocks: list[Block] = []
+    if count.in_space and count.built_in >= 0:
+        blocks += _in_space(count)
+    else:
+        blocks += _coordinates_only(count)
+    if count.rank > count.position_rank:
+        independent = count.rank - count.position_rank
+        blocks.append(
+            Paragraph(
+                text(
+                    f"{_some(independent, 'more independent row')} restrict{_s(independent)} the rates only "
+                    f"(nonholonomic): the velocities have {_some(count.velocity_freedom, 'degree')} of freedom."
+                )
+            )
+        )
+    if count.rows > count.rank:
+        spare = count.rows - count.rank
+        blocks.append(
+            Paragraph(text(f"{_some(spare, 'constraint row')} of {count.rows} follow{_s(spare)} from the others."))
+        )
+    return blocks
+
+
+def _in_space(count: Count) -> list[Block]:
+    """d = 3N + 6B - k."""
+    carriers = " and ".join(
+        words
+        for number, words in (
+            (count.particles, _some(count.particles, "particle")),
+            (count.bodies, _some(count.bodies, "rigid body", "rigid bodies")),
+        )
+        if number
+    )
+    sentences = [f"{carriers.capitalize()} {'has' if count.particles + count.bodies == 1 else 'have'} "]
+    sentences[0] += f"{_some(count.in_space, 'coordinate')} in space."
+    sentences.append(f"The choice of coordinates builds in {_some(count.built_in, 'independent restriction')}")
+    sentences[-1] += f", the declared constraints add {count.declared}." if count.position_rows else "."
+    if count.normalisations:
+        sentences.append("The unit length of a quaternion makes up for its fourth coordinate and restricts nothing.")
+    k = count.built_in + count.declared
+    freedom = count.in_space - k
+    letters: list[Box] = []
+    numbers: list[Box] = []
+    for letter, size, number in (("N", 3, count.particles), ("B", 6, count.bodies)):
+        if number:
+            letters.append(Row((Number(str(size)), Name(letter))))
+            numbers.append(Number(f"{size}·{number}"))
+    left = Sum((*(("+", box) for box in letters), ("-", Name("k"))))
+    right = Sum((*(("+", box) for box in numbers), ("-", Number(str(k)))))
+    equation = Equation(Name("d"), Row((left, EQUALS, right, EQUALS, Number(str(freedom)))), final=True)
+    blocks: list[Block] = [Paragraph(text(" ".join(sentences))), Equations((equation,))]
+    if count.other:
+        verb = "moves" if count.other == 1 else "move"
+        blocks.append(
+            Paragraph(
+                text(
+                    f"Besides, {_some(count.other, 'coordinate')} {verb} no mass (a charge, a volume, or energies "
+                    f"written by hand): {_some(count.freedom, 'degree')} of freedom in all."
+                )
+            )
+        )
+    return blocks
+
+
+def _coordinates_only(count: Count) -> list[Block]:
+    """d = n - c, where masses do not tell the count."""
+    n = count.placing + count.other
+    right = Sum((("+", Number(str(n))), ("-", Number(str(count.position_rank)))))
+    why = "Energies are written by hand" if not count.in_space else "Coordinates are more than the masses need"
+    words = f"{why}, so the coordinates are counted: {n}, with {_some(count.position_rank, 'independent constraint')}."
+    equation = Equation(Name("d"), Row((right, EQUALS, Number(str(count.freedom)))), final=True)
+    return [Paragraph(text(words)), Equations((equation,))]
+
+
+_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+
+
+def _some(number: int, noun: str, plural: str | None = None) -> str:
+    word = _WORDS[number] if number < len(_WORDS) else str(number)
+    return f"{word} {noun if number == 1 else plural or noun + 's'}"
+
+
+def _s(number: int) -> str:
+    """The verb's ending."""
+    return "s" if number == 1 else ""

@@ -1,0 +1,73 @@
+"""The derivation report: the recipe of a model as a document, set in one of four formats."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal, TypeAlias
+
+from lagdsl.report.document import Block, Document
+from lagdsl.report.forces import loads
+from lagdsl.report.html import html
+from lagdsl.report.latex import latex
+from lagdsl.report.left_side import coordinates, derivatives, energies, parameters, positions, velocities
+from lagdsl.report.markdown import markdown
+from lagdsl.report.notation import notation
+from lagdsl.report.outline import outline
+from lagdsl.report.page import Page
+from lagdsl.report.plain import plain
+from lagdsl.report.results import abbreviations, conserved, constraints, equations, outputs, states
+from lagdsl.report.typeset import Typesetter
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.textbook.reading import STANDARD_GRAVITY
+from lagdsl.textbook.recipe import Derivation, Recipe
+from lagdsl.units.dimension import MASS
+
+Format: TypeAlias = Literal["text", "markdown", "latex", "html"]
+
+FORMATS: dict[str, Callable[[Document], str]] = {"text": plain, "markdown": markdown, "latex": latex, "html": html}
+
+_SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
+    parameters,
+    coordinates,
+    positions,
+    velocities,
+    energies,
+    derivatives,
+    loads,
+    equations,
+    constraints,
+    states,
+    outputs,
+    abbreviations,
+    conserved,
+)
+
+
+def render(recipe: Recipe, to: Format) -> str:
+    """The report as text of the format, ending with a newline."""
+    return FORMATS[to](document(recipe))
+
+
+def document(recipe: Recipe) -> Document:
+    flat, derivation = recipe.flat, recipe.derivation
+    if derivation is None:
+        blocks = outline(flat, recipe.extent)
+    else:
+        page = _page(flat, derivation)
+        blocks = tuple(block for section in _SECTIONS for block in section(page))
+    return Document(title=flat.name, subtitle=flat.doc, blocks=blocks)
+
+
+def _page(flat: FlatModel, derivation: Derivation) -> Page:
+    named = tuple(symbol for symbol, _ in (*derivation.dependent_parameters, *derivation.abbreviations))
+    rows = tuple(row.name for row in derivation.constraints)
+    signs = notation(derivation.symbols, named, rows)
+    independent = [parameter for parameter in flat.parameters if not parameter.structural]
+    masses = [s for s, p in zip(derivation.symbols.p, independent, strict=True) if p.dimension == MASS]
+    typeset = Typesetter(
+        notation=signs,
+        symbols=derivation.symbols,
+        constants=derivation.constants,
+        first=(*masses, STANDARD_GRAVITY),
+    )
+    return Page(flat=flat, derivation=derivation, notation=signs, typeset=typeset)

@@ -1,0 +1,87 @@
+"""A report before it has a format: headings, paragraphs, formulas, tables, lists."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from lagdsl.report.boxes import Box
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """Plain words; every format escapes them."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    """A piece of the model's own text."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Strong:
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Math:
+    box: Box
+
+
+Inline: TypeAlias = tuple[Text | Code | Strong | Math, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """`step` is the number of a step of the recipe, for sections that are one."""
+
+    title: str
+    step: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Paragraph:
+    content: Inline
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """`left = right`; formats break a long sum on the right."""
+
+    left: Box
+    right: Box
+    final: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Equations:
+    lines: tuple[Equation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    header: tuple[str, ...]
+    rows: tuple[tuple[Inline, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Bullets:
+    items: tuple[Inline, ...]
+
+
+Block: TypeAlias = Heading | Paragraph | Equations | Table | Bullets
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    title: str
+    subtitle: str | None
+    blocks: tuple[Block, ...]
+
+
+def text(words: str) -> Inline:
+    return (Text(words),)

@@ -1,0 +1,152 @@
+"""Steps 6 to 9 of the recipe: the generalized forces."""
+
+from __future__ import annotations
+
+from sympy import Symbol
+
+from lagdsl.report.boxes import EQUALS, Box, Name, Number, Operator, Row, Subscript, Sum
+from lagdsl.report.document import (
+    Block,
+    Bullets,
+    Code,
+    Equation,
+    Equations,
+    Heading,
+    Inline,
+    Math,
+    Paragraph,
+    Table,
+    Text,
+    text,
+)
+from lagdsl.report.names import statement
+from lagdsl.report.page import Page, added, partial
+from lagdsl.textbook.contributions import AppliedForce, AppliedGeneralizedForce, AppliedTorque
+from lagdsl.textbook.recipe import ActionStep, Contribution
+
+_NO_LOADS = (
+    "No loads are declared: weights and springs are in V, and the forces that uphold what is built into the "
+    "coordinates do no work on any admissible motion."
+)
+_VARIATIONS = "How the place of each load moves with one coordinate at a time, time held still; zeros are left out."
+_BUILT_IN = (
+    "The forces that uphold what is built into the coordinates (rods, guides, joints): they are perpendicular to every "
+    "admissible motion, so they are never needed."
+)
+_DECLARED = "The forces of the declared constraints are kept: each enters with its multiplier."
+_REASONS = {
+    Contribution.PLACE_HELD: "no admissible motion moves the place it acts on: no work, it drops out.",
+    Contribution.PERPENDICULAR: "it is perpendicular to every admissible motion of its place: no work, it drops out.",
+    Contribution.ZERO: "it is zero.",
+}
+
+
+def loads(page: Page) -> list[Block]:
+    d = page.derivation
+    if not d.actions:
+        blocks: list[Block] = [Heading("Generalized forces", "6–9"), Paragraph(text(_NO_LOADS))]
+        return [*blocks, *_generalized_forces(page)] if d.dissipation != 0 else blocks
+    return [
+        Heading("Loads and their places", "6"),
+        *_load_list(page),
+        Heading("Admissible variations", "7"),
+        *_variations(page),
+        Heading("Forces that do no work", "8"),
+        *_workless(page),
+        Heading("Generalized forces", "9"),
+        *_generalized_forces(page),
+    ]
+
+
+def _load_list(page: Page) -> list[Block]:
+    rows = []
+    for number, step in enumerate(page.derivation.actions, start=1):
+        load = page.flat.loads[step.load]
+        words = statement(load, load.label or type(load).__name__)
+        side: Inline = (Text(" (the opposite one)"),) if step.back else ()
+        rows.append(
+            ((Math(_load_name(step, number)),), (Code(words), *side), (Math(_amount(page, step)),), _place(page, step))
+        )
+    return [Table(("load", "in the model", "value", "acts on"), tuple(rows))]
+
+
+def _place(page: Page, step: ActionStep) -> Inline:
+    match step.action:
+        case AppliedForce(position=position, frame=None):
+            return (Text("point "), Math(page.vector(position)))
+        case AppliedForce(position=position, frame=frame):
+            return (Text(f"material point of {frame} at "), Math(page.vector(position)))
+        case AppliedTorque(frame=frame):
+            return text(f"frame {frame}")
+        case AppliedGeneralizedForce(target=target):
+            return (Math(page.typeset(target)),)
+
+
+def _amount(page: Page, step: ActionStep) -> Box:
+    match step.action:
+        case AppliedForce(force=vector) | AppliedTorque(torque=vector):
+            return page.vector(vector)
+        case AppliedGeneralizedForce(value=value):
+            return page.typeset(value)
+
+
+def _variations(page: Page) -> list[Block]:
+    lines = []
+    for number, step in enumerate(page.derivation.actions, start=1):
+        for q, variation in zip(page.derivation.symbols.q, step.variations, strict=True):
+            if not any(component != 0 for component in (variation if isinstance(variation, tuple) else (variation,))):
+                continue
+            value = page.vector(variation) if isinstance(variation, tuple) else page.typeset(variation)
+            lines.append(Equation(_variation_name(page, step, number, q), value))
+    if not lines:
+        return [Paragraph(text("No admissible motion moves the place of any load."))]
+    return [Paragraph(text(_VARIATIONS)), Equations(tuple(lines))]
+
+
+def _variation_name(page: Page, step: ActionStep, number: int, q: Symbol) -> Box:
+    index = Number(str(number))
+    match step.action:
+        case AppliedForce():
+            return partial(Subscript(Name("r"), index), page.notation.of(q))
+        case AppliedTorque():
+            return partial(Subscript(Name("ω"), index), page.rate(q))
+        case AppliedGeneralizedForce():
+            return partial(Subscript(Name("x"), index), page.notation.of(q))
+
+
+def _workless(page: Page) -> list[Block]:
+    items: list[Inline] = []
+    for number, step in enumerate(page.derivation.actions, start=1):
+        if step.contribution is not Contribution.CONTRIBUTES:
+            items.append((Math(_load_name(step, number)), Text(f": {_REASONS[step.contribution]}")))
+    items.append(text(_BUILT_IN))
+    if page.derivation.constraints:
+        items.append(text(_DECLARED))
+    return [Bullets(tuple(items))]
+
+
+def _generalized_forces(page: Page) -> list[Block]:
+    lines = []
+    for j, step in enumerate(page.derivation.coordinates):
+        works = [(number, a) for number, a in enumerate(page.derivation.actions, start=1) if a.works[j] != 0]
+        sources = [_work_of(a, number, _variation_name(page, a, number, step.q)) for number, a in works]
+        total = page.derivation.generalized_forces[j] + page.derivation.drags[j]
+        if page.derivation.drags[j] != 0:
+            sources.append(Sum((("-", partial(Name("D"), page.rate(step.q))),)))
+        name = Subscript(Name("Q"), page.notation.of(step.q))
+        value = page.typeset(total)
+        lines.append(Equation(name, Row((added(sources), EQUALS, value)) if sources and total != 0 else value))
+    return [Equations(tuple(lines))]
+
+
+def _load_name(step: ActionStep, number: int) -> Box:
+    letter = "M" if isinstance(step.action, AppliedTorque) else "F"
+    return Subscript(Name(letter), Number(str(number)))
+
+
+def _work_of(step: ActionStep, number: int, variation: Box) -> Box:
+    """F . dr/dq, a plain product where the load is a scalar."""
+    name = _load_name(step, number)
+    if isinstance(step.action, AppliedGeneralizedForce):
+        return Row((name, variation))
+    return Row((name, Operator("·"), variation))

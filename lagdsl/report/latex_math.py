@@ -1,0 +1,126 @@
+"""Formulas in LaTeX, with amsmath. Every letter that comes from a model passes through `escape`."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from lagdsl.report.boxes import (
+    Box,
+    Bracket,
+    Call,
+    Cases,
+    Column,
+    Derivative,
+    Dotted,
+    Fraction,
+    Matrix,
+    Name,
+    Number,
+    Operator,
+    Power,
+    Root,
+    Row,
+    Subscript,
+    Sum,
+    Upright,
+)
+from lagdsl.report.notation import GREEK
+
+_SPECIAL = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
+    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}",
+    "|": r"\textbar{}", '"': r"\textquotedbl{}", "`": r"\textasciigrave{}", "'": "'",
+    "·": r"\ensuremath{\cdot}", "−": r"\ensuremath{-}", "–": "--", "—": "---", "°": r"\ensuremath{^\circ}",
+    "×": r"\ensuremath{\times}", "≤": r"\ensuremath{\le}", "≥": r"\ensuremath{\ge}", "∞": r"\ensuremath{\infty}",
+    "½": r"\ensuremath{\tfrac12}", "²": r"\ensuremath{^2}", "³": r"\ensuremath{^3}", "…": r"\dots{}",
+    "“": "``", "”": "''", "‘": "`", "’": "'", "ω": r"\ensuremath{\omega}",
+}  # fmt: skip
+_LETTERS = {letter: f"\\{name}" for name, letter in GREEK.items()} | {"Υ": r"\Upsilon", "υ": r"\upsilon"}
+_SPECIAL |= {letter: rf"\ensuremath{{{command}}}" for letter, command in _LETTERS.items()}
+_FUNCTIONS = ("sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "min", "max")
+_OPERATORS = {
+    "=": "=", "<": "<", "≤": r"\le", "≥": r"\ge", ">": ">", "·": r"\cdot", "×": r"\times", "and": r"\text{ and }",
+    "or": r"\text{ or }", "→": r"\to", "≈": r"\approx",
+}  # fmt: skip
+_SYMBOLS = _LETTERS | {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "δ": r"\delta", "-∞": r"-\infty"}
+
+
+def escape(text: str) -> str:
+    """Plain words for text mode; characters a LaTeX installation may lack are named by their code."""
+    return "".join(_SPECIAL.get(c) or (c if " " <= c < "\x7f" or "\xa1" <= c <= "\xff" else _named(c)) for c in text)
+
+
+def _named(character: str) -> str:
+    return " " if character.isspace() else f"[U+{ord(character):04X}]"
+
+
+def tex(box: Box) -> str:  # noqa: C901, PLR0912
+    """The box for math mode."""
+    match box:
+        case Name(text):
+            return _SYMBOLS.get(text) or (text if len(text) == 1 and text.isalpha() and text.isascii() else _word(text))
+        case Upright(text):
+            return _SYMBOLS.get(text) or (f"\\{text}" if text in _FUNCTIONS else rf"\mathrm{{\text{{{escape(text)}}}}}")
+        case Number(text):
+            return text
+        case Operator(text):
+            return f" {_OPERATORS[text]} "
+        case Row(items):
+            return _row(items)
+        case Sum(terms):
+            first, *others = terms
+            head = f"-{_term(first[1])}" if first[0] == "-" else tex(first[1])
+            return head + "".join(f" {sign} {_term(term)}" for sign, term in others)
+        case Fraction(above, below):
+            small = isinstance(above, Number) and isinstance(below, Number)
+            return rf"\{'t' if small else ''}frac{{{tex(above)}}}{{{tex(below)}}}"
+        case Power(base, exponent):
+            return f"{{{tex(base)}}}^{{{tex(exponent)}}}"
+        case Subscript(base, index):
+            return f"{{{tex(base)}}}_{{{tex(index)}}}"
+        case Root(inside):
+            return rf"\sqrt{{{tex(inside)}}}"
+        case Dotted(base, dots):
+            return rf"\{'d' * dots}ot{{{tex(base)}}}"
+        case Derivative(letter, of, by):
+            d = r"\partial " if letter == "∂" else r"\mathrm{d}"
+            return rf"\frac{{{d}{'' if of is None else tex(of)}}}{{{d}{tex(by)}}}"
+        case Call(function, arguments):
+            listed = ", ".join(tex(argument) for argument in arguments)
+            simple = len(arguments) == 1 and isinstance(arguments[0], Name | Subscript)
+            return f"{_function(function)} {listed}" if simple else rf"{_function(function)}\left({listed}\right)"
+        case Bracket(inside):
+            return rf"\left({tex(inside)}\right)"
+        case Cases(value, condition, otherwise):
+            rows = rf"{tex(value)} & \text{{if }} {tex(condition)} \\ {tex(otherwise)} & \text{{otherwise}}"
+            return rf"\begin{{cases}} {rows} \end{{cases}}"
+        case Column(components):
+            lines = r" \\ ".join(tex(x) for x in components)
+            return rf"\begin{{pmatrix}} {lines} \end{{pmatrix}}"
+        case Matrix(rows):
+            lines = r" \\ ".join(" & ".join(tex(x) for x in row) for row in rows)
+            return rf"\begin{{bmatrix}} {lines} \end{{bmatrix}}"
+        case _:
+            assert_never(box)
+
+
+def _word(text: str) -> str:
+    return rf"\mathit{{\text{{{escape(text)}}}}}"
+
+
+def _function(box: Box) -> str:
+    return rf"\operatorname{{{box.text}}}" if isinstance(box, Upright) and box.text not in _FUNCTIONS else tex(box)
+
+
+def _row(items: tuple[Box, ...]) -> str:
+    """Factors with a thin space, where words of several letters would run together."""
+    pieces: list[str] = []
+    for previous, item in zip((None, *items), items, strict=False):
+        if previous is not None and not isinstance(item, Operator) and not isinstance(previous, Operator):
+            pieces.append(r"\, ")
+        pieces.append(tex(item))
+    return "".join(pieces)
+
+
+def _term(box: Box) -> str:
+    return rf"\left({tex(box)}\right)" if isinstance(box, Sum) else tex(box)

@@ -1,0 +1,99 @@
+"""Reports in Markdown with TeX formulas between dollars, as GitHub, GitLab and pandoc read them."""
+
+from __future__ import annotations
+
+import re
+from typing import assert_never
+
+from lagdsl.report.broken import lines, starts_with_minus
+from lagdsl.report.document import (
+    Block,
+    Bullets,
+    Code,
+    Document,
+    Equation,
+    Equations,
+    Heading,
+    Inline,
+    Math,
+    Paragraph,
+    Strong,
+    Table,
+    Text,
+)
+from lagdsl.report.latex_math import tex
+
+_WIDTH = 90
+_SPECIAL = re.compile(r"([\\`*_{}\[\]()#+!|~$>:@&-])")
+
+
+def markdown(document: Document) -> str:
+    parts = [f"# {_escape(document.title)}"]
+    if document.subtitle:
+        parts.append(f"*{_escape(document.subtitle.strip())}*")
+    return "\n\n".join([*parts, *(_block(block) for block in document.blocks)]).rstrip() + "\n"
+
+
+def _block(block: Block) -> str:
+    match block:
+        case Heading(title, step):
+            return f"## {title}" if step is None else f"## {step}. {title}"
+        case Paragraph(content):
+            return _inline(content)
+        case Equations(equations):
+            rows = " \\\\\n".join(_equation(equation) for equation in equations)
+            return f"$$\n\\begin{{aligned}}\n{rows}\n\\end{{aligned}}\n$$"
+        case Table(header, rows):
+            head = [" | ".join(header), " | ".join("---" for _ in header)]
+            body = [" | ".join(_inline(cell) for cell in row) for row in rows]
+            return "\n".join(f"| {row} |" for row in [*head, *body])
+        case Bullets(items):
+            return "\n".join(f"- {_inline(item)}" for item in items)
+        case _:
+            assert_never(block)
+
+
+def _equation(equation: Equation) -> str:
+    return aligned(equation, _WIDTH)
+
+
+def aligned(equation: Equation, width: int) -> str:
+    """Lines of an `aligned` environment, further ones indented."""
+    rows = []
+    for part in lines(equation, width):
+        if part.left is not None:
+            rows.append(f"{tex(part.left)} &= {tex(part.right)}")
+        else:
+            sign = "+ " if part.continued and not starts_with_minus(part.right) else ""
+            indent = r"\quad " if part.continued else ""
+            rows.append(f"&{indent}{sign}{tex(part.right)}")
+    return " \\\\\n".join(rows)
+
+
+def _inline(content: Inline) -> str:
+    pieces = []
+    for piece in content:
+        match piece:
+            case Math(box):
+                pieces.append(f"${tex(box).strip()}$")
+            case Text(words):
+                pieces.append(_escape(words))
+            case Strong(words):
+                pieces.append(f"**{_escape(words)}**")
+            case Code(words):
+                pieces.append(_code(words))
+    return "".join(pieces)
+
+
+def _escape(text: str) -> str:
+    """Words without any meaning to Markdown or HTML."""
+    plain = " ".join("".join(c if c.isprintable() else " " for c in text).split(" "))
+    return _SPECIAL.sub(r"\\\1", plain).replace("<", "&lt;")
+
+
+def _code(text: str) -> str:
+    """A code span; a table cell must not hold a bare bar."""
+    words = "".join(c if c.isprintable() else " " for c in text).replace("|", "¦")
+    longest = max((len(run) for run in re.findall("`+", words)), default=0)
+    fence = "`" * (longest + 1)
+    return f"{fence} {words} {fence}" if longest else f"{fence}{words}{fence}"

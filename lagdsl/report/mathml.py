@@ -1,0 +1,109 @@
+"""Formulas in MathML Core, which browsers set without help."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import assert_never
+
+from lagdsl.report.boxes import (
+    Box,
+    Bracket,
+    Call,
+    Cases,
+    Column,
+    Derivative,
+    Dotted,
+    Fraction,
+    Matrix,
+    Name,
+    Number,
+    Operator,
+    Power,
+    Root,
+    Row,
+    Subscript,
+    Sum,
+    Upright,
+)
+
+_THIN = '<mspace width="0.17em"></mspace>'
+
+
+def mathml(box: Box, *, display: bool = False) -> str:
+    block = ' display="block"' if display else ""
+    return f"<math{block}>{element(box)}</math>"
+
+
+def element(box: Box) -> str:  # noqa: C901, PLR0912
+    """The box as one element."""
+    match box:
+        case Name(text):
+            return f"<mi>{escape(text)}</mi>" if len(text) == 1 else f'<mi class="word">{escape(text)}</mi>'
+        case Upright(text):
+            return f'<mi mathvariant="normal">{escape(text)}</mi>' if len(text) == 1 else f"<mi>{escape(text)}</mi>"
+        case Number(text):
+            return f"<mn>{escape(text)}</mn>"
+        case Operator(text):
+            return f"<mo>{escape(text)}</mo>"
+        case Row(items):
+            return _row(items)
+        case Sum(terms):
+            first, *others = terms
+            head = f'<mo form="prefix">−</mo>{_term(first[1])}' if first[0] == "-" else element(first[1])
+            tail = "".join(f'<mo form="infix">{"−" if s == "-" else "+"}</mo>{_term(term)}' for s, term in others)
+            return f"<mrow>{head}{tail}</mrow>"
+        case Fraction(above, below):
+            return f"<mfrac>{element(above)}{element(below)}</mfrac>"
+        case Power(base, exponent):
+            return f"<msup>{element(base)}{element(exponent)}</msup>"
+        case Subscript(base, index):
+            return f"<msub>{element(base)}{element(index)}</msub>"
+        case Root(inside):
+            return f"<msqrt>{element(inside)}</msqrt>"
+        case Dotted(base, dots):
+            accent = {1: "˙", 2: "¨"}.get(dots, "˙" * dots)
+            return f'<mover accent="true">{element(base)}<mo stretchy="false">{accent}</mo></mover>'
+        case Derivative(letter, of, by):
+            d = f'<mi mathvariant="normal">{letter}</mi>'
+            above = d if of is None else f"<mrow>{d}{element(of)}</mrow>"
+            return f"<mfrac>{above}<mrow>{d}{element(by)}</mrow></mfrac>"
+        case Call(function, arguments):
+            listed = "<mo>,</mo>".join(element(argument) for argument in arguments)
+            simple = len(arguments) == 1 and isinstance(arguments[0], Name | Subscript)
+            return f"<mrow>{element(function)}{_THIN + listed if simple else _bracketed(listed)}</mrow>"
+        case Bracket(inside):
+            return f"<mrow>{_bracketed(element(inside))}</mrow>"
+        case Cases(value, condition, otherwise):
+            rows = _cells((value, Row((Upright("if"), condition)))) + _cells((otherwise, Upright("otherwise")))
+            return f'<mrow><mo stretchy="true">{{</mo><mtable class="cases">{rows}</mtable></mrow>'
+        case Column(components):
+            return f"<mrow>{_bracketed(_table(tuple((x,) for x in components)))}</mrow>"
+        case Matrix(rows):
+            return f"<mrow><mo>[</mo>{_table(rows)}<mo>]</mo></mrow>"
+        case _:
+            assert_never(box)
+
+
+def _bracketed(inside: str) -> str:
+    return f"<mo>(</mo>{inside}<mo>)</mo>"
+
+
+def _term(box: Box) -> str:
+    return _bracketed(element(box)) if isinstance(box, Sum) else element(box)
+
+
+def _row(items: tuple[Box, ...]) -> str:
+    pieces: list[str] = []
+    for previous, item in zip((None, *items), items, strict=False):
+        if previous is not None and not isinstance(item, Operator) and not isinstance(previous, Operator):
+            pieces.append(_THIN)
+        pieces.append(element(item))
+    return f"<mrow>{''.join(pieces)}</mrow>"
+
+
+def _cells(row: tuple[Box, ...]) -> str:
+    return f"<mtr>{''.join(f'<mtd>{element(x)}</mtd>' for x in row)}</mtr>"
+
+
+def _table(rows: tuple[tuple[Box, ...], ...]) -> str:
+    return f"<mtable>{''.join(_cells(row) for row in rows)}</mtable>"

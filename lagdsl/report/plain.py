@@ -1,0 +1,101 @@
+"""Reports for a terminal: Unicode, at most about a hundred columns where formulas allow."""
+
+from __future__ import annotations
+
+import textwrap
+import unicodedata
+from typing import assert_never
+
+from lagdsl.report.broken import lines, starts_with_minus
+from lagdsl.report.document import (
+    Block,
+    Bullets,
+    Code,
+    Document,
+    Equation,
+    Equations,
+    Heading,
+    Inline,
+    Math,
+    Paragraph,
+    Strong,
+    Table,
+    Text,
+)
+from lagdsl.report.unicode_math import line
+
+_WIDTH = 96
+
+
+def plain(document: Document) -> str:
+    title = f"Derivation of the equations of motion: {_safe(document.title)}"
+    parts = [title, "=" * _columns(title)]
+    if document.subtitle:
+        parts += [_safe(document.subtitle)]
+    return "\n".join([*parts, *(_block(block) for block in document.blocks)]).rstrip() + "\n"
+
+
+def _block(block: Block) -> str:
+    match block:
+        case Heading(title, step):
+            heading = title if step is None else f"{step}. {title}"
+            return f"\n{heading}\n{'-' * _columns(heading)}"
+        case Paragraph(content):
+            return textwrap.fill(_inline(content), _WIDTH, break_long_words=False, break_on_hyphens=False)
+        case Equations(equations):
+            return "\n".join(_equation(equation) for equation in equations)
+        case Table(header, rows):
+            return _table(header, rows)
+        case Bullets(items):
+            return "\n".join(
+                textwrap.fill(
+                    _inline(item), _WIDTH, initial_indent="  • ", subsequent_indent="    ", break_long_words=False
+                )
+                for item in items
+            )
+        case _:
+            assert_never(block)
+
+
+def _equation(equation: Equation) -> str:
+    result = []
+    for part in lines(equation, _WIDTH - 16):
+        words = line(part.right).strip()
+        if part.continued:
+            sign = "" if starts_with_minus(part.right) else "+ "
+            result.append(f"            {sign}{words}")
+        else:
+            result.append(f"    {words}" if part.left is None else f"    {line(part.left)} = {words}")
+    return "\n".join(result)
+
+
+def _inline(content: Inline) -> str:
+    pieces = []
+    for piece in content:
+        match piece:
+            case Math(box):
+                pieces.append(line(box))
+            case Text(words) | Code(words) | Strong(words):
+                pieces.append(_safe(words))
+    return "".join(pieces)
+
+
+def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str:
+    cells = [list(header), *([_inline(cell) for cell in row] for row in rows)]
+    keep = [i for i in range(len(header)) if any(row[i] for row in cells[1:])]
+    widths = {i: max(_columns(row[i]) for row in cells) for i in keep}
+    return "\n".join("    " + "  ".join(_padded(row[i], widths[i]) for i in keep).rstrip() for row in cells)
+
+
+def _padded(text: str, width: int) -> str:
+    return text + " " * (width - _columns(text))
+
+
+def _columns(text: str) -> int:
+    """Width on a terminal: marks over letters take no room."""
+    return sum(not unicodedata.combining(c) for c in text)
+
+
+def _safe(text: str) -> str:
+    """Words without control characters, which a terminal would obey."""
+    return "".join(c if c.isprintable() else " " for c in text)

@@ -1,0 +1,215 @@
+"""SymPy expressions as boxes, in the order people write: numbers, parameters, coordinates, rates, functions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import sympy
+from sympy import Expr, Symbol
+
+from lagdsl.report.boxes import (
+    Box,
+    Bracket,
+    Call,
+    Cases,
+    Column,
+    Fraction,
+    Matrix,
+    Name,
+    Number,
+    Operator,
+    Power,
+    Root,
+    Row,
+    Sum,
+    Upright,
+)
+from lagdsl.report.notation import Notation
+from lagdsl.textbook import functions
+from lagdsl.textbook.symbols import Symbols
+from lagdsl.textbook.tidy import size
+
+LONGEST = 600
+"""Nodes of an expression that is still printed."""
+
+_FUNCTION_NAMES = {
+    sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.asin: "arcsin", sympy.acos: "arccos",
+    sympy.atan: "arctan", sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh", sympy.exp: "exp",
+    sympy.log: "ln", functions.Sign: "sign", functions.Floor: "floor", functions.Ceil: "ceil",
+    functions.Absolute: "abs", functions.Modulo: "mod", functions.ArcTangent2: "atan2",
+    functions.Minimum: "min", functions.Maximum: "max", functions.Not: "not",
+}  # fmt: skip
+_RELATIONS = {
+    functions.Less: "<",
+    functions.LessEqual: "≤",
+    functions.Equal: "=",
+    functions.And: "and",
+    functions.Or: "or",
+}
+
+
+@dataclass
+class Typesetter:
+    """Sets expressions in the notation of one derivation; the symbols `first` lead in products (masses and gravity)."""
+
+    notation: Notation
+    symbols: Symbols
+    constants: frozenset[Symbol]
+    first: tuple[Symbol, ...] = ()
+    _rank: dict[Symbol, int] = field(init=False)
+
+    def __post_init__(self) -> None:
+        s = self.symbols
+        others = sorted(self.constants - set(s.p), key=str)
+        constants = dict.fromkeys((*self.first, *s.p, *others))
+        order = (*s.lam, *constants, s.time, *s.u, *s.z, *s.q, *s.qd, *s.qdd)
+        self._rank = {symbol: index for index, symbol in enumerate(order)}
+
+    def __call__(self, expression: Expr) -> Box:
+        """The expression, or how large it is where it would not fit a page."""
+        if size(expression) > LONGEST:
+            return Upright(f"[an expression of more than {LONGEST} terms and factors, not printed]")
+        return self._box(expression)
+
+    def vector(self, components: tuple[Expr, Expr, Expr], planar: bool = False) -> Box:
+        return Column(tuple(self(x) for x in (components[:2] if planar else components)))
+
+    def matrix(self, rows: tuple[tuple[Expr, ...], ...]) -> Box:
+        return Matrix(tuple(tuple(self(x) for x in row) for row in rows))
+
+    # ---- by kind -----------------------------------------------------------------------------------------------------
+
+    def _box(self, e: Expr) -> Box:
+        if e.is_Symbol:
+            return self.notation.of(e)
+        if e.is_Number or e.is_NumberSymbol:
+            return _number(e)
+        if e.is_Add:
+            return self._sum(e)
+        if e.is_Mul or e.is_Pow:
+            return self._product(e)
+        return self._function(e)
+
+    def _sum(self, e: Expr) -> Box:
+        terms = [(_is_negative(term), term) for term in sorted(e.args, key=self._term_key)]
+        if terms[0][0]:
+            first = next((i for i, (negative, _) in enumerate(terms) if not negative), 0)
+            terms.insert(0, terms.pop(first))
+        return Sum(tuple(("-" if negative else "+", self._box(-t if negative else t)) for negative, t in terms))
+
+    def _product(self, e: Expr) -> Box:
+        sign, e = ("-", -e) if _is_negative(e) else ("+", e)
+        coefficient, rest = e.as_coeff_Mul()
+        above: list[Expr] = []
+        below: list[Expr] = []
+        for factor in sympy.Mul.make_args(rest):
+            base, exponent = factor.as_base_exp()
+            if factor.is_Pow and exponent.is_Number and exponent.is_negative:
+                below.append(base**-exponent)
+            elif factor != 1:
+                above.append(factor)
+        box = self._quotient(coefficient, above, below)
+        return Sum((("-", box),)) if sign == "-" else box
+
+    def _quotient(self, coefficient: Expr, above: list[Expr], below: list[Expr]) -> Box:
+        if below:
+            numerator = self._factors(_whole(coefficient.p), above) or Number("1")
+            denominator = self._factors(_whole(coefficient.q), below)
+            assert denominator is not None
+            return Fraction(_unbracketed(numerator), _unbracketed(denominator))
+        leading = None if coefficient == 1 and above else _number(coefficient)
+        return self._factors(leading, above) or Number("1")
+
+    def _factors(self, leading: Box | None, factors: list[Expr]) -> Box | None:
+        boxes = [] if leading is None else [leading]
+        ordered = sorted(factors, key=self._factor_key)
+        alone = len(ordered) == 1 and leading is None
+        boxes += [self._factor(factor, alone) for factor in ordered]
+        if not boxes:
+            return None
+        return boxes[0] if len(boxes) == 1 else Row(tuple(boxes))
+
+    def _factor(self, factor: Expr, alone: bool) -> Box:
+        if factor.is_Pow:
+            return self._power(factor.base, factor.exp)
+        box = self._box(factor)
+        return Bracket(box) if isinstance(box, Sum | Cases) and not alone else box
+
+    def _power(self, base: Expr, exponent: Expr) -> Box:
+        if exponent == sympy.Rational(1, 2):
+            return Root(self._box(base))
+        if exponent.is_Rational and exponent.q == 2 and exponent.p > 0:
+            return Power(Root(self._box(base)), Number(str(exponent.p)))
+        inside = self._box(base)
+        if type(base) in (sympy.sin, sympy.cos, sympy.tan) and exponent.is_Integer:
+            assert isinstance(inside, Call)
+            return Call(Power(inside.function, Number(str(exponent))), inside.arguments)
+        simple = base.is_Symbol or (base.is_Integer and base >= 0)
+        return Power(inside if simple else Bracket(inside), self._box(exponent))
+
+    def _function(self, e: Expr) -> Box:
+        kind = type(e)
+        if kind is functions.Select:
+            condition, value, otherwise = e.args
+            return Cases(self._box(value), self._box(condition), self._box(otherwise))
+        arguments = tuple(self._box(argument) for argument in e.args)
+        if kind in _RELATIONS:
+            left, right = (Bracket(x) if isinstance(x, Row) and _has_relation(x) else x for x in arguments)
+            return Row((left, Operator(_RELATIONS[kind]), right))
+        return Call(Upright(_FUNCTION_NAMES.get(kind, str(kind.__name__))), arguments)
+
+    # ---- order -------------------------------------------------------------------------------------------------------
+
+    def _factor_key(self, factor: Expr) -> tuple[int, int, str]:
+        base = factor.as_base_exp()[0]
+        if base.is_NumberSymbol:
+            return (0, 0, "")
+        if base.is_Symbol:
+            return (1 if base in self.constants else 3, self._rank.get(base, len(self._rank)), base.name)
+        if base.is_Add:
+            constant = base.free_symbols <= self.constants
+            return (1 if constant else 2, -1 if constant else 0, str(base))
+        rank = min((self._rank.get(s, 0) for s in base.free_symbols), default=0)
+        return (4, 2 * rank + (not isinstance(base, sympy.sin)), str(base))
+
+    def _term_key(self, term: Expr) -> tuple[int, int, int, str]:
+        """Accelerations first, then terms of higher degree in the rates, then the others."""
+        powers = term.as_powers_dict()
+        qdd = [self._rank[s] for s in self.symbols.qdd if s in term.free_symbols]
+        rates = sum(int(p) for s, p in powers.items() if s in self.symbols.qd and p.is_Integer)
+        moving = [self._rank[s] for s in term.free_symbols if s in self._rank and s not in self.constants]
+        return (qdd[0] if qdd else len(self._rank), -rates, max(moving, default=-1), str(term))
+
+
+def _is_negative(e: Expr) -> bool:
+    return bool(e.as_coeff_Mul()[0].is_negative)
+
+
+def _has_relation(box: Row) -> bool:
+    return any(isinstance(item, Operator) for item in box.items)
+
+
+def _unbracketed(box: Box) -> Box:
+    return box.inside if isinstance(box, Bracket) else box
+
+
+def _whole(value: int) -> Box | None:
+    return None if value == 1 else Number(str(value))
+
+
+def _number(e: Expr) -> Box:
+    if e is sympy.pi:
+        return Name("π")
+    if e.is_NumberSymbol or not e.is_finite:
+        return Upright({sympy.E: "e", sympy.oo: "∞", -sympy.oo: "-∞"}.get(e, "undefined"))
+    if e.is_negative:
+        return Sum((("-", _number(-e)),))
+    if e.is_Integer or e.is_Float:
+        return Number(_decimal(e) if e.is_Float or abs(e) >= 10**12 else str(e))
+    if e.q <= 100 and e.p < 10**4:
+        return Fraction(Number(str(e.p)), Number(str(e.q)))
+    return Number(_decimal(e))
+
+
+def _decimal(e: Expr) -> str:
+    return f"{float(e):.10g}"

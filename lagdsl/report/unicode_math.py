@@ -1,0 +1,100 @@
+"""Formulas as one line of Unicode, for terminals."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from lagdsl.report.boxes import (
+    Box,
+    Bracket,
+    Call,
+    Cases,
+    Column,
+    Derivative,
+    Dotted,
+    Fraction,
+    Matrix,
+    Name,
+    Number,
+    Operator,
+    Power,
+    Root,
+    Row,
+    Subscript,
+    Sum,
+    Upright,
+)
+
+_SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_VULGAR = {"1/2": "½", "1/3": "⅓", "2/3": "⅔", "1/4": "¼", "3/4": "¾", "1/8": "⅛", "3/8": "⅜", "5/8": "⅝", "7/8": "⅞"}
+_DOTS = {1: "\u0307", 2: "\u0308"}
+
+
+def line(box: Box) -> str:  # noqa: C901, PLR0912
+    """The box in one line; brackets stand where a page would show structure by height."""
+    match box:
+        case Name(text) | Upright(text) | Number(text):
+            return text
+        case Operator(text):
+            return f" {text} "
+        case Row(items):
+            return _row(items)
+        case Sum(terms):
+            first, *others = terms
+            head = f"−{_term(first[1])}" if first[0] == "-" else line(first[1])
+            return head + "".join(f" {'−' if sign == '-' else '+'} {_term(term)}" for sign, term in others)
+        case Fraction(above, below):
+            plain = f"{line(above)}/{line(below)}"
+            return _VULGAR.get(plain) or f"{_guarded(above)}/{_guarded(below)}"
+        case Power(base, exponent):
+            raised = line(exponent)
+            return line(base) + (raised.translate(_SUPERSCRIPTS) if _is_integer(raised) else f"^({raised})")
+        case Subscript(base, index):
+            low = line(index)
+            return line(base) + (low.translate(_SUBSCRIPTS) if low.isdigit() else f"_{low}")
+        case Root(inside):
+            return f"√{_guarded(inside)}"
+        case Dotted(base, dots):
+            name = line(base)
+            return name + _DOTS[dots] if len(name) == 1 and dots in _DOTS else "der(" * dots + name + ")" * dots
+        case Derivative(letter, of, by):
+            return f"{letter}{'' if of is None else line(of)}/{letter}{line(by)}"
+        case Call(function, arguments):
+            listed = ", ".join(line(argument) for argument in arguments)
+            simple = len(arguments) == 1 and isinstance(arguments[0], Name | Subscript)
+            return f"{line(function)} {listed}" if simple else f"{line(function)}({listed})"
+        case Bracket(inside):
+            return f"({line(inside)})"
+        case Cases(value, condition, otherwise):
+            return f"(if {line(condition)} then {line(value)} else {line(otherwise)})"
+        case Column(components):
+            return f"({', '.join(line(component) for component in components)})"
+        case Matrix(rows):
+            return "[" + "; ".join(", ".join(line(x) for x in row) for row in rows) + "]"
+        case _:
+            assert_never(box)
+
+
+def _row(items: tuple[Box, ...]) -> str:
+    """Factors are set apart by a blank, which operators and brackets bring along."""
+    result = ""
+    for item in items:
+        piece = line(item)
+        tight = not result or result.endswith((" ", "(", "[")) or piece.startswith((" ", ",", "]")) or piece == ")"
+        result += piece if tight else f" {piece}"
+    return result
+
+
+def _term(box: Box) -> str:
+    return f"({line(box)})" if isinstance(box, Sum) else line(box)
+
+
+def _guarded(box: Box) -> str:
+    """In brackets unless it is one piece."""
+    whole = isinstance(box, Name | Number | Upright | Subscript | Dotted | Bracket | Power | Root | Derivative)
+    return line(box) if whole else f"({line(box)})"
+
+
+def _is_integer(text: str) -> bool:
+    return text.lstrip("-−").isdigit()

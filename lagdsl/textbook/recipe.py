@@ -1,0 +1,281 @@
+"""The lecture's recipe for a model, as data: what a derivation on paper shows, step by step.
+
+Five steps to the left-hand side of Lagrange's equations (coordinates and their count; positions; velocities; energies;
+derivatives term by term), four to the generalized forces (loads and their places; admissible variations; which do no
+work; their sum), then the equations with constraints, states and outputs. After J. K. Vandiver, MIT 2.003SC Engineering
+Dynamics, lectures on Lagrange's equations, and D. A. Wells, *Lagrangian Dynamics* (1967), chapters 3 and 4.
+
+Everything is bounded: what would not fit a page is counted and named, not expanded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from sympy import Add, Expr, Symbol
+
+from lagdsl.semantics.flat_model import Definition, FlatModel
+from lagdsl.textbook import geometry
+from lagdsl.textbook.contributions import (
+    Applied,
+    Inertial,
+    admissible_variation,
+    work,
+)
+from lagdsl.textbook.counting import Count, count
+from lagdsl.textbook.derive import system_energies
+from lagdsl.textbook.extent import Extent, extent
+from lagdsl.textbook.geometry import Vector
+from lagdsl.textbook.mechanical import MechanicalValues
+from lagdsl.textbook.reading import Reading, read
+from lagdsl.textbook.symbols import Symbols
+
+
+class Contribution(StrEnum):
+    """Whether an action enters the equations, and if not, why."""
+
+    CONTRIBUTES = "contributes"
+    PLACE_HELD = "no admissible motion moves its place"
+    PERPENDICULAR = "perpendicular to every admissible motion of its place"
+    ZERO = "zero"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoordinateStep:
+    """d/dt(dL/dqd) - dL/dq of one coordinate, in its parts; `left` is their difference, collected by accelerations."""
+
+    q: Symbol
+    momentum: Expr
+    momentum_rate: Expr
+    gradient: Expr
+    left: Expr
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ActionStep:
+    """One thing that acts: `load` is the index of the load in the flat model, `back` marks the reaction at `from`.
+
+    `variations` and `works` have one entry per coordinate: dr/dq_j (or domega/dqd_j, dx/dq_j) and F . dr/dq_j.
+    """
+
+    load: int
+    back: bool
+    action: Applied
+    variations: tuple[Vector | Expr, ...]
+    works: tuple[Expr, ...]
+    contribution: Contribution
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConstraintRow:
+    """`residual` = 0, on position or velocity level; `forces` are its multiplier's factors in the equations, per
+    coordinate; `acceleration` is the row differentiated until accelerations appear."""
+
+    name: str
+    level: str
+    multiplier: Symbol
+    residual: Expr
+    forces: tuple[Expr, ...]
+    acceleration: Expr
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Derivation:
+    """The written-out derivation of a model of modest extent."""
+
+    symbols: Symbols
+    constants: frozenset[Symbol]
+    count: Count
+    inertials: tuple[Inertial, ...]
+    kinetic: Expr
+    potential: Expr
+    extra: Expr
+    lagrangian: Expr
+    dissipation: Expr
+    coordinates: tuple[CoordinateStep, ...]
+    actions: tuple[ActionStep, ...]
+    drags: tuple[Expr, ...]
+    generalized_forces: tuple[Expr, ...]
+    constraints: tuple[ConstraintRow, ...]
+    dependent_parameters: tuple[tuple[Symbol, Expr], ...]
+    abbreviations: tuple[tuple[Symbol, Expr], ...]
+    states: tuple[tuple[Symbol, Expr], ...]
+    outputs: tuple[tuple[str, Expr], ...]
+    cyclic: tuple[Symbol, ...]
+    jacobi_conserved: bool
+    energy_conserved: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recipe:
+    """`derivation` is None where the model's extent is beyond what is written out; `extent` says why."""
+
+    flat: FlatModel
+    extent: Extent
+    derivation: Derivation | None
+
+
+def recipe(flat: FlatModel) -> Recipe:
+    """The derivation of `flat`, written out if the model is of modest extent."""
+    found = extent(flat)
+    return Recipe(flat=flat, extent=found, derivation=None if found.reasons else _derivation(flat, read(flat)))
+
+
+def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
+    tidy, table, parts = reading.tidy, reading.symbols, reading.parts
+    kinetic, potential, extra = tidy(parts.kinetic), tidy(parts.potential), tidy(parts.extra)
+    lagrangian, dissipation = kinetic - potential + extra, tidy(parts.dissipation)
+    steps = tuple(_coordinate(reading, lagrangian, q, qd) for q, qd in zip(table.q, table.qd, strict=True))
+    actions = tuple(_action(reading, *each) for each in _numbered(reading))
+    drags = tuple(tidy(-dissipation.diff(qd)) for qd in table.qd)
+    loads = tuple(tidy(Add(*(action.works[j] for action in actions))) for j in range(len(table.q)))
+    rows = _constraints(flat, reading)
+    reading.parts.converter.mechanical = reading.values.mechanical = MechanicalValues(
+        flat,
+        table,
+        parts,
+        system_energies(table, parts, [step.momentum for step in steps]),
+        [s.momentum for s in steps],
+    )
+    position = [row.residual for row in rows if row.level == "position"]
+    velocities = [_velocity(reading, row) for row in rows]
+    free = [
+        step.q
+        for step, load, drag in zip(steps, loads, drags, strict=True)
+        if step.gradient == 0 and load == 0 and drag == 0
+    ]
+    autonomous = not (table.time in lagrangian.free_symbols or lagrangian.free_symbols & {*table.u, *table.z})
+    conserved = autonomous and not any(loads) and not any(drags) and not _rheonomic(reading, rows)
+    return Derivation(
+        symbols=table,
+        constants=tidy.constants,
+        count=count(flat, table, parts, position, velocities),
+        inertials=parts.inertials,
+        kinetic=kinetic,
+        potential=potential,
+        extra=extra,
+        lagrangian=lagrangian,
+        dissipation=dissipation,
+        coordinates=steps,
+        actions=actions,
+        drags=drags,
+        generalized_forces=loads,
+        constraints=rows,
+        dependent_parameters=_definitions(reading, reading.constants),
+        abbreviations=_definitions(reading, reading.abbreviations),
+        states=tuple(
+            (symbol, tidy(reading.values.scalar(state.derivative)))
+            for symbol, state in zip(table.z, flat.states, strict=True)
+        ),
+        outputs=tuple((output.name, tidy(reading.values.scalar(output.value))) for output in flat.outputs),
+        cyclic=tuple(q for q in free if not any(row.forces[table.q.index(q)] for row in rows)),
+        jacobi_conserved=conserved,
+        energy_conserved=conserved and _is_scleronomic(reading, kinetic),
+    )
+
+
+def _coordinate(reading: Reading, lagrangian: Expr, q: Symbol, qd: Symbol) -> CoordinateStep:
+    tidy = reading.tidy
+    momentum = tidy(lagrangian.diff(qd))
+    rate = reading.parts.converter.rate(momentum)
+    gradient = tidy(lagrangian.diff(q))
+    left = _by_accelerations(reading, rate - gradient)
+    return CoordinateStep(
+        q=q, momentum=momentum, momentum_rate=_by_accelerations(reading, rate), gradient=gradient, left=left
+    )
+
+
+def _by_accelerations(reading: Reading, expression: Expr) -> Expr:
+    """Linear in the accelerations: their factors and the rest, each tidied by itself."""
+    tidy, qdd = reading.tidy, reading.symbols.qdd
+    rest = expression.xreplace(dict.fromkeys(qdd, geometry.ZERO[0]))
+    return Add(*(tidy(expression.diff(x)) * x for x in qdd if x in expression.free_symbols), tidy(rest))
+
+
+def _numbered(reading: Reading) -> list[tuple[int, bool, Applied]]:
+    return [
+        (load, position > 0, action)
+        for load, actions in enumerate(reading.parts.actions)
+        for position, action in enumerate(actions)
+    ]
+
+
+def _action(reading: Reading, load: int, back: bool, action: Applied) -> ActionStep:
+    tidy, table, converter = reading.tidy, reading.symbols, reading.parts.converter
+    variations = []
+    for q, qd in zip(table.q, table.qd, strict=True):
+        variation = admissible_variation(action, converter, q, qd)
+        variations.append(geometry.each(tidy, variation) if isinstance(variation, tuple) else tidy(variation))
+    works = tuple(tidy(work(action, variation)) for variation in variations)
+    return ActionStep(
+        load=load,
+        back=back,
+        action=action,
+        variations=tuple(variations),
+        works=works,
+        contribution=_contribution(action, variations, works),
+    )
+
+
+def _contribution(action: Applied, variations: Sequence[Vector | Expr], works: Sequence[Expr]) -> Contribution:
+    if any(value != 0 for value in works):
+        return Contribution.CONTRIBUTES
+    if not any(component != 0 for variation in variations for component in _components(variation)):
+        return Contribution.PLACE_HELD
+    amounts = work(action, (Symbol("x"), Symbol("y"), Symbol("z")) if _is_vector(variations[0]) else Symbol("x"))
+    return Contribution.PERPENDICULAR if amounts != 0 else Contribution.ZERO
+
+
+def _components(value: Vector | Expr) -> tuple[Expr, ...]:
+    return value if isinstance(value, tuple) else (value,)
+
+
+def _is_vector(value: Vector | Expr) -> bool:
+    return isinstance(value, tuple)
+
+
+def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]:
+    tidy, table, converter = reading.tidy, reading.symbols, reading.parts.converter
+    named = [(row, constraint.level) for constraint in flat.constraints for row in constraint.rows]
+    rows = []
+    for (name, level), multiplier, raw in zip(named, table.lam, reading.parts.residuals, strict=True):
+        residual = tidy(raw)
+        by = table.q if level == "position" else table.qd
+        velocity = converter.rate(residual) if level == "position" else residual
+        rows.append(
+            ConstraintRow(
+                name=name,
+                level=level,
+                multiplier=multiplier,
+                residual=residual,
+                forces=tuple(tidy(residual.diff(symbol)) for symbol in by),
+                acceleration=_by_accelerations(reading, converter.rate(velocity)),
+            )
+        )
+    return tuple(rows)
+
+
+def _velocity(reading: Reading, row: ConstraintRow) -> Expr:
+    return reading.parts.converter.rate(row.residual) if row.level == "position" else row.residual
+
+
+def _definitions(reading: Reading, names: dict[str, Symbol]) -> tuple[tuple[Symbol, Expr], ...]:
+    """Definitions as the model has them, in its own order, other definitions inside kept as symbols."""
+    values = {item.name: item for item in reading.flat.named if isinstance(item, Definition)}
+    return tuple((symbol, reading.values.scalar(values[name].value)) for name, symbol in names.items())
+
+
+def _rheonomic(reading: Reading, rows: Sequence[ConstraintRow]) -> bool:
+    """Constraints do work if they move by themselves: a row's velocity has a part without rates."""
+    table = reading.symbols
+    at_rest = dict.fromkeys(table.qd, geometry.ZERO[0])
+    return any(reading.tidy(_velocity(reading, row).xreplace(at_rest)) != 0 for row in rows)
+
+
+def _is_scleronomic(reading: Reading, kinetic: Expr) -> bool:
+    """T + V is the Jacobi integral if T is quadratic in the rates."""
+    table = reading.symbols
+    twice = Add(*(qd * kinetic.diff(qd) for qd in table.qd))
+    return reading.tidy.is_zero(twice - 2 * kinetic)
