@@ -1,7 +1,8 @@
-"""Derivatives on the graph: reverse sweeps from weighted seeds, forward tangents along a direction, columns of a Jacobian.
+"""Derivatives on the graph: reverse sweeps from weighted seeds, tangents along a direction, Jacobians.
 
 Rules are local and the results share everything they can with the expressions they come from; nothing is expanded. Only
-parts that depend on the symbols asked for are visited. Griewank and Walther, *Evaluating Derivatives* (2nd ed., 2008), ch. 3.
+parts that depend on the symbols asked for are visited. Griewank and Walther, *Evaluating Derivatives* (2nd ed., 2008),
+ch. 3.
 """
 
 from __future__ import annotations

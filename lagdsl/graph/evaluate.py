@@ -18,9 +18,10 @@ Symbols = Mapping[Group, Any]
 def evaluate(graph: Graph, roots: Iterable[int], symbols: Symbols) -> list[Value]:
     """Values of `roots`.
 
-    `symbols` maps a group to its array, the index last: leading axes broadcast. TIME is a number (or an array of the leading
-    shape). Arrays may be complex, for derivatives by a complex step. A list of mpmath numbers makes the whole evaluation
-    run at mpmath's working precision. What is not a number comes out as nan or inf, never as an error of NumPy's.
+    `symbols` maps a group to its array, the index last: leading axes broadcast. TIME is a number (or an array of the
+    leading shape). Arrays may be complex, for derivatives by a complex step. A list of mpmath numbers makes the whole
+    evaluation run at mpmath's working precision. What is not a number comes out as nan or inf, never as an error of
+    NumPy's.
     """
     roots = list(roots)
     table: Table = precise() if _is_precise(symbols) else NUMPY

@@ -1,8 +1,8 @@
 """The hash-consed expression graph: every distinct expression is one node, and a node's arguments come before it.
 
-Simplification happens only here, when a node is made, and only by rules that look one level down: constants fold, zeros and
-ones vanish, signs move outward. Products are never expanded. Because ids are a topological order, every pass over a graph is
-one loop over lists.
+Simplification happens only here, when a node is made, and only by rules that look one level down: constants fold, zeros
+and ones vanish, signs move outward. Products are never expanded. Because ids are a topological order, every pass over a
+graph is one loop over lists.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ _CONSTANT, _NEGATE, _ADD, _SUBTRACT, _MULTIPLY = Op.CONSTANT, Op.NEGATE, Op.ADD,
 class Graph:
     """Nodes as parallel lists, indexed by id: `op`, and arguments `a`, `b`, `c` (ids; -1 where absent).
 
-    A constant keeps its value in `value`; a symbol keeps its group in `a` and its index in that array in `b`. `groups` holds
-    for every node the groups of symbols it is computed from, as a bit mask (`1 << group`).
+    A constant keeps its value in `value`; a symbol keeps its group in `a` and its index in that array in `b`. `groups`
+    holds for every node the groups of symbols it is computed from, as a bit mask (`1 << group`).
     """
 
     def __init__(self) -> None:

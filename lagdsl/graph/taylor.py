@@ -1,7 +1,7 @@
 """Total time derivatives of nodes along a motion: q moves with qd, qd with qdd, time with 1.
 
-Applied twice it gives accelerations. Derivatives are made by the local rules of forward differentiation and memoised, so
-that the derivative of a chain of points is as small as the chain.
+Applied twice it gives accelerations. Derivatives are made by the local rules of forward differentiation and memoised,
+so that the derivative of a chain of points is as small as the chain.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ MOVING = (Group.TIME, Group.Q, Group.QD, Group.Z, Group.U, Group.RELEASE, Group.
 class TimeDerivative(Tangent):
     """d/dt of nodes. Parameters, discretes and release rates are held.
 
-    `rate(symbol)` gives the derivative of states, inputs, accelerations and multipliers, or raises where there is none. With
-    `coasting` the accelerations are 0 instead of symbols: what is left of d/dt then does not depend on them.
+    `rate(symbol)` gives the derivative of states, inputs, accelerations and multipliers, or raises where there is none.
+    With `coasting` the accelerations are 0 instead of symbols: what is left of d/dt then does not depend on them.
     """
 
     def __init__(self, graph: Graph, rate: Callable[[int], int], *, coasting: bool = False) -> None:

@@ -10,13 +10,13 @@ from lagdsl.graph.operation import Group
 from lagdsl.semantics.flat_model import Spans
 
 
-def refuse_accelerations(graph: Graph, nodes: Iterable[int], spans: Spans) -> None:
-    """Raise E0308 at `spans` if one of `nodes`, parts of the equations of motion, needs accelerations or multipliers."""
+def refuse_accelerations(graph: Graph, nodes: Iterable[int], spans: Spans, what: str) -> None:
+    """Raise E0308 at `spans` if one of `nodes`, parts of the equations, needs accelerations or multipliers."""
     if any(graph.depends(node, Group.QDD, Group.LAMBDA) for node in nodes):
-        raise needs_accelerations(spans)
+        raise needs_accelerations(spans, what)
 
 
-def needs_accelerations(spans: Spans) -> CompilationFailed:
+def needs_accelerations(spans: Spans, what: str) -> CompilationFailed:
     sink = Sink()
-    sink.report("E0308", spans[0] if spans else None)
+    sink.report("E0308", spans[0] if spans else None, what=what)
     return CompilationFailed(sink.diagnostics)

@@ -34,6 +34,7 @@ class Carrier:
 def carriers(lowering: Lowering, flat: FlatModel) -> tuple[Carrier, ...]:
     found = []
     for item in flat.masses:
+        lowering.place = item.spans
         position = lowering.vector(item.position)
         found.append(Carrier(None, lowering.scalar(item.mass), position, lowering.velocity(position), None))
     found += [_body(lowering, body) for body in flat.bodies]
@@ -42,6 +43,7 @@ def carriers(lowering: Lowering, flat: FlatModel) -> tuple[Carrier, ...]:
 
 def _body(lowering: Lowering, body: RigidBody) -> Carrier:
     graph = lowering.graph
+    lowering.place = body.spans
     mass = lowering.scalar(body.mass)
     pose = lowering.poses(body.frame)[body.frame]
     x, y, z = (lowering.scalar(component) for component in body.com)

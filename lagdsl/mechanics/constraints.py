@@ -1,4 +1,4 @@
-"""Constraint rows: residuals phi(q, t) or A(q, t) qd + b(q, t), their Jacobian, and its transpose times the multipliers.
+"""Constraint rows: residuals phi(q, t) or A(q, t) qd + b(q, t), their Jacobian J, and J' lambda.
 
 The constraint force of `a = b` is +lambda d(a - b)/dq: a positive multiplier pushes towards larger a - b.
 """
@@ -27,8 +27,9 @@ def constraint_rows(lowering: Lowering, flat: FlatModel) -> Rows:
     residuals: list[int] = []
     levels: list[bool] = []
     for constraint in flat.constraints:
+        lowering.place = constraint.spans
         nodes = [lowering.scalar(residual) for residual in constraint.residuals]
-        refuse_accelerations(lowering.graph, nodes, constraint.spans)
+        refuse_accelerations(lowering.graph, nodes, constraint.spans, f"constraint `{constraint.name}`")
         residuals += nodes
         levels += [constraint.level == "position"] * len(nodes)
     return Rows(tuple(residuals), tuple(levels))

@@ -15,7 +15,8 @@ from lagdsl.mechanics.symbols import Symbols
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.program import Block, Function, Program
-from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.semantics.flat_model import FlatModel, Item
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,8 +49,8 @@ def form_equations(flat: FlatModel) -> Derivation:
 def derive(flat: FlatModel) -> Program:
     """All functions of `lagdsl.program.functions`.
 
-    Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that has
-    none (E0304).
+    Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that
+    has none (E0304).
     """
     derivation = form_equations(flat)
     blocks = {
@@ -112,10 +113,12 @@ def _energies(derivation: Derivation) -> dict[str, list[Block]]:
 
 
 def _observed(derivation: Derivation) -> dict[str, list[Block]]:
-    graph, flat, scalar = derivation.graph, derivation.flat, derivation.lowering.scalar
-    rates = [scalar(state.derivative) for state in flat.states]
-    outputs = [scalar(output.value) for output in flat.outputs]
-    invariants = [scalar(invariant.value) for invariant in flat.invariants]
+    graph, flat = derivation.graph, derivation.flat
+    rates = _scalars(derivation, flat.states, [state.derivative for state in flat.states])
+    outputs = _scalars(derivation, flat.outputs, [output.value for output in flat.outputs])
+    invariants = _scalars(derivation, flat.invariants, [invariant.value for invariant in flat.invariants])
+    conditions = _scalars(derivation, flat.assertions, [assertion.condition for assertion in flat.assertions])
+    initial = _scalars(derivation, flat.initial_equations, [item.residual for item in flat.initial_equations])
     return {
         "state_derivative": [_vector("zd", rates)],
         "state_derivative_tangent": [_vector("dzd", directional(graph, rates, SOLVED_GROUPS))],
@@ -124,10 +127,18 @@ def _observed(derivation: Derivation) -> dict[str, list[Block]]:
         "monitor": [
             _vector("invariant", invariants),
             _vector("scale", [largest_term(graph, invariant) for invariant in invariants]),
-            _vector("assertion", [scalar(assertion.condition) for assertion in flat.assertions]),
+            _vector("assertion", conditions),
         ],
-        "initial_equation": [_vector("residual", [scalar(equation.residual) for equation in flat.initial_equations])],
+        "initial_equation": [_vector("residual", initial)],
     }
+
+
+def _scalars(derivation: Derivation, items: Sequence[Item], values: Sequence[FlatExpression]) -> list[int]:
+    nodes = []
+    for item, value in zip(items, values, strict=True):
+        derivation.lowering.place = item.spans
+        nodes.append(derivation.lowering.scalar(value))
+    return nodes
 
 
 def _start(derivation: Derivation) -> dict[str, list[Block]]:

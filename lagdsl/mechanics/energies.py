@@ -15,8 +15,8 @@ EnergyKind = Literal["total", "kinetic", "potential", "jacobi"]
 
 @dataclass(frozen=True, slots=True)
 class SystemEnergies:
-    """Nodes [J]. `total` is T + V and, for each `lagrangian` term Lx, qd.dLx/dqd - Lx, so that velocity-linear terms add
-    nothing; `jacobi` is qd.dL/dqd - L."""
+    """Nodes [J]. `total` is T + V and, for each `lagrangian` term Lx, qd.dLx/dqd - Lx, so that velocity-linear terms
+    add nothing; `jacobi` is qd.dL/dqd - L."""
 
     total: int
     kinetic: int

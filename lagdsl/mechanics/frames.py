@@ -1,7 +1,7 @@
 """Frames on the graph: three world axes and an origin, and the angular velocity, found recursively from the parent's.
 
-Structural zeros of the world's axes make planar code planar. Rotations follow Goldstein, *Classical Mechanics* (3rd ed.),
-sections 4.2 to 4.9; quaternions are homogeneous, scalar first: the rotation is that of e/|e|.
+Structural zeros of the world's axes make planar code planar. Rotations follow Goldstein, *Classical Mechanics* (3rd
+ed.), sections 4.2 to 4.9; quaternions are homogeneous, scalar first: the rotation is that of e/|e|.
 """
 
 from __future__ import annotations

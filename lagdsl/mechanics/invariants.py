@@ -1,9 +1,10 @@
 """Claims that need no monitoring: momenta of cyclic coordinates, and energies where neither time nor power enters.
 
-A momentum dL/dqd_j is constant if dL/dq_j + Q_j - dD/dqd_j and column j of J vanish identically; Jacobi's integral if L does
-not depend on time, states or inputs, loads and dissipation have no power, and constraints are scleronomic (Noether's theorem in
-the form of Landau and Lifshitz, *Mechanics*, sections 6 and 7). Terms that are not the constant 0 as they stand are tried at
-random points with random parameters: an analytic expression that is zero at all of them to rounding is zero.
+A momentum dL/dqd_j is constant if dL/dq_j + Q_j - dD/dqd_j and column j of J vanish identically; Jacobi's integral if L
+does not depend on time, states or inputs, loads and dissipation have no power, and constraints are scleronomic
+(Noether's theorem in the form of Landau and Lifshitz, *Mechanics*, sections 6 and 7). Terms that are not the constant 0
+as they stand are tried at random points with random parameters: an analytic expression that is zero at all of them to
+rounding is zero.
 """
 
 from __future__ import annotations
@@ -15,7 +16,6 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.evaluate import evaluate_with_size
-from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import STEPS, Group, Op
 from lagdsl.mechanics.constraints import constraint_jacobian, velocity_residuals
 from lagdsl.mechanics.derive import Derivation, form_equations
@@ -59,9 +59,7 @@ def _holds(derivation: Derivation, value: FlatExpression) -> bool:
         case SystemEnergy("jacobi"):
             return _vanish(derivation, _jacobi_rate(derivation))
         case SystemEnergy("total"):
-            totals = derivation.energies
-            difference = derivation.graph.subtract(totals.total, totals.jacobi)
-            return _vanish(derivation, [difference, *_jacobi_rate(derivation)])
+            return _vanish(derivation, [*_excess_of_energy(derivation), *_jacobi_rate(derivation)])
         case _:
             return False
 
@@ -72,6 +70,15 @@ def _momentum_rate(derivation: Derivation, index: int) -> Iterator[int]:
     yield graph.add(graph.subtract(terms.load[index], terms.drag[index]), terms.push[index])
     for row in constraint_jacobian(graph, derivation.rows, derivation.symbols.directions):
         yield row[index]
+
+
+def _excess_of_energy(derivation: Derivation) -> Iterator[int]:
+    """What makes T + V differ from Jacobi's integral: 2 T - qd.dT/dqd, and rates in V."""
+    graph, found = derivation.graph, derivation.dynamics.energies
+    slopes = adjoints(graph, {found.kinetic: graph.one}, (Group.QD,))
+    twice = graph.multiply(graph.constant(2.0), found.kinetic)
+    yield graph.subtract(twice, graph.sum(graph.multiply(rate, slope) for rate, slope in slopes.items()))
+    yield from adjoints(graph, {found.potential: graph.one}, (Group.QD,)).values()
 
 
 def _jacobi_rate(derivation: Derivation) -> Iterator[int]:
@@ -131,5 +138,3 @@ def _varied(parameter: Parameter, random: np.random.Generator) -> np.ndarray:
         return np.full(_POINTS, parameter.value)
     scale = parameter.value if parameter.value != 0.0 else 1.0
     return scale * random.uniform(0.6, 1.4, _POINTS)
-
-

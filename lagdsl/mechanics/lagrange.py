@@ -3,8 +3,8 @@
     d/dt(dL/dqd) - dL/dq + dD/dqd = Q + J' lambda
 
 Momenta dL/dqd and dL/dq come from one reverse sweep of L, the mass matrix d2L/dqd2 from tangents of the momenta, and
-d(dL/dqd)/dt from one forward tangent of all momenta along the motion. Nothing is written for quadratic kinetic energies:
-velocity-dependent and non-quadratic Lagrangians take the same path.
+d(dL/dqd)/dt from one forward tangent of all momenta along the motion. Nothing is written for quadratic kinetic
+energies: velocity-dependent and non-quadratic Lagrangians take the same path.
 """
 
 from __future__ import annotations

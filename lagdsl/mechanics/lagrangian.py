@@ -34,8 +34,9 @@ def energies(lowering: Lowering, flat: FlatModel) -> Energies:
         "dissipation": graph.zero,
     }
     for term in flat.energies:
+        lowering.place = term.spans
         value = lowering.scalar(term.value)
-        refuse_accelerations(graph, [value], term.spans)
+        refuse_accelerations(graph, [value], term.spans, f"`{term.kind}`")
         totals[term.kind] = graph.add(totals[term.kind], value)
     free = graph.subtract(totals["kinetic"], totals["potential"])
     return Energies(

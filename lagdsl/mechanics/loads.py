@@ -1,7 +1,7 @@
 """Generalized forces of all loads by virtual work: Q_j = sum F.dr/dq_j + M.domega/dqd_j + value*ds/dq_j.
 
-One reverse sweep over positions and one over angular velocities, whatever the number of loads and coordinates; forces enter
-as weights and are not differentiated. Points with prescribed motion contribute nothing.
+One reverse sweep over positions and one over angular velocities, whatever the number of loads and coordinates; forces
+enter as weights and are not differentiated. Points with prescribed motion contribute nothing.
 """
 
 from __future__ import annotations
@@ -43,8 +43,9 @@ def _accumulate(graph: Graph, weights: dict[int, int], nodes: tuple[int, ...], a
 def virtual_work(lowering: Lowering, flat: FlatModel) -> VirtualWork:
     work = VirtualWork(lowering.graph)
     for load in flat.loads:
+        lowering.place = load.spans
         forces = _add_load(lowering, load, work)
-        refuse_accelerations(lowering.graph, forces, load.spans)
+        refuse_accelerations(lowering.graph, forces, load.spans, "this load")
     return work
 
 

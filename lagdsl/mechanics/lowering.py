@@ -1,7 +1,7 @@
 """Flat expressions to nodes: scalars to one, geometric vectors to three.
 
-Definitions, points and frames are lowered when first used, in an explicit stack instead of recursion, so that neither long
-sums nor long chains of frames meet a limit. `der` of anything is the total derivative of its nodes.
+Definitions, points and frames are lowered when first used, in an explicit stack instead of recursion, so that neither
+long sums nor long chains of frames meet a limit. `der` of anything is the total derivative of its nodes.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 from lagdsl.graph.taylor import TimeDerivative
 from lagdsl.mechanics import vectors
+from lagdsl.mechanics.acceleration import needs_accelerations
 from lagdsl.mechanics.operands import operands, step_expressions
 from lagdsl.mechanics.operations import binary, function
 from lagdsl.mechanics.poses import Poses, Release
@@ -20,7 +21,7 @@ from lagdsl.mechanics.symbols import Symbols, input_rates
 from lagdsl.mechanics.vectors import Vector
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Definition, FlatModel, Frame, Point
+from lagdsl.semantics.flat_model import Definition, FlatModel, Frame, Point, Spans
 
 Value: TypeAlias = "int | Vector"
 Provided: TypeAlias = (
@@ -32,8 +33,9 @@ Provided: TypeAlias = (
 class Lowering:
     """Values of expressions of one model on one graph, memoised by identity.
 
-    With `release` points and frames are displaced by symbols that stand for zero, see `reactions`. What the mechanics provides
-    (energies, momenta, reactions) is asked of `provide`, which is set once the equations are formed.
+    With `release` points and frames are displaced by symbols that stand for zero, see `reactions`. What the mechanics
+    provides (energies, momenta, reactions) is asked of `provide`, which is set once the equations are formed. `place`
+    is where the item stands that is being lowered, for what may be wrong with it.
     """
 
     def __init__(self, graph: Graph, model: FlatModel, symbols: Symbols, release: Release | None = None) -> None:
@@ -41,6 +43,7 @@ class Lowering:
         self.model = model
         self.symbols = symbols
         self.provide: Callable[[Provided], Value] | None = None
+        self.place: Spans = ()
         self.rate = TimeDerivative(graph, self._rate_of_symbol)
         self.coasting_rate = TimeDerivative(graph, self._rate_of_symbol, coasting=True)
         self._release = release or Release()
@@ -241,12 +244,14 @@ class Lowering:
     # ---- what symbols do in time -------------------------------------------------------------------------------------
 
     def _rate_of_symbol(self, symbol: int) -> int:
-        """States by their equations, inputs by the inputs that are their derivatives."""
+        """States by their equations, inputs by the inputs that are their derivatives; accelerations have none here."""
         index = self.graph.b[symbol]
         match self.graph.group(symbol):
             case Group.Z:
                 return self.scalar(self.model.states[index].derivative)
             case Group.U:
                 return self._input_rate(index)
+            case Group.QDD | Group.LAMBDA:
+                raise needs_accelerations(self.place, "this expression")
             case group:
                 raise AssertionError(group)

@@ -25,7 +25,7 @@ from lagdsl.semantics.flat_model import (
 
 @dataclass(frozen=True, slots=True)
 class Release:
-    """Indices of RELEASE symbols: three for the origin and three for the turning of a frame, one for a point with its direction."""
+    """Indices of RELEASE symbols: three for the origin or the turning of a frame, one for a point along a direction."""
 
     origins: dict[str, int] = field(default_factory=dict)
     turns: dict[str, int] = field(default_factory=dict)

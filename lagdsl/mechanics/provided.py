@@ -19,7 +19,7 @@ from lagdsl.semantics.flat_model import Definition, FlatModel
 
 
 class Provider:
-    """Answers for one model once its equations are formed; reactions are formed all at once when the first is asked for."""
+    """Answers for one model once its equations are formed; reactions are formed together when one is asked for."""
 
     def __init__(
         self,

@@ -1,8 +1,9 @@
 """Reactions by releasing what they hold: d'Alembert's value of forces that do no work.
 
-The model is lowered a second time with a frame or a point displaced by symbols s that stand for zero. What is left over in
-the equation of s at s = 0, its rate and acceleration 0, is the force that keeps s at zero: the reaction. It is exerted by
-the parent's side on all that the frame carries (Hamel, *Theoretische Mechanik*, 1949, section on releasing constraints).
+The model is lowered a second time with a frame or a point displaced by symbols s that stand for zero. What is left over
+in the equation of s at s = 0, its rate and acceleration 0, is the force that keeps s at zero: the reaction. It is
+exerted by the parent's side on all that the frame carries (Hamel, *Theoretische Mechanik*, 1949, section on releasing
+constraints).
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ class Releases:
 
 
 def plan_releases(requests: list[FrameReaction | ReactionAlong], directions: dict[int, Vector]) -> Releases:
-    """Number the symbols; `directions` holds the lowered direction of each ReactionAlong by the id of its expression."""
+    """Number the symbols; `directions` holds the lowered direction of each ReactionAlong by its id."""
     releases = Releases(Release(), {}, 0)
     for request in requests:
         if isinstance(request, ReactionAlong):

@@ -1,4 +1,4 @@
-"""Directional derivatives of what a program computes, along direction symbols: one forward pass, of about the same size."""
+"""Directional derivatives of what a program computes: one forward pass along direction symbols."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """Reverse sweeps, tangents and time derivatives against complex steps and high-precision differences."""
 
 import math
+from itertools import pairwise
 
 import mpmath
 import numpy as np
@@ -115,7 +116,7 @@ def test_power_at_base_zero() -> None:
 def test_symmetric_jacobian_equals_the_full_one() -> None:
     graph = Graph()
     symbols = graph.symbols(Group.Q, 4)
-    pairs = [graph.unary(Op.COS, graph.subtract(a, b)) for a, b in zip(symbols, symbols[1:], strict=False)]
+    pairs = [graph.unary(Op.COS, graph.subtract(a, b)) for a, b in pairwise(symbols)]
     potential = graph.sum([*pairs, graph.unary(Op.EXP, graph.multiply(symbols[0], symbols[3]))])
     slopes = adjoints(graph, {potential: graph.one}, (Group.Q,))
     roots = [slopes[symbol] for symbol in symbols]

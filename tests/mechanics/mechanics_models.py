@@ -60,6 +60,18 @@ def _convert(node: ast.expr) -> FlatExpression:
             return flat.Number(float(value))
         case ast.Name(name):
             return flat.Variable(name)
+        case ast.Attribute(ast.Name(frame), "origin"):
+            return flat.FrameOrigin(frame)
+        case ast.Attribute(ast.Name(frame), axis):
+            return flat.FrameAxis(frame, _AXES[axis])
+        case ast.Call(ast.Name(name), arguments):
+            return _call(name, arguments) or _request(name, arguments)
+        case _:
+            return _operator(node)
+
+
+def _operator(node: ast.expr) -> FlatExpression:
+    match node:
         case ast.UnaryOp(ast.USub(), operand):
             return flat.Unary("-", _convert(operand))
         case ast.UnaryOp(ast.Not(), operand):
@@ -78,16 +90,10 @@ def _convert(node: ast.expr) -> FlatExpression:
             return flat.Binary(_RELATIONS[type(operator)], _convert(left), _convert(right))
         case ast.IfExp(test, body, orelse):
             return flat.Conditional(_convert(test), _convert(body), _convert(orelse))
-        case ast.Attribute(ast.Name(frame), "origin"):
-            return flat.FrameOrigin(frame)
-        case ast.Attribute(ast.Name(frame), axis):
-            return flat.FrameAxis(frame, _AXES[axis])
-        case ast.Call(ast.Name(name), arguments):
-            return _call(name, arguments)
     raise AssertionError(ast.dump(node))
 
 
-def _call(name: str, arguments: list[ast.expr]) -> FlatExpression:
+def _call(name: str, arguments: list[ast.expr]) -> FlatExpression | None:
     first = arguments[0].id if arguments and isinstance(arguments[0], ast.Name) else ""
     match name:
         case "der":
@@ -106,6 +112,15 @@ def _call(name: str, arguments: list[ast.expr]) -> FlatExpression:
             return flat.AngularVelocity(first)
         case "velocity":
             return flat.MaterialVelocity(_convert(arguments[0]), arguments[1].id)  # type: ignore[attr-defined]
+    if name in flat.FUNCTIONS:
+        return flat.Function(name, tuple(map(_convert, arguments)))
+    return None
+
+
+def _request(name: str, arguments: list[ast.expr]) -> FlatExpression:
+    """What the mechanics provides."""
+    first = arguments[0].id if arguments and isinstance(arguments[0], ast.Name) else ""
+    match name:
         case "multiplier":
             return flat.Multiplier(first)
         case "reaction_force" | "reaction_torque":
@@ -120,8 +135,7 @@ def _call(name: str, arguments: list[ast.expr]) -> FlatExpression:
             return flat.LinearMomentum()
         case "angular_momentum":
             return flat.AngularMomentum(None if first == "everything" else first, _convert(arguments[1]))
-    assert name in flat.FUNCTIONS
-    return flat.Function(name, tuple(map(_convert, arguments)))
+    raise AssertionError(name)
 
 
 def _quantity(name: str) -> dict[str, Any]:
@@ -214,14 +228,35 @@ def constraint(name: str, *residuals: Any, level: Any = "position") -> Constrain
     )
 
 
+_LISTS = (
+    "parameters",
+    "coordinates",
+    "states",
+    "inputs",
+    "named",
+    "energies",
+    "masses",
+    "bodies",
+    "loads",
+    "constraints",
+    "outputs",
+    "invariants",
+    "assertions",
+    "initial_equations",
+    "drawings",
+)
+
+
 def model(**parts: Any) -> FlatModel:
     """Parts of a FlatModel; parameters, outputs and invariants may be given as dictionaries name to value."""
-    empty: dict[str, Any] = dict.fromkeys(
-        "parameters coordinates states inputs named energies masses bodies loads constraints outputs invariants "
-        "assertions initial_equations drawings".split(),
-        (),
-    )
-    given = {**empty, "name": "M", "doc": None, "gravity": None, "experiment": Experiment(), **parts}
+    given = {
+        **dict.fromkeys(_LISTS, ()),
+        "name": "M",
+        "doc": None,
+        "gravity": None,
+        "experiment": Experiment(),
+        **parts,
+    }
     if isinstance(given["parameters"], dict):
         given["parameters"] = tuple(Parameter(**_quantity(n), value=v) for n, v in given["parameters"].items())
     if isinstance(given["outputs"], dict):

@@ -63,7 +63,7 @@ def test_hinge_of_a_moving_rod_obeys_newton() -> None:
     qdd, _ = accelerations(derive(flat), q=[a], qd=[ad])
     centre = 0.4 * (qdd[0] * np.array([-np.sin(a), np.cos(a)]) - ad**2 * np.array([np.cos(a), np.sin(a)]))
     y = output(flat, q=[a], qd=[ad])
-    np.testing.assert_allclose(y, [*(3.0 * (centre + [0, G])), 0, 0, 0, 0], atol=1e-12)
+    np.testing.assert_allclose(y, [*(3.0 * (centre + np.array([0, G]))), 0, 0, 0, 0], atol=1e-12)
 
 
 def test_motor_torque_on_the_coordinate_is_transmitted_by_nothing_else() -> None:
@@ -78,7 +78,7 @@ def test_external_torque_on_the_rod_does_not_pass_the_hinge() -> None:
 
 
 def test_clamped_arm_carries_gyroscopic_torque() -> None:
-    """Spinning disc on a shaft turned about the vertical: the bearing gives omega x L and carries the weight off-centre."""
+    """Spinning disc on a shaft turned about the vertical: the bearing gives omega x L and carries the weight."""
     spin, turning, m, arm, axial = 30.0, 2.0, 1.5, 0.6, 0.02
     flat = model(
         parameters={"m": m, "b": arm, "J": axial},
@@ -122,7 +122,7 @@ def test_chain_of_frames_carries_everything_behind() -> None:
 
 
 def test_bead_on_hoop_presses_sideways_and_inward() -> None:
-    """The force across the hoop's plane is 2 m R Omega theta' cos(theta); inward it holds weight and centripetal force."""
+    """Across the hoop's plane 2 m R Omega theta' cos(theta); inward it holds the weight and bends the path."""
     m, r, rate = 0.1, 0.3, 8.0
     flat = model(
         parameters={"m": m, "R": r, "Omega": rate},
