@@ -9,27 +9,6 @@ import click
 
 from lagdsl.cli.output import Unwritable
 
-_RESERVED = frozenset(
-    [
-        "end",
-        "if",
-        "then",
-        "elseif",
-        "else",
-        "for",
-        "loop",
-        "when",
-        "elsewhen",
-        "equation",
-        "and",
-        "or",
-        "not",
-        "true",
-        "false",
-        "in",
-    ]
-)
-
 _TEMPLATE = """\
 model {name} "Point mass on a massless rod"
   parameter Mass m = 1 kg;
@@ -65,6 +44,6 @@ def _model_name(stem: str) -> str:
     """`my-first model` becomes `MyFirstModel`."""
     words = re.findall(r"[A-Za-z0-9_]+", stem)
     name = "".join(word[:1].upper() + word[1:] for word in words)
-    if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) or name in _RESERVED:
+    if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
         raise click.UsageError(f"`{stem}` makes no model name; it must begin with a letter")
     return name

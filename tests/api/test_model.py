@@ -1,0 +1,212 @@
+"""The compiled model, as Python programs use it."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lagdsl
+from lagdsl.api.model import Model
+
+G = 9.81
+TEXT = """\
+model Cart
+  parameter Mass M = 2 kg, m = 1 kg;
+  parameter Length l = 0.5 m;
+  input Force u;
+  coordinate Length x;
+  coordinate Angle a(start = 30 deg);
+  gravity = {0, -9.81 m/s2};
+  mass M at {x, 0};
+  mass m at {x + l*sin(a), -l*cos(a)};
+  force u on x;
+  state Real s(start = 2);
+  output Length tip = x + l*sin(a);
+equation
+  der(s) = -s/(1 s);
+end Cart;
+"""
+
+
+@pytest.fixture(scope="module")
+def model() -> Model:
+    return lagdsl.compile(TEXT)
+
+
+def test_names_in_order(model: Model) -> None:
+    assert model.name == "Cart"
+    assert model.coordinates == ["x", "a"]
+    assert model.states == ["s"]
+    assert model.parameters == ["M", "m", "l"]
+    assert model.inputs == ["u"]
+    assert model.outputs == ["tip"]
+    assert model.constraints == []
+    assert model.redundant == []
+    assert repr(model) == "<Model Cart: x, a, s>"
+    np.testing.assert_array_equal(model.defaults, [2, 1, 0.5])
+
+
+def _mass_matrix(a: float, M: float = 2, m: float = 1, l: float = 0.5) -> np.ndarray:
+    return np.array([[M + m, m * l * np.cos(a)], [m * l * np.cos(a), m * l**2]])
+
+
+def test_equations_of_motion(model: Model) -> None:
+    q, qd, u = np.array([0.1, 0.4]), np.array([0.2, -0.3]), [5.0]
+    force = np.array([5.0 + 0.5 * np.sin(0.4) * 0.09, -G * 0.5 * np.sin(0.4)])
+    mass = _mass_matrix(0.4)
+    np.testing.assert_allclose(model.mass_matrix(0.0, q), mass)
+    qdd = model.forward_dynamics(0.0, q, qd, u=u)
+    np.testing.assert_allclose(qdd, np.linalg.solve(mass, force))
+    np.testing.assert_allclose(model.inverse_dynamics(0.0, q, qd, qdd, u=u), 0, atol=1e-12)
+    np.testing.assert_allclose(model.inverse_dynamics(0.0, q, qd, [0.0, 0.0]), [5.0, 0.0] - force)
+    np.testing.assert_allclose(model.output(0.0, q, qd), [0.1 + 0.5 * np.sin(0.4)])
+    assert model.multipliers(0.0, q, qd).shape == (0,)
+    assert model.constraint_jacobian(0.0, q).shape == (0, 2)
+    kinetic = 0.5 * qd @ mass @ qd
+    np.testing.assert_allclose(model.energy(0.0, q, qd), kinetic - G * 0.5 * np.cos(0.4))
+
+
+def test_leading_axes_broadcast(model: Model) -> None:
+    angles = np.linspace(-1, 1, 6).reshape(2, 3)
+    q = np.stack([np.zeros_like(angles), angles], axis=-1)
+    assert model.forward_dynamics(0.0, q, np.zeros(2)).shape == (2, 3, 2)
+    assert model.energy(np.zeros((4, 1, 1)), q, np.zeros(2)).shape == (4, 2, 3)
+    matrices = model.mass_matrix(0.0, q)
+    np.testing.assert_allclose(matrices[1, 2], _mass_matrix(1.0))
+    heavier = model.mass_matrix(0.0, q[0, 0], p=[[3, 1, 0.5], [4, 1, 0.5]])
+    np.testing.assert_allclose(heavier[:, 0, 0], [4, 5])
+    assert model.state_jacobian(0.0, q, np.zeros(2)).shape == (2, 3, 5, 5)
+
+
+def test_the_state_jacobian_holds_states(model: Model) -> None:
+    jacobian = model.state_jacobian(0.0, [0.0, 0.0], [0.0, 0.0])
+    np.testing.assert_allclose(jacobian[:2, 2:4], np.eye(2))
+    np.testing.assert_allclose(jacobian[4], [0, 0, 0, 0, -1])
+
+
+@pytest.mark.parametrize(
+    "arguments", [([0.0], [0.0, 0.0]), ([0.0, 0.0], [0.0]), (0.0, 0.0)], ids=["q too short", "qd too short", "scalars"]
+)
+def test_arrays_of_a_wrong_length_are_refused(model: Model, arguments: tuple[object, object]) -> None:
+    with pytest.raises(ValueError, match="2 entries"):
+        model.forward_dynamics(0.0, *arguments)  # type: ignore[arg-type]
+
+
+def test_the_c_engine_gives_the_same(model: Model) -> None:
+    compiled = lagdsl.compile(TEXT, engine="c")
+    q, qd = [[0.1, 0.4], [0.2, -0.7]], [0.2, -0.3]
+    np.testing.assert_allclose(compiled.forward_dynamics(0, q, qd), model.forward_dynamics(0, q, qd), rtol=1e-13)
+
+
+def test_the_textbook_route_gives_the_same(model: Model) -> None:
+    symbolic = lagdsl.compile(TEXT, derivation="textbook")
+    q, qd = [0.1, 0.4], [0.2, -0.3]
+    np.testing.assert_allclose(symbolic.forward_dynamics(0, q, qd), model.forward_dynamics(0, q, qd), rtol=1e-12)
+
+
+def test_equations_in_symbols(model: Model) -> None:
+    equations = model.equations
+    assert equations.mass_matrix.shape == (2, 2)
+    assert model.equations is equations
+
+
+def test_initial_state(model: Model) -> None:
+    state = model.initial_state(start={"x": 3.0, "der(a)": 0.5, "s": 1.0})
+    np.testing.assert_allclose(state.q, [3.0, np.radians(30)])
+    np.testing.assert_allclose(state.qd, [0.0, 0.5])
+    np.testing.assert_allclose(state.z, [1.0])
+
+
+def test_simulation(model: Model) -> None:
+    motion = model.simulate(stop=1.0, interval=0.1, inputs={"u": lambda t: 3.0 * t}, parameters={"l": 0.7})
+    assert motion.names == ("time", "x", "a", "der(x)", "der(a)", "s", "tip")
+    np.testing.assert_allclose(motion["s"], 2 * np.exp(-motion.time), rtol=1e-6)
+    np.testing.assert_allclose(motion["tip"], motion["x"] + 0.7 * np.sin(motion["a"]))
+    momentum = 3 * motion["der(x)"] + 0.7 * np.cos(motion["a"]) * motion["der(a)"]
+    np.testing.assert_allclose(momentum, 1.5 * motion.time**2, atol=1e-6)
+
+
+def test_a_motion_has_a_figure_and_a_frame(model: Model, tmp_path: Path) -> None:
+    motion = model.simulate(stop=0.5)
+    assert isinstance(motion, lagdsl.Trajectory)
+    motion.plot(tmp_path / "a.png")
+    assert (tmp_path / "a.png").stat().st_size > 1000
+    assert list(motion.to_dataframe().columns) == list(motion.names)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"parameters": {"mm": 1}}, "no parameter `mm`; did you mean `m`?"),
+        ({"start": {"y": 1}}, "no start value `y`; did you mean `x`|there are x"),
+    ],
+)
+def test_unknown_names_are_told(model: Model, options: dict[str, dict[str, float]], words: str) -> None:
+    with pytest.raises(KeyError, match=words.replace("?", r"\?")):
+        model.simulate(**options)  # type: ignore[arg-type]
+
+
+def test_constrained_models() -> None:
+    model = lagdsl.compile(
+        """model P
+             parameter Length l = 0.5 m;
+             coordinate Length x(start = l), y;
+             gravity = {0, -9.81 m/s2};
+             mass 2 kg at {x, y};
+             constraint rod: x^2 + y^2 = l^2;
+             constraint again: norm({x, y}) = l;
+           end P;"""
+    )
+    assert model.constraints == ["rod", "again"]
+    assert sorted(model.redundant) == [False, True]
+    np.testing.assert_allclose(model.constraint_jacobian(0.0, [0.3, -0.4]), [[0.6, -0.8], [0.6, -0.8]])
+    lam = model.multipliers(0.0, [0.0, -0.5], [2.0, 0.0])
+    radial = -(2 * 4 / 0.5 + 2 * 9.81)  # the rod pulls: weight and centripetal force
+    np.testing.assert_allclose(model.constraint_jacobian(0.0, [0.0, -0.5])[:, 1] @ lam, -radial)
+    np.testing.assert_allclose(lam[0], lam[1])  # least norm shares equally between equal rows
+
+
+def test_failures_are_told_with_time_and_motion() -> None:
+    model = lagdsl.compile(
+        """model M
+             coordinate Length h(start = 1);
+             gravity = {0, -10 m/s2};
+             mass 1 kg at {0, h};
+           equation
+             assert(h > 0.8 m, "low");
+           end M;"""
+    )
+    with pytest.raises(lagdsl.SimulationFailed, match="low") as caught:
+        model.simulate(stop=1.0)
+    assert caught.value.time == pytest.approx(0.2, abs=0.02)
+    assert caught.value.trajectory["h"][-1] > 0.75
+
+
+def test_structural_parameters(root: Path) -> None:
+    model = lagdsl.compile(root / "models" / "chain.lag", structural={"N": 3})
+    assert model.coordinates == ["q[1]", "q[2]", "q[3]"]
+
+
+def test_every_public_name_is_there_and_documented() -> None:
+    for name in lagdsl.__all__:
+        assert getattr(lagdsl, name).__doc__
+        assert name in dir(lagdsl)
+    with pytest.raises(AttributeError, match="no attribute 'nonsense'"):
+        _ = lagdsl.nonsense  # type: ignore[attr-defined]
+
+
+class TestCheck:
+    def test_a_sound_model(self, root: Path) -> None:
+        assert [d for d in lagdsl.check(root / "models" / "pendulum.lag") if d.severity != "note"] == []
+        assert lagdsl.check(str(root / "models" / "pendulum.lag")) == lagdsl.check(root / "models" / "pendulum.lag")
+
+    @pytest.mark.parametrize("source", ["nowhere.lag", "", "model", "model M;\n", "\0;", "(" * 10_000 + "\n"])
+    def test_bad_models_raise_nothing(self, source: str) -> None:
+        assert any(d.severity == "error" for d in lagdsl.check(source))
+
+    def test_compile_raises_with_all_of_it(self) -> None:
+        text = "model M coordinate Length x; mass mm at {x, 0}; gravity = gg; end M;"
+        with pytest.raises(lagdsl.CompilationFailed) as caught:
+            lagdsl.compile(text)
+        assert [d.code for d in caught.value.diagnostics] == ["E0201", "E0201"]
+        assert "unknown name `mm`" in str(caught.value)

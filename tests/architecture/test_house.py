@@ -1,0 +1,132 @@
+"""The house rules that no other tool holds."""
+
+from __future__ import annotations
+
+import json
+import re
+import statistics
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import lagdsl
+from lagdsl.cli.main import lag
+
+HEAVY = {"scipy", "sympy", "rich", "matplotlib", "pandas", "pyarrow", "pint", "lark", "mpmath"}
+GENERATED = {"tables.py", "vocabulary.py"}
+
+
+def _sources(root: Path) -> list[Path]:
+    return sorted(p for p in (root / "lagdsl").rglob("*.py") if p.name not in GENERATED)
+
+
+def _texts(root: Path) -> list[Path]:
+    """Every text of the project: what git tracks, or in an unpacked archive what lies there."""
+    found = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True, check=False)
+    if found.returncode == 0:
+        paths = [root / name for name in found.stdout.split("\0") if name]
+    else:
+        paths = [p for folder in ("lagdsl", "tests", "docs", "models") for p in (root / folder).rglob("*")]
+    return [p for p in paths if p.is_file() and p.suffix not in (".png", ".pyc")]
+
+
+def test_files_are_short(root: Path) -> None:
+    sizes = {p: len(p.read_text(encoding="utf-8").splitlines()) for p in _sources(root)}
+    assert statistics.median(size for size in sizes.values() if size > 10) <= 170
+    assert {p.name: size for p, size in sizes.items() if size > 420 and p.name != "nodes.py"} == {}
+
+
+def test_every_file_says_what_it_is_for(root: Path) -> None:
+    for path in _sources(root):
+        text = path.read_text(encoding="utf-8")
+        assert not text.strip() or text.lstrip().startswith(('"""', "#")), path
+
+
+def test_every_public_function_of_the_api_is_documented(root: Path) -> None:
+    for name in lagdsl.__all__:
+        home = getattr(lagdsl, name)
+        assert home.__doc__, name
+        if isinstance(home, type):
+            for attribute, value in vars(home).items():
+                if not attribute.startswith("_") and callable(value):
+                    assert value.__doc__ or attribute == "of", (name, attribute)
+
+
+def test_no_path_of_a_machine_in_any_text(root: Path) -> None:
+    pattern = re.compile(r"/(?:home|root|Users|work|opt)/[a-z]", re.IGNORECASE)
+    guilty = [
+        str(p.relative_to(root))
+        for p in _texts(root)
+        if pattern.search(p.read_text(encoding="utf-8", errors="replace"))
+    ]
+    assert guilty in ([], [str(Path("tests/architecture/test_house.py"))])
+
+
+def _imported(*arguments: str) -> set[str]:
+    """Top-level packages that a process has imported at its end."""
+    code = (
+        "import sys, json, atexit; "
+        "atexit.register(lambda: print(json.dumps(sorted({n.partition('.')[0] for n in sys.modules})), "
+        "file=sys.stderr)); "
+        f"sys.argv = {['lag', *arguments]!r}; "
+        + ("from lagdsl.cli.main import main; main()" if arguments else "import lagdsl")
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return set(json.loads(done.stderr.splitlines()[-1]))
+
+
+def test_importing_the_package_costs_nothing() -> None:
+    assert not _imported() & (HEAVY | {"numpy", "click"})
+
+
+@pytest.mark.parametrize("model", ["pendulum", "rolling_coin"])
+def test_check_loads_nothing_heavy(root: Path, model: str) -> None:
+    assert not _imported("check", str(root / "models" / f"{model}.lag")) & HEAVY
+
+
+def test_formatting_does_not_even_load_numpy(root: Path) -> None:
+    assert not _imported("fmt", "--check", str(root / "models" / "pendulum.lag")) & (HEAVY | {"numpy"})
+
+
+def test_the_readme_tells_what_continuous_integration_runs(root: Path) -> None:
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    commands = re.findall(r"```sh\n(.*?)```", readme, re.DOTALL)
+    assert len(commands) == 2
+    script = (root / ".ci" / "run").read_text(encoding="utf-8")
+    assert script.splitlines()[-1] == commands[1].strip() == "make check"
+
+
+def test_the_readme_shows_the_model_it_ships(root: Path) -> None:
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    shown = re.search(r"```modelica\n(.*?)```", readme, re.DOTALL)
+    assert shown is not None
+    assert shown[1] == (root / "models" / "pendulum.lag").read_text(encoding="utf-8")
+    assert len(shown[1].splitlines()) == 7
+
+
+def test_links_between_documents_lead_somewhere(root: Path) -> None:
+    pages = [root / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "docs/language.md")]
+    for page in pages:
+        for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+            assert (page.parent / target).exists(), (page.name, target)
+
+
+def test_the_readme_names_every_command(root: Path) -> None:
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    assert isinstance(lag, __import__("click").Group)
+    for name in lag.list_commands(None):  # type: ignore[arg-type]
+        assert f"`lag {name} " in readme
+
+
+def test_the_language_reference_speaks_of_every_keyword(root: Path) -> None:
+    reference = (root / "docs" / "language.md").read_text(encoding="utf-8")
+    grammar = (root / "grammar" / "lagdsl.lark").read_text(encoding="utf-8")
+    words = set(re.findall(r'"([a-z]{4,})"', re.sub(r"//.*", "", grammar).split("UNIT:")[0]))
+    for group in re.findall(r"/\(\?:([a-z|]+)\)\(", grammar):
+        words |= set(group.split("|"))
+    later = {"within", "flow", "stream", "redeclare", "replaceable", "partial", "final", "record", "block", "package"}
+    missing = sorted(word for word in words - later if not re.search(rf"\b{word}\b", reference))
+    assert missing == []

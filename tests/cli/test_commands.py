@@ -1,0 +1,168 @@
+"""fmt, flat, derive, build, explain, new, and the group itself."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import Result
+
+Invoke = Callable[..., Result]
+
+
+class TestGroup:
+    def test_help_lists_every_command(self, invoke: Invoke) -> None:
+        result = invoke("--help")
+        assert result.exit_code == 0
+        for name in ("check", "run", "derive", "build", "flat", "fmt", "explain", "new"):
+            assert name in result.stdout
+
+    def test_every_command_has_help(self, invoke: Invoke) -> None:
+        for name in ("check", "run", "derive", "build", "flat", "fmt", "explain", "new"):
+            result = invoke(name, "--help")
+            assert result.exit_code == 0
+            assert "Usage" in result.stdout
+
+    def test_an_unknown_command_is_answered_with_the_nearest(self, invoke: Invoke) -> None:
+        result = invoke("chekc", "x.lag")
+        assert result.exit_code == 2
+        assert "did you mean `check`?" in result.stderr
+        assert invoke("quux").exit_code == 2
+
+    def test_version(self, invoke: Invoke) -> None:
+        assert invoke("--version").stdout.startswith("lag, version ")
+
+
+class TestFmt:
+    UGLY = "model M coordinate Length x;gravity=0;mass 1 kg at {x,0};end;\n"
+
+    def test_in_place_once(self, invoke: Invoke, tmp_path: Path) -> None:
+        path = tmp_path / "m.lag"
+        path.write_text(self.UGLY)
+        assert invoke("fmt", "--check", path).exit_code == 1
+        assert path.read_text() == self.UGLY
+        assert invoke("fmt", path).exit_code == 0
+        formatted = path.read_text()
+        assert "end M;" in formatted
+        assert invoke("fmt", "--check", path).exit_code == 0
+        assert invoke("fmt", path).exit_code == 0
+        assert path.read_text() == formatted
+
+    def test_diff(self, invoke: Invoke, tmp_path: Path) -> None:
+        path = tmp_path / "m.lag"
+        path.write_text(self.UGLY)
+        result = invoke("fmt", "--diff", path)
+        assert "+end M;" in result.stdout
+        assert path.read_text() == self.UGLY
+
+    def test_standard_input(self, invoke: Invoke) -> None:
+        result = invoke("fmt", "-", stdin=self.UGLY)
+        assert result.exit_code == 0
+        assert "end M;" in result.stdout
+        assert invoke("fmt", "-", "other.lag", stdin="").exit_code == 2
+
+    def test_standard_input_that_is_no_text(self, invoke: Invoke) -> None:
+        from click.testing import CliRunner
+
+        from lagdsl.cli.main import lag
+
+        assert CliRunner().invoke(lag, ["fmt", "-"], input=b"\xff").exit_code == 2
+
+    def test_a_text_with_errors_stays_as_it_is(self, invoke: Invoke, tmp_path: Path) -> None:
+        path = tmp_path / "m.lag"
+        path.write_text("model M coordinate Length x(;")
+        result = invoke("fmt", path)
+        assert result.exit_code == 1
+        assert "error" in result.stderr
+        assert path.read_text() == "model M coordinate Length x(;"
+
+    def test_line_ends_become_those_of_unix(self, invoke: Invoke, pendulum: Path) -> None:
+        pendulum.write_bytes(pendulum.read_bytes().replace(b"\n", b"\r\n"))
+        assert invoke("fmt", pendulum).exit_code == 0
+        assert b"\r" not in pendulum.read_bytes()
+
+
+class TestFlat:
+    def test_it_lists_the_model(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+        result = invoke("flat", pendulum)
+        assert result.exit_code == 0
+        assert "theta" in result.stdout
+        out = tmp_path / "flat.txt"
+        assert invoke("flat", pendulum, "-o", out).exit_code == 0
+        assert out.read_text() == result.stdout
+
+    def test_errors(self, invoke: Invoke, broken: Path) -> None:
+        result = invoke("flat", broken, "--format", "json")
+        assert result.exit_code == 1
+        assert json.loads(result.stderr)[0]["code"] == "E0201"
+
+
+class TestDerive:
+    @pytest.mark.parametrize(
+        ("form", "sign"),
+        [("text", "theta"), ("markdown", "#"), ("latex", "\\documentclass"), ("html", "<!DOCTYPE html>")],
+    )
+    def test_every_form(self, invoke: Invoke, pendulum: Path, form: str, sign: str) -> None:
+        result = invoke("derive", pendulum, "--to", form)
+        assert result.exit_code == 0, result.stderr
+        assert sign in result.stdout or "θ" in result.stdout
+
+    def test_errors(self, invoke: Invoke, broken: Path) -> None:
+        assert invoke("derive", broken).exit_code == 1
+
+
+class TestBuild:
+    @pytest.mark.parametrize("target", ["numpy", "c"])
+    def test_it_writes_the_sources_and_names_them(
+        self, invoke: Invoke, pendulum: Path, tmp_path: Path, target: str
+    ) -> None:
+        folder = tmp_path / "deep" / "er"
+        result = invoke("build", pendulum, "--target", target, "-o", folder)
+        assert result.exit_code == 0, result.stderr
+        written = sorted(str(p) for p in folder.rglob("*") if p.is_file())
+        assert written == sorted(result.stdout.split())
+        assert written
+
+    def test_errors(self, invoke: Invoke, broken: Path, pendulum: Path, tmp_path: Path) -> None:
+        assert invoke("build", broken, "--target", "c", "-o", tmp_path / "b").exit_code == 1
+        assert not (tmp_path / "b").exists()
+        assert invoke("build", pendulum, "--target", "c", "-o", pendulum).exit_code == 2
+        assert invoke("build", pendulum, "--target", "fortran", "-o", tmp_path).exit_code == 2
+
+
+class TestExplain:
+    def test_a_page(self, invoke: Invoke) -> None:
+        result = invoke("explain", "e0401")
+        assert result.exit_code == 0
+        assert "E0401" in result.stdout
+
+    def test_an_unknown_code(self, invoke: Invoke) -> None:
+        result = invoke("explain", "W0401")
+        assert result.exit_code == 2
+        assert "E0401" in result.stderr
+
+
+class TestNew:
+    def test_it_runs(self, invoke: Invoke, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.chdir(tmp_path)
+        assert invoke("new", "my-first").exit_code == 0
+        assert "model MyFirst " in (tmp_path / "my-first.lag").read_text()
+        assert invoke("check", "my-first.lag").exit_code == 0
+        assert invoke("fmt", "--check", "my-first.lag").exit_code == 0
+
+    def test_it_never_overwrites(self, invoke: Invoke, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.chdir(tmp_path)
+        (tmp_path / "a.lag").write_text("mine")
+        result = invoke("new", "a.lag")
+        assert result.exit_code == 2
+        assert "exists" in result.stderr
+        assert (tmp_path / "a.lag").read_text() == "mine"
+
+    @pytest.mark.parametrize("name", ["9lives", "-x", "nowhere/model", "°"])
+    def test_names_that_are_none(
+        self, invoke: Invoke, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+    ) -> None:
+        monkeypatch.chdir(tmp_path)
+        result = invoke("new", "--", name)
+        assert result.exit_code == 2
+        assert not list(tmp_path.iterdir())

@@ -1,0 +1,127 @@
+"""What only a process of its own can show: pipes, interrupts, faults, streams."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from lagdsl.cli import main as module
+from lagdsl.cli.main import main
+
+LAG = [sys.executable, "-m", "lagdsl"]
+
+
+def test_python_dash_m_is_the_command(pendulum: Path) -> None:
+    done = subprocess.run([*LAG, "check", str(pendulum)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0
+    assert done.stdout.startswith("Pendulum:")
+
+
+def test_a_reader_that_goes_away_is_no_fault(pendulum: Path) -> None:
+    command = f"{sys.executable} -m lagdsl run {pendulum} -o /dev/stdout | head -n 1"
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    assert done.stdout == "time,theta,der(theta)\n"
+    assert "Traceback" not in done.stderr
+    assert "Error" not in done.stderr
+
+
+def test_no_color_where_nobody_looks(broken: Path) -> None:
+    done = subprocess.run([*LAG, "check", str(broken)], capture_output=True, text=True, check=False)
+    assert "\x1b" not in done.stderr
+
+
+def test_an_interrupt_is_status_130_and_leaves_no_file(pendulum: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out.csv"
+    process = subprocess.Popen(
+        [*LAG, "run", str(pendulum), "--stop", "100000", "--tolerance", "1e-12", "-o", str(out)],
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    time.sleep(2.5)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert errors.strip() == "interrupted"
+    assert not out.exists()
+
+
+def _status(arguments: list[str]) -> int:
+    with pytest.raises(SystemExit) as leaving:
+        main(arguments)
+    assert isinstance(leaving.value.code, int)
+    return leaving.value.code
+
+
+def test_statuses_of_the_whole_program(
+    pendulum: Path, broken: Path, failing: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert _status(["check", str(pendulum)]) == 0
+    assert _status(["check", str(broken)]) == 1
+    assert _status(["check"]) == 2
+    assert _status(["run", str(failing)]) == 3
+    assert "Traceback" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("fault", "status", "words"),
+    [
+        (KeyboardInterrupt(), 130, "interrupted"),
+        (RuntimeError("boom"), 70, "internal error: RuntimeError: boom"),
+        (SystemExit(1), 1, ""),
+    ],
+)
+def test_what_goes_wrong_inside(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    fault: BaseException,
+    status: int,
+    words: str,
+) -> None:
+    def fail(**_: object) -> None:
+        raise fault
+
+    monkeypatch.setattr(module.lag, "main", fail)
+    monkeypatch.setattr(module, "_silence_standard_output", lambda: None)
+    assert _status([]) == status
+    assert words in capsys.readouterr().err
+
+
+def test_a_closed_pipe_inside(monkeypatch: pytest.MonkeyPatch) -> None:
+    silenced: list[bool] = []
+
+    def fail(**_: object) -> None:
+        raise BrokenPipeError
+
+    monkeypatch.setattr(module.lag, "main", fail)
+    monkeypatch.setattr(module, "_silence_standard_output", lambda: silenced.append(True))
+    assert _status([]) == 0
+    assert silenced
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pseudo-terminals of Unix")
+def test_a_terminal_gets_a_sketch_and_a_bar(pendulum: Path) -> None:
+    import pty
+
+    master, slave = pty.openpty()
+    environment = {**os.environ, "TERM": "xterm", "COLUMNS": "100"}
+    process = subprocess.Popen(
+        [*LAG, "run", str(pendulum), "--stop", "400", "--tolerance", "1e-12"],
+        stdout=slave,
+        stderr=slave,
+        env=environment,
+    )
+    os.close(slave)
+    written = b""
+    try:
+        while chunk := os.read(master, 65536):
+            written += chunk
+    except OSError:  # Linux says so when the other end is closed
+        pass
+    os.close(master)
+    assert process.wait() == 0
+    text = written.decode("utf-8", "replace")
+    assert any("\u2801" <= character <= "\u28ff" for character in text)

@@ -1,0 +1,187 @@
+"""`lag run`."""
+
+import csv
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import Result
+
+Invoke = Callable[..., Result]
+
+
+def _read(path: Path) -> dict[str, np.ndarray]:
+    with path.open(newline="") as file:
+        header, *rows = csv.reader(file)
+    return dict(zip(header, np.array(rows, dtype=float).T, strict=True))
+
+
+def test_a_summary_without_an_output(invoke: Invoke, pendulum: Path) -> None:
+    result = invoke("run", pendulum, "--stop", "1")
+    assert result.exit_code == 0, result.stderr
+    assert "Pendulum: 501 rows from 0 s to 1 s" in result.stdout
+    assert "theta" in result.stdout
+    assert "60" in result.stdout  # degrees, for people
+
+
+def test_columns_are_written_in_full_precision(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out.csv"
+    result = invoke("run", pendulum, "--stop", "1", "--interval", "100 ms", "-o", out)
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout == ""
+    columns = _read(out)
+    assert list(columns) == ["time", "theta", "der(theta)"]
+    np.testing.assert_allclose(columns["time"], np.arange(11) / 10, rtol=1e-15)
+    assert columns["theta"][0] == np.pi / 3
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["out.csv", "pendulum.lag"]
+
+
+def test_parquet(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    out = tmp_path / "out.parquet"
+    assert invoke("run", pendulum, "--stop", "1", "-o", out).exit_code == 0
+    table = parquet.read_table(out)
+    assert table.column_names == ["time", "theta", "der(theta)"]
+    assert table.schema.field("theta").metadata == {b"unit": b"rad"}
+
+
+def test_a_figure(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+    out = tmp_path / "motion.png"
+    result = invoke("run", pendulum, "--stop", "1", "--plot", out)
+    assert result.exit_code == 0, result.stderr
+    assert out.read_bytes().startswith(b"\x89PNG")
+
+
+def test_both_engines_and_both_derivations_give_the_same_motion(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+    motions = []
+    for options in ([], ["--engine", "c"], ["--derivation", "textbook"], ["--solver", "radau"]):
+        out = tmp_path / "out.csv"
+        result = invoke("run", pendulum, "--stop", "1", "--tolerance", "1e-10", *options, "-o", out)
+        assert result.exit_code == 0, result.stderr
+        motions.append(_read(out)["theta"])
+    for motion in motions[1:]:
+        np.testing.assert_allclose(motion, motions[0], atol=1e-7)
+
+
+class TestSet:
+    def test_quantity_literals(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+        out = tmp_path / "out.csv"
+        result = invoke("run", pendulum, "--stop", "1", "--set", "l=200 cm", "--set", "theta.start=0.1", "-o", out)
+        assert result.exit_code == 0, result.stderr
+        expected = 0.1 * np.cos(np.sqrt(9.81 / 2) * np.linspace(0, 1, 501))
+        np.testing.assert_allclose(_read(out)["theta"], expected, atol=2e-4)
+
+    def test_rates(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+        out = tmp_path / "out.csv"
+        result = invoke("run", pendulum, "--stop", "1", "--set", "der(theta).start=-60 deg/s", "-o", out)
+        assert result.exit_code == 0, result.stderr
+        assert _read(out)["der(theta)"][0] == pytest.approx(-np.pi / 3)
+
+    def test_structural_parameters_recompile(self, invoke: Invoke, root: Path, tmp_path: Path) -> None:
+        out = tmp_path / "out.csv"
+        chain = root / "models" / "chain.lag"
+        result = invoke("run", chain, "--stop", "0.1", "--set", "N=3", "--set", "l=0.2", "-o", out)
+        assert result.exit_code == 0, result.stderr
+        assert list(_read(out))[:4] == ["time", "q[1]", "q[2]", "q[3]"]
+
+    def test_booleans(self, invoke: Invoke, root: Path) -> None:
+        car = root / "models" / "quarter_car.lag"
+        assert invoke("run", car, "--stop", "0.1", "--set", "active=false").exit_code == 0
+        assert invoke("run", car, "--stop", "0.1", "--set", "active=1").exit_code == 2
+
+    @pytest.mark.parametrize(
+        ("assignment", "words"),
+        [
+            ("mm=1", "did you mean `m`?"),
+            ("thta.start=1", "did you mean `theta.start`?"),
+            ("theta=1", "theta.start"),
+            ("m=1 m", "`m` is a mass [kg], this is a length"),
+            ("theta.start=1 s", "a time"),
+            ("m", "name=value"),
+            ("m=", "name=value"),
+            ("m=heavy", "expected a number"),
+            ("m=1 kgg", "expected a number"),
+            ("m=-1", "at least 0"),
+            ("m=1; import os", "expected a number"),
+        ],
+    )
+    def test_what_does_not_fit_is_status_2(self, invoke: Invoke, pendulum: Path, assignment: str, words: str) -> None:
+        result = invoke("run", pendulum, "--set", assignment)
+        assert result.exit_code == 2
+        assert words in " ".join(result.stderr.replace("│", " ").split())
+
+
+class TestInput:
+    def test_a_table_drives_the_model(self, invoke: Invoke, root: Path, tmp_path: Path) -> None:
+        table, out = tmp_path / "u.csv", tmp_path / "out.csv"
+        table.write_text("time,u\n0,0\n1,2\n")
+        cart = root / "models" / "cart_double_pendulum.lag"
+        assert invoke("run", cart, "--stop", "1", "--input", table, "-o", out).exit_code == 0
+        driven = _read(out)["x"][-1]
+        assert invoke("run", cart, "--stop", "1", "-o", out).exit_code == 0
+        assert driven > _read(out)["x"][-1] + 0.01
+
+    @pytest.mark.parametrize(
+        "content",
+        [
+            "",
+            "u,time\n",
+            "time\n0\n1\n",
+            "time,u\n0,1\n",
+            "time,u\n0,1\n1\n",
+            "time,u\n0,x\n1,2\n",
+            "time,u\n1,1\n0,1\n",
+            "time,u\n0,nan\n1,1\n",
+        ],
+    )
+    def test_a_bad_table_is_status_2(self, invoke: Invoke, root: Path, tmp_path: Path, content: str) -> None:
+        table = tmp_path / "u.csv"
+        table.write_text(content)
+        result = invoke("run", root / "models" / "cart_double_pendulum.lag", "--input", table)
+        assert result.exit_code == 2
+        assert "u.csv" in result.stderr.replace("\n", "")
+
+    def test_a_missing_table_is_status_2(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+        assert invoke("run", pendulum, "--input", tmp_path / "none.csv").exit_code == 2
+
+    def test_an_unknown_input_is_told(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+        table = tmp_path / "u.csv"
+        table.write_text("time,wind\n0,0\n100,0\n")
+        result = invoke("run", pendulum, "--input", table)
+        assert result.exit_code != 0
+        assert "wind" in result.stderr
+
+
+class TestFailures:
+    def test_a_failing_run_keeps_its_rows_with_status_3(self, invoke: Invoke, failing: Path, tmp_path: Path) -> None:
+        out = tmp_path / "out.csv"
+        result = invoke("run", failing, "-o", out)
+        assert result.exit_code == 3
+        assert "on the floor" in result.stderr
+        columns = _read(out)
+        assert 0.0 < columns["time"][-1] < np.sqrt(2 * 0.1 / 9.80665) + 0.02
+
+    def test_errors_leave_no_file_behind(self, invoke: Invoke, broken: Path, tmp_path: Path) -> None:
+        out = tmp_path / "out.csv"
+        assert invoke("run", broken, "-o", out).exit_code == 1
+        assert not out.exists()
+
+    @pytest.mark.parametrize(
+        "options",
+        [["--stop", "-1"], ["--stop", "1 m"], ["--interval", "0"], ["--tolerance", "2"], ["--solver", "magic"]],
+    )
+    def test_options_that_make_no_sense_are_status_2(self, invoke: Invoke, pendulum: Path, options: list[str]) -> None:
+        assert invoke("run", pendulum, *options).exit_code == 2
+
+    def test_an_output_that_cannot_be_written_is_status_2(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+        for path in (tmp_path, tmp_path / "nowhere" / "out.csv"):
+            result = invoke("run", pendulum, "-o", path)
+            assert result.exit_code == 2
+            assert "cannot write" in result.stderr
+
+    @pytest.mark.skipif(os.name != "posix", reason="devices of Unix")
+    def test_a_device_is_written_directly(self, invoke: Invoke, pendulum: Path) -> None:
+        assert invoke("run", pendulum, "--stop", "0.1", "-o", "/dev/null").exit_code == 0
+        assert not Path("/dev/null").is_file()

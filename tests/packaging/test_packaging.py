@@ -1,0 +1,77 @@
+"""A wheel and an sdist carry grammar, library, pages and C sources, and the wheel runs from wherever it lies."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tarfile
+import zipfile
+from pathlib import Path
+
+import pytest
+
+hatchling = pytest.importorskip("hatchling.build")
+
+CARRIED = {
+    "grammar/lagdsl.lark": "lagdsl/_data/grammar/lagdsl.lark",
+    "stdlib/Lag/package.lag": "lagdsl/_data/stdlib/Lag/package.lag",
+    "docs/diagnostics/E0401.md": "lagdsl/_data/diagnostics/E0401.md",
+    "lagdsl/runtime/c/include/lag/model.h": "lagdsl/runtime/c/include/lag/model.h",
+    "lagdsl/runtime/c/src/dynamics.c": "lagdsl/runtime/c/src/dynamics.c",
+}
+
+
+@pytest.fixture(scope="module")
+def packages(root: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """(sdist, wheel built from what the sdist holds), by the build backend and without the network."""
+    folder = tmp_path_factory.mktemp("dist")
+    build = "import sys; from hatchling.build import build_{0}; print(build_{0}(sys.argv[1]))"
+    _run([sys.executable, "-c", build.format("sdist"), str(folder)], root)
+    (sdist,) = folder.glob("*.tar.gz")
+    with tarfile.open(sdist) as archive:
+        archive.extractall(folder / "unpacked", filter="data")
+    (source,) = (folder / "unpacked").iterdir()
+    _run([sys.executable, "-c", build.format("wheel"), str(folder)], source)
+    (wheel,) = folder.glob("*.whl")
+    return sdist, wheel
+
+
+def _run(command: list[str], folder: Path, **environment: str) -> str:
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, env=environment or None)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_the_sdist_carries_the_whole_project(packages: tuple[Path, Path]) -> None:
+    with tarfile.open(packages[0]) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    assert set(CARRIED) <= names
+    assert {"LICENSE", "README.md", "Makefile", "models/pendulum.lag", "tests/conftest.py"} <= names
+
+
+def test_the_wheel_carries_what_runs(packages: tuple[Path, Path]) -> None:
+    with zipfile.ZipFile(packages[1]) as archive:
+        names = set(archive.namelist())
+    assert set(CARRIED.values()) <= names
+    assert not any(name.startswith(("tests/", "models/")) for name in names)
+    assert any(name.endswith("licenses/LICENSE") for name in names)
+
+
+def test_the_wheel_runs_a_model(packages: tuple[Path, Path], root: Path, tmp_path: Path) -> None:
+    site = tmp_path / "site"
+    with zipfile.ZipFile(packages[1]) as archive:
+        archive.extractall(site)
+    model = tmp_path / "pendulum.lag"
+    model.write_text((root / "models" / "pendulum.lag").read_text())
+    environment = {"PYTHONPATH": str(site), "PATH": __import__("os").environ["PATH"], "HOME": str(tmp_path)}
+    where = _run([sys.executable, "-c", "import lagdsl; print(lagdsl.__file__)"], tmp_path, **environment)
+    assert str(site) in where
+    lag = [sys.executable, "-m", "lagdsl"]
+    assert "1 degree of freedom" in _run([*lag, "check", str(model)], tmp_path, **environment)
+    assert "E0401" in _run([*lag, "explain", "E0401"], tmp_path, **environment)
+    out = _run(
+        [*lag, "run", str(model), "--stop", "0.2", "--engine", "c", "-o", "/dev/stdout"], tmp_path, **environment
+    )
+    assert out.startswith("time,theta,der(theta)")
+    paths = "from lagdsl import resources as r; print(r.grammar_file().is_file(), r.library_folder().is_dir())"
+    assert _run([sys.executable, "-c", paths], tmp_path, **environment).split() == ["True", "True"]
