@@ -16,6 +16,7 @@ from lagdsl.semantics.flat_model import Constraint, FlatModel
 from lagdsl.units.dimension import BASE_UNITS
 
 _TRIES = 24
+_MOST_SHOWN = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,8 +101,9 @@ def _report_contradiction(others: list[Constraint], constraint: Constraint, sink
 
 def configuration(flat: FlatModel, q: Floats) -> str:
     """`x = 0.1 m, theta = 30 deg` in display units, the first few coordinates."""
-    shown = [f"{c.name} = {quantity_text(v, c)}" for c, v in list(zip(flat.coordinates, q.tolist(), strict=True))[:6]]
-    return ", ".join(shown) + (", ..." if len(flat.coordinates) > 6 else "")
+    values = np.where(np.abs(q) > 1e-6, q, 0.0).tolist()  # what a search leaves of a zero
+    shown = [f"{c.name} = {quantity_text(v, c)}" for c, v in zip(flat.coordinates, values, strict=True)]
+    return ", ".join([*shown[:_MOST_SHOWN], *(["..."] if len(shown) > _MOST_SHOWN else [])])
 
 
 def unit_suffix(constraint: Constraint) -> str:

@@ -22,10 +22,11 @@ class Count:
 
 
 def count(flat: FlatModel, freedom: int) -> Count | None:
-    """None where no mass or body is declared (energies written by hand), or more freedoms than they can have."""
+    """None where inertia stands in energies written by hand, or where the masses have fewer freedoms than that."""
     particles, bodies = len(flat.masses), len(flat.bodies)
     line = Count(particles=particles, bodies=bodies, freedom=freedom)
-    return line if particles + bodies and line.conditions >= 0 else None
+    by_hand = any(term.kind in ("kinetic", "lagrangian") for term in flat.energies)
+    return line if particles + bodies and line.conditions >= 0 and not by_hand else None
 
 
 def count_text(line: Count) -> str:

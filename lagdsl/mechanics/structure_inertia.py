@@ -28,7 +28,9 @@ def report_massless(flat: FlatModel, space: Geometry, points: list[Floats], sink
     leading = int(np.argmax(shares))
     for index, coordinate in enumerate(flat.coordinates):
         if shares[index] > 0.999 or (index == leading and not np.any(shares > 0.999)):
-            sink.report("E0503", coordinate.spans[0] if coordinate.spans else None, name=coordinate.name)
+            why = f"the mass matrix is singular in this direction and no constraint determines der({coordinate.name})"
+            span = coordinate.spans[0] if coordinate.spans else None
+            sink.report("E0503", span, notes=(why,), name=coordinate.name)
 
 
 def _massless_shares(space: Geometry, q: Floats, qd: Floats) -> Floats:

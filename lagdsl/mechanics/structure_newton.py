@@ -16,8 +16,8 @@ from lagdsl.mechanics.rank import Floats, minimum_norm
 
 Equations = Callable[[Floats], tuple[Floats, Floats]]
 
-_SMALLEST_DAMPING = 1e-4
-_LARGEST_DAMPING = 1e10
+_SMALLEST_DAMPING = 1e-3
+_LARGEST_DAMPING = 1e8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +30,7 @@ class Descent:
     size: float
 
 
-def descend(equations: Equations, start: Floats, *, target: float = 1e-13, iterations: int = 60) -> Descent:
+def descend(equations: Equations, start: Floats, *, target: float = 1e-13, iterations: int = 100) -> Descent:
     """Reduce |residual| from `start` until it is below `target`, stalls or `iterations` are used up.
 
     `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one. Once below `target` it
@@ -50,13 +50,13 @@ def descend(equations: Equations, start: Floats, *, target: float = 1e-13, itera
             settled = size <= target and new_size > 0.5 * size
             stalled = damping == 0.0 and new_size > (1.0 - 1e-9) * size
             point, residual, jacobian, size = trial, new_residual, new_jacobian, new_size
-            damping = damping / 10.0 if damping > _SMALLEST_DAMPING else 0.0
+            damping = damping / 3.0 if damping > _SMALLEST_DAMPING else 0.0
             if settled or stalled:
                 break
         elif size <= target or damping > _LARGEST_DAMPING:
             break
         else:
-            damping = max(10.0 * damping, _SMALLEST_DAMPING)
+            damping = max(4.0 * damping, _SMALLEST_DAMPING)
     return Descent(point=point, residual=residual, size=size)
 
 

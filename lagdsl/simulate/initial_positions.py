@@ -64,12 +64,15 @@ def _feasible(task: Problem, equations: Equations, free: np.ndarray) -> Descent:
 def _report(task: Problem, q: Floats, rows: list[int], free: np.ndarray, sink: Sink) -> None:
     """E0801 where fixed starts leave the constraints too few coordinates to move, else E0802."""
     space = task.space
-    phi, jacobian = space.position(q)
-    scaled = jacobian[rows] * space.sizes / space.row_sizes[rows, None]
-    excess = rank(scaled) - rank(scaled[:, free])
-    if excess > 0 or (not len(free) and task.fixed.any()):
-        freedom = len(task.flat.coordinates) - rank(scaled)
-        report_overdetermined(task, max(excess, 1), freedom, sink)
+    phi = space.position(q)[0]
+    # Ranks of general positions: where a search stalls, the mechanism is stretched out and loses rank.
+    samples = [
+        space.position(point)[1][rows] * space.sizes / space.row_sizes[rows, None]
+        for point in random_points(task.flat.coordinates, space.q, space.sizes, 3)
+    ]
+    excess = min(rank(sample) - rank(sample[:, free]) for sample in samples)
+    if excess > 0:
+        report_overdetermined(task, excess, len(q) - max(rank(sample) for sample in samples), sink)
         return
     sizes = np.where(np.isfinite(phi), np.abs(phi) / space.row_sizes, np.inf)
     worst = max(rows, key=lambda row: float(sizes[row]))

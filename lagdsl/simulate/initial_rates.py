@@ -6,8 +6,10 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
-from lagdsl.mechanics.rank import Floats, minimum_norm, null_space
+from lagdsl.mechanics.rank import Floats, minimum_norm, null_space, rank
 from lagdsl.mechanics.structure_constraints import located, unit_suffix
+from lagdsl.mechanics.structure_newton import descend
+from lagdsl.mechanics.structure_points import HOLDS
 from lagdsl.simulate.initial_problem import Problem
 
 # A rate that the remaining freedom moves by less than this part is decided by the others (dead centers).
@@ -30,10 +32,12 @@ def rates(task: Problem, q: Floats, sink: Sink) -> Floats:
     if float(np.max(left_over, initial=0.0)) > _CONSISTENT * (1.0 + float(np.max(np.abs(right), initial=0.0))):
         _report(task, left_over, fixed, sink)
         return np.asarray(v * sizes)
-    v, free = _explicit(v, null_space(conditions), wanted, np.flatnonzero(task.rate_explicit & ~task.rate_fixed))
+    unbound = null_space(conditions)
+    v, free = _explicit(v, unbound, wanted, np.flatnonzero(task.rate_explicit & ~task.rate_fixed))
     v = v + free @ (free.T @ (wanted - v))
     mass = space.mass(q, v * sizes) * sizes * sizes[:, None]
     v = v + free @ minimum_norm(free.T @ mass @ free, free.T @ mass @ (wanted - v))
+    v = _on_a_branch(task, q, v, rows, [free, unbound])
     result = np.asarray(v * sizes)
     # What was met exactly is handed on exactly, not to within round-off.
     exact = np.abs(result - space.qd) <= 1e-13 * np.maximum(np.abs(space.qd), sizes)
@@ -50,6 +54,36 @@ def _explicit(v: Floats, free: Floats, wanted: Floats, explicit: np.ndarray) -> 
             v = v + free @ (row * ((wanted[index] - v[index]) / length**2))
             free = free @ null_space(row[None, :])
     return v, free
+
+
+def _on_a_branch(task: Problem, q: Floats, v: Floats, rows: Floats, spaces: list[Floats]) -> Floats:
+    """In a singular position J leaves rates free that lead off the constraints at once: not along any branch of the
+    motion.
+
+    The rates of a branch also satisfy n' gamma(q, v) = 0 for every n with n' J = 0. The nearest such rates are
+    taken; the explicit ones are kept if that is possible.
+    """
+    space = task.space
+    general = space.functions.layout.redundant.count(False)
+    if rank(rows, 1e-7) >= general:
+        return v
+    vanishing = null_space(rows.T, 1e-7).T
+
+    def bias(rates: Floats) -> Floats:
+        arguments = (space.t, q, rates * space.sizes, space.z, space.u, space.w, space.p)
+        return np.asarray(vanishing @ (task.engine.evaluate("dynamics", *arguments)[3] / space.row_sizes))
+
+    for free in spaces:
+
+        def equations(y: Floats, free: Floats = free) -> tuple[Floats, Floats]:
+            steps = 1e-6 * free.T
+            columns = [(bias(v + free @ y + step) - bias(v + free @ y - step)) / 2e-6 for step in steps]
+            return bias(v + free @ y), np.array(columns).reshape(len(y), len(vanishing)).T
+
+        found = descend(equations, np.zeros(free.shape[1]))
+        if found.size <= HOLDS * max(1.0, float(v @ v)):
+            return np.asarray(v + free @ found.point)
+    return v
 
 
 def _report(task: Problem, left_over: Floats, fixed: np.ndarray, sink: Sink) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics import Severity, Sink
 from lagdsl.mechanics.rank import Floats, rank
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_model import FlatModel
@@ -61,13 +61,16 @@ def initial_state(
         q, qd, z = joint_state(task, own)
     else:
         q = positions(task, own)
-        found = any(d.severity == "error" for d in own.diagnostics[before:])
-        qd, z = (task.space.qd if found else rates(task, q, own)), task.space.z
+        qd, z = (task.space.qd if _wrong(own, before) else rates(task, q, own)), task.space.z
     if sink is None:
         own.raise_if_errors()
-    rows = moved_rows(task, q, qd)
+    rows = () if _wrong(own, before) else moved_rows(task, q, qd)
     report_moved(task, rows, own)
     return InitialState(model=flat.name, t=task.space.t, q=q, qd=qd, z=z, freedom=_freedom(task, q), moved=rows)
+
+
+def _wrong(sink: Sink, before: int) -> bool:
+    return any(d.severity is Severity.ERROR for d in sink.diagnostics[before:])
 
 
 def _freedom(task: Problem, q: Floats) -> int:

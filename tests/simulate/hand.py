@@ -60,7 +60,12 @@ def constraint(name: str, rows: int = 1, level: str = "position", line: int = 5)
     names = (name,) if rows == 1 else tuple(f"{name}[{i + 1}]" for i in range(rows))
     zero = Number(0.0)
     return Constraint(
-        name=name, rows=names, residuals=(zero,) * rows, dimension=LENGTH, level=level, spans=span(line)  # type: ignore[arg-type]
+        name=name,
+        rows=names,
+        residuals=(zero,) * rows,
+        dimension=LENGTH,
+        level=level,
+        spans=span(line),  # type: ignore[arg-type]
     )
 
 
@@ -98,7 +103,8 @@ def flat_model(
         constraints=tuple(constraints),
         outputs=tuple(Output(name=n, value=zero, **plain) for n in outputs),
         invariants=tuple(
-            Invariant(name=n, value=zero, dimension=ENERGY, tolerance=invariant_tolerance, spans=span(12)) for n in invariants
+            Invariant(name=n, value=zero, dimension=ENERGY, tolerance=invariant_tolerance, spans=span(12))
+            for n in invariants
         ),
         assertions=tuple(Assertion(condition=zero, message=m, spans=span(13)) for m in assertions),
         initial_equations=tuple(
@@ -170,8 +176,10 @@ class Hand:
 
     def monitor(self, t, q, qd, z):  # type: ignore[no-untyped-def]
         energy = self.energy(q, qd)
-        return np.full(len(self.layout.invariants), energy), np.ones(len(self.layout.invariants)), np.ones(
-            len(self.layout.assertions)
+        return (
+            np.full(len(self.layout.invariants), energy),
+            np.ones(len(self.layout.invariants)),
+            np.ones(len(self.layout.assertions)),
         )
 
     def initial(self, t, q, qd, z, u, qdd, lam):  # type: ignore[no-untyped-def]
@@ -216,6 +224,8 @@ class Hand:
                 return np.asarray(self.phi(t, q), dtype=float), rows
             case "velocity_constraint":
                 return rows @ qd + np.real(self.rate(t, q)), rows
+            case "dynamics":
+                return self.mass(q), self.force(t, q, qd, z, u), rows, self.gamma(t, q, qd)
             case "mass_matrix":
                 return (self.mass(q),)
             case "state_derivative":
