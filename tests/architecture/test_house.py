@@ -130,3 +130,9 @@ def test_the_language_reference_speaks_of_every_keyword(root: Path) -> None:
     later = {"within", "flow", "stream", "redeclare", "replaceable", "partial", "final", "record", "block", "package"}
     missing = sorted(word for word in words - later if not re.search(rf"\b{word}\b", reference))
     assert missing == []
+
+
+def test_the_index_lists_every_model(root: Path) -> None:
+    index = (root / "models" / "README.md").read_text(encoding="utf-8")
+    listed = set(re.findall(r"\]\((\w+\.lag)\)", index))
+    assert listed == {p.name for p in (root / "models").glob("*.lag")}

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-hatchling = pytest.importorskip("hatchling.build")
 
 CARRIED = {
     "grammar/lagdsl.lark": "lagdsl/_data/grammar/lagdsl.lark",
