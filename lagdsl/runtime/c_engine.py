@@ -143,7 +143,9 @@ class CEngine:
         return result
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
-        return spread([(ARGUMENT_NAMES[g], None if g is Group.TIME else self.layout.size(g)) for g in groups], arguments)
+        return spread(
+            [(ARGUMENT_NAMES[g], None if g is Group.TIME else self.layout.size(g)) for g in groups], arguments
+        )
 
     def _batch(self, many: Spread) -> Batch:
         """The C view of `many`, which must outlive it; arrays that are not given are those of the single state."""

@@ -18,7 +18,7 @@ _CANDIDATES = ("cc", "gcc", "clang")
 # contraction into fused multiply-adds, which differ between machines.
 FLAGS = ("-std=c11", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno")
 # Above this size of generated text (bytes) compile time counts more than the speed of the result.
-_LARGE = 2_000_000
+_LARGE = 200_000
 _LONGEST_NOTE = 2000
 
 

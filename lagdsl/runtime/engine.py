@@ -39,8 +39,6 @@ class Engine(Protocol):
         """Any function of `lagdsl.program.functions` by name: its result blocks."""
         ...
 
-    def jacobian(
-        self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
-    ) -> Floats:
+    def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz)."""
         ...

@@ -64,7 +64,10 @@ class ModelHead(Structure):
         ("version", c_uint),
         ("size", c_size_t),
         ("name", c_char_p),
-        *((name, c_size_t) for name in ("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "ne", "nrelation", "rank")),
+        *(
+            (name, c_size_t)
+            for name in ("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "ne", "nrelation", "rank")
+        ),
         ("workspace", c_size_t),
         ("prepared", c_size_t),
     ]

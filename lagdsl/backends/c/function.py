@@ -44,8 +44,8 @@ FUNCTIONS: dict[Op, str] = {
 }
 
 # Compilers need superlinear time for long functions: above the first length they are cut into pieces of the second.
-LONGEST_FUNCTION = 1500
-_PIECE = 500
+LONGEST_FUNCTION = 600
+_PIECE = 150
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,5 +164,3 @@ def _lines(statement: Statement, index: int, printer: ExpressionPrinter, chunks:
     if index in chunks.slot:
         lines.append(f"s[{chunks.slot[index]}] = v{index};")
     return lines
-
-

@@ -63,9 +63,7 @@ def source(program: Program, stem: str) -> str:
 def header(stem: str) -> str:
     """Text of `stem`.h."""
     guard = f"{stem.upper()}_GENERATED_H"
-    return (
-        f'#ifndef {guard}\n#define {guard}\n\n#include "lag/model.h"\n\nextern const lag_model {symbol(stem)};\n\n#endif\n'
-    )
+    return f'#ifndef {guard}\n#define {guard}\n\n#include "lag/model.h"\n\nextern const lag_model {symbol(stem)};\n\n#endif\n'
 
 
 def symbol(stem: str) -> str:
@@ -144,7 +142,13 @@ def _prepare(program: Program, prepared: Mapping[int, int]) -> tuple[str, int]:
     made = code(program.graph, stores, {})
     first = ["lag_arguments given = {0};", "given.p = p;", "given.workspace = workspace;"]
     body = _definition(
-        "model_prepare_from", ["const lag_arguments *at", "double *result"], ["at", "result"], made, [], [], len(prepared)
+        "model_prepare_from",
+        ["const lag_arguments *at", "double *result"],
+        ["at", "result"],
+        made,
+        [],
+        [],
+        len(prepared),
     )
     lines = [*first, "return model_prepare_from(&given, workspace);"]
     return body + _braced("static lag_status model_prepare(const double *p, double *workspace)", lines), made.scratch

@@ -93,8 +93,7 @@ def _table(title: str, slots: Sequence[Slot]) -> str:
 def _functions(program: Program) -> str:
     rows = "".join(f"    {ascii(function.name)}: {_row(program, function)},\n" for function in program.functions)
     return (
-        "# body, (name, length) of every argument, shapes of the results\n"
-        f"FUNCTIONS: dict[str, Row] = {{\n{rows}}}\n"
+        f"# body, (name, length) of every argument, shapes of the results\nFUNCTIONS: dict[str, Row] = {{\n{rows}}}\n"
     )
 
 
@@ -105,7 +104,8 @@ def _row(program: Program, function: Function) -> str:
 def signature(program: Program, function: Function) -> tuple[tuple[str, int | None], ...]:
     """Name and length of every argument; the time has no axis of its own."""
     return tuple(
-        (ARGUMENT_NAMES[group], None if group is Group.TIME else program.layout.size(group)) for group in function.arguments
+        (ARGUMENT_NAMES[group], None if group is Group.TIME else program.layout.size(group))
+        for group in function.arguments
     )
 
 
@@ -144,7 +144,9 @@ def _support(name: str) -> str:
     """A file of the support folder without its imports: the module imports once, and holds the rest itself."""
     text = (Path(__file__).parent / "support" / f"{name}.py").read_text(encoding="utf-8")
     kept = [line for line in text.splitlines() if not line.startswith(("import ", "from ", "Floats = ", "Evaluate = "))]
-    alias = "Floats = NDArray[np.float64]\nEvaluate = Callable[..., tuple[Floats, ...]]\n\n" if name == _SUPPORT[0] else ""
+    alias = (
+        "Floats = NDArray[np.float64]\nEvaluate = Callable[..., tuple[Floats, ...]]\n\n" if name == _SUPPORT[0] else ""
+    )
     return alias + _squeezed(kept)
 
 
@@ -154,4 +156,3 @@ def _squeezed(lines: list[str]) -> str:
         if line or kept[-2:] != ["", ""]:
             kept.append(line)
     return "\n".join(kept).strip("\n") + "\n\n"
-

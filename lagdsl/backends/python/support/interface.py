@@ -21,7 +21,12 @@ class Interface:
     """
 
     def __init__(
-        self, evaluate: Evaluate, solve: Evaluate, differentiate: Callable[..., Floats], sizes: Sizes, defaults: Sequence[float]
+        self,
+        evaluate: Evaluate,
+        solve: Evaluate,
+        differentiate: Callable[..., Floats],
+        sizes: Sizes,
+        defaults: Sequence[float],
     ) -> None:
         self._evaluate = evaluate
         self._solve = solve
@@ -81,7 +86,9 @@ class Interface:
         state = self._state(t, q, qd, z, u, w, p)
         return self._evaluate("inverse_dynamics", *state, _vector("qdd", qdd, self._sizes.q))[0]
 
-    def mass_matrix(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike | None = None, p: ArrayLike | None = None) -> Floats:
+    def mass_matrix(
+        self, t: ArrayLike, q: ArrayLike, qd: ArrayLike | None = None, p: ArrayLike | None = None
+    ) -> Floats:
         """M, shape (..., nq, nq); it depends on qd (default 0) only for Lagrangians that are not quadratic in the rates."""
         return self._evaluate("mass_matrix", *self._state(t, q, qd, None, None, None, p))[0]
 

@@ -1,15 +1,17 @@
-# Solving  M a - J' lam = f,  J a = g  for many states at once, whatever the ranks.
-#
-# The null-space method. Coordinates are scaled to a unit diagonal of M and rows of J to unit length, so that ranks do not
-# depend on units. With the singular value decomposition J = U S V', the first components of y = V'a follow from J a = g, the
-# others from the rows of M a = f + J'lam that no multiplier enters, and lam from the rest. M itself may be singular; only its
-# restriction to the null space of J must not be. J is never multiplied by itself, so ranks are found at the square root of
-# the smallness that a factorization of J M^-1 J' would need.
+"""Solving  M a - J'lam = f,  J a = g  for many states at once, whatever the ranks.
+
+The null-space method. Coordinates are scaled to a unit diagonal of M and rows of J to unit length, so that ranks do not
+depend on units. With the singular value decomposition J = U S V', the first components of y = V'a follow from J a = g,
+the others from the rows of M a = f + J'lam that no multiplier enters, and lam from the rest. M itself may be singular;
+only its restriction to the null space of J must not be. J is never multiplied by itself, so ranks are found at the square
+root of the smallness that a factorization of J M^-1 J' would need.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 # A row of J counts as dependent where its singular value is below this part of the largest.
@@ -18,144 +20,170 @@ RANK_TOLERANCE = 1e-8
 ZERO_TOLERANCE = 1e-14
 # M is singular on the null space of J where an eigenvalue is below nq times this part of the largest.
 SINGULAR_TOLERANCE = 2e-15
-REFINEMENTS = 2
+# Values beyond this, whose squares are not numbers any more, count as infinite.
 LARGEST = 1e140
+REFINEMENTS = 2
 
 
-class SingularSystem(ArithmeticError):
-    """Some accelerations are not determined: M is singular on the null space of J. `coordinate` is the index of the
-    coordinate with the largest part in the undetermined direction."""
+class SingularSystem(ArithmeticError):  # noqa: N818  it is a state of the mechanism, not always a mistake
+    """Some accelerations are not determined: M is singular on the null space of J.
+
+    `coordinate` is the index of the coordinate with the largest part in the undetermined direction.
+    """
 
     def __init__(self, coordinate: int) -> None:
-        super().__init__(f"singular in coordinate {coordinate}")
+        super().__init__(f"the acceleration of coordinate {coordinate} is not determined")
         self.coordinate = coordinate
 
 
 class Factorization:
-    """Factors of the system for M (..., n, n), J (..., m, n), where at most `rank` rows of J are independent."""
+    """Inverse of the system for M (..., n, n) and J (..., m, n), of whose rows at most `rank` are independent.
+
+    a = B g + K (f - M B g) and lam = B'(M a - f): B is the inverse of J, and K that of M on the null space of J. Both are
+    explicit; refinement takes back what that costs.
+    """
 
     def __init__(self, mass: Floats, jacobian: Floats, rank: int) -> None:
-        n, m = mass.shape[-1], jacobian.shape[-2]
-        self.mass = mass
-        self.jacobian = jacobian
-        self.column_scale = _column_scale(mass)
-        scaled_mass = mass * self.column_scale[..., :, None] * self.column_scale[..., None, :]
-        scaled_jacobian = jacobian * self.column_scale[..., None, :]
-        self.row_scale = _row_scale(scaled_jacobian)
-        left, self.singular_values, right = np.linalg.svd(scaled_jacobian * self.row_scale[..., :, None])
-        self.basis = np.swapaxes(right, -1, -2)
-        self.rank = _rank(self.singular_values, rank)
-        order = np.arange(max(n, m))
-        self.held = order[:n] < self.rank[..., None]
-        self.range = left[..., :, : min(n, m)] * self.held[..., None, : min(n, m)]
-        free = ~self.held
-        reduced = right @ scaled_mass @ self.basis
-        reduced = reduced * (free[..., :, None] & free[..., None, :])
-        scale = np.max(np.abs(np.linalg.norm(reduced, axis=-1)), axis=-1, initial=0.0)
-        reduced[..., order[:n], order[:n]] += self.held * np.where(scale > 0.0, scale, 1.0)[..., None]
-        self.eigenvalues, self.eigenvectors = np.linalg.eigh(reduced)
-        self.scaled_mass = scaled_mass
-        self.excess = None
-        if m and np.any(self.rank < m):
-            self.excess = _excess(left, order[:m] < self.rank[..., None], self.row_scale)
+        n, m = jacobian.shape[-1], jacobian.shape[-2]
+        self._mass, self._jacobian = mass, jacobian
+        self._column_scale = _column_scale(mass)
+        row_inverse = np.zeros((*mass.shape[:-2], n, m))
+        basis, held = self._column_scale[..., None] * np.eye(n), np.zeros(n, dtype=np.bool_)
+        self._excess: tuple[Floats, Floats] | None = None
+        if n and m:
+            scaled = jacobian * self._column_scale[..., None, :]
+            row_scale = _row_scale(scaled)
+            left, values, right = np.linalg.svd(scaled * row_scale[..., None])
+            ranks = _rank(values, rank)[..., None]
+            held = np.arange(n) < ranks
+            basis = self._column_scale[..., None] * np.swapaxes(right, -1, -2)
+            row_inverse = _row_inverse(basis, values, left, np.arange(values.shape[-1]) < ranks) * row_scale[..., None, :]
+            if (ranks < m).any():
+                self._excess = _excess(left, np.arange(m) < ranks, row_scale)
+        self._row_inverse = row_inverse
+        self._size, self._modes = _modes(mass, basis, held)
+        signed = self._modes / self._size[..., None, :]
+        self._mass_inverse = signed @ np.swapaxes(self._modes, -1, -2)
 
     def undetermined(self) -> Indices:
         """Index of the coordinate with the largest part in an undetermined direction, -1 where all are determined."""
-        n = self.mass.shape[-1]
-        if n == 0:
-            return np.full(self.mass.shape[:-2], -1, dtype=np.intp)
-        size = np.abs(self.eigenvalues)
-        smallest = np.argmin(size, axis=-1)
-        least = np.take_along_axis(size, smallest[..., None], axis=-1)[..., 0]
-        singular = least <= n * SINGULAR_TOLERANCE * np.max(size, axis=-1)
-        direction = np.take_along_axis(self.basis @ self.eigenvectors, smallest[..., None, None], axis=-1)[..., 0]
+        size = np.abs(self._size)
+        n = size.shape[-1]
+        singular = size.min(axis=-1, initial=np.inf) <= n * SINGULAR_TOLERANCE * size.max(axis=-1, initial=0.0)
+        none = np.full(self._mass.shape[:-2], -1, dtype=np.intp)
+        if n == 0 or not singular.any():
+            return none
+        smallest = np.argmin(size, axis=-1)[..., None, None]
+        direction = np.abs(np.take_along_axis(self._modes, smallest, axis=-1)[..., 0] / self._column_scale)
         # of equal parts the first: rounding must not choose
-        part = np.abs(direction) >= (1.0 - 1e-6) * np.max(np.abs(direction), axis=-1, keepdims=True)
-        return np.where(singular, np.argmax(part, axis=-1), -1)
+        largest = direction >= (1.0 - 1e-6) * direction.max(axis=-1, keepdims=True)
+        return np.where(singular, largest.argmax(axis=-1), none)
 
     def solve(self, force: Floats, bias: Floats) -> tuple[Floats, Floats]:
-        """Accelerations (..., n, k) and multipliers of least Euclidean norm (..., m, k) for k right-hand sides f and g."""
+        """Accelerations (..., n, k) and multipliers (..., m, k) for k right-hand sides f and g, refined.
+
+        Of all multipliers that do the same, those of least Euclidean norm.
+        """
+        transposed = np.swapaxes(self._jacobian, -1, -2)
         acceleration, multiplier = self._solve(force, bias)
-        transposed = np.swapaxes(self.jacobian, -1, -2)
         for _ in range(REFINEMENTS):
-            rest = force - self.mass @ acceleration + transposed @ multiplier
-            correction, change = self._solve(rest, bias - self.jacobian @ acceleration)
+            rest = force - self._mass @ acceleration + transposed @ multiplier
+            correction, change = self._solve(rest, bias - self._jacobian @ acceleration)
             acceleration = acceleration + correction
             multiplier = multiplier + change
-        return acceleration, multiplier
+        return acceleration, self._least(multiplier)
 
     def _solve(self, force: Floats, bias: Floats) -> tuple[Floats, Floats]:
-        count = self.singular_values.shape[-1]
-        held = self.held[..., :count, None]
-        force = self.column_scale[..., None] * force
-        bias = self.row_scale[..., None] * bias
-        divisor = np.where(held, self.singular_values[..., None], 1.0)
-        first = self.basis[..., :, :count]
-        x = first @ (np.swapaxes(self.range, -1, -2) @ bias / divisor)
-        rest = (np.swapaxes(self.basis, -1, -2) @ (force - self.scaled_mass @ x)) * ~self.held[..., None]
-        components = np.swapaxes(self.eigenvectors, -1, -2) @ rest / self.eigenvalues[..., None]
-        x = x + self.basis @ ((self.eigenvectors @ components) * ~self.held[..., None])
-        out_of_balance = np.swapaxes(first, -1, -2) @ (self.scaled_mass @ x - force)
-        multiplier = self.row_scale[..., None] * (self.range @ (out_of_balance / divisor))
-        return self.column_scale[..., None] * x, self._least(multiplier)
+        held = self._row_inverse @ bias
+        acceleration = held + self._mass_inverse @ (force - self._mass @ held)
+        return acceleration, np.swapaxes(self._row_inverse, -1, -2) @ (self._mass @ acceleration - force)
 
     def _least(self, multiplier: Floats) -> Floats:
         """The part of the multipliers that is orthogonal to everything without effect."""
-        if self.excess is None:
+        if self._excess is None:
             return multiplier
-        directions, inverse_gram = self.excess
+        directions, inverse_gram = self._excess
         return multiplier - directions @ (inverse_gram @ (np.swapaxes(directions, -1, -2) @ multiplier))
 
 
-def solve_system(mass: Floats, force: Floats, jacobian: Floats, bias: Floats, rank: int) -> tuple[Floats, Floats, Indices]:
+def factorize(mass: Floats, jacobian: Floats, rank: int) -> tuple[Factorization, Flags]:
+    """Factors, and where M and J are finite (their squares, too); elsewhere they are those of another system."""
+    with np.errstate(all="ignore"):
+        finite = (np.abs(mass) < LARGEST).all(axis=(-1, -2)) & (np.abs(jacobian) < LARGEST).all(axis=(-1, -2))
+        if not finite.all():
+            mass = np.where(finite[..., None, None], mass, np.eye(mass.shape[-1]))
+            jacobian = np.where(finite[..., None, None], jacobian, 0.0)
+        return Factorization(mass, jacobian, rank), finite
+
+
+def solve_system(
+    mass: Floats, force: Floats, jacobian: Floats, bias: Floats, rank: int
+) -> tuple[Floats, Floats, Indices]:
     """Accelerations (..., n), multipliers (..., m) of least norm, and the undetermined coordinate (...) or -1.
 
-    States with values that are not finite give values that are not finite, and -1. Where a coordinate is undetermined the
-    other results mean nothing.
+    States with values that are not finite give values that are not finite, and -1. Where a coordinate is undetermined
+    the other results mean nothing.
     """
     factors, finite = factorize(mass, jacobian, rank)
     with np.errstate(all="ignore"):
         acceleration, multiplier = factors.solve(force[..., None], bias[..., None])
-    acceleration = np.where(finite[..., None], acceleration[..., 0], np.nan)
-    multiplier = np.where(finite[..., None], multiplier[..., 0], np.nan)
-    return acceleration, multiplier, np.where(finite, factors.undetermined(), -1)
-
-
-def factorize(mass: Floats, jacobian: Floats, rank: int) -> tuple[Factorization, NDArray[np.bool_]]:
-    """Factors, and where M and J are finite (their squares, too); elsewhere they are those of another system."""
-    with np.errstate(all="ignore"):
-        finite = (np.abs(mass) < LARGEST).all(axis=(-1, -2)) & (np.abs(jacobian) < LARGEST).all(axis=(-1, -2))
-    if not finite.all():
-        mass = np.where(finite[..., None, None], mass, np.eye(mass.shape[-1]))
-        jacobian = np.where(finite[..., None, None], jacobian, 0.0)
-    with np.errstate(all="ignore"):
-        return Factorization(mass, jacobian, rank), finite
+    if finite.all():
+        return acceleration[..., 0], multiplier[..., 0], factors.undetermined()
+    known = finite[..., None]
+    undetermined = np.where(finite, factors.undetermined(), -1)
+    return (
+        np.where(known, acceleration[..., 0], np.nan),
+        np.where(known, multiplier[..., 0], np.nan),
+        undetermined,
+    )
 
 
 def _column_scale(mass: Floats) -> Floats:
     diagonal = np.abs(np.diagonal(mass, axis1=-2, axis2=-1))
-    largest = np.max(diagonal, axis=-1, keepdims=True, initial=0.0)
+    largest = diagonal.max(axis=-1, keepdims=True, initial=0.0)
     largest = np.where(largest > 0.0, largest, 1.0)
-    return 1.0 / np.sqrt(np.where(diagonal > ZERO_TOLERANCE**2 * largest, diagonal, largest))
+    scale: Floats = 1.0 / np.sqrt(np.where(diagonal > ZERO_TOLERANCE**2 * largest, diagonal, largest))
+    return scale
 
 
 def _row_scale(jacobian: Floats) -> Floats:
-    length = np.linalg.norm(jacobian, axis=-1)
-    largest = np.max(length, axis=-1, keepdims=True, initial=0.0)
-    significant = length > ZERO_TOLERANCE * largest
-    return significant / np.where(significant, length, 1.0)
+    length = np.sqrt((jacobian * jacobian).sum(axis=-1))
+    significant = length > ZERO_TOLERANCE * length.max(axis=-1, keepdims=True)
+    scale: Floats = significant / np.where(significant, length, 1.0)
+    return scale
 
 
 def _rank(singular_values: Floats, bound: int) -> Indices:
-    largest = np.max(singular_values, axis=-1, keepdims=True, initial=0.0)
-    rank = np.sum((singular_values > RANK_TOLERANCE * largest) & (singular_values > 0.0), axis=-1)
-    return np.minimum(rank, bound)
+    significant = singular_values > RANK_TOLERANCE * singular_values[..., :1]
+    return np.minimum(significant.sum(axis=-1), bound)
 
 
-def _excess(left: Floats, held: NDArray[np.bool_], row_scale: Floats) -> tuple[Floats, Floats]:
-    """Combinations of the rows that vanish, as columns (..., m, m; zero where there are fewer), and their inverse Gram matrix."""
-    directions = np.where(row_scale > 0.0, row_scale, 1.0)[..., :, None] * left * ~held[..., None, :]
-    length = np.linalg.norm(directions, axis=-2, keepdims=True)
+def _row_inverse(basis: Floats, singular_values: Floats, left: Floats, held: Flags) -> Floats:
+    least = singular_values.shape[-1]
+    inverse = held / np.where(held, singular_values, 1.0)
+    combined: Floats = (basis[..., :least] * inverse[..., None, :]) @ np.swapaxes(left[..., :least], -1, -2)
+    return combined
+
+
+def _modes(mass: Floats, basis: Floats, held: Flags) -> tuple[Floats, Floats]:
+    """Eigenvalues (..., n) of M on the null space of J, and modes (..., n, n) as columns, in which M is diagonal there.
+
+    The held directions have an eigenvalue of the same size, and no part in any mode.
+    """
+    n = mass.shape[-1]
+    free = ~held
+    reduced = np.swapaxes(basis, -1, -2) @ mass @ basis * (free[..., :, None] & free[..., None, :])
+    if held.any():
+        largest = np.abs(reduced).max(axis=(-1, -2), initial=0.0)
+        reduced[..., np.arange(n), np.arange(n)] += held * np.where(largest > 0.0, largest, 1.0)[..., None]
+    size, vectors = np.linalg.eigh(reduced)
+    return size, basis @ (vectors * free[..., :, None])
+
+
+def _excess(left: Floats, held: Flags, row_scale: Floats) -> tuple[Floats, Floats]:
+    """Combinations of rows that vanish, as columns (..., m, m; zero where there are fewer), and their inverse Gram matrix."""
+    directions = np.where(row_scale > 0.0, row_scale, 1.0)[..., None] * left * ~held[..., None, :]
+    length = np.sqrt((directions * directions).sum(axis=-2, keepdims=True))
     directions = directions / np.where(length > 0.0, length, 1.0)
     gram = np.swapaxes(directions, -1, -2) @ directions + np.eye(left.shape[-1]) * held[..., None, :]
     return directions, np.linalg.inv(gram)

@@ -46,7 +46,13 @@ def differentiate_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> Fl
     acceleration, multiplier = solve_motion(evaluate, sizes, *state)
     n, total = sizes.q, 2 * sizes.q + sizes.z
     unit = np.eye(total)
-    directions = (unit[:, :n], unit[:, n : 2 * n], unit[:, 2 * n :], np.zeros((total, sizes.u)), np.zeros((total, sizes.p)))
+    directions = (
+        unit[:, :n],
+        unit[:, n : 2 * n],
+        unit[:, 2 * n :],
+        np.zeros((total, sizes.u)),
+        np.zeros((total, sizes.p)),
+    )
     time, *vectors = state
     spread = (np.asarray(time)[..., None], *(v[..., None, :] for v in (*vectors, acceleration, multiplier)))
     motion, rows = evaluate("residual_tangent", *spread, *directions)

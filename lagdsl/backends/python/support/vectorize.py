@@ -25,7 +25,11 @@ class Functions:
 
 
 def apply(
-    name: str, body: Callable[..., Sequence[float]], signature: Signature, shapes: Shapes, arguments: Sequence[ArrayLike]
+    name: str,
+    body: Callable[..., Sequence[float]],
+    signature: Signature,
+    shapes: Shapes,
+    arguments: Sequence[ArrayLike],
 ) -> tuple[Floats, ...]:
     """Results of `body`, each of shape (leading axes of the arguments, own shape).
 
@@ -38,7 +42,9 @@ def apply(
     leading: tuple[int, ...] = ()
     for array, (label, length) in zip(arrays, signature, strict=True):
         if length is not None and (array.ndim == 0 or array.shape[-1] != length):
-            raise ValueError(f"{label} of {name} must have {length} entries along its last axis, its shape is {array.shape}")
+            raise ValueError(
+                f"{label} of {name} must have {length} entries along its last axis, its shape is {array.shape}"
+            )
         leading = np.broadcast_shapes(leading, array.shape if length is None else array.shape[:-1])
     columns = [
         array if length is None else [array[..., index] for index in range(length)]
