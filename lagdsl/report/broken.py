@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from lagdsl.report.boxes import EQUALS, Box, Row, Sum
 from lagdsl.report.document import Equation
@@ -32,14 +33,16 @@ def lines(equation: Equation, width: int) -> list[Line]:
     return [*result, Line(None, Row((EQUALS, right[0]))), *(Line(None, other, True) for other in right[1:])]
 
 
-def starts_with_minus(box: Box) -> bool:
+def sign_and_rest(box: Box) -> tuple[Literal["+", "-"], Box]:
+    """The sign a continued line starts with, and the line without it."""
     match box:
-        case Sum(terms):
-            return terms[0][0] == "-"
-        case Row(items):
-            return starts_with_minus(items[0])
+        case Sum(((sign, first), *others)):
+            return sign, Sum((("+", first), *others))
+        case Row((first, *others)):
+            sign, rest = sign_and_rest(first)
+            return sign, Row((rest, *others))
         case _:
-            return False
+            return "+", box
 
 
 def _broken(box: Box, width: int) -> list[Box]:

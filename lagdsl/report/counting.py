@@ -18,15 +18,19 @@ def count_blocks(count: Count) -> list[Block]:
         blocks.append(
             Paragraph(
                 text(
-                    f"{_some(independent, 'more independent row')} restrict{_s(independent)} the rates only "
-                    f"(nonholonomic): the velocities have {_some(count.velocity_freedom, 'degree')} of freedom."
+                    f"{_some(independent, 'more independent row').capitalize()} restrict{_s(independent)} the rates "
+                    f"only (nonholonomic): the velocities have {_some(count.velocity_freedom, 'degree')} of freedom."
                 )
             )
         )
     if count.rows > count.rank:
         spare = count.rows - count.rank
         blocks.append(
-            Paragraph(text(f"{_some(spare, 'constraint row')} of {count.rows} follow{_s(spare)} from the others."))
+            Paragraph(
+                text(
+                    f"{_some(spare, 'constraint row').capitalize()} of {count.rows} follow{_s(spare)} from the others."
+                )
+            )
         )
     return blocks
 

@@ -7,7 +7,7 @@ from html import escape
 from typing import assert_never
 
 from lagdsl.report.boxes import EQUALS, Row
-from lagdsl.report.broken import lines, starts_with_minus
+from lagdsl.report.broken import Line, lines, sign_and_rest
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -85,31 +85,41 @@ def _block(block: Block) -> str:
 
 
 def _equations(equations: tuple[Equation, ...]) -> str:
-    """One aligned table of formulas; results stand in a frame."""
+    """Formulas aligned at their equals signs; one with a long left-hand side stands by itself. Results are framed."""
     kind = "equations final" if all(equation.final for equation in equations) else "equations"
-    rows = "".join(_equation(equation) for equation in equations)
-    return f'<div class="{kind}"><math display="block"><mtable class="aligned">{rows}</mtable></math></div>'
+    tables: list[str] = []
+    aligned: list[str] = []
+    for equation in equations:
+        parts = lines(equation, _WIDTH)
+        if parts[0].left is not None:
+            aligned += [_aligned(part) for part in parts]
+            continue
+        tables += _tables(aligned)
+        aligned = []
+        tables += _tables([f'<mtr><mtd class="right">{_continued(part)}</mtd></mtr>' for part in parts])
+    return f'<div class="{kind}">{"".join([*tables, *_tables(aligned)])}</div>'
 
 
-def _equation(equation: Equation) -> str:
-    rows = []
-    for part in lines(equation, _WIDTH):
-        if part.left is not None:
-            rows.append(_aligned(element(part.left), element(Row((EQUALS, part.right)))))
-        elif part.continued:
-            plus = "" if starts_with_minus(part.right) else '<mo form="prefix">+</mo>'
-            rows.append(_alone(f'<mrow><mspace width="2em"></mspace>{plus}{element(part.right)}</mrow>'))
-        else:
-            rows.append(_alone(element(part.right)))
-    return "".join(rows)
+def _tables(rows: list[str]) -> list[str]:
+    """At most one table."""
+    if not rows:
+        return []
+    return [f'<math display="block"><mtable class="aligned" displaystyle="true">{"".join(rows)}</mtable></math>']
 
 
-def _aligned(left: str, right: str) -> str:
-    return f'<mtr><mtd class="left">{left}</mtd><mtd class="right">{right}</mtd></mtr>'
+def _aligned(part: Line) -> str:
+    if part.left is None:
+        return f'<mtr><mtd class="left"></mtd><mtd class="right">{_continued(part)}</mtd></mtr>'
+    right = element(Row((EQUALS, part.right)))
+    return f'<mtr><mtd class="left">{element(part.left)}</mtd><mtd class="right">{right}</mtd></mtr>'
 
 
-def _alone(box: str) -> str:
-    return f'<mtr><mtd class="right" columnspan="2">{box}</mtd></mtr>'
+def _continued(part: Line) -> str:
+    if not part.continued:
+        return element(part.right)
+    sign, rest = sign_and_rest(part.right)
+    shown = "−" if sign == "-" else "+"
+    return f'<mrow><mspace width="2em"></mspace><mo form="infix">{shown}</mo>{element(rest)}</mrow>'
 
 
 def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str:

@@ -34,6 +34,7 @@ math { font-size: 1.05em;
 .aligned > mtr > mtd { padding: 0.34em 0.1em; }
 .aligned > mtr > mtd.left { text-align: right; }
 .aligned > mtr > mtd.right { text-align: left; }
+.dot { font-size: 140%; }
 mi.word { font-style: italic; }
 .cases > mtr > mtd { text-align: left; }
 @media (max-width: 40rem) { main { padding: 2rem 1rem 3rem; } h1 { font-size: 1.8rem; } }

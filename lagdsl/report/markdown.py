@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import assert_never
 
-from lagdsl.report.broken import lines, starts_with_minus
+from lagdsl.report.broken import lines, sign_and_rest
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -63,10 +63,11 @@ def aligned(equation: Equation, width: int) -> str:
     for part in lines(equation, width):
         if part.left is not None:
             rows.append(f"{tex(part.left)} &= {tex(part.right)}")
+        elif part.continued:
+            sign, rest = sign_and_rest(part.right)
+            rows.append(rf"&\quad {sign} {tex(rest)}")
         else:
-            sign = "+ " if part.continued and not starts_with_minus(part.right) else ""
-            indent = r"\quad " if part.continued else ""
-            rows.append(f"&{indent}{sign}{tex(part.right)}")
+            rows.append(f"&{tex(part.right)}")
     return " \\\\\n".join(rows)
 
 

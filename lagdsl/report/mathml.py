@@ -62,11 +62,11 @@ def element(box: Box) -> str:  # noqa: C901, PLR0912
             return f"<msqrt>{element(inside)}</msqrt>"
         case Dotted(base, dots):
             accent = {1: "˙", 2: "¨"}.get(dots, "˙" * dots)
-            return f'<mover accent="true">{element(base)}<mo stretchy="false">{accent}</mo></mover>'
+            return f'<mover>{element(base)}<mo class="dot" stretchy="false">{accent}</mo></mover>'
         case Derivative(letter, of, by):
             d = f'<mi mathvariant="normal">{letter}</mi>'
-            above = d if of is None else f"<mrow>{d}{element(of)}</mrow>"
-            return f"<mfrac>{above}<mrow>{d}{element(by)}</mrow></mfrac>"
+            over = d if of is None else f"<mrow>{d}{element(of)}</mrow>"
+            return f"<mfrac>{over}<mrow>{d}{element(by)}</mrow></mfrac>"
         case Call(function, arguments):
             listed = "<mo>,</mo>".join(element(argument) for argument in arguments)
             simple = len(arguments) == 1 and isinstance(arguments[0], Name | Subscript)

@@ -6,7 +6,7 @@ import textwrap
 import unicodedata
 from typing import assert_never
 
-from lagdsl.report.broken import lines, starts_with_minus
+from lagdsl.report.broken import lines, sign_and_rest
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -60,11 +60,11 @@ def _block(block: Block) -> str:
 def _equation(equation: Equation) -> str:
     result = []
     for part in lines(equation, _WIDTH - 16):
-        words = line(part.right).strip()
         if part.continued:
-            sign = "" if starts_with_minus(part.right) else "+ "
-            result.append(f"            {sign}{words}")
+            sign, rest = sign_and_rest(part.right)
+            result.append(f"            {'−' if sign == '-' else '+'} {line(rest).strip()}")
         else:
+            words = line(part.right).strip()
             result.append(f"    {words}" if part.left is None else f"    {line(part.left)} = {words}")
     return "\n".join(result)
 
