@@ -84,7 +84,7 @@ static void draw_problem(problem *x, size_t n, size_t m, size_t rank, double spr
 
 static void regular_and_singular_mass(void)
 {
-    static const double spreads[] = {1.0, 10.0, 1e-3};
+    static const double spreads[] = {1.0, 10.0, 0.1};
     unsigned long long seed = 11;
     problem x;
     for (int trial = 0; trial < 200; ++trial) {
