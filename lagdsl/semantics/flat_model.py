@@ -33,7 +33,8 @@ class Item:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Quantity(Item):
-    """What every named scalar has. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see."""
+    """What every named scalar has. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see,
+    `symbol` how reports typeset the name (LaTeX)."""
 
     name: str
     dimension: Dimension
@@ -41,6 +42,7 @@ class Quantity(Item):
     display_unit: str | None = None
     doc: str | None = None
     type_name: str = "Real"
+    symbol: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,5 +1,50 @@
 """Family 04: dimensions and units."""
 
-from lagdsl.diagnostics.catalog.row import Row
+from lagdsl.diagnostics.catalog.row import Row, error
 
-ROWS: dict[str, Row] = {}
+# Help of E0401 where a factor made of parameters is what is missing.
+MISSING_FACTOR = "the {which} term is short by `{unit}`; a factor `{factor}` would make it {words}"
+
+ROWS: dict[str, Row] = {
+    "E0401": error("cannot {verb} {left} and {right}"),
+    "E0402": error("{function} needs an angle or a number, this is {found}", label="this is {found}"),
+    "E0403": error("a {keyword} on {target} must be {expected}, this is {found}", label="this is {found}"),
+    "E0404": error("`{keyword}` must be {expected}, this is {found}", label="this is {found}"),
+    "E0405": error(
+        "bare `{number}` {preposition} {words}", label="a number without a unit", help="write `{number} {unit}`"
+    ),
+    "E0406": error(
+        "`{unit}` is not a coherent SI unit; values are kept in SI",
+        label="not a coherent unit",
+        help='write `unit = "{coherent}"`; `displayUnit = "{unit}"` shows values in it',
+    ),
+    "E0407": error("{what} is declared as {expected}, its value is {found}", label="this is {found}"),
+    "E0408": error("an exponent must be a number, this is {found}", label="this is {found}"),
+    "E0409": error(
+        'units are switched off here by `annotation(units = "none")`', label="a unit", help="write the number alone"
+    ),
+    "E0410": error("`{unit}` does not fit `{type}`, which is {words} [{own}]", label="another dimension"),
+    "E0411": error(
+        "{what} is an angular velocity, and Hz counts turns",
+        label="a frequency",
+        help="write `rev/s` for turns per second or `rad/s`",
+    ),
+    "E0412": error(
+        "{found} is a `{noun}`, not a `{keyword}`", label="{found}", help="write `{noun} ... on {target}`"
+    ),
+    "E0413": error("unknown unit `{unit}`", label="not a unit"),
+    "E0414": error(
+        "a power of {found} needs a fixed exponent",
+        label="must be a literal number or ratio",
+        help="make the base dimensionless first",
+    ),
+    "E0415": error("{what} must be {expected}, this is {found}", label="this is {found}"),
+    "E0416": error(
+        "a torque acts on a frame or an angle, not at a point", label="a point", help="write `torque ... on F`"
+    ),
+    "E0417": error(
+        "a force on frame `{frame}` needs a point to act at",
+        label="a frame",
+        help="write `force ... at P on {frame}`, or `torque` for a moment",
+    ),
+}

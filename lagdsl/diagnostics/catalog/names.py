@@ -1,5 +1,42 @@
 """Family 02: names."""
 
-from lagdsl.diagnostics.catalog.row import Row
+from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
-ROWS: dict[str, Row] = {}
+ROWS: dict[str, Row] = {
+    "E0201": error("unknown name `{name}`", label="not declared in {scope}"),
+    "E0202": error("unknown modifier `{name}` for `{type}`; the attributes are {attributes}", label="not an attribute"),
+    "E0203": error("`{name}` is ambiguous: imported from {sources}", label="which one is meant?"),
+    "E0204": error("`{name}` is declared twice, as {first} and as {second}", label="declared again here"),
+    "N0205": note("`{name}` hides the built-in {what} of that name"),
+    "W0206": warning(
+        "{kind} `{name}` is never used",
+        label="declared here, read nowhere",
+        help="use it or delete it; a misspelt name elsewhere may be the cause",
+    ),
+    "E0207": error("`{name}` cannot be hidden", label="choose another name"),
+    "E0208": error("unknown type `{name}`", label="neither a quantity nor declared in the file"),
+    "E0209": error("unknown function `{name}`", label="no function of this name"),
+    "E0210": error("{what} has no member `{name}`", label="unknown member"),
+    "E0211": error("`{function}` has no argument `{name}`", label="unknown argument"),
+    "E0212": error("`{name}` is given twice", label="given again here", help="keep one of the two"),
+    "E0213": error(
+        "`{name}` has no effect on a quantity declared as {what}", label="does not fit here", help="delete it"
+    ),
+    "E0214": error(
+        "the prefixes `{prefixes}` do not fit together",
+        label="no such kind of quantity",
+        help="a quantity is a `parameter`, `structural parameter`, `constant`, `input`, `output`, `state` or plain",
+    ),
+    "E0215": error("unknown shape `{shape}`", label="cannot be drawn"),
+    "W0216": warning("annotation `{name}` has no effect", label="not known"),
+    "E0217": error("the file has no model `{name}`"),
+    "E0218": error("the file has no complete model", label="nothing to flatten", help="write `model Name ... end Name;`"),
+    "E0219": error("`{name}` is {what}, not a value", label="a value is expected here"),
+    "E0220": error("modifier `{name}` needs a value", label="write `{name} = ...`"),
+    "E0221": error(
+        "the only value of the annotation `units` is \"none\"",
+        label="not known",
+        help="`annotation(units = \"none\")` takes every dimension in the class as 1",
+    ),
+    "E0222": error("the model has no structural parameter `{name}`"),
+}

@@ -1,5 +1,114 @@
 """Family 03: values, types and variability."""
 
-from lagdsl.diagnostics.catalog.row import Row
+from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
-ROWS: dict[str, Row] = {}
+ROWS: dict[str, Row] = {
+    "E0301": error(
+        "this must be known when the model is compiled: `{name}` is not",
+        label="array sizes and loop ranges must be structural",
+        help="declare what it depends on as `structural parameter Integer ...`",
+    ),
+    "E0302": error(
+        "`{name}` is a coordinate; give its start value, not a binding",
+        label="a coordinate is an unknown of the motion",
+        help="write `{name}(start = ...)`; for a prescribed motion declare it without `coordinate`",
+    ),
+    "E0303": error(
+        "parameter `{name}` has no value and no default",
+        label="what is its value?",
+        help="write `{name} = ...` here",
+    ),
+    "E0304": error(
+        "input `{name}` {what} and must be {times} differentiable",
+        label="its time derivatives occur in the equations",
+        help="declare `input {type} {name}(smooth = {count})`",
+    ),
+    "E0305": error("circular definition: {path}", label="needed for itself"),
+    "E0306": error("expected a point, found {found}", label="not a position"),
+    "E0308": error(
+        "{what} depends on an acceleration, which depends on it in turn",
+        label="an acceleration is known only after the equations are solved",
+        help="write the inertia term as an energy or a mass",
+    ),
+    "N0309": note(
+        "relations in continuous expressions are taken as they stand, their switching is not located as an event yet",
+        label="the first of them",
+    ),
+    "E0311": error("{what} is not supported yet", label="comes with a later release", help="{hint}"),
+    "E0312": error("expected {expected}, found {found}", label="this is {found}"),
+    "E0313": error("the shapes do not fit together: {left} and {right}", label="shapes differ"),
+    "E0314": error(
+        "function `{name}` calls itself", label="recursion", help="functions are expanded in place and cannot recur"
+    ),
+    "E0315": error("`{function}` takes {expected} arguments, found {found}", label="wrong number of arguments"),
+    "E0316": error("index {index} is out of range: there are {extent} {what}", label="must be 1 to {extent}"),
+    "E0317": error("{what} may depend on {allowed} only", label="varies more than that"),
+    "E0318": error(
+        "`{name}` has no value",
+        label="nothing defines it",
+        help="write `{name} = ...` here or in an `equation` section",
+    ),
+    "E0319": error("`{name}` is defined twice", label="a second definition"),
+    "E0320": error(
+        "state `{name}` has no equation", label="how does it change?", help="write `der({name}) = ...` in an `equation` section"
+    ),
+    "E0321": error(
+        "`der({name}) = ...` needs a state, and `{name}` is declared as {kind}",
+        label="not a state",
+        help="declare `state {name}`; motion of coordinates follows from energies and forces",
+    ),
+    "E0322": error(
+        "this equation defines nothing",
+        label="neither side is a variable without a value",
+        help="write `y = ...`, `der(x) = ...` of a state, or a `constraint`; implicit equations are not supported yet",
+    ),
+    "E0323": error("this has no value: {reason}", label="cannot be computed"),
+    "E0324": error(
+        "{what} cannot depend on reactions, multipliers, momenta or energies of the solved motion",
+        label="known only after the equations are solved",
+        help="use them in outputs, invariants and assertions",
+    ),
+    "E0325": error("gravity is given twice", label="a second time here", help="keep one `gravity` statement"),
+    "E0326": error("{what} is too large", label="at most {most}"),
+    "E0327": error(
+        "`{name}` is {what}, not a function",
+        label="read as a call of `{name}`",
+        help="write `{name}*{arguments}` for a product",
+    ),
+    "W0328": warning("`{name}` is {value}, outside its {which} of {limit}", label="out of bounds"),
+    "E0330": error(
+        "the condition of {what} must be known when the model is compiled",
+        label="depends on a parameter",
+        help="use a `structural parameter Boolean`",
+    ),
+    "E0331": error(
+        "`draw {shape}` has no place", label="where?", help="write `at P`, `on F` or `from A to B` after the shape"
+    ),
+    "E0332": error(
+        "{what} is given in the frame's own axes, this is a vector in world axes",
+        label="a world vector",
+        help="write its components in the frame: `{{a, b, c}}`; `.at(P)` takes world positions",
+    ),
+    "E0333": error("an index must be known when the model is compiled", label="not structural"),
+    "E0334": error("{what} must be {expected}, found {found}", label="this is {found}"),
+    "E0335": error(
+        "one value for a whole array needs `each`", label="which element?", help="write `each {text}`"
+    ),
+    "E0336": error("the size of `{name}` comes from its binding, and it has none", label="how many?"),
+    "E0337": error("{kind} `{name}` has no value", label="what is its value?", help="write `{name} = ...` here"),
+    "E0338": error(
+        "`{name}` is a state; give its start value and an equation, not a binding",
+        label="a state has an equation `der({name}) = ...`",
+        help="write `{name}(start = ...)`",
+    ),
+    "E0339": error(
+        "{what} cannot contain accelerations",
+        label="positions and velocities only",
+        help="state the same condition for positions or velocities",
+    ),
+    "E0340": error(
+        "`{name}` cannot be declared inside a loop",
+        label="one declaration, many turns",
+        help="declare an array outside: `{name}[N]`, and give its elements in the loop: `{name}[i] = ...`",
+    ),
+}

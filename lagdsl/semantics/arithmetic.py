@@ -1,0 +1,427 @@
+"""Operators: shapes, kinds and dimensions of `+ - * / ^`, relations and logic."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics.constants import NoValue, evaluate
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.dimensions import fits, joined, product, quotient, report_unequal
+from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.semantics.flat_model import Variability
+from lagdsl.semantics.naming import kind_of, quantity
+from lagdsl.semantics.scope import Scope
+from lagdsl.semantics.values import (
+    POISON,
+    Array,
+    Kind,
+    Numeric,
+    Poison,
+    Scalar,
+    Value,
+    Vector,
+    as_vector,
+    balanced_sum,
+    highest,
+    is_structural,
+    is_zero,
+    latest,
+)
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS
+
+RELATIONS = ("<", "<=", ">", ">=", "==", "<>")
+
+
+@dataclass(frozen=True, slots=True)
+class Operand:
+    """A value and the text it comes from."""
+
+    node: nodes.Node
+    value: Value
+
+
+def negated(value: Numeric) -> Numeric:
+    match value:
+        case Scalar():
+            return Scalar(
+                negative(value.expression), value.dimension, value.variability, value.order, value.kind
+            )
+        case Vector():
+            return Vector(flat.Unary("-", value.expression), value.dimension, value.variability, value.order)
+        case Array():
+            parts = tuple(negative(part) for part in value.elements)
+            return Array(parts, value.shape, value.dimension, value.variability, value.order, value.kind)
+
+
+def negative(expression: FlatExpression) -> FlatExpression:
+    """The negative; of the number 0 the number 0."""
+    if isinstance(expression, flat.Number):
+        return flat.Number(-expression.value) if expression.value else expression
+    return flat.Unary("-", expression)
+
+
+def binary(ctx: Context, scope: Scope, node: nodes.Binary, left: Value, right: Value) -> Value:
+    """The value of `left operator right`."""
+    if isinstance(left, Poison) or isinstance(right, Poison):
+        return POISON
+    one, two = Operand(node.left, left), Operand(node.right, right)
+    match node.operator:
+        case "and" | "or":
+            return _logic(ctx, node, one, two)
+        case operator if operator in RELATIONS:
+            return _relation(ctx, scope, node, one, two)
+    checked = [_numeric(ctx, operand) for operand in (one, two)]
+    if checked[0] is None or checked[1] is None:
+        return POISON
+    match node.operator:
+        case "+" | "-":
+            return added(ctx, scope, node.operator, one, two, node)
+        case "*":
+            return multiplied(ctx, node, checked[0], checked[1])
+        case "/":
+            return divided(ctx, node, checked[0], checked[1])
+        case "^":
+            return power(ctx, node, checked[0], checked[1])
+        case _:
+            return _elementwise(ctx, node, checked[0], checked[1])
+
+
+def _numeric(ctx: Context, operand: Operand) -> Numeric | None:
+    value = operand.value
+    if isinstance(value, Scalar | Vector | Array) and getattr(value, "kind", "Real") != "Boolean":
+        return value
+    ctx.sink.report("E0312", operand.node.span, expected="a number or a vector", found=kind_of(value))
+    return None
+
+
+def _kind(left: Numeric, right: Numeric) -> Kind:
+    both = getattr(left, "kind", "Real") == "Integer" and getattr(right, "kind", "Real") == "Integer"
+    return "Integer" if both else "Real"
+
+
+# ---- sums ------------------------------------------------------------------------------------------------------------
+
+
+def aligned(ctx: Context, left: Operand, right: Operand, node: nodes.Node) -> tuple[Numeric, Numeric] | None:
+    """Both values in one shape: 2-vectors promoted beside geometric vectors, `0` spread. None after E0313."""
+    one, two = left.value, right.value
+    if isinstance(one, Scalar) and isinstance(two, Scalar):
+        return one, two
+    if isinstance(one, Array) and isinstance(two, Array) and one.shape == two.shape:
+        return one, two
+    if isinstance(one, Array) and is_zero(two):
+        return one, _zeros(one)
+    if isinstance(two, Array) and is_zero(one):
+        return _zeros(two), two
+    if isinstance(one, Vector) or isinstance(two, Vector):
+        first, second = as_vector(one), as_vector(two)
+        if first is not None and second is not None:
+            return first, second
+    ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
+    return None
+
+
+def _zeros(like: Array) -> Array:
+    return Array((flat.ZERO,) * len(like.elements), like.shape, None)
+
+
+def added(ctx: Context, scope: Scope, operator: str, left: Operand, right: Operand, node: nodes.Node) -> Value:
+    """Sum or difference; dimensions must be equal."""
+    pair = aligned(ctx, left, right, node)
+    if pair is None:
+        return POISON
+    one, two = pair
+    if not fits(one.dimension, two.dimension):
+        verb = "add" if operator == "+" else "subtract"
+        report_unequal(ctx, verb, scope, (left.node, one.dimension), (right.node, two.dimension))
+        return POISON
+    dimension, variability, order = joined(one.dimension, two.dimension), latest(one, two), highest(one, two)
+    sign: flat.BinaryOperator = "+" if operator == "+" else "-"
+    match one, two:
+        case Scalar(), Scalar():
+            expression = _integer(sign, one, two) or flat.Binary(sign, one.expression, two.expression)
+            return Scalar(expression, dimension, variability, order, _kind(one, two))
+        case Array(), Array():
+            parts = tuple(_plus(sign, a, b) for a, b in zip(one.elements, two.elements, strict=True))
+            return Array(parts, one.shape, dimension, variability, order, _kind(one, two))
+        case Vector(), Vector():
+            if is_zero(left.value) or is_zero(right.value):
+                shown = one if is_zero(right.value) else two if sign == "+" else negated(two)
+                return shown
+            return Vector(flat.Binary(sign, one.expression, two.expression), dimension, variability, order)
+        case _:
+            raise AssertionError("aligned gives equal shapes")
+
+
+def _plus(sign: flat.BinaryOperator, left: FlatExpression, right: FlatExpression) -> FlatExpression:
+    """A sum of elements, without the zeros that spreading brings in."""
+    if right == flat.ZERO:
+        return left
+    if left == flat.ZERO:
+        return right if sign == "+" else negative(right)
+    return flat.Binary(sign, left, right)
+
+
+def _integer(operator: flat.BinaryOperator, left: Scalar, right: Scalar) -> FlatExpression | None:
+    """Integer arithmetic on known numbers is done at once, so that `i - 1` is a number."""
+    if left.kind == right.kind == "Integer" and is_structural(left) and is_structural(right):
+        try:
+            return flat.Number(evaluate(flat.Binary(operator, left.expression, right.expression)))
+        except NoValue:
+            return None
+    return None
+
+
+# ---- products --------------------------------------------------------------------------------------------------------
+
+
+def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Value:
+    """Product of numbers, scaling, scalar product of vectors, matrix product."""
+    dimension, variability, order = product(one.dimension, two.dimension), latest(one, two), highest(one, two)
+    match one, two:
+        case Scalar(), Scalar():
+            expression = _integer("*", one, two) or flat.Binary("*", one.expression, two.expression)
+            return Scalar(expression, dimension, variability, order, _kind(one, two))
+        case (Scalar(), Vector()) | (Vector(), Scalar()):
+            factor, vector = (one, two) if isinstance(one, Scalar) else (two, one)
+            scaled = flat.Binary("*", factor.expression, vector.expression)
+            return Vector(scaled, dimension, variability, order)
+        case (Scalar(), Array()) | (Array(), Scalar()):
+            factor, array = (one, two) if isinstance(one, Scalar) else (two, one)
+            assert isinstance(array, Array)
+            parts = tuple(times(factor.expression, part) for part in array.elements)
+            return Array(parts, array.shape, dimension, variability, order, _kind(one, two))
+        case Array(shape=(3, 3)), Vector():
+            column = as_array(two)
+            parts = tuple(_row_times(one, row, column.elements) for row in range(3))
+            return Vector(flat.Vector(*parts), dimension, variability, order)
+        case Array(), Array():
+            return _matrix_product(ctx, node, one, two)
+        case _:
+            left, right = as_vector(one), as_vector(two)
+            if left is None or right is None:
+                ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
+                return POISON
+            return Scalar(flat.Dot(left.expression, right.expression), dimension, variability, order)
+
+
+def as_array(vector: Vector) -> Array:
+    from lagdsl.semantics.values import components
+
+    return components(vector)
+
+
+def times(left: FlatExpression, right: FlatExpression) -> FlatExpression:
+    """A product of elements; a literal zero stays one."""
+    return flat.ZERO if flat.ZERO in (left, right) else flat.Binary("*", left, right)
+
+
+def dot(left: tuple[FlatExpression, ...], right: tuple[FlatExpression, ...]) -> FlatExpression:
+    terms = [times(a, b) for a, b in zip(left, right, strict=True)]
+    return balanced_sum([term for term in terms if term != flat.ZERO] or [flat.ZERO])
+
+
+def _row_times(matrix: Array, row: int, column: tuple[FlatExpression, ...]) -> FlatExpression:
+    width = matrix.shape[1]
+    return dot(matrix.elements[row * width : (row + 1) * width], column)
+
+
+def _matrix_product(ctx: Context, node: nodes.Node, one: Array, two: Array) -> Value:
+    dimension, variability, order = product(one.dimension, two.dimension), latest(one, two), highest(one, two)
+    if one.shape[-1] != two.shape[0] or len(one.shape) > 2 or len(two.shape) > 2:
+        ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
+        return POISON
+    if len(one.shape) == len(two.shape) == 1:
+        return Scalar(dot(one.elements, two.elements), dimension, variability, order)
+    inner = one.shape[-1]
+    rows = [one.elements[k * inner : (k + 1) * inner] for k in range(len(one.elements) // inner)]
+    width = two.shape[1] if len(two.shape) == 2 else 1
+    columns = [two.elements[k::width] for k in range(width)]
+    parts = tuple(dot(row, column) for row in rows for column in columns)
+    return Array(parts, one.shape[:-1] + two.shape[1:], dimension, variability, order)
+
+
+def divided(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Value:
+    if not isinstance(two, Scalar):
+        ctx.sink.report("E0312", _right(node).span, expected="a scalar divisor", found=kind_of(two))
+        return POISON
+    dimension, variability, order = quotient(one.dimension, two.dimension), latest(one, two), highest(one, two)
+    match one:
+        case Scalar():
+            return Scalar(flat.Binary("/", one.expression, two.expression), dimension, variability, order)
+        case Vector():
+            return Vector(flat.Binary("/", one.expression, two.expression), dimension, variability, order)
+        case Array():
+            parts = tuple(flat.Binary("/", part, two.expression) for part in one.elements)
+            return Array(parts, one.shape, dimension, variability, order)
+
+
+def _elementwise(ctx: Context, node: nodes.Binary, one: Numeric, two: Numeric) -> Value:
+    """`.*` and `./`."""
+    if isinstance(one, Array) and isinstance(two, Array) and one.shape == two.shape:
+        pairs = zip(one.elements, two.elements, strict=True)
+        variability, order = latest(one, two), highest(one, two)
+        if node.operator == ".*":
+            parts = tuple(times(a, b) for a, b in pairs)
+            return Array(parts, one.shape, product(one.dimension, two.dimension), variability, order)
+        quotients = tuple(flat.Binary("/", a, b) for a, b in pairs)
+        return Array(quotients, one.shape, quotient(one.dimension, two.dimension), variability, order)
+    if isinstance(one, Scalar) or isinstance(two, Scalar):
+        return multiplied(ctx, node, one, two) if node.operator == ".*" else divided(ctx, node, one, two)
+    ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
+    return POISON
+
+
+def _right(node: nodes.Node) -> nodes.Node:
+    return node.right if isinstance(node, nodes.Binary) else node
+
+
+# ---- powers ----------------------------------------------------------------------------------------------------------
+
+
+def power(ctx: Context, node: nodes.Binary, base: Numeric, exponent: Numeric) -> Value:
+    """`x^r`; a base with a dimension needs a literal rational exponent."""
+    if not isinstance(base, Scalar) or not isinstance(exponent, Scalar):
+        which, value = (node.left, base) if not isinstance(base, Scalar) else (node.right, exponent)
+        hint = "for the square of a length write `v*v`" if isinstance(value, Vector | Array) else None
+        ctx.sink.report("E0312", which.span, expected="a scalar", found=kind_of(value), help=hint)
+        return POISON
+    if not fits(exponent.dimension, DIMENSIONLESS):
+        ctx.sink.report("E0408", node.right.span, found=quantity(exponent.dimension))
+        return POISON
+    variability, order = latest(base, exponent), highest(base, exponent)
+    dimension = base.dimension
+    if dimension is not None and not dimension.is_dimensionless:
+        ratio = _rational(node.right, exponent)
+        if ratio is None:
+            ctx.sink.report("E0414", node.right.span, found=quantity(dimension))
+            return POISON
+        dimension = dimension**ratio
+    if isinstance(base.expression, flat.Norm) and exponent.expression == flat.Number(2.0):
+        vector = base.expression.vector
+        return Scalar(flat.Dot(vector, vector), dimension, variability, order)
+    return Scalar(flat.Binary("^", base.expression, exponent.expression), dimension, variability, order)
+
+
+def _rational(node: nodes.Node, value: Scalar) -> Fraction | None:
+    """The exponent as an exact ratio: a literal, a ratio of literals, or a structural Integer."""
+    match node:
+        case nodes.Number(text=text) if len(text) < 30:
+            ratio = Fraction(text)
+            return ratio if abs(ratio) <= 1000 and ratio.denominator <= 10**6 else None
+        case nodes.Parenthesized(inner=inner):
+            return _rational(inner, value)
+        case nodes.Unary(operator=operator, operand=operand):
+            ratio_ = _rational(operand, value)
+            return -ratio_ if ratio_ is not None and operator == "-" else ratio_
+        case nodes.Binary(operator="/", left=left, right=right):
+            top, bottom = _rational(left, value), _rational(right, value)
+            return top / bottom if top is not None and bottom else None
+        case _ if is_structural(value) and value.kind == "Integer":
+            return Fraction(evaluate(value.expression))
+        case _:
+            return None
+
+
+# ---- relations and logic ---------------------------------------------------------------------------------------------
+
+
+def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, right: Operand) -> Value:
+    one, two = left.value, right.value
+    for operand in (left, right):
+        if not isinstance(operand.value, Scalar):
+            ctx.sink.report("E0312", operand.node.span, expected="a scalar", found=kind_of(operand.value))
+            return POISON
+    assert isinstance(one, Scalar) and isinstance(two, Scalar)
+    if (one.kind == "Boolean") != (two.kind == "Boolean") or one.kind == "Boolean" and node.operator not in ("==", "<>"):
+        wrong, value = (left, one) if one.kind == "Boolean" else (right, two)
+        ctx.sink.report("E0312", wrong.node.span, expected="a number", found=kind_of(value))
+        return POISON
+    if not fits(one.dimension, two.dimension):
+        report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
+        return POISON
+    value = Scalar(
+        flat.Binary(_OPERATORS[node.operator], one.expression, two.expression),
+        DIMENSIONLESS,
+        latest(one, two),
+        highest(one, two),
+        "Boolean",
+    )
+    if value.variability == Variability.CONTINUOUS and not ctx.quiet and ctx.relation is None:
+        ctx.relation = node.span
+    return value
+
+
+_OPERATORS: dict[str, flat.BinaryOperator] = {
+    "<": "<", "<=": "<=", ">": ">", ">=": ">=", "==": "==", "<>": "<>", "and": "and", "or": "or",
+}  # fmt: skip
+
+
+def boolean(ctx: Context, operand: Operand) -> Scalar | None:
+    value = operand.value
+    if isinstance(value, Scalar) and value.kind == "Boolean":
+        return value
+    if not isinstance(value, Poison):
+        ctx.sink.report("E0312", operand.node.span, expected="a Boolean", found=kind_of(value))
+    return None
+
+
+def _logic(ctx: Context, node: nodes.Binary, left: Operand, right: Operand) -> Value:
+    one, two = boolean(ctx, left), boolean(ctx, right)
+    if one is None or two is None:
+        return POISON
+    expression = flat.Binary(_OPERATORS[node.operator], one.expression, two.expression)
+    return Scalar(expression, DIMENSIONLESS, latest(one, two), highest(one, two), "Boolean")
+
+
+def unary(ctx: Context, node: nodes.Unary, value: Value) -> Value:
+    if isinstance(value, Poison):
+        return POISON
+    if node.operator == "not":
+        truth = boolean(ctx, Operand(node.operand, value))
+        if truth is None:
+            return POISON
+        inverse = flat.Unary("not", truth.expression)
+        return Scalar(inverse, DIMENSIONLESS, truth.variability, truth.order, "Boolean")
+    number = _numeric(ctx, Operand(node.operand, value))
+    if number is None:
+        return POISON
+    return negated(number) if node.operator == "-" else number
+
+
+def choice(ctx: Context, scope: Scope, condition: Scalar, value: Operand, otherwise: Operand, node: nodes.Node) -> Value:
+    """`if condition then value else otherwise`, branches of one shape and dimension."""
+    if isinstance(value.value, Poison) or isinstance(otherwise.value, Poison):
+        return POISON
+    logic = [operand for operand in (value, otherwise) if getattr(operand.value, "kind", "") == "Boolean"]
+    if len(logic) == 1:
+        other = otherwise if logic[0] is value else value
+        ctx.sink.report("E0312", other.node.span, expected="a Boolean, like the other branch", found=kind_of(other.value))
+        return POISON
+    pair = aligned(ctx, value, otherwise, node)
+    if pair is None:
+        return POISON
+    one, two = pair
+    if not fits(one.dimension, two.dimension):
+        left, right = (value.node, one.dimension), (otherwise.node, two.dimension)
+        report_unequal(ctx, "choose between", scope, left, right)
+        return POISON
+    dimension = joined(one.dimension, two.dimension)
+    variability, order = latest(condition, one, two), highest(condition, one, two)
+    match one, two:
+        case Scalar(), Scalar():
+            expression = flat.Conditional(condition.expression, one.expression, two.expression)
+            kind = one.kind if one.kind == two.kind else "Real"
+            return Scalar(expression, dimension, variability, order, kind)
+        case Vector(), Vector():
+            expression = flat.Conditional(condition.expression, one.expression, two.expression)
+            return Vector(expression, dimension, variability, order)
+        case Array(), Array():
+            pairs = zip(one.elements, two.elements, strict=True)
+            parts = tuple(flat.Conditional(condition.expression, a, b) for a, b in pairs)
+            return Array(parts, one.shape, dimension, variability, order, _kind(one, two))
+        case _:
+            raise AssertionError("aligned gives equal shapes")

@@ -1,0 +1,86 @@
+"""A value against a declaration: shape, kind, dimension."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.dimensions import fits, require
+from lagdsl.semantics.naming import an, kind_of
+from lagdsl.semantics.prelude import BaseType
+from lagdsl.semantics.scope import Scope
+from lagdsl.semantics.values import POISON, Array, AnyDimension, Poison, Scalar, Value, Vector, components, is_zero
+from lagdsl.syntax import nodes
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """What a declaration promises. `dimension` None: to be inferred. `unit`: as declared, to tell Hz from rad/s."""
+
+    what: str
+    dimension: AnyDimension
+    shape: tuple[int, ...] = ()
+    base: BaseType = "Real"
+    unit: str = "1"
+
+
+def conform(ctx: Context, scope: Scope, node: nodes.Expression, value: Value, expected: Expected) -> Scalar | Array | None:
+    """The value in the declared shape, with the declared dimension; None after a diagnostic (or for poison)."""
+    if isinstance(value, Poison):
+        return None
+    shaped = _shaped(ctx, node, value, expected)
+    if shaped is None or not _kind_fits(ctx, node, shaped, expected):
+        return None
+    if expected.dimension is None:
+        return shaped
+    if expected.unit in ("rad/s", "rpm") and _in_hertz(node):
+        ctx.sink.report("E0411", node.span, what=expected.what)
+        return None
+    if not fits(shaped.dimension, expected.dimension):
+        require(ctx, scope, node, shaped.dimension, expected.dimension, "E0407", what=expected.what)
+        return None
+    return replace(shaped, dimension=expected.dimension)
+
+
+def _shaped(ctx: Context, node: nodes.Expression, value: Value, expected: Expected) -> Scalar | Array | None:
+    if isinstance(value, Vector) and expected.shape == (3,):
+        value = components(value)
+    if isinstance(value, Scalar) and not expected.shape:
+        return value
+    if isinstance(value, Array) and value.shape == expected.shape:
+        return value
+    if is_zero(value):
+        count = 1
+        for extent in expected.shape:
+            count *= extent
+        return Array((flat.ZERO,) * count, expected.shape, None)
+    size = " by ".join(str(extent) for extent in expected.shape)
+    wanted = f"an array of {size}" if expected.shape else f"{an(expected.base)} scalar" if expected.base != "Real" else "a scalar"
+    hint = None
+    if isinstance(value, Scalar) and len(expected.shape) == 1:
+        hint = f"write `fill({node.span.text}, {expected.shape[0]})` to repeat it"
+    ctx.sink.report("E0334", node.span, what=expected.what, expected=wanted, found=kind_of(value), help=hint)
+    return None
+
+
+def _kind_fits(ctx: Context, node: nodes.Expression, value: Scalar | Array, expected: Expected) -> bool:
+    fitting = value.kind == expected.base or (expected.base == "Real" and value.kind == "Integer")
+    if not fitting:
+        found = an(value.kind)
+        if expected.base == "Integer" and isinstance(node, nodes.Number | nodes.Quantity):
+            found = f"`{node.span.text}`"
+        ctx.sink.report("E0334", node.span, what=expected.what, expected=an(expected.base), found=found)
+    return fitting
+
+
+def _in_hertz(node: nodes.Node) -> bool:
+    """A literal in Hz, sign and parentheses aside: a frequency, not an angular velocity."""
+    while isinstance(node, nodes.Unary | nodes.Parenthesized):
+        node = node.operand if isinstance(node, nodes.Unary) else node.inner
+    return isinstance(node, nodes.Quantity) and node.unit in ("Hz", "kHz", "MHz")
+
+
+def bound(ctx: Context, scope: Scope, node: nodes.Expression, expected: Expected) -> Scalar | Array | Value:
+    """The elaborated binding in its declared shape, or poison."""
+    return conform(ctx, scope, node, ctx.elaborate(ctx, scope, node, True), expected) or POISON

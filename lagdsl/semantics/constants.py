@@ -1,0 +1,134 @@
+"""Values that are known while compiling: evaluation of closed flat expressions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.values import Scalar, Value, is_structural
+from lagdsl.syntax import nodes
+
+
+class NoValue(ArithmeticError):
+    """The expression has no finite value."""
+
+
+_BINARY: dict[str, Callable[[float, float], float]] = {
+    "+": lambda x, y: x + y,
+    "-": lambda x, y: x - y,
+    "*": lambda x, y: x * y,
+    "/": lambda x, y: x / y,
+    "^": math.pow,
+    "<": lambda x, y: float(x < y),
+    "<=": lambda x, y: float(x <= y),
+    ">": lambda x, y: float(x > y),
+    ">=": lambda x, y: float(x >= y),
+    "==": lambda x, y: float(x == y),
+    "<>": lambda x, y: float(x != y),
+    "and": lambda x, y: float(x != 0 and y != 0),
+    "or": lambda x, y: float(x != 0 or y != 0),
+}
+
+_FUNCTIONS: dict[str, Callable[..., float]] = {
+    "abs": abs,
+    "sign": lambda x: float((x > 0) - (x < 0)),
+    "floor": lambda x: float(math.floor(x)),
+    "ceil": lambda x: float(math.ceil(x)),
+    "mod": lambda x, y: x - math.floor(x / y) * y,
+    "min": min,
+    "max": max,
+}
+
+
+def evaluate(expression: FlatExpression) -> float:
+    """The value of an expression of numbers; raises NoValue where there is none."""
+    try:
+        value = _evaluate(expression)
+    except (ArithmeticError, ValueError) as fault:
+        raise NoValue(str(fault)) from None
+    if math.isnan(value):
+        raise NoValue("not a number")
+    return value
+
+
+def _evaluate(expression: FlatExpression) -> float:
+    match expression:
+        case flat.Number(value):
+            return value
+        case flat.Unary("-", operand):
+            return -_evaluate(operand)
+        case flat.Unary("not", operand):
+            return float(_evaluate(operand) == 0)
+        case flat.Binary(operator, left, right):
+            return _BINARY[operator](_evaluate(left), _evaluate(right))
+        case flat.Function(name, arguments):
+            function = _FUNCTIONS.get(name) or getattr(math, name)
+            return float(function(*(_evaluate(argument) for argument in arguments)))
+        case flat.Conditional(condition, value, otherwise):
+            return _evaluate(value if _evaluate(condition) != 0 else otherwise)
+        case flat.Norm(vector, _):
+            return math.hypot(*_components(vector))
+        case flat.Dot(left, right):
+            return sum(x * y for x, y in zip(_components(left), _components(right), strict=True))
+        case flat.Component(vector, axis):
+            return _components(vector)[axis]
+        case flat.Derivative():
+            return 0.0
+        case _:
+            raise NoValue("not known while compiling")
+
+
+def _components(vector: FlatExpression) -> tuple[float, float, float]:
+    match vector:
+        case flat.Vector(x, y, z):
+            return _evaluate(x), _evaluate(y), _evaluate(z)
+        case flat.Unary("-", operand):
+            a, b, c = _components(operand)
+            return -a, -b, -c
+        case flat.Binary("*", factor, part):
+            k = _evaluate(factor)
+            a, b, c = _components(part)
+            return k * a, k * b, k * c
+        case flat.Binary("/", part, divisor):
+            k = _evaluate(divisor)
+            a, b, c = _components(part)
+            return a / k, b / k, c / k
+        case flat.Binary(("+" | "-") as operator, left, right):
+            sign = 1.0 if operator == "+" else -1.0
+            (a, b, c), (d, e, f) = _components(left), _components(right)
+            return a + sign * d, b + sign * e, c + sign * f
+        case flat.Cross(left, right):
+            (a, b, c), (d, e, f) = _components(left), _components(right)
+            return b * f - c * e, c * d - a * f, a * e - b * d
+        case _:
+            raise NoValue("not known while compiling")
+
+
+def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> float | None:
+    """The number that a structural scalar is, or None after `code` (not structural) or E0312, E0323."""
+    if not isinstance(value, Scalar):
+        if kind_of(value) != "nothing":
+            ctx.sink.report("E0312", node.span, expected="a number", found=kind_of(value))
+        return None
+    if not is_structural(value):
+        ctx.sink.report(code, node.span, **words)
+        return None
+    try:
+        return evaluate(value.expression)
+    except NoValue as fault:
+        ctx.sink.report("E0323", node.span, reason=str(fault))
+        return None
+
+
+def structural_integer(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> int | None:
+    number = structural_number(ctx, value, node, code, **words)
+    if number is None:
+        return None
+    if not math.isfinite(number) or number != int(number):
+        ctx.sink.report("E0312", node.span, expected="an Integer", found=f"{number:g}")
+        return None
+    return int(number)

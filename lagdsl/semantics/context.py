@@ -1,0 +1,77 @@
+"""What one run of the semantics shares: the sink, the flat elements made so far, the conventions of the class."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from lagdsl.diagnostics import Sink
+from lagdsl.semantics import flat_model
+from lagdsl.semantics.scope import Indices, Scope, Symbol
+from lagdsl.semantics.values import AnyDimension, Value
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
+from lagdsl.units.dimension import DIMENSIONLESS, TIME
+
+
+class Resolver(Protocol):
+    """Gives symbols their values; made by the floor's upper half, used by the elaboration of expressions."""
+
+    def shape(self, symbol: Symbol) -> tuple[int, ...] | None: ...
+
+    def whole(self, symbol: Symbol, span: Span) -> Value: ...
+
+    def element(self, symbol: Symbol, indices: Indices, span: Span) -> Value: ...
+
+    def constraint(self, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None: ...
+
+
+@dataclass(eq=False, slots=True)
+class Context:
+    """Mutable state of one flattening; every product is collected here in the order in which it is complete.
+
+    `named` is therefore sorted: what a definition uses was complete before it.
+    """
+
+    sink: Sink
+    resolver: Resolver
+    elaborate: Callable[[Context, Scope, nodes.Expression, bool], Value]
+    units: bool = True
+    overrides: Mapping[str, float] = field(default_factory=dict)
+    parameters: list[flat_model.Parameter] = field(default_factory=list)
+    named: list[flat_model.Named] = field(default_factory=list)
+    constraints: list[flat_model.Constraint] = field(default_factory=list)
+    names: set[str] = field(default_factory=set)
+    active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
+    relation: Span | None = None
+    quiet: bool = False
+    unlabelled: int = 0
+    functions: list[nodes.Function] = field(default_factory=list)
+    reported: set[str] = field(default_factory=set)
+
+    def dimension(self, dimension: Dimension) -> Dimension:
+        """The dimension as the class counts: 1 for all under `annotation(units = "none")`."""
+        return dimension if self.units else DIMENSIONLESS
+
+    def rate(self, dimension: AnyDimension) -> AnyDimension:
+        return dimension / self.dimension(TIME) if dimension is not None else None
+
+    @contextmanager
+    def without_relations(self, quiet: bool = True) -> Iterator[None]:
+        """Relations inside are not to be located as events (or, with False, are again)."""
+        before, self.quiet = self.quiet, quiet
+        try:
+            yield
+        finally:
+            self.quiet = before
+
+    def unique(self, name: str) -> str:
+        """A name for something the user did not name."""
+        count = 1
+        while f"{name}_{count}" in self.names:
+            count += 1
+        self.names.add(f"{name}_{count}")
+        return f"{name}_{count}"

@@ -1,0 +1,343 @@
+"""From the items of a class to symbols and a list of items to elaborate: loops and structural `if` expanded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import TypeAlias, get_args
+
+from lagdsl.diagnostics import Label
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics import arrays, equations, prelude, prefixes
+from lagdsl.semantics.conditions import condition_of
+from lagdsl.semantics.constants import structural_integer
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.naming import element_name
+from lagdsl.semantics.scope import (
+    Binding,
+    ClassSymbol,
+    Entry,
+    FunctionSymbol,
+    Indices,
+    LabelInstance,
+    Scope,
+    Symbol,
+    SymbolKind,
+    TypeSymbol,
+    lookup,
+)
+from lagdsl.semantics.types import resolve_type, with_unit
+from lagdsl.semantics.values import Scalar
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+
+Labelled: TypeAlias = nodes.Energy | nodes.Load | nodes.Constraint | nodes.RigidBody | nodes.Invariant
+_LABEL_KINDS: dict[type, SymbolKind] = {
+    nodes.Energy: "energy",
+    nodes.Load: "load",
+    nodes.Constraint: "constraint",
+    nodes.RigidBody: "body",
+    nodes.Invariant: "invariant",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """An item to elaborate with the scope it stands in and, if it has a label, its symbol."""
+
+    node: nodes.Item
+    scope: Scope
+    symbol: Symbol | None = None
+
+
+@dataclass(slots=True)
+class Contents:
+    """What a class holds."""
+
+    symbols: list[Symbol] = field(default_factory=list)
+    items: list[Placed] = field(default_factory=list)
+    initial: list[Placed] = field(default_factory=list)
+    functions: list[FunctionSymbol] = field(default_factory=list)
+    annotations: list[nodes.Annotation] = field(default_factory=list)
+
+
+def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bool:
+    """Put a name into a scope; E0204 where it is taken, E0207 where it may not be hidden."""
+    if name in ("time", "world"):
+        ctx.sink.report("E0207", span, name=name)
+        return False
+    other = scope.entries.get(name)
+    if other is not None:
+        titles = [_title(found) for found in (other, entry)]
+        label = (Label(_place(other), f"first as {titles[0]}"),) if _place(other) is not None else ()
+        ctx.sink.report("E0204", span, *label, name=name, first=titles[0], second=titles[1])
+        return False
+    if name in prelude.CONSTANTS or name in prelude.TYPES:
+        what = "constant" if name in prelude.CONSTANTS else "type"
+        ctx.sink.report("N0205", span, name=name, what=what)
+    scope.entries[name] = entry
+    return True
+
+
+def _title(entry: Entry) -> str:
+    match entry:
+        case Symbol():
+            return entry.title
+        case FunctionSymbol():
+            return "function"
+        case TypeSymbol():
+            return "type"
+        case ClassSymbol():
+            return getattr(entry.node, "kind", "class")
+        case _:
+            return "name"
+
+
+def _place(entry: Entry) -> Span | None:
+    match entry:
+        case Symbol():
+            return entry.span
+        case ClassSymbol(node=nodes.Class() as node):
+            return node.name_span
+        case FunctionSymbol() | TypeSymbol() | ClassSymbol():
+            return entry.node.span
+        case _:
+            return None
+
+
+class Declarer:
+    """Collects one class; `scope` is its scope."""
+
+    def __init__(self, ctx: Context, scope: Scope) -> None:
+        self.ctx = ctx
+        self.scope = scope
+        self.contents = Contents()
+
+    def collect(self, node: nodes.Class) -> Contents:
+        """All of the class: names first, then loops and conditions in order."""
+        listed = [(node.items, "items"), *((section.items, section.keyword) for section in node.sections)]
+        for items, _ in listed:
+            for item in items:
+                self._declare(item, self.scope)
+        for section in node.sections:
+            if section.keyword in ("kinematics", "closure"):
+                hint = "joints come with components"
+                self.ctx.sink.report("E0311", section.span, what=f"a `{section.keyword}` section", hint=hint)
+        for items, keyword in listed:
+            if keyword not in ("kinematics", "closure"):
+                self._expand(items, self.scope, keyword)
+        return self.contents
+
+    # ---- names -------------------------------------------------------------------------------------------------------
+
+    def _declare(self, item: nodes.Item, scope: Scope) -> None:
+        """Enter the names that an item declares outside of loops."""
+        match item:
+            case nodes.Function():
+                function = FunctionSymbol(item, scope)
+                if enter(self.ctx, scope, item.name, function, item.span):
+                    self.contents.functions.append(function)
+            case nodes.TypeDefinition():
+                enter(self.ctx, scope, item.name, TypeSymbol(item, scope), item.span)
+            case nodes.Class():
+                enter(self.ctx, scope, item.name, ClassSymbol(item, scope), item.name_span)
+            case nodes.ShortClass():
+                enter(self.ctx, scope, item.name, ClassSymbol(item, scope), item.span)
+            case nodes.Component():
+                for declarator in item.declarators:
+                    self._component(item, declarator, scope)
+            case nodes.Coordinate():
+                for declarator in item.declarators:
+                    self._quantity("coordinate", f"coordinate {_text(item.type_name)}", item.type_name, declarator, scope)
+            case nodes.Geometry():
+                for declarator in item.declarators:
+                    kind: SymbolKind = "point" if item.keyword == "point" else "frame"
+                    self._symbol(kind, item.keyword, declarator, scope)
+            case _:
+                pass
+
+    def _component(self, item: nodes.Component, declarator: nodes.Declarator, scope: Scope) -> None:
+        kind = prefixes.kind_of_component(self.ctx, item)
+        words = " ".join((*item.prefixes, _text(item.type_name)))
+        if kind is None:
+            symbol = self._symbol("unknown", words, declarator, scope, checked=False)
+        else:
+            symbol = self._quantity(kind, words, item.type_name, declarator, scope)
+        if symbol is not None:
+            symbol.final = "final" in item.prefixes
+
+    def _quantity(
+        self, kind: SymbolKind, title: str, type_name: nodes.Name, declarator: nodes.Declarator, scope: Scope
+    ) -> Symbol | None:
+        symbol = self._symbol(kind, title, declarator, scope)
+        if symbol is None:
+            return None
+        symbol.info = resolve_type(self.ctx, type_name, scope)
+        if symbol.info is not None:
+            symbol.info = with_unit(self.ctx, symbol.info, declarator.modifiers)
+        if symbol.info is None or not prefixes.type_fits(self.ctx, kind, symbol.info, type_name.span):
+            symbol.kind = "unknown"
+        return symbol
+
+    def _symbol(
+        self, kind: SymbolKind, title: str, declarator: nodes.Declarator, scope: Scope, *, checked: bool = True
+    ) -> Symbol | None:
+        symbol = Symbol(scope.qualify(declarator.name), kind, declarator.name_span, scope, title, declarator)
+        if not enter(self.ctx, scope, declarator.name, symbol, declarator.name_span):
+            return None
+        self.ctx.names.add(symbol.name)
+        if declarator.condition is not None and checked:
+            hint = "put it into a structural `if` item"
+            self.ctx.sink.report("E0311", declarator.condition.span, what="a conditional declaration", hint=hint)
+        if declarator.value is not None:
+            key = None if declarator.subscripts or kind not in ("point", "frame") else ()
+            symbol.bindings[key] = Binding(declarator.value, scope, declarator.name_span)
+        self.contents.symbols.append(symbol)
+        return symbol
+
+    # ---- loops and conditions ----------------------------------------------------------------------------------------
+
+    def _expand(self, items: Iterable[nodes.Item], scope: Scope, section: str) -> None:
+        for item in items:
+            self._item(item, scope, section)
+
+    def _item(self, item: nodes.Item, scope: Scope, section: str) -> None:  # noqa: C901 one case for each kind of item
+        match item:
+            case nodes.For():
+                self._for(item, scope, section)
+            case nodes.If():
+                self._if(item, scope, section)
+            case nodes.Equation() | nodes.CallEquation() if section == "initial equation":
+                self.contents.initial.append(Placed(item, scope))
+            case nodes.Equation():
+                equations.attach(self.ctx, scope, item)
+            case nodes.Geometry() | nodes.Component() if scope.kind == "local":
+                self._elements(item, scope)
+            case nodes.Coordinate() if scope.kind == "local":
+                span = item.declarators[0].name_span
+                self.ctx.sink.report("E0340", span, name=item.declarators[0].name)
+            case nodes.Annotation():
+                self.contents.annotations.append(item)
+            case nodes.Energy() | nodes.Load() | nodes.Constraint() | nodes.RigidBody() | nodes.Invariant():
+                self._labelled(item, scope)
+            case nodes.Gravity() | nodes.PointMass() | nodes.Draw() | nodes.CallEquation():
+                self.contents.items.append(Placed(item, scope))
+            case nodes.Import() | nodes.Extends() | nodes.Contact() | nodes.Connect() | nodes.When():
+                what, hint = _LATER[type(item)]
+                self.ctx.sink.report("E0311", _head(item), what=what, hint=hint)
+            case nodes.Class() if scope is self.scope:
+                pass
+            case _:
+                assert isinstance(item, get_args(_DECLARED)), item
+
+    def _for(self, item: nodes.For, scope: Scope, section: str) -> None:
+        for iterator in item.iterators:
+            if iterator.name in ("time", "world"):
+                self.ctx.sink.report("E0207", iterator.span, name=iterator.name)
+                return
+        for turn in arrays.loops(self.ctx, scope, item.iterators):
+            self._expand(item.body, turn, section)
+
+    def _if(self, item: nodes.If, scope: Scope, section: str) -> None:
+        """Only the branch taken is read."""
+        for branch in item.branches:
+            condition = condition_of(self.ctx, scope, branch.condition)
+            if isinstance(condition, Scalar):
+                self.ctx.sink.report("E0330", branch.condition.span, what="an `if` around items")
+                return
+            if condition is None:
+                return
+            if condition:
+                self._branch(branch.body, scope, section)
+                return
+        if item.otherwise is not None:
+            self._branch(item.otherwise, scope, section)
+
+    def _branch(self, items: tuple[nodes.Item, ...], scope: Scope, section: str) -> None:
+        if scope.kind == "class":
+            for item in items:
+                self._declare(item, scope)
+        self._expand(items, scope, section)
+
+    def _elements(self, item: nodes.Geometry | nodes.Component, scope: Scope) -> None:
+        """`point P[i] = ...;` in a loop: one element of an array declared outside."""
+        for declarator in item.declarators:
+            entry = lookup(scope, declarator.name)
+            if not isinstance(entry, Symbol) or not declarator.subscripts or declarator.value is None:
+                self.ctx.sink.report("E0340", declarator.name_span, name=declarator.name)
+                continue
+            word = item.keyword if isinstance(item, nodes.Geometry) else " ".join((*item.prefixes, _text(item.type_name)))
+            if entry.title != word and entry.kind != "unknown":
+                label = Label(entry.span, f"declared as {entry.title}")
+                self.ctx.sink.report("E0204", declarator.name_span, label, name=declarator.name, first=entry.title, second=word)
+                continue
+            self.bind_element(entry, declarator.subscripts, Binding(declarator.value, scope, declarator.name_span))
+
+    def bind_element(self, symbol: Symbol, subscripts: tuple[nodes.Subscript, ...], binding: Binding) -> None:
+        indices = equations.element_indices(self.ctx, binding.scope, symbol, subscripts, binding.span)
+        if indices is not None:
+            equations.bind(self.ctx, symbol, indices, binding)
+
+    def _labelled(self, item: Labelled, scope: Scope) -> None:
+        """A label is a name of the class; inside loops it is an array over their indices."""
+        if item.label is None:
+            self.contents.items.append(Placed(item, scope))
+            return
+        kind = _LABEL_KINDS[type(item)]
+        owner = scope.owner
+        entry = owner.entries.get(item.label)
+        if isinstance(item, nodes.Invariant) and isinstance(entry, Symbol) and entry.kind == "output":
+            self.contents.items.append(Placed(item, scope))
+            return
+        symbol = entry if isinstance(entry, Symbol) and entry.kind == kind else None
+        if symbol is None or scope.path in symbol.labels or not scope.path:
+            title = f"{_keyword(item)} {item.label}" if kind != "energy" else f"{_keyword(item)} energy"
+            symbol = Symbol(owner.qualify(item.label), kind, label_span(item), owner, title)
+            if not enter(self.ctx, owner, item.label, symbol, symbol.span):
+                return
+            self.ctx.names.add(symbol.name)
+        name = element_name(symbol.name, scope.path)
+        symbol.labels[scope.path] = LabelInstance(item, scope, name)
+        self.contents.items.append(Placed(item, scope, symbol))
+
+
+_DECLARED: TypeAlias = (
+    nodes.Function | nodes.TypeDefinition | nodes.Class | nodes.ShortClass | nodes.Component | nodes.Coordinate | nodes.Geometry
+)
+_LATER: dict[type, tuple[str, str]] = {
+    nodes.Import: ("`import`", "libraries come with components; quantities and constants need no import"),
+    nodes.Extends: ("`extends`", "inheritance comes with components; write the mechanism in one class for now"),
+    nodes.Contact: ("`contact`", "contacts come with events"),
+    nodes.Connect: ("`connect`", "components and `connect` come with a later release"),
+    nodes.When: ("`when`", "events come with a later release"),
+}
+
+
+def _head(item: nodes.Item) -> Span:
+    """The keyword at the start of an item."""
+    first = item.span.text.split("(")[0].split()
+    return Span(item.span.file, item.span.start, item.span.start + len(first[0])) if first else item.span
+
+
+def label_span(item: Labelled) -> Span:
+    """The label in the text of the item: the first word after the keyword."""
+    assert item.label is not None
+    offset = item.span.text.find(item.label, len(_keyword(item)))
+    start = item.span.start + max(offset, 0)
+    return Span(item.span.file, start, start + len(item.label)) if offset >= 0 else item.span
+
+
+def _keyword(item: Labelled) -> str:
+    match item:
+        case nodes.Energy() | nodes.Load():
+            return item.keyword
+        case nodes.Constraint():
+            return "constraint"
+        case nodes.RigidBody():
+            return "body"
+        case nodes.Invariant():
+            return "invariant"
+
+
+def _text(name: nodes.Name) -> str:
+    return ".".join(name.parts)

@@ -1,0 +1,318 @@
+"""Symbols get their values: on demand, so that declarations may stand in any order.
+
+What a value uses is complete before the value itself; the order of completion is the order of the flat model.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from itertools import product as cartesian
+
+from lagdsl.diagnostics import Label
+from lagdsl.semantics import constraints, flat_model, labels, parameters
+from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics.attributes import sign_of
+from lagdsl.semantics.bindings import Expected, bound
+from lagdsl.semantics.constants import structural_integer
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.flat_model import Variability
+from lagdsl.semantics.geometry import as_point
+from lagdsl.semantics.naming import element_name, kind_of
+from lagdsl.semantics.quantity_fields import quantity_fields
+from lagdsl.semantics.scope import LABELS, Binding, Indices, Symbol
+from lagdsl.semantics.values import (
+    POISON,
+    Array,
+    FrameValue,
+    Order,
+    Poison,
+    Scalar,
+    Value,
+    Vector,
+    components,
+    element_at,
+    highest,
+    latest,
+    rank,
+)
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
+
+
+class Definitions:
+    """The resolver: shapes and values of symbols, each made once."""
+
+    def __init__(self) -> None:
+        self.ctx: Context
+        self._constraints: dict[tuple[Symbol, Indices], flat_model.Constraint | None] = {}
+
+    # ---- shapes ------------------------------------------------------------------------------------------------------
+
+    def shape(self, symbol: Symbol) -> tuple[int, ...] | None:
+        """The extents of a declared array, () for a scalar; None after a diagnostic."""
+        if symbol.kind == "unknown":
+            return None
+        if symbol.kind in LABELS:
+            ranks = list(symbol.labels)
+            return tuple(max(indices[k] for indices in ranks) for k in range(len(ranks[0]))) if ranks else None
+        if symbol.shape is None:
+            with self._entered(symbol, None, symbol.span) as free:
+                if free:
+                    symbol.shape = self._declared_shape(symbol)
+        return symbol.shape
+
+    def _declared_shape(self, symbol: Symbol) -> tuple[int, ...] | None:
+        own = [(subscript, symbol.scope) for subscript in symbol.declarator.subscripts] if symbol.declarator else []
+        extents: list[int] = []
+        for position, part in enumerate([*own, *(symbol.info.shape if symbol.info is not None else ())]):
+            if isinstance(part, int):
+                extents.append(part)
+                continue
+            subscript, scope = part
+            if isinstance(subscript, nodes.All):
+                extent = self._bound_extent(symbol, position, subscript)
+            elif isinstance(subscript, nodes.Range):
+                self.ctx.sink.report("E0312", subscript.span, expected="an array size", found="a range")
+                extent = None
+            else:
+                value = self.ctx.elaborate(self.ctx, scope, subscript, False)
+                name = subscript.span.text
+                extent = structural_integer(self.ctx, value, subscript, "E0301", name=name)
+                if extent is not None and not 1 <= extent <= 100_000:
+                    self.ctx.sink.report("E0326", subscript.span, what=f"an array of {extent}", most=100_000)
+                    extent = None
+            if extent is None:
+                self._poison(symbol)
+                return None
+            extents.append(extent)
+        return tuple(extents)
+
+    def _bound_extent(self, symbol: Symbol, position: int, subscript: nodes.All) -> int | None:
+        binding = symbol.bindings.get(None)
+        if binding is None:
+            self.ctx.sink.report("E0336", subscript.span, name=symbol.short)
+            return None
+        value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, True)
+        found = value.shape if isinstance(value, Array) else (3,) if isinstance(value, Vector) else ()
+        if position < len(found):
+            return found[position]
+        if not isinstance(value, Poison):
+            self.ctx.sink.report("E0312", binding.node.span, expected="an array", found=kind_of(value))
+        return None
+
+    # ---- values ------------------------------------------------------------------------------------------------------
+
+    def whole(self, symbol: Symbol, span: Span) -> Value:
+        """The value of the plain name."""
+        if symbol.kind in ("constraint", "body"):
+            hint = f"its force is `multiplier({symbol.short})`" if symbol.kind == "constraint" else None
+            self.ctx.sink.report("E0219", span, name=symbol.short, what=f"the name of a {symbol.kind}", help=hint)
+            return POISON
+        shape = self.shape(symbol)
+        if shape is None:
+            return POISON
+        if not shape:
+            return self.element(symbol, (), span)
+        cells = [self.element(symbol, indices, span) for indices in every(shape)]
+        return self._array(symbol, cells, shape, span)
+
+    def _array(self, symbol: Symbol, cells: list[Value], shape: tuple[int, ...], span: Span) -> Value:
+        scalars: list[Scalar] = []
+        width = ()
+        for cell in cells:
+            if isinstance(cell, Vector):
+                parts, width = components(cell), (3,)
+                scalars.extend(element_at(parts, k) for k in range(3))  # type: ignore[misc]
+            elif isinstance(cell, Scalar):
+                scalars.append(cell)
+            elif isinstance(cell, Poison):
+                return POISON
+            else:
+                self.ctx.sink.report("E0312", span, expected="one element", found=f"all of `{symbol.short}`")
+                return POISON
+        kinds = {cell.kind for cell in scalars}
+        elements = tuple(cell.expression for cell in scalars)
+        kind = kinds.pop() if len(kinds) == 1 else "Real"
+        return Array(elements, (*shape, *width), scalars[0].dimension, latest(*scalars), highest(*scalars), kind)
+
+    def element(self, symbol: Symbol, indices: Indices, span: Span) -> Value:
+        """The value of one element (indices () for a scalar), made when first asked for."""
+        found = symbol.cells.get(indices)
+        if found is not None:
+            return found
+        if symbol.kind in ("coordinate", "state", "input"):
+            value: Value = self._variable(symbol, indices)
+            symbol.cells[indices] = value
+            return value
+        key = self._key(symbol, indices)
+        with self._entered(symbol, key, span) as free:
+            if not free:
+                return POISON
+            with self.ctx.without_relations(False):
+                self._make(symbol, indices, key)
+        return symbol.cells.setdefault(indices, POISON)
+
+    def _key(self, symbol: Symbol, indices: Indices) -> Indices | None:
+        """What is made at once: the element, or (None) the whole array from its one binding."""
+        own = indices in symbol.bindings or symbol.kind in LABELS
+        return indices if own or not indices else None
+
+    def _variable(self, symbol: Symbol, indices: Indices) -> Value:
+        if symbol.kind == "unknown" or symbol.info is None:
+            return POISON
+        dimension = symbol.info.dimension or DIMENSIONLESS
+        order = Order.STILL if symbol.kind == "input" else Order.CONFIGURATION
+        name = element_name(symbol.name, indices)
+        return Scalar(flat.Variable(name), dimension, Variability.CONTINUOUS, order)
+
+    @contextmanager
+    def _entered(self, symbol: Symbol, key: Indices | None, span: Span) -> Iterator[bool]:
+        """Guards against definitions that need themselves: yields False after E0305."""
+        active = self.ctx.active
+        if (symbol, key) in active:
+            circle = active[active.index((symbol, key)) :]
+            names = [element_name(member.short, indices or ()) for member, indices in circle]
+            names.append(names[0])
+            path = ", ".join(f"`{a}` depends on `{b}`" for a, b in zip(names, names[1:], strict=False))
+            places = [Label(member.span, f"`{member.short}` is defined here") for member, _ in circle]
+            self.ctx.sink.report("E0305", span, *places, path=path)
+            for member, indices in circle:
+                self._poison(member, indices)
+            yield False
+            return
+        active.append((symbol, key))
+        try:
+            yield True
+        finally:
+            active.pop()
+
+    def _poison(self, symbol: Symbol, indices: Indices | None = None) -> None:
+        if indices is not None:
+            symbol.cells[indices] = POISON
+        else:
+            symbol.kind = "unknown"
+
+    # ---- one symbol --------------------------------------------------------------------------------------------------
+
+    def _make(self, symbol: Symbol, indices: Indices, key: Indices | None) -> None:
+        match symbol.kind:
+            case "constant" | "structural" | "parameter":
+                parameters.make(self.ctx, symbol, self.shape(symbol) or (), key)
+            case "algebraic" | "output":
+                self._define(symbol, indices, key)
+            case "point":
+                symbol.cells[indices] = self._point(symbol, indices)
+            case "frame":
+                symbol.cells[indices] = self._frame(symbol, indices)
+            case "energy" | "load" | "invariant":
+                symbol.cells[indices] = labels.value(self.ctx, symbol, indices)
+            case _:
+                symbol.cells[indices] = POISON
+
+    def _binding(self, symbol: Symbol, key: Indices | None) -> Binding | None:
+        return symbol.bindings.get(key) or (symbol.bindings.get(None) if not key else None)
+
+    def _define(self, symbol: Symbol, indices: Indices, key: Indices | None) -> None:
+        """An algebraic variable or an output."""
+        binding = self._binding(symbol, key)
+        shape = self.shape(symbol)
+        if binding is None:
+            name = element_name(symbol.short, indices)
+            self.ctx.sink.report("E0318", symbol.span, name=name)
+        if binding is None or shape is None or symbol.info is None:
+            symbol.cells[indices] = POISON
+            return
+        if symbol.info.base == "String":
+            self.ctx.sink.report("E0312", binding.node.span, expected="a number", found="a String")
+            symbol.cells[indices] = POISON
+            return
+        part = () if key else shape
+        expected = Expected(f"`{symbol.short}`", symbol.info.dimension, part, symbol.info.base, symbol.info.unit)
+        value = bound(self.ctx, binding.scope, binding.node, expected)
+        if isinstance(value, Scalar):
+            symbol.cells[indices] = self._named(symbol, indices, value)
+        elif isinstance(value, Array):
+            for position, each in enumerate(every(shape)):
+                cell = Scalar(value.elements[position], value.dimension, value.variability, value.order, value.kind)
+                symbol.cells[each] = self._named(symbol, each, cell)
+
+    def _named(self, symbol: Symbol, indices: Indices, value: Scalar) -> Scalar:
+        """The reference to a definition; outputs and what needs the solved motion are read as their expression."""
+        dimension = value.dimension if value.dimension is not None else DIMENSIONLESS
+        value = replace(value, dimension=dimension)
+        if symbol.kind == "output" or value.order >= Order.ACCELERATION:
+            return value
+        fields = quantity_fields(symbol, indices, sign_of(self.ctx, symbol), dimension)
+        variability = max(value.variability, Variability.PARAMETER, key=rank)
+        self.ctx.named.append(flat_model.Definition(**fields, value=value.expression, variability=variability))
+        return replace(value, expression=flat.Variable(fields["name"]), variability=variability)
+
+    def _point(self, symbol: Symbol, indices: Indices) -> Value:
+        binding = symbol.bindings.get(indices)
+        name = element_name(symbol.name, indices)
+        if binding is None:
+            row = self._row(symbol, indices)
+            if row is None:
+                self.ctx.sink.report("E0318", symbol.span, name=element_name(symbol.short, indices))
+                return POISON
+            position: Vector | None = row
+        else:
+            value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, True)
+            position = as_point(self.ctx, binding.scope, binding.node, value)
+        if position is None:
+            return POISON
+        spans = (symbol.span if binding is None else binding.span, *symbol.scope.spans)
+        doc = symbol.declarator.doc if symbol.declarator is not None else None
+        self.ctx.named.append(flat_model.Point(spans=spans, name=name, position=position.expression, doc=doc))
+        dimension = self.ctx.dimension(LENGTH)
+        return Vector(flat.PointReference(name), dimension, position.variability, position.order)
+
+    def _row(self, symbol: Symbol, indices: Indices) -> Vector | None:
+        """One point of an array of points with one binding for all: `point P[2] = {{0, 0}, {l, 0}}`."""
+        binding = symbol.bindings.get(None)
+        if binding is None or len(indices) != 1:
+            return None
+        value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, True)
+        if not isinstance(value, Array) or len(value.shape) != 2 or value.shape[0] != (symbol.shape or (0,))[0]:
+            return None
+        part = element_at(value, indices[0] - 1)
+        return as_point(self.ctx, binding.scope, binding.node, part)
+
+    def _frame(self, symbol: Symbol, indices: Indices) -> Value:
+        binding = symbol.bindings.get(indices)
+        name = element_name(symbol.name, indices)
+        if binding is None:
+            self.ctx.sink.report("E0318", symbol.span, name=element_name(symbol.short, indices))
+            return POISON
+        value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, False)
+        if not isinstance(value, FrameValue):
+            if not isinstance(value, Poison):
+                self.ctx.sink.report("E0312", binding.node.span, expected="a frame", found=kind_of(value))
+            return POISON
+        spans = (binding.span, *symbol.scope.spans)
+        doc = symbol.declarator.doc if symbol.declarator is not None else None
+        frame = flat_model.Frame(spans=spans, name=name, parent=value.name, steps=value.steps, doc=doc)
+        self.ctx.named.append(frame)
+        return FrameValue(name, (), value.variability, value.order)
+
+    def constraint(self, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None:
+        """The rows behind the label of a constraint."""
+        key = (symbol, indices)
+        if key not in self._constraints:
+            self._constraints[key] = None
+            instance = symbol.labels[indices]
+            assert isinstance(instance.node, nodes.Constraint)
+            with self.ctx.without_relations(False):
+                self._constraints[key] = constraints.make(self.ctx, instance.scope, instance.node, instance.name)
+        return self._constraints[key]
+
+
+def every(shape: tuple[int, ...]) -> list[Indices]:
+    """All 1-based indices of an array, in row-major order."""
+    assert math.prod(shape) <= 100_000
+    return list(cartesian(*(range(1, extent + 1) for extent in shape)))
+

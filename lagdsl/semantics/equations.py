@@ -1,0 +1,118 @@
+"""Equations give definitions: `y = e` and `der(x) = e`, with either side first."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import Label
+from lagdsl.semantics.constants import structural_integer
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.naming import element_name
+from lagdsl.semantics.scope import Binding, Indices, Scope, Symbol, lookup
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+
+_DEFINED = ("algebraic", "output", "point", "frame")
+
+
+def attach(ctx: Context, scope: Scope, item: nodes.Equation) -> None:
+    """Give the equation to the variable or state it defines, or report that it defines none."""
+    sides = ((item.left, item.right), (item.right, item.left))
+    for side, other in sides:
+        target = _derivative_of(side)
+        symbol = _symbol(scope, target) if target is not None else None
+        if target is not None and symbol is not None and symbol.kind == "state":
+            _bind(ctx, scope, symbol, target, Binding(other, scope, side.span), derivative=True)
+            return
+    defined = [(side, other, symbol) for side, other in sides if (symbol := _symbol(scope, side)) is not None]
+    fitting = [entry for entry in defined if entry[2].kind in _DEFINED]
+    free = [entry for entry in fitting if not entry[2].bindings or isinstance(entry[0], nodes.Index)]
+    for side, other, symbol in free[:1] or fitting[:1]:
+        _bind(ctx, scope, symbol, side, Binding(other, scope, item.span), derivative=False)
+        return
+    _report(ctx, scope, item, defined[0][2] if defined else None)
+
+
+def _derivative_of(node: nodes.Expression) -> nodes.Expression | None:
+    match node:
+        case nodes.Call(function=nodes.Reference(name="der"), arguments=(argument,)) if not isinstance(argument, nodes.Named):
+            return argument
+        case _:
+            return None
+
+
+def _symbol(scope: Scope, node: nodes.Expression) -> Symbol | None:
+    target = node.target if isinstance(node, nodes.Index) else node
+    entry = lookup(scope, target.name) if isinstance(target, nodes.Reference) else None
+    return entry if isinstance(entry, Symbol) else None
+
+
+def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | None) -> None:
+    target = _derivative_of(item.left) or _derivative_of(item.right)
+    found = _symbol(scope, target) if target is not None else None
+    if target is not None and found is not None and found.kind != "unknown":
+        ctx.sink.report("E0321", target.span, Label(found.span, f"{found.title}"), name=found.short, kind=found.title)
+        return
+    if symbol is not None and symbol.kind == "unknown":
+        return
+    hint = None
+    if symbol is not None and symbol.kind == "coordinate":
+        hint = f"an equation between coordinates is a constraint: `constraint {item.span.text.strip().rstrip(';')};`"
+    elif symbol is not None and symbol.kind in ("parameter", "constant", "structural"):
+        hint = f"give `{symbol.short}` its value where it is declared"
+    ctx.sink.report("E0322", item.span, help=hint)
+
+
+def _bind(
+    ctx: Context, scope: Scope, symbol: Symbol, side: nodes.Expression, binding: Binding, *, derivative: bool
+) -> None:
+    indices: Indices | None = None
+    if isinstance(side, nodes.Index):
+        indices = element_indices(ctx, scope, symbol, side.subscripts, side.span)
+        if indices is None:
+            return
+    bind(ctx, symbol, indices, binding, derivative=derivative)
+
+
+def bind(
+    ctx: Context, symbol: Symbol, indices: Indices | None, binding: Binding, *, derivative: bool = False
+) -> None:
+    """Record what gives the element (indices None: the whole) its value; E0319 where something did already."""
+    if symbol.kind in ("point", "frame") and indices is None and not _subscripted(symbol):
+        indices = ()
+    table = symbol.derivatives if derivative else symbol.bindings
+    taken = table.get(indices) or table.get(None) or (next(iter(table.values()), None) if indices is None else None)
+    if taken is not None:
+        name = element_name(symbol.short, indices or ())
+        shown = f"der({name})" if derivative else name
+        ctx.sink.report("E0319", binding.span, Label(taken.span, "defined here first"), name=shown)
+        return
+    table[indices] = binding
+
+
+def _subscripted(symbol: Symbol) -> bool:
+    return symbol.declarator is not None and bool(symbol.declarator.subscripts)
+
+
+def element_indices(
+    ctx: Context, scope: Scope, symbol: Symbol, subscripts: tuple[nodes.Subscript, ...], span: Span
+) -> Indices | None:
+    """The indices of one element that is being defined; None after a diagnostic."""
+    shape = ctx.resolver.shape(symbol)
+    if shape is None:
+        return None
+    found: list[int] = []
+    for subscript in subscripts:
+        if isinstance(subscript, nodes.All | nodes.Range):
+            ctx.sink.report("E0312", subscript.span, expected="one index", found="a range")
+            return None
+        number = structural_integer(ctx, ctx.elaborate(ctx, scope, subscript, False), subscript, "E0333")
+        if number is None:
+            return None
+        found.append(number)
+    for index, extent in zip(found, shape, strict=False):
+        if not 1 <= index <= extent:
+            ctx.sink.report("E0316", span, index=index, what="elements", extent=extent)
+            return None
+    if len(found) != len(shape):
+        ctx.sink.report("E0316", span, index=len(found), what="subscripts", extent=len(shape))
+        return None
+    return tuple(found)

@@ -1,0 +1,137 @@
+"""From the tree of a file to the flat model of one class."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+
+from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics import annotations, quantities
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.declare import Contents, Declarer
+from lagdsl.semantics.definitions import Definitions, every
+from lagdsl.semantics.expressions import elaborate
+from lagdsl.semantics.flat_dependence import Dependence
+from lagdsl.semantics.flat_model import Coordinate, FlatModel, Input, Output, State
+from lagdsl.semantics.inline import check_function
+from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
+from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope
+from lagdsl.semantics.selection import file_scope, select
+from lagdsl.semantics.rates import check_inputs, check_linear
+from lagdsl.semantics.usage import warn_unused
+from lagdsl.syntax import nodes
+
+_DEEPEST = 100_000
+
+
+def flatten(
+    unit: nodes.Unit, sink: Sink, model: str | None = None, structural: Mapping[str, float] | None = None
+) -> FlatModel | None:
+    """The flat model of the class `model` (default: the last complete one that nothing else in the file uses).
+
+    `structural` gives structural parameters other values, in SI units. None after errors, which are in `sink`.
+    """
+    definitions = Definitions()
+    ctx = Context(sink, definitions, elaborate, overrides=structural or {})
+    definitions.ctx = ctx
+    with _deep_recursion():
+        try:
+            return _flatten(ctx, unit, model)
+        except RecursionError:
+            sink.report("E0326", unit.items[0].span, what="a chain of definitions", most="some thousand links")
+            return None
+
+
+@contextmanager
+def _deep_recursion() -> Iterator[None]:
+    """Room for definitions that stand in the reverse of their order."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(before, _DEEPEST))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)
+
+
+def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | None:
+    outer = file_scope(ctx, unit)
+    chosen = select(ctx, unit, outer, name)
+    errors = ctx.sink.has_errors
+    if chosen is None or not isinstance(chosen.node, nodes.Class):
+        return None
+    noted = annotations.annotations_of(chosen.node)
+    ctx.units = not annotations.without_units(ctx, noted)
+    scope = Scope("class", f"`{chosen.node.name}`", outer)
+    contents = Declarer(ctx, scope).collect(chosen.node)
+    flat = _model(ctx, chosen.node, scope, contents)
+    for function in [*contents.functions, *(each for each in outer.entries.values() if isinstance(each, FunctionSymbol))]:
+        check_function(ctx, function)
+    return None if errors or ctx.sink.has_errors else _checked(ctx, flat, contents)
+
+
+def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) -> FlatModel:
+    """Elaborate all of the class, in source order; what is needed earlier comes earlier."""
+    coordinates: list[Coordinate] = []
+    states: list[State] = []
+    inputs: list[Input] = []
+    for symbol in contents.symbols:
+        for indices in every(ctx.resolver.shape(symbol) or ()):
+            ctx.resolver.element(symbol, indices, symbol.span)
+        if symbol.kind == "coordinate":
+            coordinates += quantities.coordinates(ctx, symbol)
+        elif symbol.kind == "state":
+            states += quantities.states(ctx, symbol)
+        elif symbol.kind == "input":
+            inputs += quantities.inputs(ctx, symbol)
+    physics = Physics()
+    for placed in contents.items:
+        elaborate_item(ctx, physics, placed)
+    for placed in contents.initial:
+        initial_equation(ctx, physics, placed)
+    outputs: list[Output] = []
+    for symbol in contents.symbols:
+        if symbol.kind == "output":
+            outputs += quantities.outputs(ctx, symbol)
+    return FlatModel(
+        name=node.name,
+        doc=node.doc,
+        parameters=tuple(ctx.parameters),
+        coordinates=tuple(coordinates),
+        states=tuple(states),
+        inputs=tuple(inputs),
+        named=tuple(ctx.named),
+        energies=tuple(physics.energies),
+        masses=tuple(physics.masses),
+        bodies=tuple(physics.bodies),
+        gravity=physics.gravity,
+        loads=tuple(physics.loads),
+        constraints=tuple(ctx.constraints),
+        outputs=tuple(outputs),
+        invariants=tuple(physics.invariants),
+        assertions=tuple(physics.assertions),
+        initial_equations=tuple(physics.initial),
+        drawings=tuple(physics.drawings),
+        experiment=annotations.experiment(ctx, scope, contents.annotations),
+    )
+
+
+def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | None:
+    """What can be said only about a model without errors."""
+    dependence = Dependence(flat)
+    check_inputs(flat, dependence, ctx.sink)
+    check_linear(flat, dependence, ctx.sink)
+    warn_unused(ctx, contents.symbols)
+    if ctx.relation is not None:
+        ctx.sink.report("N0309", ctx.relation)
+    _check_overrides(ctx, contents)
+    return None if ctx.sink.has_errors else flat
+
+
+def _check_overrides(ctx: Context, contents: Contents) -> None:
+    names = [symbol.name for symbol in contents.symbols if symbol.kind == "structural"]
+    for name in ctx.overrides:
+        if name not in names:
+            meant = nearest(name, names)
+            ctx.sink.report("E0222", None, name=name, help=f"did you mean `{meant}`?" if meant else None)

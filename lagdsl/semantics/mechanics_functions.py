@@ -1,0 +1,289 @@
+"""Functions that know the mechanism: `der`, `omega`, `vel`, `reaction`, `multiplier`, `momentum`, `energy` ..."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal
+
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics.arrays import subscript_indices
+from lagdsl.semantics.constants import structural_integer
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.geometry import ANGULAR_MOMENTUM, MOMENTUM, as_direction, as_frame, as_point, operand, time_derivative
+from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.scope import Indices, Scope, Symbol, lookup
+from lagdsl.semantics.values import POISON, Array, Order, Poison, Reaction, Scalar, Value, Vector, as_vector
+from lagdsl.semantics.flat_model import Variability
+from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
+from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, FORCE, TIME, VELOCITY
+
+Special = Callable[[Context, Scope, nodes.Call], Value]
+
+
+def _positional(ctx: Context, node: nodes.Call, least: int, most: int, named: tuple[str, ...] = ()) -> list[nodes.Expression] | None:
+    """The positional arguments, or None after E0315 or E0211."""
+    found: list[nodes.Expression] = []
+    for argument in node.arguments:
+        if not isinstance(argument, nodes.Named):
+            found.append(argument)
+        elif argument.name not in named:
+            meant = nearest(argument.name, named)
+            hint = f"did you mean `{meant}`?" if meant else f"it takes {', '.join(f'`{name} =`' for name in named)}" if named else None
+            ctx.sink.report("E0211", argument.span, name=argument.name, function=node.function.span.text, help=hint)
+            return None
+    if not least <= len(found) <= most:
+        expected = str(least) if least == most else f"{least} to {most}"
+        ctx.sink.report("E0315", node.span, function=node.function.span.text, expected=expected, found=len(found))
+        return None
+    return found
+
+
+def _named(node: nodes.Call, name: str) -> nodes.Expression | None:
+    for argument in node.arguments:
+        if isinstance(argument, nodes.Named) and argument.name == name:
+            return argument.value
+    return None
+
+
+def _der(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    arguments = _positional(ctx, node, 1, 1)
+    if arguments is None:
+        return POISON
+    value = operand(ctx, ctx.elaborate(ctx, scope, arguments[0], False), arguments[0].span)
+    if isinstance(value, Poison):
+        return POISON
+    if not isinstance(value, Scalar | Vector | Array) or getattr(value, "kind", "Real") == "Boolean":
+        ctx.sink.report("E0312", arguments[0].span, expected="a quantity to differentiate", found=kind_of(value))
+        return POISON
+    if value.order >= Order.ACCELERATION:
+        ctx.sink.report("E0324", arguments[0].span, what="the derivative of an acceleration or reaction")
+        return POISON
+    return time_derivative(ctx, value)
+
+
+def _unlocated(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`noEvent(x)`, `smooth(p, x)`: the value of x, its relations taken as they stand on purpose."""
+    smooth = node.function.span.text == "smooth"
+    arguments = _positional(ctx, node, 2, 2) if smooth else _positional(ctx, node, 1, 1)
+    if arguments is None:
+        return POISON
+    if smooth:
+        order = structural_integer(ctx, ctx.elaborate(ctx, scope, arguments[0], False), arguments[0], "E0333")
+        if order is None:
+            return POISON
+    with ctx.without_relations():
+        return ctx.elaborate(ctx, scope, arguments[-1], False)
+
+
+def _omega(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    arguments = _positional(ctx, node, 1, 1)
+    if arguments is None:
+        return POISON
+    frame = as_frame(ctx, arguments[0], ctx.elaborate(ctx, scope, arguments[0], False))
+    if frame is None:
+        return POISON
+    dimension = DIMENSIONLESS / ctx.dimension(TIME)
+    if frame.name == "world":
+        return Vector(flat.ZERO_VECTOR, dimension, Variability.CONSTANT, Order.STILL)
+    order = Order.RATE if frame.order > Order.STILL else Order.STILL
+    return Vector(flat.AngularVelocity(frame.name), dimension, frame.variability, order)
+
+
+def _vel(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`vel(P)`: of the point; `vel(P, B)`: of the material point of B that is at P."""
+    arguments = _positional(ctx, node, 1, 2)
+    if arguments is None:
+        return POISON
+    point = as_point(ctx, scope, arguments[0], ctx.elaborate(ctx, scope, arguments[0], False))
+    if point is None:
+        return POISON
+    if len(arguments) == 1:
+        return time_derivative(ctx, point)
+    frame = as_frame(ctx, arguments[1], ctx.elaborate(ctx, scope, arguments[1], False))
+    if frame is None:
+        return POISON
+    order = Order.RATE if max(frame.order, point.order) > Order.STILL else Order.STILL
+    velocity = flat.MaterialVelocity(point.expression, frame.name)
+    if frame.name == "world":
+        return Vector(flat.ZERO_VECTOR, ctx.dimension(VELOCITY), Variability.CONSTANT, Order.STILL)
+    return Vector(velocity, ctx.dimension(VELOCITY), Variability.CONTINUOUS, order)
+
+
+def _energy(kind: Literal["total", "kinetic", "potential", "jacobi"]) -> Special:
+    def energy(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+        if _positional(ctx, node, 0, 0) is None:
+            return POISON
+        return Scalar(flat.SystemEnergy(kind), ctx.dimension(ENERGY), Variability.CONTINUOUS, Order.SOLUTION)
+
+    return energy
+
+
+# ---- what takes the name of something --------------------------------------------------------------------------------
+
+
+def named_element(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Symbol, Indices] | None:
+    """The symbol and indices that `name` or `name[i, j]` stands for; None if it is no such thing."""
+    target = node.target if isinstance(node, nodes.Index) else node
+    if not isinstance(target, nodes.Reference):
+        return None
+    symbol = lookup(scope, target.name)
+    if not isinstance(symbol, Symbol):
+        return None
+    if isinstance(node, nodes.Reference):
+        return symbol, ()
+    shape = ctx.resolver.shape(symbol)
+    found = subscript_indices(ctx, scope, node.subscripts, shape, node) if shape is not None else None
+    if found is None or not all(isinstance(index, int) for index in found):
+        return None
+    symbol.used = True
+    return symbol, tuple(index for index in found if isinstance(index, int))
+
+
+def _momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    arguments = _positional(ctx, node, 1, 1)
+    if arguments is None:
+        return POISON
+    value = ctx.elaborate(ctx, scope, arguments[0], False)
+    found = named_element(ctx, scope, arguments[0])
+    if isinstance(value, Poison):
+        return POISON
+    coordinate = found is not None and found[0].kind == "coordinate"
+    if not coordinate or not isinstance(value, Scalar) or not isinstance(value.expression, flat.Variable):
+        ctx.sink.report("E0312", arguments[0].span, expected="a coordinate", found=_what(found, value))
+        return POISON
+    dimension = ctx.dimension(ENERGY) * ctx.dimension(TIME) / (value.dimension or DIMENSIONLESS)
+    momentum = flat.GeneralizedMomentum(value.expression.name)
+    return Scalar(momentum, dimension, Variability.CONTINUOUS, Order.SOLUTION)
+
+
+def _what(found: tuple[Symbol, Indices] | None, value: Value) -> str:
+    return found[0].title if found is not None else kind_of(value)
+
+
+def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`reaction(F)` of a frame, `reaction(P, along = e)` of a point."""
+    arguments = _positional(ctx, node, 1, 1, ("along",))
+    if arguments is None:
+        return POISON
+    target = arguments[0]
+    value = ctx.elaborate(ctx, scope, target, False)
+    along = _named(node, "along")
+    if isinstance(value, Poison):
+        return POISON
+    if along is None:
+        frame = as_frame(ctx, target, value)
+        if frame is None:
+            return POISON
+        if frame.name == "world":
+            ctx.sink.report("E0312", target.span, expected="a moving frame", found="the world")
+            return POISON
+        return Reaction(frame.name)
+    direction = as_direction(ctx, scope, along, ctx.elaborate(ctx, scope, along, False), "a direction", DIMENSIONLESS)
+    vector = as_vector(value)
+    if direction is None or vector is None or not isinstance(vector.expression, flat.PointReference):
+        if direction is not None:
+            hint = "declare the position first: `point P = ...;`"
+            ctx.sink.report("E0312", target.span, expected="the name of a point", found=kind_of(value), help=hint)
+        return POISON
+    reaction = flat.ReactionAlong(vector.expression.name, direction.expression)
+    return Scalar(reaction, ctx.dimension(FORCE), Variability.CONTINUOUS, Order.SOLUTION)
+
+
+def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`multiplier(c)`: J/[g] for a position row, J/([g].s) for a velocity row; an array for a vector constraint."""
+    arguments = _positional(ctx, node, 1, 1)
+    if arguments is None:
+        return POISON
+    found = _labelled(ctx, scope, arguments[0], "constraint")
+    if found is None:
+        return POISON
+    symbol, indices = found
+    rows = [ctx.resolver.constraint(symbol, each) for each in ([indices] if indices in symbol.labels else symbol.labels)]
+    known = [constraint for constraint in rows if constraint is not None]
+    if not known or len(known) < len(rows):
+        return POISON
+    names = [row for constraint in known for row in constraint.rows]
+    dimension = _multiplier_dimension(ctx, known[0].dimension, known[0].level)
+    parts = tuple(flat.Multiplier(name) for name in names)
+    if len(parts) == 1 and len(known) == 1 and known[0].rows == (known[0].name,):
+        return Scalar(parts[0], dimension, Variability.CONTINUOUS, Order.SOLUTION)
+    return Array(parts, (len(parts),), dimension, Variability.CONTINUOUS, Order.SOLUTION)
+
+
+def _multiplier_dimension(ctx: Context, row: Dimension, level: str) -> Dimension:
+    dimension = ctx.dimension(ENERGY) / row
+    return dimension if level == "position" else dimension / ctx.dimension(TIME)
+
+
+def _labelled(
+    ctx: Context, scope: Scope, node: nodes.Expression, kind: Literal["constraint", "body"]
+) -> tuple[Symbol, Indices] | None:
+    """The label of a constraint or body in an argument; a label in a loop may stand without indices for all."""
+    target = node.target if isinstance(node, nodes.Index) else node
+    entry = lookup(scope, target.name) if isinstance(target, nodes.Reference) else None
+    if isinstance(entry, Symbol) and entry.kind == kind:
+        entry.used = True
+        if isinstance(node, nodes.Reference):
+            return entry, ()
+        return named_element(ctx, scope, node)
+    if isinstance(target, nodes.Reference) and entry is None:
+        labels = [name for step in scope.chain() for name, each in step.entries.items() if isinstance(each, Symbol) and each.kind == kind]
+        meant = nearest(target.name, labels)
+        ctx.sink.report("E0201", target.span, name=target.name, scope=scope.title, help=f"did you mean `{meant}`?" if meant else None)
+        return None
+    found = entry.title if isinstance(entry, Symbol) else kind_of(ctx.elaborate(ctx, scope, node, False))
+    hint = f"name the {kind}: `{kind} c: ...`" if kind == "constraint" else "name the body: `body b(...) on F`"
+    ctx.sink.report("E0312", node.span, expected=f"the name of a {kind}", found=found, help=hint)
+    return None
+
+
+def _linear_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    if _positional(ctx, node, 0, 0) is None:
+        return POISON
+    return Vector(flat.LinearMomentum(), ctx.dimension(MOMENTUM), Variability.CONTINUOUS, Order.SOLUTION)
+
+
+def _angular_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """Of the named body or of everything, about a point (default: the world origin)."""
+    arguments = _positional(ctx, node, 0, 1, ("about",))
+    if arguments is None:
+        return POISON
+    body = None
+    if arguments:
+        found = _labelled(ctx, scope, arguments[0], "body")
+        if found is None:
+            return POISON
+        symbol, indices = found
+        if indices not in symbol.labels:
+            ctx.sink.report("E0312", arguments[0].span, expected="one body", found=f"all bodies `{symbol.name}`")
+            return POISON
+        body = symbol.labels[indices].name
+    about = _named(node, "about")
+    point = Vector(flat.ZERO_VECTOR, None)
+    if about is not None:
+        position = as_point(ctx, scope, about, ctx.elaborate(ctx, scope, about, False))
+        if position is None:
+            return POISON
+        point = position
+    momentum = flat.AngularMomentum(body, point.expression)
+    return Vector(momentum, ctx.dimension(ANGULAR_MOMENTUM), Variability.CONTINUOUS, Order.SOLUTION)
+
+
+SPECIALS: dict[str, Special] = {
+    "der": _der,
+    "noEvent": _unlocated,
+    "smooth": _unlocated,
+    "omega": _omega,
+    "vel": _vel,
+    "energy": _energy("total"),
+    "kinetic_energy": _energy("kinetic"),
+    "potential_energy": _energy("potential"),
+    "jacobi_integral": _energy("jacobi"),
+    "momentum": _momentum,
+    "reaction": _reaction,
+    "multiplier": _multiplier,
+    "linear_momentum": _linear_momentum,
+    "angular_momentum": _angular_momentum,
+}

@@ -1,0 +1,143 @@
+"""Names in expressions: plain, with subscripts, with members."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import Label
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics import arrays, flat_expression as flat, geometry, prelude
+from lagdsl.semantics.builtin import BUILTINS
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.flat_model import Variability
+from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.scope import ClassSymbol, Entry, FunctionSymbol, Scope, Symbol, TypeSymbol, lookup, visible
+from lagdsl.semantics.values import POISON, Array, Order, Poison, Scalar, Value, Vector, components
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import TIME
+
+
+def reference(ctx: Context, scope: Scope, node: nodes.Reference) -> Value:
+    """The value of a plain name."""
+    entry = lookup(scope, node.name)
+    if entry is None:
+        found = _prelude(ctx, node.name)
+        if found is None:
+            report_unknown(ctx, scope, node)
+        return found or POISON
+    return _value(ctx, entry, node)
+
+
+def _value(ctx: Context, entry: Entry, node: nodes.Expression) -> Value:
+    match entry:
+        case Symbol():
+            entry.used = True
+            return ctx.resolver.whole(entry, node.span)
+        case FunctionSymbol():
+            ctx.sink.report("E0219", node.span, name=node.span.text, what="a function", help="call it: `f(...)`")
+            return POISON
+        case TypeSymbol():
+            ctx.sink.report("E0219", node.span, name=node.span.text, what="a type")
+            return POISON
+        case ClassSymbol():
+            ctx.sink.report("E0219", node.span, name=node.span.text, what="a class")
+            return POISON
+        case _:
+            return entry
+
+
+def _prelude(ctx: Context, name: str) -> Value | None:
+    if name == "time":
+        return Scalar(flat.TIME, ctx.dimension(TIME), Variability.CONTINUOUS, Order.STILL)
+    if name == "world":
+        return geometry.WORLD
+    constant = prelude.CONSTANTS.get(name)
+    if constant is None:
+        return None
+    dimension = None if name == "inf" else ctx.dimension(constant.dimension)
+    return Scalar(flat.Number(constant.value), dimension)
+
+
+def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
+    """E0201, once for each name, with the nearest declared one."""
+    if node.name in ctx.reported:
+        return
+    ctx.reported.add(node.name)
+    if node.name in BUILTINS or node.name == "der":
+        ctx.sink.report("E0219", node.span, name=node.name, what="a function", help=f"call it: `{node.name}(...)`")
+        return
+    names = {name: entry for name, entry in visible(scope)}
+    meant = nearest(node.name, [*names, *prelude.CONSTANTS, "time", "world"])
+    entry = names.get(meant) if meant is not None else None
+    labels: tuple[Label, ...] = ()
+    if isinstance(entry, Symbol):
+        entry.used = True
+        labels = (Label(entry.span, f"{entry.title} is declared here"),)
+    hint = f"did you mean `{meant}`?" if meant is not None else None
+    if hint is None and node.name in prelude.TYPES:
+        hint = f"`{node.name}` is a type; a value needs a name of its own"
+    ctx.sink.report("E0201", node.span, *labels, name=node.name, scope=scope.title, help=hint)
+
+
+def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:
+    package = package_entry(scope, node)
+    if package is not None:
+        return _value(ctx, package, node)
+    return geometry.member(ctx, node, ctx.elaborate(ctx, scope, node.target, False))
+
+
+def package_entry(scope: Scope, node: nodes.Expression) -> Entry | None:
+    """The entry that `Package.name` means, if the text is one."""
+    match node:
+        case nodes.Reference():
+            return lookup(scope, node.name)
+        case nodes.Member():
+            around = package_entry(scope, node.target)
+            if isinstance(around, ClassSymbol) and around.inner is not None:
+                return around.inner.entries.get(node.name)
+    return None
+
+
+def index(ctx: Context, scope: Scope, node: nodes.Index) -> Value:
+    """`a[i]`, `a[2:3]`, `P[k]`: one element of a declared array is read without its neighbours."""
+    if isinstance(node.target, nodes.Reference):
+        symbol = lookup(scope, node.target.name)
+        if isinstance(symbol, Symbol):
+            symbol.used = True
+            shape = ctx.resolver.shape(symbol)
+            if shape is None:
+                return POISON
+            if shape:
+                return _element(ctx, scope, node, symbol, shape)
+    return _indexed(ctx, scope, node, ctx.elaborate(ctx, scope, node.target, False))
+
+
+def _element(ctx: Context, scope: Scope, node: nodes.Index, symbol: Symbol, shape: tuple[int, ...]) -> Value:
+    given, rest = node.subscripts[: len(shape)], node.subscripts[len(shape) :]
+    found = arrays.subscript_indices(ctx, scope, given, shape, node)
+    if found is None:
+        return POISON
+    indices = tuple(item for item in found if isinstance(item, int))
+    if len(indices) < len(shape):
+        whole = ctx.resolver.whole(symbol, node.span)
+        return arrays.select(whole, found) if isinstance(whole, Array) else _no_slice(ctx, node, whole)
+    value = ctx.resolver.element(symbol, indices, node.span)
+    if not rest:
+        return value
+    inner = nodes.Index(span=node.span, target=node.target, subscripts=rest)
+    return _indexed(ctx, scope, inner, value)
+
+
+def _no_slice(ctx: Context, node: nodes.Index, value: Value) -> Value:
+    if not isinstance(value, Poison):
+        ctx.sink.report("E0312", node.span, expected="an array", found=kind_of(value))
+    return POISON
+
+
+def _indexed(ctx: Context, scope: Scope, node: nodes.Index, value: Value) -> Value:
+    """Subscripts of a value; for a geometric vector they choose world components."""
+    if isinstance(value, Poison):
+        return POISON
+    array = components(value) if isinstance(value, Vector) else value
+    if not isinstance(array, Array):
+        return _no_slice(ctx, node, value)
+    found = arrays.subscript_indices(ctx, scope, node.subscripts, array.shape, node)
+    return POISON if found is None else arrays.select(array, found)

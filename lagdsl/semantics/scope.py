@@ -1,0 +1,177 @@
+"""Scopes and symbols: who is meant by a name.
+
+Lookup goes outward: loop indices and function arguments, the class, enclosing classes and the file (constants, types,
+functions only), the prelude. A scope carries the prefix of qualified names and the stack of spans of the instance it
+belongs to, so that instances of classes can nest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+from lagdsl.semantics.prelude import BaseType
+from lagdsl.semantics.values import Value
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
+
+SymbolKind: TypeAlias = Literal[
+    "constant",
+    "structural",
+    "parameter",
+    "input",
+    "output",
+    "state",
+    "algebraic",
+    "coordinate",
+    "point",
+    "frame",
+    "energy",
+    "load",
+    "constraint",
+    "body",
+    "invariant",
+    "unknown",
+]
+Indices: TypeAlias = "tuple[int, ...]"
+
+LABELS = ("energy", "load", "constraint", "body", "invariant")
+
+
+@dataclass(frozen=True, slots=True)
+class TypeInfo:
+    """`dimension` is None for a plain `Real`, which a binding may determine. `modifiers` come from type definitions."""
+
+    name: str
+    base: BaseType
+    dimension: Dimension | None
+    unit: str
+    display_unit: str | None = None
+    minimum: float | None = None
+    shape: tuple[tuple[nodes.Subscript, Scope] | int, ...] = ()
+    modifiers: tuple[tuple[nodes.AnyModifier, Scope], ...] = ()
+    quaternion: bool = False
+
+
+@dataclass(slots=True)
+class Binding:
+    """The text that gives a value, with the scope it is read in (it holds the loop indices)."""
+
+    node: nodes.Expression
+    scope: Scope
+    span: Span
+
+
+@dataclass(slots=True)
+class LabelInstance:
+    """One labelled item; inside loops there is one for each set of indices."""
+
+    node: nodes.Energy | nodes.Load | nodes.Constraint | nodes.RigidBody | nodes.Invariant
+    scope: Scope
+    name: str
+
+
+@dataclass(eq=False, slots=True)
+class Symbol:
+    """A declared name, before and while it gets its value. `cells` are the values made so far, by index."""
+
+    name: str
+    kind: SymbolKind
+    span: Span
+    scope: Scope
+    title: str
+    declarator: nodes.Declarator | None = None
+    info: TypeInfo | None = None
+    final: bool = False
+    bindings: dict[Indices | None, Binding] = field(default_factory=dict)
+    derivatives: dict[Indices | None, Binding] = field(default_factory=dict)
+    overrides: list[tuple[nodes.Modifier, Scope]] = field(default_factory=list)
+    labels: dict[Indices, LabelInstance] = field(default_factory=dict)
+    shape: tuple[int, ...] | None = None
+    cells: dict[Indices, Value] = field(default_factory=dict)
+    used: bool = False
+
+    @property
+    def short(self) -> str:
+        return self.declarator.name if self.declarator is not None else self.name.rpartition(".")[2]
+
+
+@dataclass(slots=True)
+class FunctionSymbol:
+    node: nodes.Function
+    scope: Scope
+
+
+@dataclass(slots=True)
+class TypeSymbol:
+    node: nodes.TypeDefinition | nodes.ShortClass
+    scope: Scope
+
+
+@dataclass(slots=True)
+class ClassSymbol:
+    """A class; `inner` holds the names of a package."""
+
+    node: nodes.Class | nodes.ShortClass
+    scope: Scope
+    inner: Scope | None = None
+
+
+Entry: TypeAlias = "Symbol | FunctionSymbol | TypeSymbol | ClassSymbol | Value"
+ScopeKind: TypeAlias = Literal["file", "class", "local"]
+
+
+@dataclass(eq=False, slots=True)
+class Scope:
+    """`path` are the indices of the loops around, for labels; `title` names the scope in diagnostics."""
+
+    kind: ScopeKind
+    title: str
+    parent: Scope | None = None
+    prefix: str = ""
+    spans: tuple[Span, ...] = ()
+    path: Indices = ()
+    entries: dict[str, Entry] = field(default_factory=dict)
+
+    def qualify(self, name: str) -> str:
+        return f"{self.prefix}{name}"
+
+    def local(self, entries: dict[str, Entry], path: Indices = ()) -> Scope:
+        """A scope for loop indices or function arguments inside this one."""
+        return Scope("local", self.title, self, self.prefix, self.spans, self.path + path, entries)
+
+    def chain(self) -> Iterator[Scope]:
+        scope: Scope | None = self
+        while scope is not None:
+            yield scope
+            scope = scope.parent
+
+    @property
+    def owner(self) -> Scope:
+        """The class or file around."""
+        return next(scope for scope in self.chain() if scope.kind != "local")
+
+
+def lookup(scope: Scope, name: str) -> Entry | None:
+    """The entry that `name` means in `scope`, without the prelude."""
+    own = True
+    for step in scope.chain():
+        entry = step.entries.get(name)
+        if entry is not None and (own or not isinstance(entry, Symbol) or entry.kind in ("constant", "structural")):
+            return entry
+        own = own and step.kind == "local"
+    return None
+
+
+def visible(scope: Scope) -> Iterator[tuple[str, Entry]]:
+    """Every name that `lookup` can find, innermost first."""
+    seen: set[str] = set()
+    for step in scope.chain():
+        for name in step.entries:
+            if name not in seen:
+                seen.add(name)
+                entry = lookup(scope, name)
+                if entry is not None:
+                    yield name, entry

@@ -1,0 +1,88 @@
+"""Which model of a file is meant: by name, else the last non-partial one that nothing else in the file uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.declare import enter
+from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope, TypeSymbol
+from lagdsl.syntax import nodes
+from lagdsl.syntax.walk import descendants
+
+MODELS = ("model", "block")
+
+
+def file_scope(ctx: Context, unit: nodes.Unit) -> Scope:
+    """The names a file declares at its top level; packages hold theirs in a scope of their own."""
+    scope = Scope("file", "this file")
+    for item in unit.items:
+        _declare(ctx, scope, item)
+    return scope
+
+
+def _declare(ctx: Context, scope: Scope, item: nodes.Item) -> None:
+    match item:
+        case nodes.Class():
+            symbol = ClassSymbol(item, scope)
+            if enter(ctx, scope, item.name, symbol, item.name_span) and item.kind == "package":
+                symbol.inner = Scope("file", item.name, scope)
+                for inner in [*item.items, *(each for section in item.sections for each in section.items)]:
+                    _declare(ctx, symbol.inner, inner)
+        case nodes.ShortClass():
+            enter(ctx, scope, item.name, ClassSymbol(item, scope), item.span)
+        case nodes.TypeDefinition():
+            enter(ctx, scope, item.name, TypeSymbol(item, scope), item.span)
+        case nodes.Function():
+            enter(ctx, scope, item.name, FunctionSymbol(item, scope), item.span)
+        case nodes.Import():
+            hint = "libraries come with components; quantities and constants need no import"
+            ctx.sink.report("E0311", item.span, what="`import`", hint=hint)
+        case _:
+            ctx.sink.report("E0311", item.span, what="this item in a package", hint="packages hold types and functions")
+
+
+def select(ctx: Context, unit: nodes.Unit, scope: Scope, name: str | None) -> ClassSymbol | None:
+    """The class to flatten, or None after E0217 or E0218."""
+    models = {path: symbol for path, symbol in _classes(scope, "") if _is_model(symbol)}
+    if name is not None:
+        if name in models:
+            return models[name]
+        meant = nearest(name, models)
+        hint = f"did you mean `{meant}`?" if meant else f"the file has {', '.join(f'`{path}`' for path in models)}"
+        ctx.sink.report("E0217", None, name=name, help=hint if models else None)
+        return None
+    used = _used(unit)
+    complete = [symbol for path, symbol in models.items() if "." not in path and "partial" not in symbol.node.prefixes]
+    free = [symbol for symbol in complete if symbol.node.name not in used]
+    if free or complete:
+        return (free or complete)[-1]
+    first = unit.items[0].span if unit.items else None
+    ctx.sink.report("E0218", first)
+    return None
+
+
+def _classes(scope: Scope, prefix: str) -> Iterator[tuple[str, ClassSymbol]]:
+    for name, entry in scope.entries.items():
+        if isinstance(entry, ClassSymbol):
+            yield prefix + name, entry
+            if entry.inner is not None:
+                yield from _classes(entry.inner, f"{prefix}{name}.")
+
+
+def _is_model(symbol: ClassSymbol) -> bool:
+    return symbol.node.kind in MODELS
+
+
+def _used(unit: nodes.Unit) -> set[str]:
+    """Names of classes that stand as types, bases or short definitions anywhere in the file."""
+    used: set[str] = set()
+    for item in unit.items:
+        for node in descendants(item):
+            match node:
+                case nodes.Component():
+                    used.add(".".join(node.type_name.parts))
+                case nodes.Extends() | nodes.ShortClass():
+                    used.add(".".join(node.base.parts))
+    return used
