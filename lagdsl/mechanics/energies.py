@@ -24,15 +24,13 @@ class SystemEnergies:
     jacobi: int
 
     def of(self, kind: EnergyKind) -> int:
-        match kind:
-            case "total":
-                return self.total
-            case "kinetic":
-                return self.kinetic
-            case "potential":
-                return self.potential
-            case "jacobi":
-                return self.jacobi
+        nodes: dict[EnergyKind, int] = {
+            "total": self.total,
+            "kinetic": self.kinetic,
+            "potential": self.potential,
+            "jacobi": self.jacobi,
+        }
+        return nodes[kind]
 
 
 def system_energies(graph: Graph, found: Dynamics, directions: Directions) -> SystemEnergies:

@@ -116,13 +116,10 @@ def _random_points(derivation: Derivation) -> dict[Group, np.ndarray]:
     starts = [derivation.lowering.scalar(coordinate.start) for coordinate in flat.coordinates]
     centre = np.array([float(value) for value, _ in evaluate_with_size(graph, starts, defaults)])
 
-    def around(values: np.ndarray, size: int) -> np.ndarray:
-        spread = random.uniform(-1.0, 1.0, (2, _POINTS, size))
-        return values * (1.0 + 0.3 * spread[0]) + 0.7 * spread[1]
-
+    spread = random.uniform(-1.0, 1.0, (2, _POINTS, len(centre)))
     return {
         Group.TIME: random.uniform(0.1, 2.0, _POINTS),
-        Group.Q: around(centre, len(symbols.q)),
+        Group.Q: centre * (1.0 + 0.3 * spread[0]) + 0.7 * spread[1],
         Group.QD: random.uniform(-2.0, 2.0, (_POINTS, len(symbols.qd))),
         Group.Z: random.uniform(-1.0, 1.0, (_POINTS, len(symbols.z))),
         Group.U: random.uniform(-1.0, 1.0, (_POINTS, len(symbols.u))),

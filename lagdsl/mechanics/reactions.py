@@ -2,8 +2,8 @@
 
 The model is lowered a second time with a frame or a point displaced by symbols s that stand for zero. What is left over
 in the equation of s at s = 0, its rate and acceleration 0, is the force that keeps s at zero: the reaction. It is
-exerted by the parent's side on all that the frame carries (Hamel, *Theoretische Mechanik*, 1949, section on releasing
-constraints).
+exerted by the parent's side on all that the frame carries (Lagrange's principle of release; Hamel, *Theoretische
+Mechanik*, 1949).
 """
 
 from __future__ import annotations
