@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics import vectors
+from lagdsl.mechanics.frames import Pose, Put, Shift
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.vectors import Axes, Vector
 from lagdsl.semantics.flat_model import FlatModel, RigidBody
@@ -22,7 +23,10 @@ class Spin:
 
 @dataclass(frozen=True, slots=True)
 class Carrier:
-    """A mass [kg], its centre's position [m] and velocity [m/s], world components; point masses have no spin."""
+    """A mass [kg] and its centre's position [m] in world components; point masses have no spin.
+
+    `velocity` [m/s] is given along whatever axes cost least: its square is meant.
+    """
 
     label: str | None
     mass: int
@@ -45,12 +49,24 @@ def _body(lowering: Lowering, body: RigidBody) -> Carrier:
     graph = lowering.graph
     lowering.place = body.spans
     mass = lowering.scalar(body.mass)
-    pose = lowering.poses(body.frame)[body.frame]
+    poses = lowering.poses(body.frame)
+    pose = poses[body.frame]
     x, y, z = (lowering.scalar(component) for component in body.com)
     position = vectors.add(graph, pose.origin, vectors.to_world(graph, pose.axes, (x, y, z)))
-    at_rest = (graph.zero, graph.zero, graph.zero)
-    velocity = at_rest if mass == graph.zero else lowering.velocity(position)
+    if mass == graph.zero:
+        velocity = (graph.zero, graph.zero, graph.zero)
+    elif position == pose.origin and _is_put(pose):
+        velocity = lowering.velocity(position)
+    else:
+        turning, velocity = poses.own_twist(body.frame)
+        velocity = vectors.add(graph, velocity, vectors.cross(graph, turning, (x, y, z)))
     return Carrier(body.label, mass, position, velocity, _spin(lowering, body))
+
+
+def _is_put(pose: Pose) -> bool:
+    """Whether the origin is known as a position of the world, not as a place that the parent carries."""
+    moved = [motion for motion in pose.motions if isinstance(motion, Shift | Put)]
+    return bool(moved) and isinstance(moved[-1], Put)
 
 
 def _spin(lowering: Lowering, body: RigidBody) -> Spin | None:
@@ -74,20 +90,23 @@ def kinetic_energy(graph: Graph, carrier: Carrier) -> int:
     return graph.multiply(half, twice)
 
 
-def linear_momentum(graph: Graph, found: tuple[Carrier, ...]) -> Vector:
-    """Sum of m v [kg.m/s]."""
+def linear_momentum(lowering: Lowering, found: tuple[Carrier, ...]) -> Vector:
+    """Sum of m v [kg.m/s], world components."""
+    graph = lowering.graph
     total = (graph.zero, graph.zero, graph.zero)
     for carrier in found:
-        total = vectors.add(graph, total, vectors.scale(graph, carrier.mass, carrier.velocity))
+        velocity = lowering.velocity(carrier.position)
+        total = vectors.add(graph, total, vectors.scale(graph, carrier.mass, velocity))
     return total
 
 
-def angular_momentum(graph: Graph, found: tuple[Carrier, ...], about: Vector) -> Vector:
+def angular_momentum(lowering: Lowering, found: tuple[Carrier, ...], about: Vector) -> Vector:
     """Sum of (r - about) x m v and of the bodies' own angular momenta [kg.m2/s], world components."""
+    graph = lowering.graph
     total = (graph.zero, graph.zero, graph.zero)
     for carrier in found:
         arm = vectors.subtract(graph, carrier.position, about)
-        moved = vectors.cross(graph, arm, vectors.scale(graph, carrier.mass, carrier.velocity))
+        moved = vectors.cross(graph, arm, vectors.scale(graph, carrier.mass, lowering.velocity(carrier.position)))
         total = vectors.add(graph, total, moved)
         if carrier.spin is not None:
             own = vectors.to_world(graph, carrier.spin.axes, carrier.spin.momentum)

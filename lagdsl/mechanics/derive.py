@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints, energies, lagrange
+from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.layout import layout
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
@@ -76,6 +78,8 @@ def _equations(derivation: Derivation) -> dict[str, list[Block]]:
     jacobian = _matrix("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
     mass = _matrix("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
     gamma = [graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity]
+    f = lagrange.forcing(lowering, terms)
+    _refuse_accelerating_states(derivation, [*f, *gamma])
     tau = lagrange.inverse_dynamics(lowering, terms)
     pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
     r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
@@ -84,7 +88,7 @@ def _equations(derivation: Derivation) -> dict[str, list[Block]]:
         "position_constraint": [_vector("phi", phi), jacobian],
         "velocity_constraint": [_vector("residual", velocity), jacobian],
         "mass_matrix": [mass],
-        "dynamics": [mass, _vector("f", lagrange.forcing(lowering, terms)), jacobian, _vector("gamma", gamma)],
+        "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)],
         "inverse_dynamics": [_vector("tau", tau)],
         "residual": [_vector("r", r), _vector("s", s)],
         "residual_tangent": [
@@ -92,6 +96,14 @@ def _equations(derivation: Derivation) -> dict[str, list[Block]]:
             _vector("ds", directional(graph, s, STATE_GROUPS)),
         ],
     }
+
+
+def _refuse_accelerating_states(derivation: Derivation, forces: Sequence[int]) -> None:
+    """E0308 at a state whose equation needs accelerations, where the rate of that state enters the equations of
+    motion.""" for state in derivation.flat.states:
+        rate = derivation.lowering.scalar(state.derivative)
+        if derivation.graph.depends(rate, Group.QDD, Group.LAMBDA):
+            refuse_accelerations(derivation.graph, forces, state.spans, f"`der({state.name})`")
 
 
 def _energies(derivation: Derivation) -> dict[str, list[Block]]:

@@ -1,4 +1,4 @@
-"""Frames on the graph: three world axes and an origin, and the angular velocity, found recursively from the parent's.
+"""Frames on the graph: three world axes, an origin, and what moved them since the parent.
 
 Structural zeros of the world's axes make planar code planar. Rotations follow Goldstein, *Classical Mechanics* (3rd
 ed.), sections 4.2 to 4.9; quaternions are homogeneous, scalar first: the rotation is that of e/|e|.
@@ -7,11 +7,11 @@ ed.), sections 4.2 to 4.9; quaternions are homogeneous, scalar first: the rotati
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol, TypeAlias, assert_never
+from typing import TypeAlias
 
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
-from lagdsl.mechanics.vectors import Axes, Vector, add, cross, negate, scale, subtract, to_own, to_world
+from lagdsl.mechanics.vectors import Axes, Vector, add, cross, scale, subtract, to_world
 
 Quaternion: TypeAlias = tuple[int, int, int, int]
 
@@ -48,8 +48,32 @@ class TurnQuaternion:
 
 @dataclass(frozen=True, slots=True)
 class SetTo:
-    """Axes given in the world, whatever the parent does."""
+    """Axes given in the world, whatever the parent does; `before` are those that the origin's velocity is known in."""
 
+    axes: Axes
+    before: Axes
+
+
+@dataclass(frozen=True, slots=True)
+class Shift:
+    """The origin moved by an offset in own components."""
+
+    offset: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Put:
+    """The origin at a position of the world; `axes` are those of that moment."""
+
+    origin: Vector
+    axes: Axes
+
+
+@dataclass(frozen=True, slots=True)
+class Loosened:
+    """The origin moved by a small displacement that vanishes, but not its `rate` (world components)."""
+
+    rate: Vector
     axes: Axes
 
 
@@ -62,12 +86,13 @@ class Released:
     axes: Axes
 
 
-Motion: TypeAlias = "Turn | TurnAbout | TurnQuaternion | SetTo | Released"
+Rotation: TypeAlias = "Turn | TurnAbout | TurnQuaternion | SetTo | Released"
+Motion: TypeAlias = "Rotation | Shift | Put | Loosened"
 
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Where a frame is, and what turned it since its parent: enough for its angular velocity."""
+    """Where a frame is, and what moved it since its parent: enough for its velocities."""
 
     parent: str | None
     axes: Axes
@@ -142,61 +167,3 @@ def _unit(graph: Graph, axis: int) -> Vector:
 
 def _compose(graph: Graph, axes: Axes, matrix: Axes) -> Axes:
     return (to_world(graph, axes, matrix[0]), to_world(graph, axes, matrix[1]), to_world(graph, axes, matrix[2]))
-
-
-# ---- angular velocity ------------------------------------------------------------------------------------------------
-
-
-class Rates(Protocol):
-    """Time derivatives of nodes, as the angular velocity needs them."""
-
-    def of(self, root: int) -> int: ...
-
-
-def own_velocity(graph: Graph, before: Vector, motion: Motion, rates: Rates) -> Vector:
-    """Angular velocity in own axes after `motion`, from that in own axes before it."""
-    match motion:
-        case Turn(axis, angle, cosine, sine):
-            i, j = (axis + 1) % 3, (axis + 2) % 3
-            after = list(before)
-            after[i] = graph.add(graph.multiply(cosine, before[i]), graph.multiply(sine, before[j]))
-            after[j] = graph.subtract(graph.multiply(cosine, before[j]), graph.multiply(sine, before[i]))
-            after[axis] = graph.add(before[axis], rates.of(angle))
-            return (after[0], after[1], after[2])
-        case TurnAbout(axis=n, angle=angle, columns=columns):
-            return add(graph, to_own(graph, columns, before), scale(graph, rates.of(angle), n))
-        case TurnQuaternion(e, columns):
-            return add(graph, to_own(graph, columns, before), quaternion_velocity(graph, e, rates))
-        case SetTo((x, y, z)):
-            dx, dy, dz = _derivative(x, rates), _derivative(y, rates), _derivative(z, rates)
-            return (graph.dot(dy, z), graph.dot(dz, x), graph.dot(dx, y))
-        case Released(rate=rate, axes=axes):
-            return add(graph, before, to_own(graph, axes, rate))
-    assert_never(motion)
-
-
-def world_velocity(graph: Graph, before: Vector, motion: Motion, rates: Rates) -> Vector:
-    """Angular velocity in world axes after `motion`, from that in world axes before it."""
-    match motion:
-        case Turn(angle=angle, direction=direction) | TurnAbout(angle=angle, direction=direction):
-            return add(graph, before, scale(graph, rates.of(angle), direction))
-        case TurnQuaternion(e, _, axes):
-            return add(graph, before, to_world(graph, axes, quaternion_velocity(graph, e, rates)))
-        case SetTo(axes):
-            return to_world(graph, axes, own_velocity(graph, before, motion, rates))
-        case Released(angle, rate):
-            return add(graph, add(graph, before, cross(graph, angle, before)), rate)
-    assert_never(motion)
-
-
-def quaternion_velocity(graph: Graph, e: Quaternion, rates: Rates) -> Vector:
-    """2 conj(e) der(e) / |e|^2 without its scalar part: the rate of turning in the axes after the turn."""
-    w, v = e[0], (e[1], e[2], e[3])
-    dw, dv = rates.of(w), (rates.of(e[1]), rates.of(e[2]), rates.of(e[3]))
-    vector = subtract(graph, scale(graph, w, dv), scale(graph, dw, v))
-    vector = add(graph, vector, negate(graph, cross(graph, v, dv)))
-    return scale(graph, graph.divide(graph.constant(2.0), graph.dot(e, e)), vector)
-
-
-def _derivative(vector: Vector, rates: Rates) -> Vector:
-    return (rates.of(vector[0]), rates.of(vector[1]), rates.of(vector[2]))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import assert_never
+from typing import TypeVar, assert_never
 
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics import frames
-from lagdsl.mechanics.frames import Motion, Pose, Rates, SetTo
+from lagdsl.mechanics import frames, velocities
+from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, SetTo, Shift
 from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_world
+from lagdsl.mechanics.velocities import Rates, Twist
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import (
     Frame,
@@ -21,6 +22,8 @@ from lagdsl.semantics.flat_model import (
     RotateQuaternion,
     SetAxes,
 )
+
+Value = TypeVar("Value", Vector, Twist)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +41,9 @@ class Release:
 
     def move_frame(self, graph: Graph, name: str, pose: Pose) -> Pose:
         if name in self.origins:
-            pose = replace(pose, origin=add(graph, pose.origin, _triple(graph, Group.RELEASE, self.origins[name])))
+            origin = add(graph, pose.origin, _triple(graph, Group.RELEASE, self.origins[name]))
+            loosened = Loosened(_triple(graph, Group.RELEASE_RATE, self.origins[name]), pose.axes)
+            pose = replace(pose, origin=origin, motions=(*pose.motions, loosened))
         if name in self.turns:
             angle = _triple(graph, Group.RELEASE, self.turns[name])
             rate = _triple(graph, Group.RELEASE_RATE, self.turns[name])
@@ -58,6 +63,7 @@ class Poses:
         at_rest = (graph.zero, graph.zero, graph.zero)
         self._own = {"world": at_rest}
         self._world = {"world": at_rest}
+        self._twists = {"world": (at_rest, at_rest)}
 
     def __contains__(self, name: str) -> bool:
         return name in self._poses
@@ -76,8 +82,10 @@ class Poses:
             if isinstance(step, Move):
                 x, y, z = (node(component) for component in step.offset)
                 origin = add(self._graph, origin, to_world(self._graph, axes, (x, y, z)))
+                motions.append(Shift((x, y, z)))
             elif isinstance(step, Place):
                 origin = triple(step.position)
+                motions.append(Put(origin, axes))
             else:
                 axes, motion = self._turn(axes, step, node, triple)
                 motions.append(motion)
@@ -99,23 +107,27 @@ class Poses:
             case RotateQuaternion((w, x, y, z)):
                 return frames.turn_quaternion(self._graph, axes, (node(w), node(x), node(y), node(z)))
             case SetAxes(x, y, z):
-                axes = (triple(x), triple(y), triple(z))
-                return axes, SetTo(axes)
+                given = (triple(x), triple(y), triple(z))
+                return given, SetTo(given, axes)
         assert_never(step)
 
-    # ---- angular velocity --------------------------------------------------------------------------------------------
+    # ---- velocities --------------------------------------------------------------------------------------------------
 
     def own_velocity(self, name: str) -> Vector:
-        """Angular velocity relative to the world in the frame's own axes: rotations about own axes cost least there."""
-        return self._velocity(name, self._own, frames.own_velocity)
+        """Angular velocity relative to the world in the frame's own axes."""
+        return self._velocity(name, self._own, velocities.own_velocity)
 
     def world_velocity(self, name: str) -> Vector:
         """Angular velocity relative to the world in world axes."""
-        return self._velocity(name, self._world, frames.world_velocity)
+        return self._velocity(name, self._world, velocities.world_velocity)
+
+    def own_twist(self, name: str) -> Twist:
+        """Angular velocity and velocity of the origin relative to the world, in the frame's own axes."""
+        return self._velocity(name, self._twists, velocities.own_twist)
 
     def _velocity(
-        self, name: str, known: dict[str, Vector], after: Callable[[Graph, Vector, Motion, Rates], Vector]
-    ) -> Vector:
+        self, name: str, known: dict[str, Value], after: Callable[[Graph, Value, Motion, Rates], Value]
+    ) -> Value:
         ancestry = []
         while name not in known:
             ancestry.append(name)

@@ -38,7 +38,7 @@ class Provider:
         self._reactions: list[int] = []
 
     def __call__(self, expression: Provided) -> Value:
-        symbols, graph = self._symbols, self._lowering.graph
+        symbols = self._symbols
         found = self._dynamics.energies.carriers
         match expression:
             case flat.Multiplier(row):
@@ -53,10 +53,10 @@ class Provider:
             case flat.GeneralizedMomentum(coordinate):
                 return self._dynamics.terms.momentum[symbols.coordinate_index[coordinate]]
             case flat.LinearMomentum():
-                return linear_momentum(graph, found)
+                return linear_momentum(self._lowering, found)
             case flat.AngularMomentum(body, about):
                 chosen = found if body is None else tuple(carrier for carrier in found if carrier.label == body)
-                return angular_momentum(graph, chosen, self._lowering.vector(about))
+                return angular_momentum(self._lowering, chosen, self._lowering.vector(about))
         assert_never(expression)
 
     def _frame_reaction(self, frame: str, kind: str) -> Vector:

@@ -58,13 +58,22 @@ def input_rates(graph: Graph, flat: FlatModel) -> Callable[[int], int]:
     def rate(index: int) -> int:
         item = flat.inputs[index]
         if item.name not in following:
-            raise _not_differentiable(item)
+            raise _not_differentiable(flat, item)
         return graph.symbol(Group.U, following[item.name])
 
     return rate
 
 
-def _not_differentiable(item: Input) -> CompilationFailed:
+def _not_differentiable(flat: FlatModel, item: Input) -> CompilationFailed:
+    """E0304 at the declaration of the input that `item` is a derivative of."""
+    by_name = {other.name: other for other in flat.inputs}
+    count = 1
+    while item.derivative_of is not None:
+        item = by_name[item.derivative_of]
+        count += 1
+    times = "once" if count == 1 else "twice" if count == 2 else f"{count} times"
     sink = Sink()
-    sink.report("E0304", item.spans[0], name=item.name)
+    sink.report(
+        "E0304", item.spans[0], name=item.name, what="moves something", times=times, type=item.type_name, count=count
+    )
     return CompilationFailed(sink.diagnostics)
