@@ -66,7 +66,8 @@ def _setting(ctx: Context, scope: Scope, setting: nodes.AnyModifier, found: dict
         meant = nearest(name, _SETTINGS)
         hint = f"did you mean `{meant}`?" if meant else None
         listed = ", ".join(_SETTINGS)
-        ctx.sink.report("E0202", setting.span, name=name, type="experiment", attributes=listed, help=hint)
+        span = setting.name.span if isinstance(setting, nodes.Modifier) else setting.span
+        ctx.sink.report("E0202", span, name=name, type="experiment", attributes=listed, help=hint)
         return
     if setting.value is None or setting.modifiers:
         ctx.sink.report("E0220", setting.span, name=name)
@@ -87,6 +88,8 @@ def _setting(ctx: Context, scope: Scope, setting: nodes.AnyModifier, found: dict
     if number is None:
         return
     if name in ("Tolerance", "Interval") and not 0.0 < number < float("inf"):
-        ctx.sink.report("E0334", setting.value.span, what=f"`{name}`", expected="a positive number", found=f"{number:g}")
+        ctx.sink.report(
+            "E0334", setting.value.span, what=f"`{name}`", expected="a positive number", found=f"{number:g}"
+        )
         return
     found[name] = number

@@ -46,9 +46,7 @@ class Operand:
 def negated(value: Numeric) -> Numeric:
     match value:
         case Scalar():
-            return Scalar(
-                negative(value.expression), value.dimension, value.variability, value.order, value.kind
-            )
+            return Scalar(negative(value.expression), value.dimension, value.variability, value.order, value.kind)
         case Vector():
             return Vector(flat.Unary("-", value.expression), value.dimension, value.variability, value.order)
         case Array():
@@ -336,7 +334,9 @@ def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, rig
             ctx.sink.report("E0312", operand.node.span, expected="a scalar", found=kind_of(operand.value))
             return POISON
     assert isinstance(one, Scalar) and isinstance(two, Scalar)
-    if (one.kind == "Boolean") != (two.kind == "Boolean") or one.kind == "Boolean" and node.operator not in ("==", "<>"):
+    if (one.kind == "Boolean") != (two.kind == "Boolean") or (
+        one.kind == "Boolean" and node.operator not in ("==", "<>")
+    ):
         wrong, value = (left, one) if one.kind == "Boolean" else (right, two)
         ctx.sink.report("E0312", wrong.node.span, expected="a number", found=kind_of(value))
         return POISON
@@ -392,14 +392,18 @@ def unary(ctx: Context, node: nodes.Unary, value: Value) -> Value:
     return negated(number) if node.operator == "-" else number
 
 
-def choice(ctx: Context, scope: Scope, condition: Scalar, value: Operand, otherwise: Operand, node: nodes.Node) -> Value:
+def choice(
+    ctx: Context, scope: Scope, condition: Scalar, value: Operand, otherwise: Operand, node: nodes.Node
+) -> Value:
     """`if condition then value else otherwise`, branches of one shape and dimension."""
     if isinstance(value.value, Poison) or isinstance(otherwise.value, Poison):
         return POISON
     logic = [operand for operand in (value, otherwise) if getattr(operand.value, "kind", "") == "Boolean"]
     if len(logic) == 1:
         other = otherwise if logic[0] is value else value
-        ctx.sink.report("E0312", other.node.span, expected="a Boolean, like the other branch", found=kind_of(other.value))
+        ctx.sink.report(
+            "E0312", other.node.span, expected="a Boolean, like the other branch", found=kind_of(other.value)
+        )
         return POISON
     pair = aligned(ctx, value, otherwise, node)
     if pair is None:

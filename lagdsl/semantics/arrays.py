@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.arithmetic import Operand, added
-from lagdsl.semantics.constants import structural_integer, structural_number
+from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
 from lagdsl.semantics.flat_expression import FlatExpression
@@ -69,9 +69,7 @@ def _stack(ctx: Context, node: nodes.Node, values: list[Scalar | Array], dimensi
         elements.extend(value.elements if isinstance(value, Array) else (value.expression,))
     kinds = {value.kind for value in values}
     kind = kinds.pop() if len(kinds) == 1 else "Real"
-    return Array(
-        tuple(elements), (len(values), *shapes[0]), dimension, latest(*values), highest(*values), kind
-    )
+    return Array(tuple(elements), (len(values), *shapes[0]), dimension, latest(*values), highest(*values), kind)
 
 
 def matrix(ctx: Context, scope: Scope, node: nodes.Matrix, adopt: bool) -> Value:
@@ -103,7 +101,9 @@ def subscript_indices(
             case _:
                 value = ctx.elaborate(ctx, scope, subscript, False)
                 if isinstance(value, Array) and value.kind == "Integer":
-                    numbers = [structural_integer(ctx, element_at(value, k), subscript, "E0333") for k in range(value.shape[0])]
+                    numbers = [
+                        structural_integer(ctx, element_at(value, k), subscript, "E0333") for k in range(value.shape[0])
+                    ]
                     found = tuple(number for number in numbers if number is not None)
                 else:
                     found = structural_integer(ctx, value, subscript, "E0333")
@@ -141,7 +141,10 @@ def range_values(ctx: Context, scope: Scope, node: nodes.Expression | nodes.Rang
     if not isinstance(node, nodes.Range):
         value = ctx.elaborate(ctx, scope, node, False)
         if isinstance(value, Array):
-            found = [structural_integer(ctx, element_at(value, k), node, "E0301", name=node.span.text) for k in range(value.shape[0])]
+            found = [
+                structural_integer(ctx, element_at(value, k), node, "E0301", name=node.span.text)
+                for k in range(value.shape[0])
+            ]
             return tuple(number for number in found if number is not None) if None not in found else None
         count = structural_integer(ctx, value, node, "E0301", name=node.span.text)
         return tuple(range(1, count + 1)) if count is not None and _bounded(ctx, node, count) else None
@@ -206,7 +209,9 @@ def reduction(ctx: Context, scope: Scope, node: nodes.Reduction) -> Value:
     """`sum(body for i in 1:n)` and its sisters."""
     name = node.function.name if isinstance(node.function, nodes.Reference) else ""
     if name not in REDUCTIONS:
-        ctx.sink.report("E0209", node.function.span, name=node.function.span.text, help=f"reductions are {', '.join(REDUCTIONS)}")
+        ctx.sink.report(
+            "E0209", node.function.span, name=node.function.span.text, help=f"reductions are {', '.join(REDUCTIONS)}"
+        )
         return POISON
     operands = [
         Operand(node.body, operand(ctx, ctx.elaborate(ctx, turn, node.body, False), node.body.span))
@@ -226,7 +231,9 @@ def reduced(ctx: Context, scope: Scope, name: str, operands: list[Operand], node
         return Scalar(flat.ZERO, None) if name == "sum" else Scalar(flat.ONE, DIMENSIONLESS)
     while len(operands) > 1:
         paired = [
-            Operand(item.node, combined(ctx, scope, name, item, operands[k + 1], node)) if k + 1 < len(operands) else item
+            Operand(item.node, combined(ctx, scope, name, item, operands[k + 1], node))
+            if k + 1 < len(operands)
+            else item
             for k, item in enumerate(operands)
             if k % 2 == 0
         ]
@@ -252,7 +259,9 @@ def combined(ctx: Context, scope: Scope, name: str, left: Operand, right: Operan
     assert isinstance(one, Scalar) and isinstance(two, Scalar)
     variability, order = latest(one, two), highest(one, two)
     if name == "product":
-        return Scalar(flat.Binary("*", one.expression, two.expression), product(one.dimension, two.dimension), variability, order)
+        return Scalar(
+            flat.Binary("*", one.expression, two.expression), product(one.dimension, two.dimension), variability, order
+        )
     if not fits(one.dimension, two.dimension):
         report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
         return POISON
@@ -271,4 +280,3 @@ def linspace(start: Scalar, stop: Scalar, count: int) -> list[FlatExpression]:
     return [
         flat.Binary("+", start.expression, flat.Binary("*", flat.Number(k / (count - 1)), step)) for k in range(count)
     ]
-

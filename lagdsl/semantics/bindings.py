@@ -10,7 +10,7 @@ from lagdsl.semantics.dimensions import fits, require
 from lagdsl.semantics.naming import an, kind_of
 from lagdsl.semantics.prelude import BaseType
 from lagdsl.semantics.scope import Scope
-from lagdsl.semantics.values import POISON, Array, AnyDimension, Poison, Scalar, Value, Vector, components, is_zero
+from lagdsl.semantics.values import POISON, AnyDimension, Array, Poison, Scalar, Value, Vector, components, is_zero
 from lagdsl.syntax import nodes
 
 
@@ -25,7 +25,9 @@ class Expected:
     unit: str = "1"
 
 
-def conform(ctx: Context, scope: Scope, node: nodes.Expression, value: Value, expected: Expected) -> Scalar | Array | None:
+def conform(
+    ctx: Context, scope: Scope, node: nodes.Expression, value: Value, expected: Expected
+) -> Scalar | Array | None:
     """The value in the declared shape, with the declared dimension; None after a diagnostic (or for poison)."""
     if isinstance(value, Poison):
         return None
@@ -56,7 +58,13 @@ def _shaped(ctx: Context, node: nodes.Expression, value: Value, expected: Expect
             count *= extent
         return Array((flat.ZERO,) * count, expected.shape, None)
     size = " by ".join(str(extent) for extent in expected.shape)
-    wanted = f"an array of {size}" if expected.shape else f"{an(expected.base)} scalar" if expected.base != "Real" else "a scalar"
+    wanted = (
+        f"an array of {size}"
+        if expected.shape
+        else f"{an(expected.base)} scalar"
+        if expected.base != "Real"
+        else "a scalar"
+    )
     hint = None
     if isinstance(value, Scalar) and len(expected.shape) == 1:
         hint = f"write `fill({node.span.text}, {expected.shape[0]})` to repeat it"

@@ -82,9 +82,7 @@ def _of_number(call: Application) -> Value:
     return _function(call, call.name, (argument.expression,), DIMENSIONLESS)
 
 
-def _function(
-    call: Application, name: str, arguments: tuple[FlatExpression, ...], dimension: AnyDimension
-) -> Scalar:
+def _function(call: Application, name: str, arguments: tuple[FlatExpression, ...], dimension: AnyDimension) -> Scalar:
     numeric = call.numeric
     return Scalar(flat.Function(name, arguments), dimension, latest(*numeric), highest(*numeric))
 
@@ -179,7 +177,9 @@ def _value(call: Application) -> Value:
         return POISON
     if not fits(x.dimension, call.ctx.dimension(unit.dimension)):
         words = quantity(unit.dimension)
-        call.ctx.sink.report("E0415", call.arguments[0].node.span, what="the value", expected=words, found=quantity(x.dimension))
+        call.ctx.sink.report(
+            "E0415", call.arguments[0].node.span, what="the value", expected=words, found=quantity(x.dimension)
+        )
         return POISON
     number = x.expression
     if unit.offset:
@@ -279,7 +279,11 @@ def _sizes(call: Application, items: tuple[Operand, ...]) -> list[int] | None:
 def _filled(call: Application) -> Value:
     """`zeros(n, m)`, `ones(n)`, `fill(x, n, m)`."""
     sizes = _sizes(call, call.arguments[1:] if call.name == "fill" else call.arguments)
-    filler = call.arguments[0].value if call.name == "fill" else Scalar(flat.ZERO if call.name == "zeros" else flat.ONE, None)
+    filler = (
+        call.arguments[0].value
+        if call.name == "fill"
+        else Scalar(flat.ZERO if call.name == "zeros" else flat.ONE, None)
+    )
     if sizes is None or not isinstance(filler, Scalar):
         return POISON
     dimension = DIMENSIONLESS if call.name == "ones" else filler.dimension
@@ -349,7 +353,11 @@ def _linspace(call: Application) -> Value:
     ends = call.arguments[:2]
     values = scalars(Application(call.ctx, call.scope, call.name, call.node, ends))
     sizes = _sizes(call, call.arguments[2:])
-    if values is None or sizes is None or not _same(Application(call.ctx, call.scope, call.name, call.node, ends), values):
+    if (
+        values is None
+        or sizes is None
+        or not _same(Application(call.ctx, call.scope, call.name, call.node, ends), values)
+    ):
         return POISON
     if sizes[0] < 2:
         call.ctx.sink.report("E0323", call.node.span, reason="`linspace` needs at least two values")
@@ -363,10 +371,10 @@ Builtin = Callable[[Application], Value]
 
 # name: (function, least and most number of arguments)
 BUILTINS: dict[str, tuple[Builtin, int, int]] = {
-    **{
-        name: (_of_number, 1, 1)
-        for name in ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "floor", "ceil")
-    },
+    **dict.fromkeys(
+        ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "floor", "ceil"),
+        (_of_number, 1, 1),
+    ),
     "log10": (_log10, 1, 1),
     "sqrt": (_root, 1, 1),
     "abs": (_preserving, 1, 1),

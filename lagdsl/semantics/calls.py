@@ -7,7 +7,7 @@ from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.inline import inlined
 from lagdsl.semantics.mechanics_functions import SPECIALS
-from lagdsl.semantics.naming import quantity
+from lagdsl.semantics.naming import name_span, quantity
 from lagdsl.semantics.references import package_entry
 from lagdsl.semantics.scope import FunctionSymbol, Scope, Symbol, lookup, visible
 from lagdsl.semantics.values import POISON, Array, FrameValue, Poison, Scalar, Value, Vector
@@ -58,7 +58,7 @@ def _arguments(ctx: Context, scope: Scope, node: nodes.Call) -> list[Operand]:
 def _no_names(ctx: Context, node: nodes.Call) -> bool:
     for argument in node.arguments:
         if isinstance(argument, nodes.Named):
-            ctx.sink.report("E0211", argument.span, name=argument.name, function=node.function.span.text)
+            ctx.sink.report("E0211", name_span(argument), name=argument.name, function=node.function.span.text)
             return False
     return True
 
@@ -96,7 +96,7 @@ def _no_function(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.R
         ctx.sink.report("E0327", function.span, name=name, what=_what(entry), arguments=inside)
     elif name in LATER:
         ctx.sink.report("E0311", node.span, what=f"`{name}`", hint=f"{LATER[name]} come with a later release")
-    else:
+    elif not ctx.incomplete:
         functions = [found for found, each in visible(scope) if isinstance(each, FunctionSymbol)]
         meant = builtin.meant_function(name, [*functions, *SPECIALS])
         ctx.sink.report("E0209", function.span, name=name, help=f"did you mean `{meant}`?" if meant else None)

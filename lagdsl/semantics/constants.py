@@ -8,6 +8,7 @@ from collections.abc import Callable
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.values import Scalar, Value, is_structural
 from lagdsl.syntax import nodes
@@ -108,14 +109,15 @@ def _components(vector: FlatExpression) -> tuple[float, float, float]:
             raise NoValue("not known while compiling")
 
 
-def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> float | None:
+def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, **words: str) -> float | None:
     """The number that a structural scalar is, or None after `code` (not structural) or E0312, E0323."""
     if not isinstance(value, Scalar):
         if kind_of(value) != "nothing":
             ctx.sink.report("E0312", node.span, expected="a number", found=kind_of(value))
         return None
     if not is_structural(value):
-        ctx.sink.report(code, node.span, **words)
+        kind = "is a parameter" if value.variability == Variability.PARAMETER else "varies in time"
+        ctx.sink.report(code, node.span, **{"kind": kind, **words})
         return None
     try:
         return evaluate(value.expression)
@@ -124,7 +126,7 @@ def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, *
         return None
 
 
-def structural_integer(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> int | None:
+def structural_integer(ctx: Context, value: Value, node: nodes.Node, code: str, **words: str) -> int | None:
     number = structural_number(ctx, value, node, code, **words)
     if number is None:
         return None

@@ -46,12 +46,11 @@ def row_name(name: str, row: int) -> str:
     return f"{name[:-1]},{row}]" if name.endswith("]") else f"{name}[{row}]"
 
 
-def difference(
-    ctx: Context, scope: Scope, node: nodes.Constraint | nodes.Equation
-) -> Scalar | Array | None:
+def difference(ctx: Context, scope: Scope, node: nodes.Constraint | nodes.Equation) -> Scalar | Array | None:
     """left - right as a scalar or rows; None after a diagnostic."""
     left, right = (
-        Operand(side, operand(ctx, ctx.elaborate(ctx, scope, side, False), side.span)) for side in (node.left, node.right)
+        Operand(side, operand(ctx, ctx.elaborate(ctx, scope, side, False), side.span))
+        for side in (node.left, node.right)
     )
     for side in (left, right):
         if isinstance(side.value, Poison):

@@ -33,6 +33,7 @@ class Resolver(Protocol):
 class Context:
     """Mutable state of one flattening; every product is collected here in the order in which it is complete.
 
+    `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
     `named` is therefore sorted: what a definition uses was complete before it.
     """
 
@@ -49,6 +50,7 @@ class Context:
     relation: Span | None = None
     quiet: bool = False
     unlabelled: int = 0
+    incomplete: bool = False
     functions: list[nodes.Function] = field(default_factory=list)
     reported: set[str] = field(default_factory=set)
 

@@ -7,18 +7,16 @@ from dataclasses import dataclass, field
 from typing import TypeAlias, get_args
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import arrays, equations, prelude, prefixes
+from lagdsl.semantics import arrays, equations, prefixes, prelude
 from lagdsl.semantics.conditions import condition_of
-from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.modification import modify
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import (
     Binding,
     ClassSymbol,
     Entry,
     FunctionSymbol,
-    Indices,
     LabelInstance,
     Scope,
     Symbol,
@@ -113,12 +111,13 @@ class Declarer:
         self.scope = scope
         self.contents = Contents()
 
-    def collect(self, node: nodes.Class) -> Contents:
-        """All of the class: names first, then loops and conditions in order."""
+    def collect(self, node: nodes.Class, modifiers: list[tuple[nodes.Modifier, Scope]]) -> Contents:
+        """All of the class: names first, then modifiers from outside, then loops and conditions in order."""
         listed = [(node.items, "items"), *((section.items, section.keyword) for section in node.sections)]
         for items, _ in listed:
             for item in items:
-                self._declare(item, self.scope)
+                self.declare(item, self.scope)
+        modify(self.ctx, self.scope, modifiers)
         for section in node.sections:
             if section.keyword in ("kinematics", "closure"):
                 hint = "joints come with components"
@@ -130,7 +129,7 @@ class Declarer:
 
     # ---- names -------------------------------------------------------------------------------------------------------
 
-    def _declare(self, item: nodes.Item, scope: Scope) -> None:
+    def declare(self, item: nodes.Item, scope: Scope) -> None:
         """Enter the names that an item declares outside of loops."""
         match item:
             case nodes.Function():
@@ -148,7 +147,9 @@ class Declarer:
                     self._component(item, declarator, scope)
             case nodes.Coordinate():
                 for declarator in item.declarators:
-                    self._quantity("coordinate", f"coordinate {_text(item.type_name)}", item.type_name, declarator, scope)
+                    self._quantity(
+                        "coordinate", f"coordinate {_text(item.type_name)}", item.type_name, declarator, scope
+                    )
             case nodes.Geometry():
                 for declarator in item.declarators:
                     kind: SymbolKind = "point" if item.keyword == "point" else "frame"
@@ -201,7 +202,7 @@ class Declarer:
         for item in items:
             self._item(item, scope, section)
 
-    def _item(self, item: nodes.Item, scope: Scope, section: str) -> None:  # noqa: C901 one case for each kind of item
+    def _item(self, item: nodes.Item, scope: Scope, section: str) -> None:
         match item:
             case nodes.For():
                 self._for(item, scope, section)
@@ -256,7 +257,7 @@ class Declarer:
     def _branch(self, items: tuple[nodes.Item, ...], scope: Scope, section: str) -> None:
         if scope.kind == "class":
             for item in items:
-                self._declare(item, scope)
+                self.declare(item, scope)
         self._expand(items, scope, section)
 
     def _elements(self, item: nodes.Geometry | nodes.Component, scope: Scope) -> None:
@@ -266,10 +267,14 @@ class Declarer:
             if not isinstance(entry, Symbol) or not declarator.subscripts or declarator.value is None:
                 self.ctx.sink.report("E0340", declarator.name_span, name=declarator.name)
                 continue
-            word = item.keyword if isinstance(item, nodes.Geometry) else " ".join((*item.prefixes, _text(item.type_name)))
+            word = (
+                item.keyword if isinstance(item, nodes.Geometry) else " ".join((*item.prefixes, _text(item.type_name)))
+            )
             if entry.title != word and entry.kind != "unknown":
                 label = Label(entry.span, f"declared as {entry.title}")
-                self.ctx.sink.report("E0204", declarator.name_span, label, name=declarator.name, first=entry.title, second=word)
+                self.ctx.sink.report(
+                    "E0204", declarator.name_span, label, name=declarator.name, first=entry.title, second=word
+                )
                 continue
             self.bind_element(entry, declarator.subscripts, Binding(declarator.value, scope, declarator.name_span))
 
@@ -302,7 +307,13 @@ class Declarer:
 
 
 _DECLARED: TypeAlias = (
-    nodes.Function | nodes.TypeDefinition | nodes.Class | nodes.ShortClass | nodes.Component | nodes.Coordinate | nodes.Geometry
+    nodes.Function
+    | nodes.TypeDefinition
+    | nodes.Class
+    | nodes.ShortClass
+    | nodes.Component
+    | nodes.Coordinate
+    | nodes.Geometry
 )
 _LATER: dict[type, tuple[str, str]] = {
     nodes.Import: ("`import`", "libraries come with components; quantities and constants need no import"),

@@ -315,4 +315,3 @@ def every(shape: tuple[int, ...]) -> list[Indices]:
     """All 1-based indices of an array, in row-major order."""
     assert math.prod(shape) <= 100_000
     return list(cartesian(*(range(1, extent + 1) for extent in shape)))
-

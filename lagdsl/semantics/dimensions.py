@@ -8,7 +8,7 @@ from itertools import combinations_with_replacement
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.catalog import ROWS
-from lagdsl.diagnostics.catalog.dimensions import MISSING_FACTOR
+from lagdsl.diagnostics.catalog.dimensions import BESIDE, MISSING_FACTOR
 from lagdsl.semantics import prelude
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.naming import quantity
@@ -18,7 +18,7 @@ from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS
-from lagdsl.units.naming import describe, unit_text
+from lagdsl.units.naming import base_text, describe, unit_text
 
 
 def fits(left: AnyDimension, right: AnyDimension) -> bool:
@@ -60,9 +60,10 @@ def report_unequal(
     for (node, _), (_, other) in ((left, right), (right, left)):
         bare = bare_number(node)
         if bare is not None and other is not None:
-            what = "to" if verb == "add" else "next to"
-            words = dict(number=bare, preposition=what, words=describe(other), unit=unit_text(other))
-            ctx.sink.report("E0405", node.span, notes=hidden_variables(scope, node), **words)
+            what = BESIDE.get(verb, BESIDE[""])
+            unit = unit_text(other)
+            words = describe(other)
+            ctx.sink.report("E0405", node.span, number=bare, preposition=what, words=words, unit=unit)
             return
     first, second = left[1] or DIMENSIONLESS, right[1] or DIMENSIONLESS
     ctx.sink.report(
@@ -82,7 +83,7 @@ def _missing(scope: Scope, left: Dimension, right: Dimension) -> str | None:
     for short, other, which in ((right, left, "second"), (left, right, "first")):
         factor = _factor(scope, other / short)
         if factor is not None:
-            unit = unit_text(other / short)
+            unit = base_text(other / short)
             return MISSING_FACTOR.format(which=which, unit=unit, factor=factor, words=describe(other))
     return None
 
@@ -109,22 +110,22 @@ def _parameters(scope: Scope) -> Iterator[tuple[str, Dimension]]:
 
 
 def hidden_variables(scope: Scope, *roots: nodes.Node) -> tuple[str, ...]:
-    """N0106: a unit literal in the text whose unit reads like variables of the model."""
-    notes = []
-    for root in roots:
-        for node in descendants(root):
-            if isinstance(node, nodes.Quantity):
-                names = [name for name in re.findall(r"[A-Za-z]+", node.unit) if isinstance(lookup(scope, name), Symbol)]
-                if names:
-                    listed = " and ".join(f"`{name}`" for name in dict.fromkeys(names))
-                    meant = f"{node.number}*{node.unit.replace('.', '*')}"
-                    fields = dict(literal=f"{node.number} {node.unit}", names=listed, meant=meant)
-                    notes.append(ROWS["N0106"].message.format(**fields))
+    """N0106: unit literals in the text whose unit could be read as a product of variables of the model."""
+    notes: list[str] = []
+    for node in (node for root in roots for node in descendants(root)):
+        if isinstance(node, nodes.Quantity):
+            names = re.findall(r"[A-Za-z]+", node.unit)
+            if all(isinstance(lookup(scope, name), Symbol) for name in names):
+                listed = " and ".join(f"`{name}`" for name in dict.fromkeys(names))
+                powers = re.sub(r"([A-Za-z])\^?(-?[0-9])", r"\1^\2", node.unit).replace(".", "*")
+                meant = f"{node.number}*{powers}" if not powers.startswith("/") else f"{node.number}{powers}"
+                literal = f"{node.number} {node.unit}"
+                notes.append(ROWS["N0106"].message.format(literal=literal, names=listed, meant=meant))
     return tuple(dict.fromkeys(notes))
 
 
 def require(
-    ctx: Context, scope: Scope, node: nodes.Node, found: AnyDimension, expected: Dimension, code: str, **words: object
+    ctx: Context, scope: Scope, node: nodes.Node, found: AnyDimension, expected: Dimension, code: str, help: str | None = None, **words: str
 ) -> bool:
     """Report `code` (with `expected` and `found` in words) unless the dimension is the expected one."""
     wanted = ctx.dimension(expected)
@@ -132,10 +133,11 @@ def require(
         return True
     bare = bare_number(node)
     if bare is not None:
-        texts = dict(number=bare, preposition="used as", words=describe(wanted), unit=unit_text(wanted))
-        ctx.sink.report("E0405", node.span, **texts)
+        unit = unit_text(wanted)
+        ctx.sink.report("E0405", node.span, number=bare, preposition="used as", words=describe(wanted), unit=unit)
     else:
         notes = hidden_variables(scope, node)
-        texts = dict(expected=quantity(wanted), found=quantity(found))
-        ctx.sink.report(code, node.span, notes=notes, **texts, **words)
+        ctx.sink.report(
+            code, node.span, notes=notes, help=help, expected=quantity(wanted), found=quantity(found), **words
+        )
     return False

@@ -12,7 +12,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import require
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import as_frame, as_point
-from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.naming import name_span, kind_of
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import Array, Poison, Scalar, Text, Value, Vector
 from lagdsl.syntax import nodes
@@ -73,7 +73,7 @@ def _argument(
     if argument.name not in _ARGUMENTS:
         meant = nearest(argument.name, _ARGUMENTS)
         hint = f"did you mean `{meant}`?" if meant else f"it takes {', '.join(_ARGUMENTS)}"
-        ctx.sink.report("E0211", argument.span, name=argument.name, function=f"draw {node.shape}", help=hint)
+        ctx.sink.report("E0211", name_span(argument), name=argument.name, function=f"draw {node.shape}", help=hint)
         return None
     value = ctx.elaborate(ctx, scope, argument.value, True)
     return _value(ctx, scope, argument, value)

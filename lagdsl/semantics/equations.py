@@ -33,7 +33,9 @@ def attach(ctx: Context, scope: Scope, item: nodes.Equation) -> None:
 
 def _derivative_of(node: nodes.Expression) -> nodes.Expression | None:
     match node:
-        case nodes.Call(function=nodes.Reference(name="der"), arguments=(argument,)) if not isinstance(argument, nodes.Named):
+        case nodes.Call(function=nodes.Reference(name="der"), arguments=(argument,)) if not isinstance(
+            argument, nodes.Named
+        ):
             return argument
         case _:
             return None
@@ -72,9 +74,7 @@ def _bind(
     bind(ctx, symbol, indices, binding, derivative=derivative)
 
 
-def bind(
-    ctx: Context, symbol: Symbol, indices: Indices | None, binding: Binding, *, derivative: bool = False
-) -> None:
+def bind(ctx: Context, symbol: Symbol, indices: Indices | None, binding: Binding, *, derivative: bool = False) -> None:
     """Record what gives the element (indices None: the whole) its value; E0319 where something did already."""
     if symbol.kind in ("point", "frame") and indices is None and not _subscripted(symbol):
         indices = ()

@@ -6,7 +6,8 @@ was wrong is reported once, at its place, and becomes poison.
 
 from __future__ import annotations
 
-from lagdsl.semantics import arithmetic, arrays, calls, flat_expression as flat, geometry, references
+from lagdsl.semantics import arithmetic, arrays, calls, geometry, references
+from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
@@ -51,7 +52,9 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
         case nodes.Conditional():
             return _conditional(ctx, scope, node, adopt)
         case nodes.Array():
-            return arrays.stacked(ctx, scope, node, [(part, elaborate(ctx, scope, part, adopt)) for part in node.elements])
+            return arrays.stacked(
+                ctx, scope, node, [(part, elaborate(ctx, scope, part, adopt)) for part in node.elements]
+            )
         case nodes.Matrix():
             return arrays.matrix(ctx, scope, node, adopt)
         case nodes.Comprehension():

@@ -5,10 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 
-from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import annotations, quantities
+from lagdsl.semantics import annotations as notes
+from lagdsl.semantics import quantities
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declare import Contents, Declarer
 from lagdsl.semantics.definitions import Definitions, every
@@ -17,9 +19,10 @@ from lagdsl.semantics.flat_dependence import Dependence
 from lagdsl.semantics.flat_model import Coordinate, FlatModel, Input, Output, State
 from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
-from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope
-from lagdsl.semantics.selection import file_scope, select
+from lagdsl.semantics.modification import expand_short
 from lagdsl.semantics.rates import check_inputs, check_linear
+from lagdsl.semantics.scope import FunctionSymbol, Scope
+from lagdsl.semantics.selection import file_scope, functions_of, inherits, select
 from lagdsl.semantics.usage import warn_unused
 from lagdsl.syntax import nodes
 
@@ -34,14 +37,23 @@ def flatten(
     `structural` gives structural parameters other values, in SI units. None after errors, which are in `sink`.
     """
     definitions = Definitions()
-    ctx = Context(sink, definitions, elaborate, overrides=structural or {})
+    found = Sink()
+    ctx = Context(found, definitions, elaborate, overrides=structural or {})
     definitions.ctx = ctx
+    flat = None
     with _deep_recursion():
         try:
-            return _flatten(ctx, unit, model)
+            flat = _flatten(ctx, unit, model)
         except RecursionError:
-            sink.report("E0326", unit.items[0].span, what="a chain of definitions", most="some thousand links")
-            return None
+            found.report("E0326", unit.items[0].span, what="a chain of definitions", most="some thousand links")
+    for diagnostic in sorted(found.diagnostics, key=_position):
+        sink.add(diagnostic)
+    return flat if not sink.has_errors else None
+
+
+def _position(diagnostic: Diagnostic) -> int:
+    """Diagnostics are found in the order of need and told in the order of the text."""
+    return diagnostic.labels[0].span.start if diagnostic.labels else -1
 
 
 @contextmanager
@@ -58,17 +70,18 @@ def _deep_recursion() -> Iterator[None]:
 def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | None:
     outer = file_scope(ctx, unit)
     chosen = select(ctx, unit, outer, name)
-    errors = ctx.sink.has_errors
-    if chosen is None or not isinstance(chosen.node, nodes.Class):
+    expanded = expand_short(ctx, chosen) if chosen is not None else None
+    if chosen is None or expanded is None:
         return None
-    noted = annotations.annotations_of(chosen.node)
-    ctx.units = not annotations.without_units(ctx, noted)
-    scope = Scope("class", f"`{chosen.node.name}`", outer)
-    contents = Declarer(ctx, scope).collect(chosen.node)
-    flat = _model(ctx, chosen.node, scope, contents)
-    for function in [*contents.functions, *(each for each in outer.entries.values() if isinstance(each, FunctionSymbol))]:
+    node, modifiers = expanded
+    ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
+    ctx.incomplete = ctx.incomplete or inherits(node)
+    scope = Scope("class", f"`{node.name}`", chosen.scope)
+    contents = Declarer(ctx, scope).collect(node, modifiers)
+    flat = replace(_model(ctx, node, scope, contents), name=chosen.node.name, doc=chosen.node.doc or node.doc)
+    for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)
-    return None if errors or ctx.sink.has_errors else _checked(ctx, flat, contents)
+    return None if ctx.sink.has_errors else _checked(ctx, flat, contents)
 
 
 def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) -> FlatModel:
@@ -106,6 +119,7 @@ def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) ->
         masses=tuple(physics.masses),
         bodies=tuple(physics.bodies),
         gravity=physics.gravity,
+        gravity_span=physics.gravity_node.span if physics.gravity_node is not None else None,
         loads=tuple(physics.loads),
         constraints=tuple(ctx.constraints),
         outputs=tuple(outputs),
@@ -113,7 +127,7 @@ def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) ->
         assertions=tuple(physics.assertions),
         initial_equations=tuple(physics.initial),
         drawings=tuple(physics.drawings),
-        experiment=annotations.experiment(ctx, scope, contents.annotations),
+        experiment=notes.experiment(ctx, scope, contents.annotations),
     )
 
 

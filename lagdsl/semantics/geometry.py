@@ -78,7 +78,13 @@ def _no_member(ctx: Context, node: nodes.Member, target: Value) -> Value:
         case _:
             names = ()
     meant = nearest(node.name, names)
-    hint = f"did you mean `.{meant}`?" if meant else f"it has {', '.join(f'`.{name}`' for name in names)}" if names else None
+    hint = (
+        f"did you mean `.{meant}`?"
+        if meant
+        else f"it has {', '.join(f'`.{name}`' for name in names)}"
+        if names
+        else None
+    )
     ctx.sink.report("E0210", node.name_span, name=node.name, what=kind_of(target).partition(":")[0], help=hint)
     return POISON
 
@@ -185,7 +191,7 @@ class _Arguments:
         value, node = self.values[index], self.node(index)
         if isinstance(value, Scalar) and value.dimension is None and size == 3:
             return (flat.ZERO,) * 3
-        accepted = isinstance(value, Array) and (value.shape == (size,) or size == 3 and value.shape == (2,))
+        accepted = isinstance(value, Array) and (value.shape == (size,) or (size == 3 and value.shape == (2,)))
         if isinstance(value, Array) and accepted:
             if require(self.ctx, self.scope, node, value.dimension, dimension, "E0415", what=what):
                 return (*value.elements, flat.ZERO)[:size]
@@ -200,7 +206,9 @@ class _Arguments:
         return (flat.ZERO,) * size
 
 
-def method(ctx: Context, scope: Scope, call: nodes.Call, name: nodes.Member, frame: FrameValue, values: list[Value]) -> Value:
+def method(
+    ctx: Context, scope: Scope, call: nodes.Call, name: nodes.Member, frame: FrameValue, values: list[Value]
+) -> Value:
     """A method of a frame: a moved or turned frame, or a vector given in its axes."""
     sizes = {"rotate": 2, "euler": 4, "axes": 3}
     if name.name not in METHODS:
@@ -255,7 +263,9 @@ def _turn(ctx: Context, arguments: _Arguments, name: str) -> tuple[FrameStep, ..
 def _rotate(ctx: Context, arguments: _Arguments, name: str) -> tuple[FrameStep, ...] | None:
     value = arguments.values[0]
     if isinstance(value, Array | Vector) and rank(value.variability) > rank(Variability.PARAMETER):
-        ctx.sink.report("E0317", arguments.node(0).span, what="the axis of `rotate`", allowed="parameters and constants")
+        ctx.sink.report(
+            "E0317", arguments.node(0).span, what="the axis of `rotate`", allowed="parameters and constants"
+        )
         return None
     x, y, z = arguments.own(0, "an axis", _own_dimension(value))
     return (flat_model.RotateAbout((x, y, z), arguments.angle(1)),)

@@ -9,6 +9,7 @@ from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
+from lagdsl.semantics.naming import name_span
 from lagdsl.semantics.scope import Entry, FunctionSymbol, Scope, TypeInfo
 from lagdsl.semantics.types import resolve_type
 from lagdsl.semantics.values import POISON, Array, Poison, Scalar, Text, Value, Vector
@@ -20,7 +21,9 @@ def inlined(ctx: Context, scope: Scope, node: nodes.Call, symbol: FunctionSymbol
     """The body of the function with the arguments in place of its parameters."""
     function = symbol.node
     if any(active is function for active in ctx.functions):
-        ctx.sink.report("E0314", node.span, name=function.name)
+        if not any(f"{active.name}()" in ctx.reported for active in ctx.functions):
+            ctx.sink.report("E0314", node.span, name=function.name)
+        ctx.reported.update(f"{active.name}()" for active in ctx.functions)
         return POISON
     bound = _bind(ctx, symbol, node, arguments)
     if bound is None:
@@ -42,7 +45,7 @@ def _bind(ctx: Context, symbol: FunctionSymbol, node: nodes.Call, arguments: lis
         if isinstance(argument, nodes.Named) and argument.name not in names:
             meant = nearest(argument.name, names)
             hint = f"did you mean `{meant}`?" if meant else None
-            ctx.sink.report("E0211", argument.span, name=argument.name, function=function.name, help=hint)
+            ctx.sink.report("E0211", name_span(argument), name=argument.name, function=function.name, help=hint)
             return None
         if position < len(names) or isinstance(argument, nodes.Named):
             given[argument.name if isinstance(argument, nodes.Named) else names[position]] = operand
@@ -60,7 +63,11 @@ def _bind(ctx: Context, symbol: FunctionSymbol, node: nodes.Call, arguments: lis
 
 
 def _argument(
-    ctx: Context, symbol: FunctionSymbol, parameter: nodes.FunctionParameter, operand: Operand | None, bound: dict[str, Entry]
+    ctx: Context,
+    symbol: FunctionSymbol,
+    parameter: nodes.FunctionParameter,
+    operand: Operand | None,
+    bound: dict[str, Entry],
 ) -> Value:
     scope = symbol.scope.local(dict(bound))
     if operand is None:
@@ -96,7 +103,9 @@ def _shape(
         if isinstance(subscript, nodes.Range):
             ctx.sink.report("E0312", subscript.span, expected="an array size", found="a range")
             return None
-        number = structural_integer(ctx, ctx.elaborate(ctx, where, subscript, False), subscript, "E0301", name=subscript.span.text)
+        number = structural_integer(
+            ctx, ctx.elaborate(ctx, where, subscript, False), subscript, "E0301", name=subscript.span.text
+        )
         if number is None:
             return None
         shape.append(number)

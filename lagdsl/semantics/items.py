@@ -188,9 +188,13 @@ def _tolerance(ctx: Context, scope: Scope, node: nodes.Invariant) -> float | Non
             ctx.sink.report("E0202", option.span, name=option.name, type="invariant", attributes="tol", help=hint)
             continue
         value = ctx.elaborate(ctx, scope, option.value, False)
-        if isinstance(value, Scalar) and not require(ctx, scope, option.value, value.dimension, DIMENSIONLESS, "E0415", what="a tolerance"):
+        if isinstance(value, Scalar) and not require(
+            ctx, scope, option.value, value.dimension, DIMENSIONLESS, "E0415", what="a tolerance"
+        ):
             return None
-        return structural_number(ctx, value, option.value, "E0317", what="a tolerance", allowed="constants and structural parameters")
+        return structural_number(
+            ctx, value, option.value, "E0317", what="a tolerance", allowed="constants and structural parameters"
+        )
     return None
 
 
@@ -198,9 +202,9 @@ def _call(ctx: Context, physics: Physics, scope: Scope, node: nodes.CallEquation
     """`assert(condition, "message")`; other calls belong to events."""
     call = node.call
     if not isinstance(call, nodes.Call) or call.function.span.text != "assert":
-        if isinstance(call, nodes.Call) and not isinstance(ctx.elaborate(ctx, scope, call, False), Poison):
-            ctx.sink.report("E0322", node.span)
-        elif not isinstance(call, nodes.Call):
+        if (
+            isinstance(call, nodes.Call) and not isinstance(ctx.elaborate(ctx, scope, call, False), Poison)
+        ) or not isinstance(call, nodes.Call):
             ctx.sink.report("E0322", node.span)
         return
     arguments = [part for part in call.arguments if not isinstance(part, nodes.Named)]

@@ -63,7 +63,9 @@ def energy_value(ctx: Context, scope: Scope, node: nodes.Energy) -> Scalar | Non
         return None
     if not isinstance(value_, Scalar) or value_.kind == "Boolean":
         hint = "for the square of a velocity write `v*v`" if isinstance(value_, Vector | Array) else None
-        ctx.sink.report("E0312", node.value.span, expected=f"a scalar after `{node.keyword}`", found=kind_of(value_), help=hint)
+        ctx.sink.report(
+            "E0312", node.value.span, expected=f"a scalar after `{node.keyword}`", found=kind_of(value_), help=hint
+        )
         return None
     expected = POWER if node.keyword == "dissipation" else ENERGY
     hint_ = _energy_hint(node.keyword, value_)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Literal
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import flat_model, labels
 from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics import flat_model, labels
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, hidden_variables, report_unequal
 from lagdsl.semantics.geometry import as_frame, as_point
@@ -104,7 +104,9 @@ def _torque(
     if not fits(value.dimension, ctx.dimension(labels.MOMENT)):
         found = quantity(value.dimension)
         notes = hidden_variables(scope, node.value)
-        ctx.sink.report("E0415", node.value.span, what="a torque", expected=quantity(labels.MOMENT), found=found, notes=notes)
+        ctx.sink.report(
+            "E0415", node.value.span, what="a torque", expected=quantity(labels.MOMENT), found=found, notes=notes
+        )
         return None
     return flat_model.FrameTorque(
         spans=(node.span, *scope.spans),
@@ -170,9 +172,11 @@ def _noun_fits(ctx: Context, scope: Scope, node: nodes.Load, value: Scalar, targ
     wanted = ENERGY / shown
     name = node.on.span.text
     on = f"angle `{name}`" if shown.is_dimensionless else f"`{name}`"
-    place = Label(node.on.span, f"`{name}` is {quantity(shown)}" if not shown.is_dimensionless else f"`{name}` is an angle")
+    place = Label(
+        node.on.span, f"`{name}` is {quantity(shown)}" if not shown.is_dimensionless else f"`{name}` is an angle"
+    )
     if not fits(value.dimension, wanted):
-        words = f"a moment [N.m]" if shown.is_dimensionless else quantity(wanted)
+        words = "a moment [N.m]" if shown.is_dimensionless else quantity(wanted)
         found = quantity(value.dimension)
         hint = "did you mean `force ... at P`?" if shown.is_dimensionless and node.keyword == "force" else None
         notes = hidden_variables(scope, node.value)

@@ -10,11 +10,19 @@ from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.arrays import subscript_indices
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.geometry import ANGULAR_MOMENTUM, MOMENTUM, as_direction, as_frame, as_point, operand, time_derivative
-from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.flat_model import Variability
+from lagdsl.semantics.geometry import (
+    ANGULAR_MOMENTUM,
+    MOMENTUM,
+    as_direction,
+    as_frame,
+    as_point,
+    operand,
+    time_derivative,
+)
+from lagdsl.semantics.naming import name_span, kind_of
 from lagdsl.semantics.scope import Indices, Scope, Symbol, lookup
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Reaction, Scalar, Value, Vector, as_vector
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, FORCE, TIME, VELOCITY
@@ -22,7 +30,9 @@ from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, FORCE, TIME, VELOCITY
 Special = Callable[[Context, Scope, nodes.Call], Value]
 
 
-def _positional(ctx: Context, node: nodes.Call, least: int, most: int, named: tuple[str, ...] = ()) -> list[nodes.Expression] | None:
+def _positional(
+    ctx: Context, node: nodes.Call, least: int, most: int, named: tuple[str, ...] = ()
+) -> list[nodes.Expression] | None:
     """The positional arguments, or None after E0315 or E0211."""
     found: list[nodes.Expression] = []
     for argument in node.arguments:
@@ -30,8 +40,14 @@ def _positional(ctx: Context, node: nodes.Call, least: int, most: int, named: tu
             found.append(argument)
         elif argument.name not in named:
             meant = nearest(argument.name, named)
-            hint = f"did you mean `{meant}`?" if meant else f"it takes {', '.join(f'`{name} =`' for name in named)}" if named else None
-            ctx.sink.report("E0211", argument.span, name=argument.name, function=node.function.span.text, help=hint)
+            hint = (
+                f"did you mean `{meant}`?"
+                if meant
+                else f"it takes {', '.join(f'`{name} =`' for name in named)}"
+                if named
+                else None
+            )
+            ctx.sink.report("E0211", name_span(argument), name=argument.name, function=node.function.span.text, help=hint)
             return None
     if not least <= len(found) <= most:
         expected = str(least) if least == most else f"{least} to {most}"
@@ -200,7 +216,9 @@ def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if found is None:
         return POISON
     symbol, indices = found
-    rows = [ctx.resolver.constraint(symbol, each) for each in ([indices] if indices in symbol.labels else symbol.labels)]
+    rows = [
+        ctx.resolver.constraint(symbol, each) for each in ([indices] if indices in symbol.labels else symbol.labels)
+    ]
     known = [constraint for constraint in rows if constraint is not None]
     if not known or len(known) < len(rows):
         return POISON
@@ -229,9 +247,20 @@ def _labelled(
             return entry, ()
         return named_element(ctx, scope, node)
     if isinstance(target, nodes.Reference) and entry is None:
-        labels = [name for step in scope.chain() for name, each in step.entries.items() if isinstance(each, Symbol) and each.kind == kind]
+        labels = [
+            name
+            for step in scope.chain()
+            for name, each in step.entries.items()
+            if isinstance(each, Symbol) and each.kind == kind
+        ]
         meant = nearest(target.name, labels)
-        ctx.sink.report("E0201", target.span, name=target.name, scope=scope.title, help=f"did you mean `{meant}`?" if meant else None)
+        ctx.sink.report(
+            "E0201",
+            target.span,
+            name=target.name,
+            scope=scope.title,
+            help=f"did you mean `{meant}`?" if meant else None,
+        )
         return None
     found = entry.title if isinstance(entry, Symbol) else kind_of(ctx.elaborate(ctx, scope, node, False))
     hint = f"name the {kind}: `{kind} c: ...`" if kind == "constraint" else "name the body: `body b(...) on F`"

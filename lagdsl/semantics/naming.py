@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from lagdsl.semantics.values import AnyDimension, Array, FrameValue, Poison, Reaction, Scalar, Text, Value, Vector
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS
 from lagdsl.units.naming import describe, unit_text
 
@@ -47,3 +49,8 @@ def _bracket(dimension: AnyDimension) -> str:
 def element_name(name: str, indices: tuple[int, ...]) -> str:
     """`q[2,1]`; the name itself for a scalar."""
     return f"{name}[{','.join(str(index) for index in indices)}]" if indices else name
+
+
+def name_span(argument: nodes.Named) -> Span:
+    """The name in `name = value`."""
+    return Span(argument.span.file, argument.span.start, argument.span.start + len(argument.name))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from itertools import product as cartesian
 
-from lagdsl.semantics import attributes, flat_expression as flat, flat_model
+from lagdsl.semantics import attributes, flat_model
+from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.bindings import Expected, bound
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
@@ -57,7 +58,9 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
     for part, indices, low, high in zip(parts, places, least, most, strict=True):
         low = info.minimum if low is None else low
         cell = Scalar(part, expected.dimension, value.variability, value.order, value.kind)
-        symbol.cells[indices] = _element(ctx, symbol, indices, cell, (low, high), quantity_fields(symbol, indices, sign))
+        symbol.cells[indices] = _element(
+            ctx, symbol, indices, cell, (low, high), quantity_fields(symbol, indices, sign)
+        )
 
 
 def _steady(ctx: Context, symbol: Symbol, value: Scalar | Array, node: nodes.Expression) -> bool:
@@ -104,7 +107,10 @@ def _element(
 def _check_bounds(ctx: Context, symbol: Symbol, number: float, bounds: Bounds) -> None:
     low, high = bounds
     assert symbol.info is not None
-    for bound_, outside, word in ((low, low is not None and number < low, "min"), (high, high is not None and number > high, "max")):
+    for bound_, outside, word in (
+        (low, low is not None and number < low, "min"),
+        (high, high is not None and number > high, "max"),
+    ):
         if outside and bound_ is not None:
             unit = symbol.info.unit
             shown = f"{number:g}" if unit == "1" else f"{number:g} {unit}"
@@ -121,7 +127,9 @@ def _text(ctx: Context, symbol: Symbol) -> None:
     value = ctx.elaborate(ctx, binding.scope, binding.node, False)
     if not isinstance(value, Text):
         if not isinstance(value, Poison):
-            ctx.sink.report("E0334", binding.node.span, what=f"`{symbol.short}`", expected="a String", found=kind_of(value))
+            ctx.sink.report(
+                "E0334", binding.node.span, what=f"`{symbol.short}`", expected="a String", found=kind_of(value)
+            )
         return
     fields = quantity_fields(symbol, (), None)
     folded = symbol.kind != "parameter"

@@ -140,9 +140,7 @@ def states(ctx: Context, symbol: Symbol) -> list[flat_model.State]:
     return result
 
 
-def _derivative(
-    ctx: Context, symbol: Symbol, indices: Indices | None, shape: tuple[int, ...]
-) -> Scalar | Array | None:
+def _derivative(ctx: Context, symbol: Symbol, indices: Indices | None, shape: tuple[int, ...]) -> Scalar | Array | None:
     binding = symbol.derivatives.get(indices) or symbol.derivatives.get(None)
     if binding is None:
         ctx.sink.report("E0320", symbol.span, name=element_name(symbol.short, indices or ()))
@@ -182,7 +180,8 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
             rate["name"] = "der(" * level + base + ")" * level
             rate["dimension"] = fields["dimension"] / ctx.dimension(TIME) ** level
             rate["unit"], rate["display_unit"] = unit_of_rate(fields["unit"], rate["dimension"], level), None
-            result.append(flat_model.Input(**rate, default=flat.ZERO, derivative_of=base))
+            integral = "der(" * (level - 1) + base + ")" * (level - 1)
+            result.append(flat_model.Input(**rate, default=flat.ZERO, derivative_of=integral))
     return result
 
 
@@ -205,9 +204,7 @@ def smoothness(ctx: Context, symbol: Symbol) -> int:
     return number or 0
 
 
-def _default(
-    ctx: Context, symbol: Symbol, dimension: Dimension, shape: tuple[int, ...]
-) -> list[FlatExpression] | None:
+def _default(ctx: Context, symbol: Symbol, dimension: Dimension, shape: tuple[int, ...]) -> list[FlatExpression] | None:
     binding = symbol.bindings.get(None)
     if binding is None or symbol.info is None:
         return None

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import arrays, flat_expression as flat, geometry, prelude
+from lagdsl.semantics import arrays, geometry, prelude
+from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.builtin import BUILTINS
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
-from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.naming import an, kind_of
 from lagdsl.semantics.scope import ClassSymbol, Entry, FunctionSymbol, Scope, Symbol, TypeSymbol, lookup, visible
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Scalar, Value, Vector, components
 from lagdsl.syntax import nodes
@@ -58,7 +59,7 @@ def _prelude(ctx: Context, name: str) -> Value | None:
 
 def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     """E0201, once for each name, with the nearest declared one."""
-    if node.name in ctx.reported:
+    if node.name in ctx.reported or ctx.incomplete:
         return
     ctx.reported.add(node.name)
     if node.name in BUILTINS or node.name == "der":
@@ -70,7 +71,7 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     labels: tuple[Label, ...] = ()
     if isinstance(entry, Symbol):
         entry.used = True
-        labels = (Label(entry.span, f"{entry.title} is declared here"),)
+        labels = (Label(entry.span, f"{an(entry.word)} with a similar name is declared here"),)
     hint = f"did you mean `{meant}`?" if meant is not None else None
     if hint is None and node.name in prelude.TYPES:
         hint = f"`{node.name}` is a type; a value needs a name of its own"

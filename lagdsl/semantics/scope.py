@@ -94,6 +94,11 @@ class Symbol:
     used: bool = False
 
     @property
+    def word(self) -> str:
+        """What kind of thing it is, for diagnostics."""
+        return {"structural": "structural parameter", "algebraic": "variable", "unknown": "name"}.get(self.kind, self.kind)
+
+    @property
     def short(self) -> str:
         return self.declarator.name if self.declarator is not None else self.name.rpartition(".")[2]
 

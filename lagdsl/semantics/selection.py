@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.declare import enter
+from lagdsl.semantics.declare import Declarer, enter
 from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope, TypeSymbol
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
@@ -27,7 +27,7 @@ def _declare(ctx: Context, scope: Scope, item: nodes.Item) -> None:
         case nodes.Class():
             symbol = ClassSymbol(item, scope)
             if enter(ctx, scope, item.name, symbol, item.name_span) and item.kind == "package":
-                symbol.inner = Scope("file", item.name, scope)
+                symbol.inner = Scope("file", f"package `{item.name}`", scope, f"{scope.prefix}{item.name}.")
                 for inner in [*item.items, *(each for section in item.sections for each in section.items)]:
                     _declare(ctx, symbol.inner, inner)
         case nodes.ShortClass():
@@ -39,8 +39,12 @@ def _declare(ctx: Context, scope: Scope, item: nodes.Item) -> None:
         case nodes.Import():
             hint = "libraries come with components; quantities and constants need no import"
             ctx.sink.report("E0311", item.span, what="`import`", hint=hint)
+            ctx.incomplete = True
+        case nodes.Component() if "constant" in item.prefixes:
+            Declarer(ctx, scope).declare(item, scope)
         case _:
-            ctx.sink.report("E0311", item.span, what="this item in a package", hint="packages hold types and functions")
+            hint = "packages hold types, constants and functions"
+            ctx.sink.report("E0311", item.span, what="this item in a package", hint=hint)
 
 
 def select(ctx: Context, unit: nodes.Unit, scope: Scope, name: str | None) -> ClassSymbol | None:
@@ -86,3 +90,18 @@ def _used(unit: nodes.Unit) -> set[str]:
                 case nodes.Extends() | nodes.ShortClass():
                     used.add(".".join(node.base.parts))
     return used
+
+
+def functions_of(scope: Scope) -> Iterator[FunctionSymbol]:
+    """The functions of a file, those of its packages included."""
+    for entry in scope.entries.values():
+        if isinstance(entry, FunctionSymbol):
+            yield entry
+        elif isinstance(entry, ClassSymbol) and entry.inner is not None:
+            yield from functions_of(entry.inner)
+
+
+def inherits(node: nodes.Class) -> bool:
+    """Whether names may come from elsewhere: `extends` and `import` are not followed yet."""
+    items = [*node.items, *(item for section in node.sections for item in section.items)]
+    return any(isinstance(item, nodes.Extends | nodes.Import) for item in items)

@@ -118,6 +118,8 @@ def _unknown_unit(ctx: Context, fault: UnknownUnit, span: Span) -> None:
 
 def _unknown(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     text = ".".join(name.parts)
+    if ctx.incomplete:
+        return
     if name.parts[0] in ("Modelica", "SI", "Lag"):
         hint = f"quantities are known by their plain name: `{name.parts[-1]}`"
         ctx.sink.report("E0311", name.span, what=f"the library name `{text}`", hint=hint)

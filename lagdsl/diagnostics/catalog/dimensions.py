@@ -5,6 +5,15 @@ from lagdsl.diagnostics.catalog.row import Row, error
 # Help of E0401 where a factor made of parameters is what is missing.
 MISSING_FACTOR = "the {which} term is short by `{unit}`; a factor `{factor}` would make it {words}"
 
+# How a bare number stands beside a quantity, by what is done with the two.
+BESIDE = {
+    "add": "added to",
+    "subtract": "in a difference with",
+    "compare": "compared with",
+    "equate": "equated with",
+    "": "together with",
+}
+
 ROWS: dict[str, Row] = {
     "E0401": error("cannot {verb} {left} and {right}"),
     "E0402": error("{function} needs an angle or a number, this is {found}", label="this is {found}"),
@@ -29,9 +38,7 @@ ROWS: dict[str, Row] = {
         label="a frequency",
         help="write `rev/s` for turns per second or `rad/s`",
     ),
-    "E0412": error(
-        "{found} is a `{noun}`, not a `{keyword}`", label="{found}", help="write `{noun} ... on {target}`"
-    ),
+    "E0412": error("{found} is a `{noun}`, not a `{keyword}`", label="{found}", help="write `{noun} ... on {target}`"),
     "E0413": error("unknown unit `{unit}`", label="not a unit"),
     "E0414": error(
         "a power of {found} needs a fixed exponent",

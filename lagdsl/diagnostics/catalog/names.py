@@ -30,13 +30,17 @@ ROWS: dict[str, Row] = {
     "E0215": error("unknown shape `{shape}`", label="cannot be drawn"),
     "W0216": warning("annotation `{name}` has no effect", label="not known"),
     "E0217": error("the file has no model `{name}`"),
-    "E0218": error("the file has no complete model", label="nothing to flatten", help="write `model Name ... end Name;`"),
+    "E0218": error(
+        "the file has no complete model", label="nothing to flatten", help="write `model Name ... end Name;`"
+    ),
     "E0219": error("`{name}` is {what}, not a value", label="a value is expected here"),
     "E0220": error("modifier `{name}` needs a value", label="write `{name} = ...`"),
     "E0221": error(
-        "the only value of the annotation `units` is \"none\"",
+        'the only value of the annotation `units` is "none"',
         label="not known",
-        help="`annotation(units = \"none\")` takes every dimension in the class as 1",
+        help='`annotation(units = "none")` takes every dimension in the class as 1',
     ),
+    "E0223": error("{model} has no `{name}`", label="cannot be modified"),
+    "E0224": error("`{name}` cannot be given another value from outside", label="fixed where it is declared"),
     "E0222": error("the model has no structural parameter `{name}`"),
 }

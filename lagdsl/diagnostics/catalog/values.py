@@ -4,9 +4,9 @@ from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
 ROWS: dict[str, Row] = {
     "E0301": error(
-        "this must be known when the model is compiled: `{name}` is not",
-        label="array sizes and loop ranges must be structural",
-        help="declare what it depends on as `structural parameter Integer ...`",
+        "array sizes and loop ranges must be structural: `{name}` {kind}",
+        label="must be known when the model is compiled",
+        help="declare it, or what it is made of, as `structural parameter Integer`",
     ),
     "E0302": error(
         "`{name}` is a coordinate; give its start value, not a binding",
@@ -50,7 +50,9 @@ ROWS: dict[str, Row] = {
     ),
     "E0319": error("`{name}` is defined twice", label="a second definition"),
     "E0320": error(
-        "state `{name}` has no equation", label="how does it change?", help="write `der({name}) = ...` in an `equation` section"
+        "state `{name}` has no equation",
+        label="how does it change?",
+        help="write `der({name}) = ...` in an `equation` section",
     ),
     "E0321": error(
         "`der({name}) = ...` needs a state, and `{name}` is declared as {kind}",
@@ -91,9 +93,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0333": error("an index must be known when the model is compiled", label="not structural"),
     "E0334": error("{what} must be {expected}, found {found}", label="this is {found}"),
-    "E0335": error(
-        "one value for a whole array needs `each`", label="which element?", help="write `each {text}`"
-    ),
+    "E0335": error("one value for a whole array needs `each`", label="which element?", help="write `each {text}`"),
     "E0336": error("the size of `{name}` comes from its binding, and it has none", label="how many?"),
     "E0337": error("{kind} `{name}` has no value", label="what is its value?", help="write `{name} = ...` here"),
     "E0338": error(
