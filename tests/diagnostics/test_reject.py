@@ -2,7 +2,8 @@
 
 `x = 3 m + 2 s;   //! E0401 7-16` expects E0401 with its caret under columns 7 to 15 of this line; several are separated
 by commas. `//! 12: E0113 1-6` speaks of line 12, for faults that swallow what follows them; `7-12:5` ends on line 12,
-column 5. Nothing else may be found in the text. The rendered form stands beside it in `.txt`; LAGDSL_UPDATE=1 rewrites it.
+column 5; a code alone has no place. Nothing else may be found in the text. The rendered form stands beside it in
+`.txt`; LAGDSL_UPDATE=1 rewrites it.
 """
 
 import os
@@ -18,8 +19,8 @@ from lagdsl.source import SourceFile
 
 CASES = sorted((Path(__file__).parents[1] / "corpus" / "reject").glob("*.lag"))
 
-_MARKER = re.compile(r"//! *(?:(?P<line>\d+): *)?(?P<items>[A-Z]\d{4} .*)")
-_ITEM = re.compile(r"(?P<code>[A-Z]\d{4}) (?P<start>\d+)-(?P<end>(?:\d+:)?\d+)")
+_MARKER = re.compile(r"//! *(?:(?P<line>\d+): *)?(?P<items>[A-Z]\d{4}.*)")
+_ITEM = re.compile(r"(?P<code>[A-Z]\d{4})(?: (?P<start>\d+)-(?P<end>(?:\d+:)?\d+))?")
 
 
 def announced(text: str) -> list[str]:
@@ -28,9 +29,13 @@ def announced(text: str) -> list[str]:
         for marker in _MARKER.finditer(line):
             at = int(marker["line"] or number)
             items = [_ITEM.fullmatch(item.strip()) for item in marker["items"].split(",")]
-            found += [f"{at}: {item['code']} {item['start']}-{item['end']}" for item in items if item is not None]
             assert None not in items, f"line {number}: no expectation is written like this"
+            found += [_expectation(at, item) for item in items if item is not None]
     return sorted(found)
+
+
+def _expectation(line: int, item: re.Match[str]) -> str:
+    return f"{line}: {item['code']} {item['start']}-{item['end']}" if item["start"] else f"{item['code']} without a place"
 
 
 def drawn(diagnostics: tuple[Diagnostic, ...]) -> list[str]:
