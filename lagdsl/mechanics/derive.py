@@ -99,8 +99,8 @@ def _equations(derivation: Derivation) -> dict[str, list[Block]]:
 
 
 def _refuse_accelerating_states(derivation: Derivation, forces: Sequence[int]) -> None:
-    """E0308 at a state whose equation needs accelerations, where the rate of that state enters the equations of
-    motion.""" for state in derivation.flat.states:
+    """E0308 at a state whose equation needs accelerations, where its rate enters the equations of motion."""
+    for state in derivation.flat.states:
         rate = derivation.lowering.scalar(state.derivative)
         if derivation.graph.depends(rate, Group.QDD, Group.LAMBDA):
             refuse_accelerations(derivation.graph, forces, state.spans, f"`der({state.name})`")
