@@ -24,6 +24,7 @@ from lagdsl.semantics.values import (
     Vector,
     as_vector,
     balanced_sum,
+    components,
     highest,
     is_structural,
     is_zero,
@@ -147,8 +148,7 @@ def added(ctx: Context, scope: Scope, operator: str, left: Operand, right: Opera
             return Array(parts, one.shape, dimension, variability, order, _kind(one, two))
         case Vector(), Vector():
             if is_zero(left.value) or is_zero(right.value):
-                shown = one if is_zero(right.value) else two if sign == "+" else negated(two)
-                return shown
+                return one if is_zero(right.value) else two if sign == "+" else negated(two)
             return Vector(flat.Binary(sign, one.expression, two.expression), dimension, variability, order)
         case _:
             raise AssertionError("aligned gives equal shapes")
@@ -185,17 +185,18 @@ def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Va
             return Scalar(expression, dimension, variability, order, _kind(one, two))
         case (Scalar(), Vector()) | (Vector(), Scalar()):
             factor, vector = (one, two) if isinstance(one, Scalar) else (two, one)
+            assert isinstance(factor, Scalar) and isinstance(vector, Vector)
             scaled = flat.Binary("*", factor.expression, vector.expression)
             return Vector(scaled, dimension, variability, order)
         case (Scalar(), Array()) | (Array(), Scalar()):
             factor, array = (one, two) if isinstance(one, Scalar) else (two, one)
-            assert isinstance(array, Array)
+            assert isinstance(factor, Scalar) and isinstance(array, Array)
             parts = tuple(times(factor.expression, part) for part in array.elements)
             return Array(parts, array.shape, dimension, variability, order, _kind(one, two))
         case Array(shape=(3, 3)), Vector():
-            column = as_array(two)
-            parts = tuple(_row_times(one, row, column.elements) for row in range(3))
-            return Vector(flat.Vector(*parts), dimension, variability, order)
+            column = components(two)
+            x, y, z = (_row_times(one, row, column.elements) for row in range(3))
+            return Vector(flat.Vector(x, y, z), dimension, variability, order)
         case Array(), Array():
             return _matrix_product(ctx, node, one, two)
         case _:
@@ -204,12 +205,6 @@ def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Va
                 ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
                 return POISON
             return Scalar(flat.Dot(left.expression, right.expression), dimension, variability, order)
-
-
-def as_array(vector: Vector) -> Array:
-    from lagdsl.semantics.values import components
-
-    return components(vector)
 
 
 def times(left: FlatExpression, right: FlatExpression) -> FlatExpression:

@@ -25,9 +25,7 @@ class Expected:
     unit: str = "1"
 
 
-def conform(
-    ctx: Context, scope: Scope, node: nodes.Expression, value: Value, expected: Expected
-) -> Scalar | Array | None:
+def conform(ctx: Context, scope: Scope, node: nodes.Node, value: Value, expected: Expected) -> Scalar | Array | None:
     """The value in the declared shape, with the declared dimension; None after a diagnostic (or for poison)."""
     if isinstance(value, Poison):
         return None
@@ -45,7 +43,7 @@ def conform(
     return replace(shaped, dimension=expected.dimension)
 
 
-def _shaped(ctx: Context, node: nodes.Expression, value: Value, expected: Expected) -> Scalar | Array | None:
+def _shaped(ctx: Context, node: nodes.Node, value: Value, expected: Expected) -> Scalar | Array | None:
     if isinstance(value, Vector) and expected.shape == (3,):
         value = components(value)
     if isinstance(value, Scalar) and not expected.shape:
@@ -72,7 +70,7 @@ def _shaped(ctx: Context, node: nodes.Expression, value: Value, expected: Expect
     return None
 
 
-def _kind_fits(ctx: Context, node: nodes.Expression, value: Scalar | Array, expected: Expected) -> bool:
+def _kind_fits(ctx: Context, node: nodes.Node, value: Scalar | Array, expected: Expected) -> bool:
     fitting = value.kind == expected.base or (expected.base == "Real" and value.kind == "Integer")
     if not fitting:
         found = an(value.kind)

@@ -14,7 +14,7 @@ from lagdsl.semantics.values import Scalar, Value, is_structural
 from lagdsl.syntax import nodes
 
 
-class NoValue(ArithmeticError):
+class NoValue(ArithmeticError):  # noqa: N818 named after what it says
     """The expression has no finite value."""
 
 
@@ -109,7 +109,7 @@ def _components(vector: FlatExpression) -> tuple[float, float, float]:
             raise NoValue("not known while compiling")
 
 
-def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, **words: str) -> float | None:
+def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> float | None:
     """The number that a structural scalar is, or None after `code` (not structural) or E0312, E0323."""
     if not isinstance(value, Scalar):
         if kind_of(value) != "nothing":
@@ -117,7 +117,8 @@ def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, *
         return None
     if not is_structural(value):
         kind = "is a parameter" if value.variability == Variability.PARAMETER else "varies in time"
-        ctx.sink.report(code, node.span, **{"kind": kind, **words})
+        words.setdefault("kind", kind)
+        ctx.sink.report(code, node.span, help=None, notes=(), **words)
         return None
     try:
         return evaluate(value.expression)
@@ -126,7 +127,7 @@ def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, *
         return None
 
 
-def structural_integer(ctx: Context, value: Value, node: nodes.Node, code: str, **words: str) -> int | None:
+def structural_integer(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> int | None:
     number = structural_number(ctx, value, node, code, **words)
     if number is None:
         return None

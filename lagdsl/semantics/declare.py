@@ -66,9 +66,9 @@ def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bo
         return False
     other = scope.entries.get(name)
     if other is not None:
-        titles = [_title(found) for found in (other, entry)]
-        label = (Label(_place(other), f"first as {titles[0]}"),) if _place(other) is not None else ()
-        ctx.sink.report("E0204", span, *label, name=name, first=titles[0], second=titles[1])
+        first, second, place = _title(other), _title(entry), _place(other)
+        labels = (Label(place, f"first as {first}"),) if place is not None else ()
+        ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second)
         return False
     if name in prelude.CONSTANTS or name in prelude.TYPES:
         what = "constant" if name in prelude.CONSTANTS else "type"

@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import pairwise
 from itertools import product as cartesian
 
 from lagdsl.diagnostics import Label
@@ -122,7 +123,7 @@ class Definitions:
 
     def _array(self, symbol: Symbol, cells: list[Value], shape: tuple[int, ...], span: Span) -> Value:
         scalars: list[Scalar] = []
-        width = ()
+        width: tuple[int, ...] = ()
         for cell in cells:
             if isinstance(cell, Vector):
                 parts, width = components(cell), (3,)
@@ -177,7 +178,7 @@ class Definitions:
             circle = active[active.index((symbol, key)) :]
             names = [element_name(member.short, indices or ()) for member, indices in circle]
             names.append(names[0])
-            path = ", ".join(f"`{a}` depends on `{b}`" for a, b in zip(names, names[1:], strict=False))
+            path = ", ".join(f"`{a}` depends on `{b}`" for a, b in pairwise(names))
             places = [Label(member.span, f"`{member.short}` is defined here") for member, _ in circle]
             self.ctx.sink.report("E0305", span, *places, path=path)
             for member, indices in circle:

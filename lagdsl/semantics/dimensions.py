@@ -125,7 +125,14 @@ def hidden_variables(scope: Scope, *roots: nodes.Node) -> tuple[str, ...]:
 
 
 def require(
-    ctx: Context, scope: Scope, node: nodes.Node, found: AnyDimension, expected: Dimension, code: str, help: str | None = None, **words: str
+    ctx: Context,
+    scope: Scope,
+    node: nodes.Node,
+    found: AnyDimension,
+    expected: Dimension,
+    code: str,
+    help: str | None = None,
+    **words: str,
 ) -> bool:
     """Report `code` (with `expected` and `found` in words) unless the dimension is the expected one."""
     wanted = ctx.dimension(expected)

@@ -12,7 +12,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import require
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import as_frame, as_point
-from lagdsl.semantics.naming import name_span, kind_of
+from lagdsl.semantics.naming import kind_of, name_span
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import Array, Poison, Scalar, Text, Value, Vector
 from lagdsl.syntax import nodes
@@ -80,9 +80,10 @@ def _argument(
 
 
 def _value(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> tuple[str, FlatExpression | str] | None:
-    if isinstance(value, Vector | Array | Scalar) and argument.name in _LENGTHS:
-        if not require(ctx, scope, argument.value, value.dimension, LENGTH, "E0415", what=f"`{argument.name}`"):
-            return None
+    what = f"`{argument.name}`"
+    dimension = value.dimension if isinstance(value, Vector | Array | Scalar) and argument.name in _LENGTHS else None
+    if not require(ctx, scope, argument.value, dimension, LENGTH, "E0415", what=what):
+        return None
     match value:
         case Text():
             return argument.name, value.value

@@ -19,7 +19,7 @@ from lagdsl.units.dimension import DIMENSIONLESS
 from lagdsl.units.parse import UnknownUnit, parse_unit
 
 
-def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = False) -> Value:
+def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = False) -> Value:  # noqa: C901, PLR0912 one case for each node
     """The typed value of `node`.
 
     `adopt`: the expression is a whole binding, modifier or array element of a declared quantity, so that a bare number

@@ -21,7 +21,7 @@ from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
 from lagdsl.semantics.modification import expand_short
 from lagdsl.semantics.rates import check_inputs, check_linear
-from lagdsl.semantics.scope import FunctionSymbol, Scope
+from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.selection import file_scope, functions_of, inherits, select
 from lagdsl.semantics.usage import warn_unused
 from lagdsl.syntax import nodes

@@ -33,6 +33,7 @@ from lagdsl.semantics.values import (
 )
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, FORCE, INERTIA, LENGTH, TIME
 
 WORLD = FrameValue("world", (), Variability.CONSTANT, Order.STILL)
@@ -115,7 +116,7 @@ def anchored(ctx: Context, frame: FrameValue, span: Span) -> FrameValue:
     return FrameValue(name, (), frame.variability, frame.order)
 
 
-# ---- what is accepted as a point, a vector, a frame --------------------------------------------------------------------
+# ---- what is accepted as a point, a vector, a frame ------------------------------------------------------------------
 
 
 def operand(ctx: Context, value: Value, span: Span) -> Value:
@@ -140,7 +141,7 @@ def as_point(ctx: Context, scope: Scope, node: nodes.Expression, value: Value) -
 
 
 def as_direction(
-    ctx: Context, scope: Scope, node: nodes.Expression, value: Value, what: str, dimension: flat_model.Dimension
+    ctx: Context, scope: Scope, node: nodes.Expression, value: Value, what: str, dimension: Dimension
 ) -> Vector | None:
     """The value as a geometric vector of the dimension, or None after a diagnostic."""
     if isinstance(value, Poison):
@@ -186,7 +187,7 @@ class _Arguments:
         self.ok = False
         return flat.ZERO
 
-    def own(self, index: int, what: str, dimension: flat_model.Dimension, size: int = 3) -> tuple[FlatExpression, ...]:
+    def own(self, index: int, what: str, dimension: Dimension, size: int = 3) -> tuple[FlatExpression, ...]:
         """Components in the frame's own axes: an array, never a world vector."""
         value, node = self.values[index], self.node(index)
         if isinstance(value, Scalar) and value.dimension is None and size == 3:
@@ -271,7 +272,7 @@ def _rotate(ctx: Context, arguments: _Arguments, name: str) -> tuple[FrameStep, 
     return (flat_model.RotateAbout((x, y, z), arguments.angle(1)),)
 
 
-def _own_dimension(value: Value) -> flat_model.Dimension:
+def _own_dimension(value: Value) -> Dimension:
     """An axis is normalised: any dimension will do."""
     return value.dimension or DIMENSIONLESS if isinstance(value, Array) else DIMENSIONLESS
 

@@ -180,8 +180,10 @@ def _noun_fits(ctx: Context, scope: Scope, node: nodes.Load, value: Scalar, targ
         found = quantity(value.dimension)
         hint = "did you mean `force ... at P`?" if shown.is_dimensionless and node.keyword == "force" else None
         notes = hidden_variables(scope, node.value)
-        texts = dict(keyword=node.keyword, target=on, expected=words, found=found)
-        ctx.sink.report("E0403", node.value.span, place, notes=notes, help=hint, **texts)
+        span, keyword = node.value.span, node.keyword
+        ctx.sink.report(
+            "E0403", span, place, notes=notes, help=hint, keyword=keyword, target=on, expected=words, found=found
+        )
         return False
     noun = "torque" if wanted == labels.MOMENT else "force"
     if noun != node.keyword:

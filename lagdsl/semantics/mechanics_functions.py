@@ -20,7 +20,7 @@ from lagdsl.semantics.geometry import (
     operand,
     time_derivative,
 )
-from lagdsl.semantics.naming import name_span, kind_of
+from lagdsl.semantics.naming import kind_of, name_span
 from lagdsl.semantics.scope import Indices, Scope, Symbol, lookup
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Reaction, Scalar, Value, Vector, as_vector
 from lagdsl.syntax import nodes
@@ -47,7 +47,9 @@ def _positional(
                 if named
                 else None
             )
-            ctx.sink.report("E0211", name_span(argument), name=argument.name, function=node.function.span.text, help=hint)
+            ctx.sink.report(
+                "E0211", name_span(argument), name=argument.name, function=node.function.span.text, help=hint
+            )
             return None
     if not least <= len(found) <= most:
         expected = str(least) if least == most else f"{least} to {most}"
@@ -147,7 +149,7 @@ def named_element(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[S
     symbol = lookup(scope, target.name)
     if not isinstance(symbol, Symbol):
         return None
-    if isinstance(node, nodes.Reference):
+    if not isinstance(node, nodes.Index):
         return symbol, ()
     shape = ctx.resolver.shape(symbol)
     found = subscript_indices(ctx, scope, node.subscripts, shape, node) if shape is not None else None

@@ -55,8 +55,8 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
     sign = attributes.text(ctx, found.get("symbol"))
     parts = (value.expression,) if isinstance(value, Scalar) else value.elements
     places = list(cartesian(*(range(1, extent + 1) for extent in shape)))
-    for part, indices, low, high in zip(parts, places, least, most, strict=True):
-        low = info.minimum if low is None else low
+    lowest = [info.minimum if low is None else low for low in least]
+    for part, indices, low, high in zip(parts, places, lowest, most, strict=True):
         cell = Scalar(part, expected.dimension, value.variability, value.order, value.kind)
         symbol.cells[indices] = _element(
             ctx, symbol, indices, cell, (low, high), quantity_fields(symbol, indices, sign)

@@ -21,6 +21,7 @@ from lagdsl.semantics.values import Array, Order, Poison, Scalar, rank
 from lagdsl.source import Span
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
+from lagdsl.units.naming import unit_text
 
 
 def _extent(ctx: Context, symbol: Symbol) -> tuple[int, ...] | None:
@@ -186,8 +187,6 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
 
 
 def unit_of_rate(unit: str, dimension: Dimension, level: int) -> str:
-    from lagdsl.units.naming import unit_text
-
     return unit_text(dimension) if unit != "rad" else "rad/s" if level == 1 else f"rad/s{level}"
 
 

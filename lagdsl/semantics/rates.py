@@ -1,9 +1,8 @@
-"""Rates in their place: inputs that must be differentiable (E0304), velocity constraints that must be linear (E0604)."""
+"""Rates in their place: inputs that must be smooth (E0304), velocity constraints that must be linear (E0604)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import chain
 
 from lagdsl.diagnostics import Sink
 from lagdsl.semantics.flat_degree import RateDegree
@@ -63,7 +62,9 @@ def _values(flat: FlatModel) -> Iterator[tuple[FlatExpression, Span, str]]:
             yield value, load.spans[0], "occurs in a load"
     for state in flat.states:
         yield state.derivative, state.spans[0], f"drives `{state.name}`"
-    for item in chain(flat.outputs, flat.invariants):
-        yield item.value, item.spans[0], f"occurs in `{item.name}`"
+    for output in flat.outputs:
+        yield output.value, output.spans[0], f"occurs in `{output.name}`"
+    for invariant in flat.invariants:
+        yield invariant.value, invariant.spans[0], f"occurs in `{invariant.name}`"
     for assertion in flat.assertions:
         yield assertion.condition, assertion.spans[0], "occurs in an assertion"

@@ -65,7 +65,7 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     if node.name in BUILTINS or node.name == "der":
         ctx.sink.report("E0219", node.span, name=node.name, what="a function", help=f"call it: `{node.name}(...)`")
         return
-    names = {name: entry for name, entry in visible(scope)}
+    names = dict(visible(scope))
     meant = nearest(node.name, [*names, *prelude.CONSTANTS, "time", "world"])
     entry = names.get(meant) if meant is not None else None
     labels: tuple[Label, ...] = ()

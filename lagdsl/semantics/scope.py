@@ -96,7 +96,9 @@ class Symbol:
     @property
     def word(self) -> str:
         """What kind of thing it is, for diagnostics."""
-        return {"structural": "structural parameter", "algebraic": "variable", "unknown": "name"}.get(self.kind, self.kind)
+        return {"structural": "structural parameter", "algebraic": "variable", "unknown": "name"}.get(
+            self.kind, self.kind
+        )
 
     @property
     def short(self) -> str:

@@ -15,6 +15,7 @@ from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import FrameStep, Variability
 from lagdsl.units import Dimension
+from lagdsl.units.dimension import LENGTH
 
 Kind: TypeAlias = Literal["Real", "Integer", "Boolean"]
 AnyDimension: TypeAlias = "Dimension | None"
@@ -128,8 +129,6 @@ def as_vector(value: Value) -> Vector | None:
             return Vector(flat.Vector(*components), value.dimension, value.variability, value.order)
         case FrameValue(steps=()):
             expression = flat.ZERO_VECTOR if value.name == "world" else flat.FrameOrigin(value.name)
-            from lagdsl.units.dimension import LENGTH
-
             return Vector(expression, LENGTH, value.variability, value.order)
         case _ if is_zero(value):
             return Vector(flat.ZERO_VECTOR, None, Variability.CONSTANT, Order.STILL)
