@@ -12,7 +12,7 @@ from lagdsl.program.program import Program
 
 @dataclass(frozen=True, slots=True)
 class Artifact:
-    """Texts by relative path (`/` between folders), in the order of writing; the same bytes for the same program, always."""
+    """Texts by relative path (`/` between folders), in the order of writing; the same program gives the same bytes."""
 
     files: Mapping[str, str]
 

@@ -14,8 +14,11 @@ _ATOM: Final = 4
 
 
 class ExpressionPrinter:
-    """`leaf` gives the text of a node that is at hand (a variable, a symbol, a number) or None; `functions` the names of the
-    operations that are not infix. The order of evaluation is that of the graph: nothing is reassociated."""
+    """Expressions in the order of evaluation of the graph: nothing is reassociated.
+
+    `leaf` gives the text of a node that is at hand (a variable, a symbol, a number) or None; `functions` the names of
+    operations that are not infix; `divide`, where given, that of a quotient of two numbers, which is no number then.
+    """
 
     def __init__(
         self, graph: Graph, leaf: Callable[[int], str | None], functions: Mapping[Op, str], divide: str | None = None
@@ -51,5 +54,5 @@ class ExpressionPrinter:
         leaf = self._leaf(node)
         text, own = self._operation(node) if leaf is None else (leaf, _ATOM)
         if text.startswith("-"):
-            own = 0  # a sign is never left next to another one, nor in front of a product of which it is not the first factor
+            own = 0  # a sign never stands next to another one
         return f"({text})" if own < level else text

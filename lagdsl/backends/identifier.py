@@ -1,4 +1,4 @@
-"""Names of the user as identifiers and comments of a target language. Model text is data: nothing of it is copied unescaped."""
+"""Names of the user as identifiers and comments of a target language: nothing of a model text is copied unescaped."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """The functions of a program: their names, arguments and results. Both derivations provide all of them.
 
-nq coordinates, nz states, nu inputs, np parameters, nc declared constraint rows, ny outputs, ni invariants, na assertions.
+nq coordinates, nz states, nu inputs, np parameters, nc declared constraint rows, ny outputs, ni invariants,
+na assertions.
 The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 
 | function | arguments | results |
@@ -12,7 +13,7 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | dynamics | t q qd z u w p | M (nq, nq), f (nq), J (nc, nq), gamma (nc) |
 | inverse_dynamics | t q qd z u w p qdd | tau = M qdd - f (nq), of about the size of T and V |
 | residual | t q qd z u w p qdd lam | r = M qdd - f - J' lam (nq), s = J qdd - gamma (nc) |
-| residual_tangent | t q qd z u w p qdd lam dq dqd dz du dp | dr (nq), ds (nc): directional derivative, qdd and lam held |
+| residual_tangent | t q qd z u w p qdd lam dq dqd dz du dp | dr (nq), ds (nc): along a direction, qdd and lam held |
 | state_derivative | t q qd z u w p qdd lam | zd (nz) |
 | state_derivative_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dzd (nz) |
 | output | t q qd z u w p qdd lam | y (ny) |

@@ -1,7 +1,7 @@
 """The program: product of the program floor and input of every backend.
 
-Named functions over one expression graph, each a list of output blocks whose elements are node ids. `graph.evaluate` is its
-meaning; a backend is right if it computes the same numbers. No SymPy, no source text: names stand in the layout only.
+Named functions over one expression graph, each a list of output blocks whose elements are node ids. `graph.evaluate` is
+its meaning; a backend is right if it computes the same numbers. No SymPy, no source text: names are in the layout only.
 """
 
 from __future__ import annotations

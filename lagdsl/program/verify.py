@@ -31,7 +31,7 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
 }
 
 
-class InvalidProgram(AssertionError):
+class InvalidProgram(AssertionError):  # noqa: N818  it is an assertion
     """A program broke its own contract."""
 
 

@@ -40,8 +40,10 @@ def interface(program: Program, engine: BatchEngine) -> Interface:
 
 @dataclass(frozen=True, slots=True)
 class Spread:
-    """Arguments with common leading axes, `count` states in all: name, contiguous array, numbers from one state to the next
-    (0 where all states share it)."""
+    """Arguments with common leading axes, `count` states in all.
+
+    Each has its name, a contiguous array, and the numbers from one state to the next (0 where all states share it).
+    """
 
     leading: tuple[int, ...]
     count: int

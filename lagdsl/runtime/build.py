@@ -1,7 +1,7 @@
 """Compiled models: sources to a shared library, kept in a cache by content.
 
-The name of a library is the hash of everything it was made from, so a rebuilt model never meets an older one under its path,
-and processes that build the same one at the same time write the same bytes; the last rename wins.
+The name of a library is the hash of everything it was made from, so a rebuilt model never meets an older one under its
+path, and processes that build the same one at the same time write the same bytes; the last rename wins.
 """
 
 from __future__ import annotations

@@ -25,7 +25,7 @@ _STATE_VECTORS = STATE[1:]
 class CEngine:
     """Engine over compiled C. One object must not be used by several threads at once.
 
-    Beside the functions of the protocol, those named `..._many` broadcast over leading axes, with one call of C for all states.
+    Beside the functions of the protocol, those named `..._many` broadcast over leading axes, in one call of C.
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
 

@@ -14,8 +14,8 @@ from pathlib import Path
 from lagdsl.diagnostics import CompilationFailed, Sink
 
 _CANDIDATES = ("cc", "gcc", "clang")
-# No -ffast-math: results must be those of the graph's order of operations, the same in every run; for the same reason no
-# contraction into fused multiply-adds, which differ between machines.
+# No -ffast-math: results must be those of the graph's order of operations, the same in every run; for the same reason
+# no contraction into fused multiply-adds, which differ between machines.
 FLAGS = ("-std=c11", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno")
 # Above this size of generated text (bytes) compile time counts more than the speed of the result.
 _LARGE = 200_000
@@ -31,7 +31,7 @@ class Compiler:
 
 
 def find_compiler() -> Compiler:
-    """The compiler of $CC, else cc, gcc or clang, else that of the package ziglang. Raises CompilationFailed (E0911)."""
+    """The compiler of $CC, else cc, gcc or clang, else that of the package ziglang. Raises E0911."""
     chosen = shlex.split(os.environ.get("CC", ""))
     for command in ([chosen] if chosen else []) + [[name] for name in _CANDIDATES]:
         program = shutil.which(command[0])
@@ -67,8 +67,8 @@ def _identity(program: str) -> str:
     return f"{resolved}:{status.st_size}:{status.st_mtime_ns}"
 
 
-def failure(code: str, notes: tuple[str, ...] = (), **arguments: object) -> CompilationFailed:
+def failure(code: str, notes: tuple[str, ...] = (), **arguments: str) -> CompilationFailed:
     """The exception that carries one diagnostic without a place in a text."""
     sink = Sink()
-    sink.report(code, None, notes=notes, **arguments)
+    sink.report(code, None, notes=notes, help=None, **arguments)
     return CompilationFailed(sink.diagnostics)

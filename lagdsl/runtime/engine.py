@@ -12,8 +12,8 @@ from lagdsl.program.program import Layout
 Floats = NDArray[np.float64]
 
 
-class SingularSystem(ArithmeticError):
-    """The accelerations are not determined at this state. `coordinate` is the index of the direction without inertia."""
+class SingularSystem(ArithmeticError):  # noqa: N818  it is a state of the mechanism, not always a mistake
+    """The accelerations are not determined at this state. `coordinate` is the index of a direction without inertia."""
 
     def __init__(self, coordinate: int) -> None:
         super().__init__(f"singular in coordinate {coordinate}")
@@ -21,10 +21,10 @@ class SingularSystem(ArithmeticError):
 
 
 class Engine(Protocol):
-    """Functions of one program at one state: `t` a float, arrays one-dimensional and contiguous, SI units, layout order.
+    """Functions of one program at one state: `t` a float, arrays one-dimensional, SI units, in the order of the layout.
 
-    Rank-deficient constraints are solved in minimum norm of lam. Raises SingularSystem where M is singular on the null space of
-    J; values that are not finite are returned as they are, the caller says what they mean.
+    Rank-deficient constraints are solved in minimum norm of lam. Raises SingularSystem where M is singular on the null
+    space of J; values that are not finite are returned as they are, the caller says what they mean.
     """
 
     layout: Layout

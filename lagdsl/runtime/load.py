@@ -75,7 +75,7 @@ class ModelHead(Structure):
 
 @dataclass(frozen=True, slots=True)
 class Library:
-    """A loaded model: `model` is a pointer to its lag_model, the others are functions of the runtime compiled with it."""
+    """A loaded model: `model` is a pointer to its lag_model, the others are functions compiled with it."""
 
     model: object
     workspace: int

@@ -20,10 +20,16 @@ from lagdsl.graph.operation import Op
 from lagdsl.program.program import Program
 from lagdsl.runtime.engine import Floats, SingularSystem
 
-# What bodies call on plain Python numbers; several times faster than NumPy is on single numbers.
+# What bodies call on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat
+# what is no number as NumPy and C do.
 _ON_NUMBERS = SimpleNamespace(
-    select=lambda condition, value, otherwise: value if condition != 0.0 else otherwise,
-    **{name: SCALAR[op] for op, name in ELEMENTARY.items() if op is not Op.SELECT},
+    **{
+        **{name: SCALAR[op] for op, name in ELEMENTARY.items() if op is not Op.SELECT},
+        "select": lambda condition, value, otherwise: value if condition != 0.0 else otherwise,
+        "sign": lambda x: float(x > 0.0) if x >= 0.0 else -1.0 if x < 0.0 else x,
+        "minimum": lambda x, y: x if x <= y else y,
+        "maximum": lambda x, y: x if x >= y else y,
+    }
 )
 
 
@@ -44,7 +50,7 @@ class NumpyEngine:
     ) -> tuple[Floats, Floats]:
         """Accelerations qdd (nq,) and multipliers lam (nc,). Raises SingularSystem."""
         try:
-            return solve_motion(self.evaluate, self._sizes, np.float64(t), q, qd, z, u, w, p)
+            return solve_motion(self.evaluate, self._sizes, np.asarray(t), q, qd, z, u, w, p)
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate) from None
 

@@ -1,4 +1,4 @@
-"""C sources that build with their own Makefile: the generated model and, copied beside it, the runtime it is written against."""
+"""C sources that build with their own Makefile: the generated model and, copied beside it, the runtime."""
 
 from __future__ import annotations
 

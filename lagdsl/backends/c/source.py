@@ -1,4 +1,4 @@
-"""The generated C file: tables, one static function per function of the program, and the constant that holds them all."""
+"""The generated C file: tables, one static function per function of the program, and the constant with all of them."""
 
 from __future__ import annotations
 
@@ -63,7 +63,8 @@ def source(program: Program, stem: str) -> str:
 def header(stem: str) -> str:
     """Text of `stem`.h."""
     guard = f"{stem.upper()}_GENERATED_H"
-    return f'#ifndef {guard}\n#define {guard}\n\n#include "lag/model.h"\n\nextern const lag_model {symbol(stem)};\n\n#endif\n'
+    declaration = f'#include "lag/model.h"\n\nextern const lag_model {symbol(stem)};'
+    return f"#ifndef {guard}\n#define {guard}\n\n{declaration}\n\n#endif\n"
 
 
 def symbol(stem: str) -> str:
@@ -94,7 +95,10 @@ def _function(program: Program, function: Function, prepared: Mapping[int, int])
     return _definition(f"model_{function.name}", parameters, arguments, made, first, last, len(prepared)), made.scratch
 
 
-_MIRROR = "for (size_t i = 0; i < {n}; ++i) {{ for (size_t j = 0; j < i; ++j) {{ {name}[j * {n} + i] = {name}[i * {n} + j]; }} }}"
+_MIRROR = (
+    "for (size_t i = 0; i < {n}; ++i) {{ for (size_t j = 0; j < i; ++j) {{ "
+    "{name}[j * {n} + i] = {name}[i * {n} + j]; }} }}"
+)
 
 
 def _is_symmetric(block: Block) -> bool:

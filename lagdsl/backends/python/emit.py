@@ -1,4 +1,4 @@
-"""One NumPy file that stands alone: tables of names, support code, bodies of the functions, and the functions users call."""
+"""One NumPy file that stands alone: names, support code, bodies of the functions, and the functions that users call."""
 
 from __future__ import annotations
 
@@ -25,13 +25,14 @@ _PUBLIC = (
     "energy",
     "state_jacobian",
 )
+_DROPPED = ("import ", "from ", "Floats = ", "Evaluate = ")
 _RESERVED = frozenset({"numpy", "scipy", "setup", "conftest"})
 
 _INTRODUCTION = '''"""Equations of motion of one model, generated. Needs NumPy only.
 
-The functions at the end of this file take t [s], q, qd and, by name, z (states), u (inputs), w (discretes) and p (parameters),
-each with one entry per row of the table of that name below; all broadcast over leading axes. `help` on any of them tells
-shapes. `evaluate(name, ...)` calls any row of FUNCTIONS. Signs: M qdd - J'lam = f, J qdd = gamma.
+The functions at the end of this file take t [s], q, qd and, by name, z (states), u (inputs), w (discretes) and
+p (parameters), each with one entry per row of the table of that name below; all broadcast over leading axes. `help` on
+any of them tells shapes. `evaluate(name, ...)` calls any row of FUNCTIONS. Signs: M qdd - J'lam = f, J qdd = gamma.
 """
 '''
 
@@ -52,6 +53,7 @@ def module(program: Program) -> str:
         "from collections.abc import Callable, Mapping, Sequence\nfrom dataclasses import dataclass\n",
         "import numpy as np\nfrom numpy import inf\nfrom numpy.typing import ArrayLike, NDArray\n",
         tables(program),
+        "Floats = NDArray[np.float64]\nEvaluate = Callable[..., tuple[Floats, ...]]\n",
         *(_support(name) for name in _SUPPORT),
         *(body(program, function) for function in program.functions),
         _functions(program),
@@ -67,7 +69,7 @@ def tables(program: Program) -> str:
     layout = program.layout
     return "\n".join(
         [
-            f"NAME = {ascii(program.name)}",
+            f"NAME = {program.name!a}",
             "# (name, SI unit) by index: q and qd; z; u; w; p; rows of constraints and lam; y",
             _table("COORDINATES", layout.coordinates),
             _table("STATES", layout.states),
@@ -86,12 +88,12 @@ def tables(program: Program) -> str:
 def _table(title: str, slots: Sequence[Slot]) -> str:
     if not slots:
         return f"{title}: tuple[tuple[str, str], ...] = ()"
-    rows = "".join(f"    ({ascii(slot.name)}, {ascii(slot.unit)}),\n" for slot in slots)
+    rows = "".join(f"    ({slot.name!a}, {slot.unit!a}),\n" for slot in slots)
     return f"{title} = (\n{rows})"
 
 
 def _functions(program: Program) -> str:
-    rows = "".join(f"    {ascii(function.name)}: {_row(program, function)},\n" for function in program.functions)
+    rows = "".join(f"    {function.name!a}: {_row(program, function)},\n" for function in program.functions)
     return (
         f"# body, (name, length) of every argument, shapes of the results\nFUNCTIONS: dict[str, Row] = {{\n{rows}}}\n"
     )
@@ -141,13 +143,12 @@ def _number(value: float) -> str:
 
 
 def _support(name: str) -> str:
-    """A file of the support folder without its imports: the module imports once, and holds the rest itself."""
+    """A file of the support folder as part of the module, which imports once and holds the other parts itself."""
     text = (Path(__file__).parent / "support" / f"{name}.py").read_text(encoding="utf-8")
-    kept = [line for line in text.splitlines() if not line.startswith(("import ", "from ", "Floats = ", "Evaluate = "))]
-    alias = (
-        "Floats = NDArray[np.float64]\nEvaluate = Callable[..., tuple[Floats, ...]]\n\n" if name == _SUPPORT[0] else ""
-    )
-    return alias + _squeezed(kept)
+    _, docstring, code = text.split('"""', 2)
+    kept = [line for line in code.splitlines() if not line.startswith(_DROPPED)]
+    comment = "\n".join(f"# {line}".rstrip() for line in docstring.strip().splitlines())
+    return f"# {'-' * 117}\n{comment}\n\n{_squeezed(kept)}"
 
 
 def _squeezed(lines: list[str]) -> str:

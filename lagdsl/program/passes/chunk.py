@@ -8,8 +8,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Chunks:
-    """`pieces` are consecutive runs of statements; `slot` is the place in the scratch array of every statement that a later
-    piece reads; `size` is the length of that array."""
+    """`pieces` are consecutive runs of statements.
+
+    `slot` is the place in the scratch array of every statement that a later piece reads, `size` its length.
+    """
 
     pieces: tuple[tuple[int, ...], ...]
     slot: dict[int, int]

@@ -1,6 +1,7 @@
 """The statements of one function: which nodes get a variable, and in which order.
 
-Only nodes that a result needs are there. A node used once stays inside the expression of its user, as far as that stays short.
+Only nodes that a result needs are there. A node used once stays inside the expression of its user, as far as that stays
+short.
 """
 
 from __future__ import annotations

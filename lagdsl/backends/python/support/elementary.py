@@ -1,4 +1,4 @@
-# Elementary functions on arrays; each broadcasts. Conditions are the numbers 0 and 1.
+"""Elementary functions on arrays; each broadcasts. Conditions are the numbers 0 and 1."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,17 +7,13 @@ Floats = NDArray[np.float64]
 
 
 class Elementary:
-    """What the bodies of the model's functions call, by name. Every one means on arrays what it means on plain numbers."""
+    """What the bodies of the model's functions call, by name."""
 
     sin, cos, tan = np.sin, np.cos, np.tan
     asin, acos, atan, atan2 = np.arcsin, np.arccos, np.arctan, np.arctan2
     sinh, cosh, tanh = np.sinh, np.cosh, np.tanh
     exp, log, sqrt, power = np.exp, np.log, np.sqrt, np.power
-    absolute, floor, ceil, divide = np.abs, np.floor, np.ceil, np.divide
-
-    @staticmethod
-    def sign(x: Floats) -> Floats:
-        return (x > 0.0) * 1.0 - (x < 0.0)
+    absolute, sign, floor, ceil, divide = np.abs, np.sign, np.floor, np.ceil, np.divide
 
     @staticmethod
     def modulo(x: Floats, y: Floats) -> Floats:
@@ -26,35 +22,35 @@ class Elementary:
 
     @staticmethod
     def minimum(x: Floats, y: Floats) -> Floats:
-        return np.where(y < x, y, x)
+        return np.where(x <= y, x, y)
 
     @staticmethod
     def maximum(x: Floats, y: Floats) -> Floats:
-        return np.where(y > x, y, x)
+        return np.where(x >= y, x, y)
 
     @staticmethod
     def less(x: Floats, y: Floats) -> Floats:
-        return (x < y) * 1.0
+        return np.where(x < y, 1.0, 0.0)
 
     @staticmethod
     def less_equal(x: Floats, y: Floats) -> Floats:
-        return (x <= y) * 1.0
+        return np.where(x <= y, 1.0, 0.0)
 
     @staticmethod
     def equal(x: Floats, y: Floats) -> Floats:
-        return (x == y) * 1.0
+        return np.where(np.equal(x, y), 1.0, 0.0)
 
     @staticmethod
     def negation(x: Floats) -> Floats:
-        return (x == 0.0) * 1.0
+        return np.where(np.equal(x, 0.0), 1.0, 0.0)
 
     @staticmethod
     def both(x: Floats, y: Floats) -> Floats:
-        return np.logical_and(x, y) * 1.0
+        return np.where(np.logical_and(x, y), 1.0, 0.0)
 
     @staticmethod
     def either(x: Floats, y: Floats) -> Floats:
-        return np.logical_or(x, y) * 1.0
+        return np.where(np.logical_or(x, y), 1.0, 0.0)
 
     @staticmethod
     def select(condition: Floats, value: Floats, otherwise: Floats) -> Floats:

@@ -1,4 +1,4 @@
-# The functions that users call.
+"""The functions that users call."""
 
 from collections.abc import Callable, Sequence
 
@@ -12,12 +12,12 @@ Evaluate = Callable[..., tuple[Floats, ...]]
 
 
 class Interface:
-    """The mechanics of a model as functions of t [s], q (..., nq), qd (..., nq) and, by name, the states z (..., nz), inputs
-    u (..., nu), discretes w (..., nw) and parameters p (..., np); left out: initial values, defaults or zeros of the model.
+    """The mechanics of a model as functions of t [s], q (..., nq), qd (..., nq) and more, by name.
 
-    All arguments broadcast over their leading axes. Entries stand in the order of the tables of names; values are in the SI
-    units told there. Raises ValueError for an array of a wrong length and SingularSystem (an ArithmeticError) where the
-    accelerations are not determined.
+    These are the states z (..., nz), inputs u (..., nu), discretes w (..., nw) and parameters p (..., np); left out,
+    they have the initial values and defaults of the model, or zeros. All arguments broadcast over their leading axes.
+    Entries stand in the order of the tables of names, in the SI units told there. Raises ValueError for an array of a
+    wrong length and SingularSystem (an ArithmeticError) where the accelerations are not determined.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class Interface:
         w: ArrayLike | None = None,
         p: ArrayLike | None = None,
     ) -> Floats:
-        """Multipliers lam of all declared rows, shape (..., nc), in M qdd - J'lam = f; of least norm where rows depend."""
+        """Multipliers lam of all declared rows in M qdd - J'lam = f, shape (..., nc), of least norm."""
         return self._solve(*self._state(t, q, qd, z, u, w, p))[1]
 
     def inverse_dynamics(
@@ -89,7 +89,7 @@ class Interface:
     def mass_matrix(
         self, t: ArrayLike, q: ArrayLike, qd: ArrayLike | None = None, p: ArrayLike | None = None
     ) -> Floats:
-        """M, shape (..., nq, nq); it depends on qd (default 0) only for Lagrangians that are not quadratic in the rates."""
+        """M, shape (..., nq, nq); it depends on qd (default 0) only for Lagrangians not quadratic in the rates."""
         return self._evaluate("mass_matrix", *self._state(t, q, qd, None, None, None, p))[0]
 
     def constraint_jacobian(self, t: ArrayLike, q: ArrayLike, p: ArrayLike | None = None) -> Floats:

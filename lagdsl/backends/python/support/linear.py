@@ -3,8 +3,8 @@
 The null-space method. Coordinates are scaled to a unit diagonal of M and rows of J to unit length, so that ranks do not
 depend on units. With the singular value decomposition J = U S V', the first components of y = V'a follow from J a = g,
 the others from the rows of M a = f + J'lam that no multiplier enters, and lam from the rest. M itself may be singular;
-only its restriction to the null space of J must not be. J is never multiplied by itself, so ranks are found at the square
-root of the smallness that a factorization of J M^-1 J' would need.
+only its restriction to the null space of J must not be. J is never multiplied by itself, so that ranks are told apart
+down to half the digits further than by a factorization of J M^-1 J'.
 """
 
 import numpy as np
@@ -39,8 +39,8 @@ class SingularSystem(ArithmeticError):  # noqa: N818  it is a state of the mecha
 class Factorization:
     """Inverse of the system for M (..., n, n) and J (..., m, n), of whose rows at most `rank` are independent.
 
-    a = B g + K (f - M B g) and lam = B'(M a - f): B is the inverse of J, and K that of M on the null space of J. Both are
-    explicit; refinement takes back what that costs.
+    a = B g + K (f - M B g) and lam = B'(M a - f): B is the inverse of J, and K that of M on the null space of J. Both
+    are explicit; refinement takes back what that costs.
     """
 
     def __init__(self, mass: Floats, jacobian: Floats, rank: int) -> None:
@@ -57,7 +57,9 @@ class Factorization:
             ranks = _rank(values, rank)[..., None]
             held = np.arange(n) < ranks
             basis = self._column_scale[..., None] * np.swapaxes(right, -1, -2)
-            row_inverse = _row_inverse(basis, values, left, np.arange(values.shape[-1]) < ranks) * row_scale[..., None, :]
+            row_inverse = (
+                _row_inverse(basis, values, left, np.arange(values.shape[-1]) < ranks) * row_scale[..., None, :]
+            )
             if (ranks < m).any():
                 self._excess = _excess(left, np.arange(m) < ranks, row_scale)
         self._row_inverse = row_inverse
@@ -109,7 +111,7 @@ class Factorization:
 def factorize(mass: Floats, jacobian: Floats, rank: int) -> tuple[Factorization, Flags]:
     """Factors, and where M and J are finite (their squares, too); elsewhere they are those of another system."""
     with np.errstate(all="ignore"):
-        finite = (np.abs(mass) < LARGEST).all(axis=(-1, -2)) & (np.abs(jacobian) < LARGEST).all(axis=(-1, -2))
+        finite = np.all(np.abs(mass) < LARGEST, axis=(-1, -2)) & np.all(np.abs(jacobian) < LARGEST, axis=(-1, -2))
         if not finite.all():
             mass = np.where(finite[..., None, None], mass, np.eye(mass.shape[-1]))
             jacobian = np.where(finite[..., None, None], jacobian, 0.0)
@@ -155,7 +157,7 @@ def _row_scale(jacobian: Floats) -> Floats:
 
 def _rank(singular_values: Floats, bound: int) -> Indices:
     significant = singular_values > RANK_TOLERANCE * singular_values[..., :1]
-    return np.minimum(significant.sum(axis=-1), bound)
+    return np.minimum(np.sum(significant, axis=-1, dtype=np.intp), bound)
 
 
 def _row_inverse(basis: Floats, singular_values: Floats, left: Floats, held: Flags) -> Floats:
@@ -181,9 +183,9 @@ def _modes(mass: Floats, basis: Floats, held: Flags) -> tuple[Floats, Floats]:
 
 
 def _excess(left: Floats, held: Flags, row_scale: Floats) -> tuple[Floats, Floats]:
-    """Combinations of rows that vanish, as columns (..., m, m; zero where there are fewer), and their inverse Gram matrix."""
+    """Combinations of rows that vanish, as columns (..., m, m), padded with zeros; their inverse Gram matrix."""
     directions = np.where(row_scale > 0.0, row_scale, 1.0)[..., None] * left * ~held[..., None, :]
     length = np.sqrt((directions * directions).sum(axis=-2, keepdims=True))
     directions = directions / np.where(length > 0.0, length, 1.0)
     gram = np.swapaxes(directions, -1, -2) @ directions + np.eye(left.shape[-1]) * held[..., None, :]
-    return directions, np.linalg.inv(gram)
+    return directions, np.asarray(np.linalg.inv(gram), dtype=np.float64)

@@ -1,4 +1,4 @@
-# Accelerations, multipliers and their derivatives from the functions of a model.
+"""Accelerations, multipliers and their derivatives from the functions of a model."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ Evaluate = Callable[..., tuple[Floats, ...]]
 
 @dataclass(frozen=True)
 class Sizes:
-    """Lengths of the arrays of a model: nq coordinates, nz states, nu inputs, nw discretes, np parameters, nc constraint rows.
+    """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
     At most `rank` rows are independent.
     """

@@ -1,4 +1,4 @@
-# Calling the body of a function over leading axes.
+"""Calling the body of a function over leading axes."""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -33,8 +33,8 @@ def apply(
 ) -> tuple[Floats, ...]:
     """Results of `body`, each of shape (leading axes of the arguments, own shape).
 
-    `signature` has the name and length of every argument, None for the time, which has no axis of its own. Raises ValueError
-    for an argument of another length.
+    `signature` has the name and length of every argument, None for the time, which has no axis of its own. Raises
+    ValueError for an argument of another length.
     """
     if len(arguments) != len(signature):
         raise ValueError(f"{name} takes {len(signature)} arguments, not {len(arguments)}")

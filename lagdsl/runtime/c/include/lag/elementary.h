@@ -4,9 +4,10 @@
 
 #include <math.h>
 
+/* What is no number stays none. */
 static inline double lag_sign(double x)
 {
-    return (double)((x > 0.0) - (x < 0.0));
+    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
 }
 
 /* x - floor(x/y)*y, with the sign of y. */
@@ -17,12 +18,12 @@ static inline double lag_mod(double x, double y)
 
 static inline double lag_min(double x, double y)
 {
-    return y < x ? y : x;
+    return x <= y ? x : y;
 }
 
 static inline double lag_max(double x, double y)
 {
-    return y > x ? y : x;
+    return x >= y ? x : y;
 }
 
 static inline double lag_less(double x, double y)

@@ -82,7 +82,9 @@ def program(sample: Sample) -> Program:
         "energies": blocks(([kinetic], ()), ([kinetic], ()), ([zero], ()), ([kinetic], ())),
         "momenta": blocks(([g.dot(row, qd) for row in sample.mass], (n,))),
         "power": blocks(([g.multiply(x, v) for x, v in zip(sample.force, qd, strict=True)], (n,)), ([zero] * n, (n,))),
-        "monitor": blocks(([kinetic], (1,)), ([kinetic], (1,)), ([g.one] * len(sample.assertions), (len(sample.assertions),))),
+        "monitor": blocks(
+            ([kinetic], (1,)), ([kinetic], (1,)), ([g.one] * len(sample.assertions), (len(sample.assertions),))
+        ),
         "initial_equation": blocks((sample.phi, (m,))),
     }
     functions = tuple(Function(name=name, arguments=a, results=results[name]) for name, a in SIGNATURES.items())
@@ -150,7 +152,9 @@ def chain(count: int, name: str = "Chain") -> Program:
     mass = [[g.zero] * count for _ in range(count)]
     force = []
     for i in range(count):
-        total = g.negate(g.multiply(g.multiply(g.multiply(g.constant(float(count - i)), m), g.multiply(gravity, length)), s[i]))
+        total = g.negate(
+            g.multiply(g.multiply(g.multiply(g.constant(float(count - i)), m), g.multiply(gravity, length)), s[i])
+        )
         for j in range(count):
             weight = g.multiply(g.constant(float(count - max(i, j))), unit)
             cosine = g.add(g.multiply(c[i], c[j]), g.multiply(s[i], s[j]))
@@ -219,6 +223,9 @@ def quaternion_body(name: str = "Free body") -> Program:
     mass = [[g.multiply(four, product(t, i, t, j)) for j in range(4)] for i in range(4)]
     rate = [g.dot(row, ed) for row in t]
     # T = 2 (G ed)' I (G ed); d/dt dT/ded - dT/de at qdd = 0 is 8 Gd' I G ed
-    force = [g.negate(g.multiply(eight, g.sum(g.multiply(td[k][j], g.multiply(inertia[k], rate[k])) for k in range(3)))) for j in range(4)]
+    force = [
+        g.negate(g.multiply(eight, g.sum(g.multiply(td[k][j], g.multiply(inertia[k], rate[k])) for k in range(3))))
+        for j in range(4)
+    ]
     phi = [g.subtract(g.dot(e, e), g.one)]
     return program(Sample(name=name, graph=g, n=4, mass=mass, force=force, phi=phi, start_q=(1.0, 0.0, 0.0, 0.0)))
