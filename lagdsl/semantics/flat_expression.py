@@ -1,8 +1,8 @@
 """Expressions of the flat model: names resolved, arrays and functions expanded, units converted to SI.
 
-Two shapes are left: scalars, and geometric vectors (three world components). Vectors stay whole, so that both derivations
-lower points, frames and their derivatives in their own way. Comparisons and logic are scalars with the values 0 and 1.
-Nodes are immutable and may be shared; they compare by value, lowering passes should memoise by identity.
+Two shapes are left: scalars, and geometric vectors (three world components). Vectors stay whole, so that both
+derivations lower points, frames and their derivatives in their own way. Comparisons and logic are scalars with the
+values 0 and 1. Nodes are immutable and may be shared; they compare by value, lowering passes should memoise by identity.
 """
 
 from __future__ import annotations
@@ -57,7 +57,10 @@ class Variable:
 
 @dataclass(frozen=True, slots=True)
 class Derivative:
-    """Total time derivative of a scalar or, in the inertial frame, of a vector. `Derivative(Variable(q))` is the rate of q."""
+    """Total time derivative of a scalar or, in the inertial frame, of a vector.
+
+    `Derivative(Variable(q))` is the rate of q.
+    """
 
     operand: FlatExpression
 
@@ -72,8 +75,8 @@ class Unary:
 
 @dataclass(frozen=True, slots=True)
 class Binary:
-    """On scalars every operator; on vectors `+` and `-`; `*` of a scalar (left) and a vector (right); `/` of a vector by a
-    scalar. Exponents of `^` are scalars. The scalar product of vectors is `Dot`."""
+    """On scalars every operator; on vectors `+` and `-`; `*` of a scalar (left) and a vector (right); `/` of a vector by
+    a scalar. Exponents of `^` are scalars. The scalar product of vectors is `Dot`."""
 
     operator: BinaryOperator
     left: FlatExpression
@@ -186,7 +189,7 @@ class Multiplier:
 
 @dataclass(frozen=True, slots=True)
 class FrameReaction:
-    """Force or torque (vector) that the side of the parent of `frame` exerts on all that `frame` carries, at its origin."""
+    """Force or torque (vector) that the side of the parent of `frame` exerts on all it carries, at its origin."""
 
     frame: str
     kind: Literal["force", "torque"]
@@ -194,8 +197,9 @@ class FrameReaction:
 
 @dataclass(frozen=True, slots=True)
 class ReactionAlong:
-    """d'Alembert value (scalar) of the non-contributing force on the named point along `direction`: the point is released by
-    s*direction, and the equation of s is evaluated at s = 0 (direction is not normalised and is held as if unreleased)."""
+    """d'Alembert value (scalar) of the non-contributing force on the named point along `direction`: the point is
+    released by s*direction, and the equation of s is evaluated at s = 0 (direction is not normalised and is held as if
+    unreleased)."""
 
     point: str
     direction: FlatExpression

@@ -1,7 +1,7 @@
 """The flat model: product of the semantics floor and input of both derivations.
 
-Names are qualified and unique, modifiers applied, arrays and structural `for`/`if` expanded, functions inlined, units SI,
-dimensions checked. Definitions, points and frames stand in one order in which nothing is used before it is defined.
+Names are qualified and unique, modifiers applied, arrays and structural `for`/`if` expanded, functions inlined, units
+SI, dimensions checked. Definitions, points and frames stand in one order in which nothing is used before it is defined.
 Every item keeps the stack of source spans that produced it, innermost first (today of length one for a single class).
 """
 
@@ -93,7 +93,8 @@ class State(Quantity):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input(Quantity):
     """A top-level input. `smooth` is the number of time derivatives the caller provides, as further inputs `der(name)`,
-    `der(der(name))` that follow it directly in the list of inputs (they are items of their own, with `derivative_of`)."""
+    `der(der(name))` that follow it directly in the list of inputs: items of their own, each with `derivative_of` naming
+    the input whose time derivative it is (the one before it)."""
 
     default: FlatExpression
     smooth: int = 0
@@ -206,8 +207,8 @@ class PointMass(Item):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RigidBody(Item):
-    """`com` in the axes of `frame` from its origin; `inertia` is Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the mass centre in the
-    same axes (tensor elements)."""
+    """`com` in the axes of `frame` from its origin; `inertia` is Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the mass centre in
+    the same axes (tensor elements)."""
 
     label: str | None
     frame: str
@@ -218,8 +219,8 @@ class RigidBody(Item):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PointForce(Item):
-    """A force vector at a point. With `frame` the material point of that frame is displaced, else the point itself; with
-    `origin` the opposite force acts there."""
+    """A force vector at a point. With `frame` the material point of that frame is displaced, else the point itself;
+    with `origin` the opposite force acts there."""
 
     label: str | None
     force: FlatExpression

@@ -16,7 +16,7 @@ from lagdsl.semantics.flat_expression_text import flat_expression_text as text_o
 from lagdsl.semantics.flat_expression_text import number_text
 from lagdsl.semantics.flat_spans import place
 from lagdsl.source import Span
-from lagdsl.units.naming import unit_text
+from lagdsl.units.naming import to_display, unit_text
 
 _WIDEST = 72  # columns after which a place is no longer aligned with the others
 
@@ -65,13 +65,19 @@ def _placed(line: _Line, width: int) -> str:
 
 
 def _coordinate(coordinate: fm.Coordinate) -> _Line:
-    parts = [f"{coordinate.type_name} {coordinate.name} [{coordinate.unit}]", f"start = {text_of(coordinate.start)}"]
+    start = f"start = {text_of(coordinate.start)}{_displayed(coordinate.start, coordinate.display_unit)}"
+    parts = [f"{coordinate.type_name} {coordinate.name} [{coordinate.unit}]", start]
     parts += ["fixed"] if coordinate.fixed else []
     if coordinate.rate_start_explicit or coordinate.rate_fixed or coordinate.rate_start != fx.ZERO:
         parts.append(f"der start = {text_of(coordinate.rate_start)}")
     parts += ["der fixed"] if coordinate.rate_fixed else []
     parts += _bounds(coordinate.minimum, coordinate.maximum, coordinate.nominal)
     return _Line(", ".join(parts) + _doc(coordinate.doc), coordinate)
+
+
+def _displayed(value: fx.FlatExpression, unit: str | None) -> str:
+    """The same number in the unit people see: ` (10 deg)`."""
+    return f" ({to_display(value.value, unit):.6g} {unit})" if unit is not None and isinstance(value, fx.Number) else ""
 
 
 def _bounds(minimum: float | None, maximum: float | None, nominal: float | None = None) -> list[str]:

@@ -12,7 +12,7 @@ from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence
 from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.semantics.flat_probe import Moment, probes
+from lagdsl.semantics.flat_probe import probes
 from lagdsl.semantics.flat_spans import place
 
 _MOST_TERMS = 40  # additive terms of a potential that are told apart
@@ -60,10 +60,13 @@ def _check_twice(flat: fm.FlatModel, sink: Sink) -> None:
         (energy, value) for energy in flat.energies if energy.kind == "potential" for value in _terms(energy.value)
     ]
     terms = terms[:_MOST_TERMS]
-    moments = probes(flat, 2 * len(terms) + 8)
+    evaluators = [
+        Evaluator(flat, Values(variables=moment.variables, rates=moment.rates))
+        for moment in probes(flat, 2 * len(terms) + 8)
+    ]
     try:
-        columns = np.array([[_at(flat, moment).scalar(value) for _, value in terms] for moment in moments])
-        weights = _weights(flat, moments)
+        columns = np.array([[evaluator.scalar(value) for _, value in terms] for evaluator in evaluators])
+        weights = _weights(flat, evaluators)
     except NotEvaluable:
         return
     sound = np.all(np.isfinite(columns), axis=1)
@@ -102,12 +105,11 @@ def _terms(expression: fx.FlatExpression, sign: int = 1) -> list[fx.FlatExpressi
             return [expression if sign > 0 else fx.Unary("-", expression)]
 
 
-def _weights(flat: fm.FlatModel, moments: list[Moment]) -> list[_Weight]:
+def _weights(flat: fm.FlatModel, evaluators: list[Evaluator]) -> list[_Weight]:
     """Of each mass and body, and of all of them together where there are several."""
     assert flat.gravity is not None
     items: list[tuple[fm.Item, list[float]]] = [(item, []) for item in (*flat.masses, *flat.bodies)]
-    for moment in moments:
-        evaluator = _at(flat, moment)
+    for evaluator in evaluators:
         gravity = evaluator.vector(flat.gravity)
         for item, values in items:
             values.append(-float(gravity @ _moment_of_mass(evaluator, item)))
@@ -125,10 +127,6 @@ def _moment_of_mass(evaluator: Evaluator, item: fm.Item) -> NDArray[np.float64]:
     origin, axes = evaluator.frame(item.frame)
     com = np.array([evaluator.scalar(component) for component in item.com])
     return np.asarray(evaluator.scalar(item.mass) * (origin + axes @ com))
-
-
-def _at(flat: fm.FlatModel, moment: Moment) -> Evaluator:
-    return Evaluator(flat, Values(variables=moment.variables, rates=moment.rates))
 
 
 def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -40,7 +40,7 @@ def unit_names() -> list[str]:
 
 def pint_registry() -> Any:
     """A registry that computes with rational numbers."""
-    import pint  # noqa: PLC0415 a dependency of development only
+    import pint
 
     return pint.UnitRegistry(non_int_type=Fraction)
 

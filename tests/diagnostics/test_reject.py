@@ -35,7 +35,9 @@ def announced(text: str) -> list[str]:
 
 
 def _expectation(line: int, item: re.Match[str]) -> str:
-    return f"{line}: {item['code']} {item['start']}-{item['end']}" if item["start"] else f"{item['code']} without a place"
+    return (
+        f"{line}: {item['code']} {item['start']}-{item['end']}" if item["start"] else f"{item['code']} without a place"
+    )
 
 
 def drawn(diagnostics: tuple[Diagnostic, ...]) -> list[str]:

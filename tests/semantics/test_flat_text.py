@@ -41,7 +41,10 @@ FULL = model(
         parameter("file", 0.0, kind="String", text="a.csv", type_name="String"),
     ),
     coordinates=(
-        coordinate("q", unit="rad", type_name="Angle", fixed=True, doc="turn", minimum=-1.0, maximum=1.0, nominal=0.1),
+        coordinate(
+            "q", unit="rad", display_unit="deg", type_name="Angle", start=0.7853981633974483, fixed=True, doc="turn",
+            minimum=-1.0, maximum=1.0, nominal=0.1,
+        ),
         coordinate("r", line=3, rate_start=num(2), rate_start_explicit=True, rate_fixed=True),
     ),
     states=(
@@ -111,7 +114,7 @@ def test_every_item_has_its_line():
     shown = lines(FULL)
     for expected in (
         'model Hand  "all of it"',
-        'Angle q [rad], start = 0.3, fixed, min = -1, max = 1, nominal = 0.1  "turn"',
+        'Angle q [rad], start = 0.7853981633974483 (45 deg), fixed, min = -1, max = 1, nominal = 0.1  "turn"',
         "Real r [1], start = 0.3, der start = 2, der fixed",
         "mass m at P",
         "body plate(m = m, com = {0, 0, 0}, I = {1, 1, 1, 0, 0, 0}) on A",

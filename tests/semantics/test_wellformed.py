@@ -188,7 +188,7 @@ SPEED = der(P)
         ("kinetic", fx.Component(fx.Cross(SPEED, fx.AngularVelocity("A")), 0), []),
         ("kinetic", fx.Component(fx.MaterialVelocity(P, "A"), 0), []),
         ("kinetic", fx.Component(vec(der(Q), var("speed")), 1), []),
-        ("kinetic", times(square(der(Q)), fx.SystemEnergy("total")), []),
+        ("kinetic", times(op("^", der(Q), num(3)), fx.SystemEnergy("total")), []),
         ("dissipation", op("^", der(Q), num(4)), []),
     ],
 )

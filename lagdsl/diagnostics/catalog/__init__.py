@@ -1,6 +1,6 @@
 """Every diagnostic by its code: one module per family, first letter = severity, next two digits = family."""
 
-from lagdsl.diagnostics.catalog import dimensions, initial, names, physics, constraints, runtime, syntax, values
+from lagdsl.diagnostics.catalog import constraints, dimensions, initial, names, physics, runtime, syntax, values
 from lagdsl.diagnostics.catalog.row import Row
 
 ROWS: dict[str, Row] = {

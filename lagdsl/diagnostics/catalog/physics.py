@@ -40,7 +40,7 @@ ROWS: dict[str, Row] = {
     "E0508": error(
         "the {what} depends on the rate `{rate}`",
         label="a position is a function of the coordinates and time",
-        help="make `{base}` a state of its own, or use a coordinate",
+        help="let it depend on `{base}` itself; a position with dynamics of its own is a `state`",
     ),
     "E0509": error(
         "impossible inertia: {left} < {right} for body `{name}`",
