@@ -30,6 +30,7 @@ class Session:
         self.previous = Token(END_OF_TEXT, "", 0, 0)
         self.brackets: list[Token] = []
         self.failed_at = -1
+        self.failures = 0  # at that place
         self.told: set[tuple[str, int]] = set()  # (code, place) of what is said once for many statements
         self.stopped = False
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from lagdsl.syntax.automaton import END_OF_TEXT
 from lagdsl.syntax.faults.blocks import end_of_block, end_of_text, missing_class_name
 from lagdsl.syntax.faults.brackets import unclosed_bracket, wrong_bracket
 from lagdsl.syntax.faults.literals import open_string, unit_after_number
@@ -50,10 +51,11 @@ RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
 def recover(session: Session, token: Token) -> None:
     """Report what is wrong at `token` and leave the session where reading can go on."""
     session.machine.settle()
-    if token.start == session.failed_at:  # a repair did not help: say no more about this statement
-        session.panic(token)
+    if token.start == session.failed_at:
+        _give_way(session, token)
         return
     session.failed_at = token.start
+    session.failures = 1
     if session.statement_start(token) <= session.lexer.fault_at < token.start:  # what follows from a fault that is told
         if session.starts_line(token) and session.insert(";"):
             session.lexer.rewind(token.start)
@@ -61,6 +63,17 @@ def recover(session: Session, token: Token) -> None:
             session.panic(token)
         return
     any(recognise(session, token) for recognise in RECOGNISERS)
+
+
+def _give_way(session: Session, token: Token) -> None:
+    """A repair did not help: say no more about this statement, and at the third failure leave the token out."""
+    session.failures += 1
+    if token.terminal == END_OF_TEXT:
+        session.give_up()
+    elif session.failures == 2:
+        session.panic(token)
+    else:
+        session.lexer.rewind(token.end)
 
 
 __all__ = ["recover"]
