@@ -17,6 +17,7 @@ _SEED = 20011
 # Residuals, as a part of the row's natural size, below which a constraint counts as met; generous, because a
 # constraint that only touches (two circles that meet in one point) is approached linearly.
 HOLDS = 1e-7
+_ROUNDING = 1e-12
 
 
 class Functions(Protocol):
@@ -108,7 +109,8 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None) -> 
     for point in random_points(flat.coordinates, q, sizes, 3):
         lengths = np.linalg.norm(plain.velocity(point, qd)[1] * sizes, axis=1)
         row_sizes = np.maximum(row_sizes, np.where(np.isfinite(lengths), lengths, 0.0))
-    row_sizes = np.where(row_sizes > 0.0, row_sizes, 1.0)
+    # Rows that are zero but for round-off have no size of their own.
+    row_sizes = np.where(row_sizes > _ROUNDING * np.max(row_sizes, initial=0.0), row_sizes, 1.0)
     return Geometry(functions, t, q, qd, z, u, plain.w, parameters, sizes, row_sizes)
 
 

@@ -17,7 +17,9 @@ def report_nonlinear(flat: FlatModel, space: Geometry, points: list[Floats], sin
     for point in points[:1]:
         v, w = random_rates(flat.coordinates, space.sizes, 2)
         at = [space.velocity(point, rates)[0] for rates in (v + w, v, w, np.zeros_like(v))]
+        # A row without content is zero but for round-off of the size of its neighbours.
         size = np.maximum.reduce([np.abs(values) for values in at])
+        size = np.maximum(size, 1e-3 * np.max(size, initial=0.0))
         curved = np.abs(at[0] - at[1] - at[2] + at[3]) > 1e-9 * size
         for item in located(flat):
             if item.constraint.level == "velocity" and any(curved[row] for row in item.rows):

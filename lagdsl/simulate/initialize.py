@@ -65,7 +65,8 @@ def initial_state(
     if sink is None:
         own.raise_if_errors()
     rows = () if _wrong(own, before) else moved_rows(task, q, qd)
-    report_moved(task, rows, own)
+    if not flat.initial_equations:  # these say themselves that starts are to be moved
+        report_moved(task, rows, own)
     return InitialState(model=flat.name, t=task.space.t, q=q, qd=qd, z=z, freedom=_freedom(task, q), moved=rows)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,6 +34,11 @@ class Trouble:
     y: Floats
     derivative: Floats
     singular: int | None
+
+
+def finite(values: Floats) -> bool:
+    """Whether all are numbers; one sum is several times cheaper than looking at each (a sum that overflows is none)."""
+    return math.isfinite(float(values.sum()))
 
 
 class RightHandSide:
@@ -73,32 +79,33 @@ class RightHandSide:
         key = (t, y.tobytes())
         if key == self._key:
             return self._derivative
-        if not np.all(np.isfinite(y)):  # a stage after one in trouble: not worth remembering
+        if not finite(y):  # a stage after one in trouble: not worth remembering
             return np.full_like(y, np.nan)
         self.evaluations += 1
-        q, qd, z = self.split(np.ascontiguousarray(y))
+        y = y.copy()
+        q, qd, z = self.split(y)
         u = self.inputs(t)
         self._key = None
         try:
             qdd, lam = self.engine.solve(t, q, qd, z, u, self.w, self.p)
         except SingularSystem as singular:
-            self.trouble = Trouble(t, y.copy(), np.full_like(y, np.nan), singular.coordinate)
+            self.trouble = Trouble(t, y, np.full_like(y, np.nan), singular.coordinate)
             return np.full_like(y, np.nan)
         parts = [qd, qdd]
         if len(z):
             parts.append(self.engine.evaluate("state_derivative", t, q, qd, z, u, self.w, self.p, qdd, lam)[0])
         derivative = np.concatenate(parts)
-        if not np.all(np.isfinite(derivative)):
-            self.trouble = Trouble(t, y.copy(), derivative, None)
+        if not finite(derivative):
+            self.trouble = Trouble(t, y, derivative, None)
             return np.full_like(y, np.nan)
         self._key, self._derivative = key, derivative
-        self._solved = Solved(t, q.copy(), qd.copy(), z.copy(), u, qdd, lam)
+        self._solved = Solved(t, q, qd, z, u, qdd, lam)
         return derivative
 
     def solved(self, t: float, y: Floats) -> Solved | None:
         """Accelerations and multipliers at a state, or None where there are none."""
         derivative = self(t, y)
-        return self._solved if np.all(np.isfinite(derivative)) else None
+        return self._solved if finite(derivative) else None
 
     def jacobian(self, t: float, y: Floats) -> Floats:
         """df/dy, exact; zero where it does not exist, which makes an implicit step fail and become shorter."""
@@ -109,4 +116,4 @@ class RightHandSide:
         except SingularSystem as singular:
             self.trouble = Trouble(t, y.copy(), np.full_like(y, np.nan), singular.coordinate)
             return np.zeros((len(y), len(y)))
-        return matrix if np.all(np.isfinite(matrix)) else np.zeros((len(y), len(y)))
+        return matrix if finite(matrix) else np.zeros((len(y), len(y)))

@@ -20,6 +20,9 @@ Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], S
 _Function: TypeAlias = Callable[[float, bool], float]
 
 
+_NONE = np.zeros(0)
+
+
 @dataclass(frozen=True, slots=True)
 class Signals:
     """The input vector at any time; `breaks` are the times at which a step must end."""
@@ -29,7 +32,7 @@ class Signals:
 
     def at(self, t: float, *, before: bool = False) -> Floats:
         """u (nu,); at a jump the value after it, or before it."""
-        return np.array([function(t, before) for function in self.functions])
+        return np.array([function(t, before) for function in self.functions]) if self.functions else _NONE
 
 
 def signals(

@@ -131,7 +131,8 @@ def _row(file: SourceFile, line: int, cells: list[str], names: list[str], sink: 
     for name, cell in zip(names, cells, strict=True):
         number = _number(cell)
         if number is None:
-            span = Label(Span(file, offset, offset + max(len(cell), 1)))
+            # An empty cell is shown by the comma before it.
+            span = Label(Span(file, offset if cell else max(offset - 1, 0), offset + len(cell)))
             sink.report("E0823", span, text=cell.strip()[:40], line=line, column=name)
         numbers.append(np.nan if number is None else number)
         offset += len(cell) + 1

@@ -1,0 +1,133 @@
+"""Tables in files."""
+
+from __future__ import annotations
+
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from simulate.hand import Pendulum, coordinate, flat_model
+
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.simulate.simulate import simulate
+from lagdsl.simulate.table_io import csv_text, parse_inputs, read_inputs, write_table
+from lagdsl.simulate.trajectory import Trajectory
+from lagdsl.source import SourceFile
+
+
+@pytest.fixture(scope="module")
+def motion() -> Trajectory:
+    engine = Pendulum(flat_model([coordinate("arm.q[1]", 1.0)]))
+    return simulate(engine, engine.flat)
+
+
+def test_csv_reads_back_to_the_same_floats(motion: Trajectory, tmp_path: Path) -> None:
+    path = tmp_path / "out.csv"
+    write_table(motion, path)
+    rows = list(csv.reader(path.read_text().splitlines()))
+    assert rows[0] == ["time", "arm.q[1]", "der(arm.q[1])"]
+    table = np.array(rows[1:], dtype=float)
+    assert np.array_equal(table, np.column_stack([c.values for c in motion.columns]))
+    assert [p.name for p in tmp_path.iterdir()] == ["out.csv"]
+
+
+def test_parquet_has_names_and_units(motion: Trajectory, tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    path = tmp_path / "out.parquet"
+    write_table(motion, path)
+    table = parquet.read_table(path)
+    assert tuple(table.column_names) == motion.names
+    assert np.array_equal(table["arm.q[1]"].to_numpy(), motion["arm.q[1]"])
+    assert table.schema.field("time").metadata == {b"unit": b"s"}
+
+
+def test_parquet_without_its_package(motion: Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(CompilationFailed, match="needs the package"):
+        write_table(motion, tmp_path / "out.parquet")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_unwritable_place(motion: Trajectory, tmp_path: Path) -> None:
+    sink = Sink()
+    write_table(motion, tmp_path / "missing" / "out.csv", sink)
+    assert [d.code for d in sink.diagnostics] == ["E0826"]
+
+
+def test_an_old_file_survives_a_failed_write(
+    motion: Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "out.csv"
+    path.write_text("old")
+
+    def full(trajectory: Trajectory) -> str:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("lagdsl.simulate.table_io.csv_text", full)
+    with pytest.raises(CompilationFailed, match="No space left"):
+        write_table(motion, path)
+    assert path.read_text() == "old" and len(list(tmp_path.iterdir())) == 1
+
+
+def test_text_is_deterministic(motion: Trajectory) -> None:
+    assert csv_text(motion) == csv_text(motion)
+
+
+# ---- inputs ----------------------------------------------------------------------------------------------------------
+
+
+def test_inputs_in_any_column_order(tmp_path: Path) -> None:
+    path = tmp_path / "in.csv"
+    path.write_bytes(b'\xef\xbb\xbfu, time ,"der(u)"\r\n1,0,3\r\n\r\n2,0.5,-4e-1\r\n')
+    assert read_inputs(path, Sink()) == {"u": ([0.0, 0.5], [1.0, 2.0]), "der(u)": ([0.0, 0.5], [3.0, -0.4])}
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "place"),
+    [
+        ("t,u\n0,1\n1,2\n", "E0821", (1, 1, 1, 4)),
+        ("", "E0821", None),
+        ("time,u\n0,1\n2,1\n1,1\n", "E0822", (4, 1, 4, 4)),
+        ("time,u\n0,1\n1,one\n", "E0823", (3, 3, 3, 6)),
+        ("time,u\n0,1\n1,\n", "E0823", (3, 2, 3, 3)),
+        ("time,u\n0,1\n1,nan\n", "E0823", (3, 3, 3, 6)),
+        ("time,u\n0,1\n1,2,3\n", "E0824", (3, 1, 3, 6)),
+        ("time,u\n0,1\n", "E0827", None),
+    ],
+)
+def test_faults_of_a_table_have_their_place(text: str, code: str, place: tuple[int, ...] | None) -> None:
+    sink = Sink()
+    assert parse_inputs(SourceFile("in.csv", text), sink) is None
+    (error,) = sink.diagnostics
+    assert error.code == code
+    if place is None:
+        assert error.labels == ()
+    else:
+        span = error.labels[0].span
+        assert (*span.first, *span.last) == place
+
+
+def test_all_bad_cells_are_told_at_once() -> None:
+    sink = Sink()
+    parse_inputs(SourceFile("in.csv", "time,u\na,1\nb,2\n"), sink)
+    assert [d.code for d in sink.diagnostics] == ["E0823", "E0823"]
+
+
+def test_a_jump_is_two_equal_times() -> None:
+    table = parse_inputs(SourceFile("in.csv", "time,u\n0,0\n1,0\n1,5\n2,5\n"), Sink())
+    assert table == {"u": ([0.0, 1.0, 1.0, 2.0], [0.0, 0.0, 5.0, 5.0])}
+
+
+def test_unreadable_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    latin = tmp_path / "latin.csv"
+    latin.write_bytes(b"time,\xe9\n0,1\n")
+    sink = Sink()
+    assert read_inputs(latin, sink) is None
+    assert read_inputs(tmp_path / "none.csv", sink) is None
+    assert read_inputs(tmp_path, sink) is None
+    monkeypatch.setattr("lagdsl.simulate.table_io._LARGEST_INPUT", 3)
+    assert read_inputs(latin, sink) is None
+    assert [d.code for d in sink.diagnostics] == ["E0820"] * 4
+    assert "not UTF-8" in sink.diagnostics[0].message and "larger than" in sink.diagnostics[3].message
