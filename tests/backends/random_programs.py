@@ -1,5 +1,8 @@
-"""Random expression graphs. In the exact layer every operation is rounded correctly everywhere, so all must agree to the bit;
-in the smooth layer they must agree to a few roundings of the size of the terms. Steps read exact values only."""
+"""Random expression graphs.
+
+In the exact layer every operation is rounded correctly everywhere, so all must agree to the bit; in the smooth layer they
+must agree to a few roundings of the size of the terms. Steps read exact values only.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,8 @@ Step = tuple[int, int, int, int]
 steps = st.lists(st.tuples(*[st.integers(0, 10_000)] * 4), min_size=1, max_size=40)
 values = st.lists(
     st.one_of(
-        st.sampled_from([0.0, -0.0, 1.0, -1.0, 2.0, 0.5, -0.5, 3.0, 1e-9, 1e8]), st.floats(-4.0, 4.0, allow_subnormal=False)
+        st.sampled_from([0.0, -0.0, 1.0, -1.0, 2.0, 0.5, -0.5, 3.0, 1e-9, 1e8]),
+        st.floats(-4.0, 4.0, allow_subnormal=False),
     ),
     min_size=SYMBOLS,
     max_size=SYMBOLS,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict
 from pathlib import Path
 
 from lagdsl.backends.backend import Artifact
@@ -50,7 +49,7 @@ def module(program: Program) -> str:
     """The text of the module."""
     parts = [
         _INTRODUCTION,
-        "from collections.abc import Callable, Mapping, Sequence\nfrom dataclasses import dataclass\n",
+        "from collections.abc import Callable, Mapping, Sequence\n",
         "import numpy as np\nfrom numpy import inf\nfrom numpy.typing import ArrayLike, NDArray\n",
         tables(program),
         "Floats = NDArray[np.float64]\nEvaluate = Callable[..., tuple[Floats, ...]]\n",
@@ -117,7 +116,7 @@ def shapes(function: Function) -> tuple[tuple[int, ...], ...]:
 
 def sizes_text(program: Program) -> str:
     sizes = motion_sizes(program)
-    return f"Sizes({', '.join(f'{name}={value}' for name, value in asdict(sizes).items())})"
+    return f"Sizes({', '.join(f'{name}={value}' for name, value in vars(sizes).items())})"
 
 
 def motion_sizes(program: Program) -> Sizes:

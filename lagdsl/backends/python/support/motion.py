@@ -1,7 +1,6 @@
 """Accelerations, multipliers and their derivatives from the functions of a model."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,20 +11,14 @@ Floats = NDArray[np.float64]
 Evaluate = Callable[..., tuple[Floats, ...]]
 
 
-@dataclass(frozen=True)
 class Sizes:
     """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
     At most `rank` rows are independent.
     """
 
-    q: int
-    z: int
-    u: int
-    w: int
-    p: int
-    c: int
-    rank: int
+    def __init__(self, *, q: int, z: int, u: int, w: int, p: int, c: int, rank: int) -> None:
+        self.q, self.z, self.u, self.w, self.p, self.c, self.rank = q, z, u, w, p, c, rank
 
 
 def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:
