@@ -2,7 +2,7 @@
 
 Two shapes are left: scalars, and geometric vectors (three world components). Vectors stay whole, so that both
 derivations lower points, frames and their derivatives in their own way. Comparisons and logic are scalars with the
-values 0 and 1. Nodes are immutable and may be shared; they compare by value, lowering passes should memoise by identity.
+values 0 and 1. Nodes are immutable and may be shared; they compare by value, lowering passes memoise by identity.
 """
 
 from __future__ import annotations
@@ -75,8 +75,8 @@ class Unary:
 
 @dataclass(frozen=True, slots=True)
 class Binary:
-    """On scalars every operator; on vectors `+` and `-`; `*` of a scalar (left) and a vector (right); `/` of a vector by
-    a scalar. Exponents of `^` are scalars. The scalar product of vectors is `Dot`."""
+    """On scalars every operator; on vectors `+` and `-`; `*` of a scalar (left) and a vector (right); `/` of a vector
+    by a scalar. Exponents of `^` are scalars. The scalar product of vectors is `Dot`."""
 
     operator: BinaryOperator
     left: FlatExpression

@@ -1,10 +1,14 @@
 """Diagnostics that a model text alone does not draw."""
 
+import sys
+
 import pytest
 
+import lagdsl
 from lagdsl.diagnostics import Sink
 from lagdsl.pipeline import check, front
 from lagdsl.semantics.flatten import flatten
+from lagdsl.simulate.table_io import write_table
 from lagdsl.source import SourceFile
 from lagdsl.syntax.parser import parse
 
@@ -46,3 +50,13 @@ end Slider;
     assert diagnostics[0].code == "E0401" or diagnostics[0].code == "E0404"
     (note,) = diagnostics[0].notes
     assert note.startswith(f"`{literal}` is a number with a unit, not a product with `m`")
+
+
+def test_a_package_that_is_missing(tmp_path, monkeypatch):
+    trajectory = lagdsl.compile(TWO).simulate(stop=0.1)
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    sink = Sink()
+    write_table(trajectory, tmp_path / "motion.parquet", sink)
+    (diagnostic,) = sink.diagnostics
+    assert diagnostic.code == "E0825" and "`pyarrow`" in diagnostic.message
+    assert list(tmp_path.iterdir()) == []

@@ -5,7 +5,6 @@ from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 ROWS: dict[str, Row] = {
     "E0201": error("unknown name `{name}`", label="not declared in {scope}"),
     "E0202": error("unknown modifier `{name}` for `{type}`; the attributes are {attributes}", label="not an attribute"),
-    "E0203": error("`{name}` is ambiguous: imported from {sources}", label="which one is meant?"),
     "E0204": error("`{name}` is declared twice, as {first} and as {second}", label="declared again here"),
     "N0205": note("`{name}` hides the built-in {what} of that name"),
     "W0206": warning(
@@ -40,7 +39,7 @@ ROWS: dict[str, Row] = {
         label="not known",
         help='`annotation(units = "none")` takes every dimension in the class as 1',
     ),
+    "E0222": error("the model has no structural parameter `{name}`"),
     "E0223": error("{model} has no `{name}`", label="cannot be modified"),
     "E0224": error("`{name}` cannot be given another value from outside", label="fixed where it is declared"),
-    "E0222": error("the model has no structural parameter `{name}`"),
 }
