@@ -9,15 +9,23 @@ from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics.flat_model import (
     Constraint,
     Coordinate,
+    Definition,
     EnergyTerm,
     Experiment,
     FlatModel,
     Frame,
+    FrameTorque,
+    GeneralizedForce,
+    Input,
+    Invariant,
     Output,
     Parameter,
     Point,
+    PointForce,
     PointMass,
     RigidBody,
+    State,
+    Variability,
 )
 from lagdsl.units.dimension import DIMENSIONLESS
 
@@ -171,13 +179,11 @@ def constraint(name: str, *residuals: Any, level: Any = "position") -> Constrain
 
 
 def model(name: str, **parts: Any) -> FlatModel:
-    empty: dict[str, Any] = dict.fromkeys(
-        (
-            "parameters coordinates states inputs named energies masses bodies loads constraints outputs invariants "
-            "assertions initial_equations drawings"
-        ).split(),
-        (),
+    lists = (
+        "parameters coordinates states inputs named energies masses bodies loads constraints outputs invariants "
+        "assertions initial_equations drawings"
     )
+    empty: dict[str, Any] = dict.fromkeys(lists.split(" "), ())
     given = {key: tuple(value) if isinstance(value, list) else value for key, value in parts.items()}
     gravity = given.pop("gravity", None)
     return FlatModel(
@@ -193,3 +199,71 @@ def gravity_along_minus(index: int) -> X:
     components = [fx.Number(0.0)] * 3
     components[index] = fx.Number(-9.80665)
     return vec(*components)
+
+
+def generalized(value: Any, target: Any, origin: Any = None, label: str | None = None) -> GeneralizedForce:
+    return GeneralizedForce(
+        label=label,
+        keyword="force",
+        value=flat(value),
+        target=flat(target),
+        origin=None if origin is None else flat(origin),
+        spans=(),
+    )
+
+
+def force(
+    vector: Any, point: Any, frame: str | None = None, origin: Any = None, origin_frame: str | None = None
+) -> PointForce:
+    return PointForce(
+        label=None,
+        force=flat(vector),
+        point=flat(point),
+        frame=frame,
+        origin=None if origin is None else flat(origin),
+        origin_frame=origin_frame,
+        spans=(),
+    )
+
+
+def torque(vector: Any, frame: str, origin: str | None = None) -> FrameTorque:
+    return FrameTorque(label=None, torque=flat(vector), frame=frame, origin=origin, spans=())
+
+
+def definition(name: str, value: Any, variability: Variability = Variability.CONTINUOUS) -> Definition:
+    return Definition(name=name, dimension=DIMENSIONLESS, value=flat(value), variability=variability, spans=())
+
+
+def state(name: str, derivative: Any, start: float = 0.2) -> State:
+    return State(
+        name=name,
+        dimension=DIMENSIONLESS,
+        start=fx.Number(start),
+        start_explicit=True,
+        fixed=True,
+        derivative=flat(derivative),
+        spans=(),
+    )
+
+
+def external(name: str, derivative_of: str | None = None, smooth: int = 0) -> Input:
+    return Input(
+        name=name,
+        dimension=DIMENSIONLESS,
+        default=fx.Number(0.0),
+        smooth=smooth,
+        derivative_of=derivative_of,
+        spans=(),
+    )
+
+
+def invariant(name: str, value: Any) -> Invariant:
+    return Invariant(name=name, value=flat(value), dimension=DIMENSIONLESS, tolerance=None, spans=())
+
+
+def when(condition: Any, value: Any, otherwise: Any) -> X:
+    return X(fx.Conditional(flat(condition), flat(value), flat(otherwise)))
+
+
+def less(a: Any, b: Any) -> X:
+    return X(fx.Binary("<", flat(a), flat(b)))
