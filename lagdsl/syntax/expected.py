@@ -31,6 +31,8 @@ _OPERATORS = ("PLUS", "MINUS", "STAR", "SLASH", "CIRCUMFLEX", "REL", "AND", "OR"
 def expected(machine: Machine) -> str:
     """`` `;` or an operator ``, `an expression`, `a name`: what the machine would take next."""
     accepted = {t for t in machine.accepted if t < len(TERMINAL) and machine.accepts(t)}
+    if TERMINAL["CLASS_KIND"] in accepted and len(machine.states) != machine.boundary():
+        return "a type"
     if TERMINAL["CLASS_KIND"] in accepted or TERMINAL["COORDINATE"] in accepted:
         return (
             "a declaration, a statement or `end`"

@@ -44,6 +44,9 @@ class Machine:
     def feed(self, token: Token) -> bool:
         """Shift `token` after the reductions it asks for; False if it does not fit here."""
         while True:
+            if token.terminal == END_OF_TEXT and self.states[-1] == self.stop:
+                self.finished = True
+                return True
             action = row(self.states[-1]).get(token.terminal)
             if action is None:
                 return False
@@ -57,9 +60,6 @@ class Machine:
                 self.states[-1] = row(self.states[-2])[reduced.result]
             else:
                 self._reduce(reduced)
-            if token.terminal == END_OF_TEXT and self.states[-1] == self.stop:
-                self.finished = True
-                return True
 
     def settle(self) -> None:
         """Make the reductions that any next token would ask for: finish what is complete before an error is judged."""
@@ -78,7 +78,7 @@ class Machine:
             action = row(state).get(terminal)
             if action is None:
                 return False
-            if action >= 0 or (terminal == END_OF_TEXT and state == self.stop):
+            if action >= 0:
                 return True
             reduced = rule(~action)
             kept = max(len(tail) - reduced.length, 0)
@@ -86,8 +86,6 @@ class Machine:
             del tail[kept:]
             state = tail[-1] if tail else self.states[height - 1]
             tail.append(row(state)[reduced.result])
-            if terminal == END_OF_TEXT and tail[-1] == self.stop:
-                return True
 
     def fitting(self, height: int, tokens: list[Token]) -> int:
         """How many of `tokens` would be shifted one after the other on the stack cut at `height`; nothing changes."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile
 from lagdsl.syntax import limits, nodes
-from lagdsl.syntax.faults import recover
+from lagdsl.syntax.faults import ends_outer_class, recover
 from lagdsl.syntax.machine import TooDeep
 from lagdsl.syntax.session import Session
 
@@ -46,7 +46,7 @@ def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
 def _read(session: Session) -> None:
     while not session.machine.finished and not session.stopped:
         token = session.take()
-        if session.shift(token):
+        if ends_outer_class(session, token) or session.shift(token):
             continue
         if len(session.sink.diagnostics) >= limits.MAX_ERRORS:
             return

@@ -14,8 +14,10 @@ from lagdsl.syntax.machine import Machine, TooDeep
 
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 BLOCKS = ("for", "if", "when")
+CLASS_KIND = TERMINAL["CLASS_KIND"]
 SEMICOLON = TERMINAL["SEMICOLON"]
 _LONGEST_LOOK = 400  # tokens; a look ahead tells what a statement was meant to be, no more
+_BRANCHES = ("elseif", "elsewhen")
 _HEADERS = {"for": "for i in i loop", "if": "if true then", "when": "when true then"}
 
 
@@ -90,11 +92,20 @@ class Session:
         for height in range(len(machine.values) - 1, 0, -1):
             value = machine.values[height]
             if isinstance(value, Token) and (
-                value.terminal == TERMINAL["CLASS_KIND"]
+                value.terminal == CLASS_KIND
                 or (value.text in BLOCKS and machine.states[height - 1] in tables.BOUNDARY)
             ):
                 return value
         return None
+
+    def open_classes(self) -> list[str]:
+        """Names of the classes that are open, outermost first."""
+        values = self.machine.values
+        return [
+            after.text
+            for value, after in zip(values, values[1:], strict=False)
+            if isinstance(value, Token) and value.terminal == CLASS_KIND and isinstance(after, Token)
+        ]
 
     # ---- repairs ---------------------------------------------------------------------------------------------------
 
@@ -102,9 +113,9 @@ class Session:
         """Shift words or marks that the text lacks; the rest of the text is read again from where it stood."""
         for word in words:
             at = self.previous.end
-            terminals = (*tables.WORDS.get(word, ()), tables.MARKS.get(word, -1))
-            terminal = next((t for t in terminals if self.machine.accepts(t)), IDENT)
-            if not self.machine.accepts(terminal) or not self.shift(Token(terminal, word, at, at)):
+            terminals = (tables.MARKS[word],) if word in tables.MARKS else (*tables.WORDS.get(word, ()), IDENT)
+            terminal = next((t for t in terminals if self.machine.accepts(t)), None)
+            if terminal is None or not self.shift(Token(terminal, word, at, at)):
                 return False
         return True
 
@@ -121,9 +132,10 @@ class Session:
         opener = self.machine.values[height] if height < len(self.machine.values) else None
         start = self.statement_start(token)
         self.brackets = [bracket for bracket in self.brackets if bracket.start < start]
+        branch = any(isinstance(value, Token) and value.text in _BRANCHES for value in self.machine.values[height:])
         self.machine.cut(height)
         block = opener.text if isinstance(opener, Token) and opener.text in BLOCKS else None
-        self._skip(token, block is not None)
+        self._skip(token, block is not None or branch)
         if block is not None:
             self.insert(*_HEADERS[block].split())
 

@@ -127,7 +127,7 @@ def unit_help(suggestion: str | None, number: str, word: str) -> str:
 def unexpected_help(found: str, after: str) -> str | None:
     """Help of E0100, from the texts of the token at fault and of the one before it."""
     match (after, found):
-        case (":", "="):
+        case (_, ":"):
             return "an equation or binding is written with `=`"
         case ("*", "*"):
             return "a power is written `^`"

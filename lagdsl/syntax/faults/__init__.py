@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from lagdsl.syntax.automaton import END_OF_TEXT
-from lagdsl.syntax.faults.blocks import end_of_block, end_of_text, missing_class_name
+from lagdsl.syntax.faults.blocks import end_of_block, end_of_text, ends_outer_class, missing_class_name
 from lagdsl.syntax.faults.brackets import unclosed_bracket, wrong_bracket
 from lagdsl.syntax.faults.literals import open_string, unit_after_number
 from lagdsl.syntax.faults.statements import (
@@ -76,4 +76,4 @@ def _give_way(session: Session, token: Token) -> None:
         session.lexer.rewind(token.end)
 
 
-__all__ = ["recover"]
+__all__ = ["ends_outer_class", "recover"]

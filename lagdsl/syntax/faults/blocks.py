@@ -6,10 +6,8 @@ from lagdsl.diagnostics import Label
 from lagdsl.source import Span
 from lagdsl.syntax.automaton import END_OF_TEXT, TERMINAL
 from lagdsl.syntax.expected import expected, found
-from lagdsl.syntax.lexer import IDENT, RESERVED, Token
-from lagdsl.syntax.session import BLOCKS, SEMICOLON, Session
-
-CLASS_KIND = TERMINAL["CLASS_KIND"]
+from lagdsl.syntax.lexer import IDENT, Token
+from lagdsl.syntax.session import BLOCKS, CLASS_KIND, SEMICOLON, Session
 
 
 def missing_class_name(session: Session, token: Token) -> bool:
@@ -43,11 +41,7 @@ def end_of_text(session: Session, token: Token) -> bool:
 
 def end_of_block(session: Session, token: Token) -> bool:
     """An `end` of another kind than the innermost block has, or where no block is open."""
-    if (
-        token.text == "end"
-        and session.machine.kind(session.machine.boundary() or 1) == "_item"
-        and session.open_block() is None
-    ):
+    if token.text == "end" and session.machine.boundary() and session.open_block() is None:
         ahead = [t.text for t in session.look_ahead(token.end)][:1]
         session.sink.report("E0120", session.span(token), found=" ".join(ahead), help=None)
         session.panic(token)
@@ -67,6 +61,22 @@ def end_of_block(session: Session, token: Token) -> bool:
     end = session.previous.start
     session.insert(block.text, ";")
     session.lexer.rewind(end)
+    return True
+
+
+def ends_outer_class(session: Session, token: Token) -> bool:
+    """`end Outer` while a class inside of it is open: that one has no end. Close it and read on before `end`."""
+    if session.previous.terminal != TERMINAL["END"] or token.terminal != IDENT:
+        return False
+    names = session.open_classes()
+    if len(names) < 2 or names[-1] == token.text or token.text not in names:
+        return False
+    block = session.open_block()
+    assert block is not None
+    end = session.previous
+    _report_open(session, block, end)
+    session.insert(";")
+    session.lexer.rewind(end.start)
     return True
 
 
@@ -103,5 +113,3 @@ def _report_open(session: Session, block: Token, end: Token | None) -> None:
         labels = (Label(Span(session.file, place, place), "the file ends here"),)
     session.sink.report("E0113", span, *labels, block=spelled, ending=ending)
 
-
-__all__ = ["RESERVED", "end_of_block", "end_of_text", "missing_class_name"]
