@@ -33,7 +33,7 @@ from lagdsl.mechanics.monitor import largest_term
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.program import Program
 from lagdsl.semantics.flat_expression import Binary, Number, Variable
-from lagdsl.semantics.flat_model import FlatModel, Move, Parameter, Rotate
+from lagdsl.semantics.flat_model import FlatModel, Move, Parameter, Rotate, SetAxes
 from lagdsl.units.dimension import DIMENSIONLESS
 
 
@@ -306,3 +306,39 @@ def test_inputs_without_derivatives_are_refused_where_they_move_something() -> N
     (diagnostic,) = failure.value.diagnostics
     assert diagnostic.code == "E0304"
     assert "road" in diagnostic.message
+
+
+def test_derivative_inputs_count_towards_what_is_missing() -> None:
+    flat = model(
+        coordinates=("x",),
+        inputs=(("road", None), ("der(road)", "road")),
+        masses=(mass(1.0, "v(x, road, 0)"),),
+        outputs={"a": "der(der(road))"},
+    )
+    with pytest.raises(CompilationFailed) as failure:
+        derive(flat)
+    (diagnostic,) = failure.value.diagnostics
+    assert diagnostic.code == "E0304"
+    assert "twice" in diagnostic.message
+
+
+def test_body_on_a_carried_frame_with_axes_of_its_own() -> None:
+    """Axes set anew after a move: the same kinetic energy as that of the point where the mass centre is."""
+    named = (
+        frame(
+            "B",
+            "world",
+            Rotate(2, Variable("a")),
+            Move(triple(("x", 0, "0.3"))),
+            SetAxes(*triple(("v(0, 1, 0)", "v(0, 0, 1)", "v(1, 0, 0)"))),
+            Rotate(1, Variable("b")),
+        ),
+        point("C", "B.origin + 0.2*B.x - 0.1*B.z"),
+    )
+    shared = {"coordinates": ("a", "b", "x"), "named": named}
+    as_body = derive(model(**shared, bodies=(body("B", 2.0, ("0.2", 0, "-0.1")),)))
+    as_point = derive(model(**shared, masses=(mass(2.0, "p(C)"),)))
+    at = {"q": [0.3, 0.9, 0.5], "qd": [1.0, -2.0, 0.7]}
+    for function in ("dynamics", "energies"):
+        for one, other in zip(run(as_body, function, **at), run(as_point, function, **at), strict=True):
+            np.testing.assert_allclose(one, other, atol=1e-14)

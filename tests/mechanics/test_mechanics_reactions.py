@@ -12,6 +12,7 @@ from mechanics_models import (
     definition,
     drive,
     energy,
+    expression,
     frame,
     mass,
     model,
@@ -179,3 +180,16 @@ def test_reaction_in_a_monitor_and_a_definition() -> None:
     program = derive(flat)
     assert output(flat, program=program, q=[-np.pi / 2])[0] == pytest.approx(3.0 * G)
     assert run(program, "monitor", q=[0.0], qdd=[0.0])[2][0] == 1.0
+
+
+def test_one_reaction_asked_for_twice_is_formed_once() -> None:
+    """The same expression in two outputs, and a model that shares it through a name."""
+    push = expression("along(P, v(0, 1, 0))")
+    flat = model(
+        coordinates=("x",),
+        named=(point("P", "v(x, 0, 0)"), definition("held", push)),
+        gravity="v(0, -9.81, 0)",
+        masses=(mass(2.0, "p(P)"),),
+        outputs={"one": push, "two": "2*held"},
+    )
+    np.testing.assert_allclose(output(flat), [2.0 * G, 4.0 * G])
