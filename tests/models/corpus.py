@@ -161,6 +161,8 @@ def _regular(name: str, state: Arrays) -> bool:
     mass, _, jacobian, _ = blocks
     jacobian = jacobian[independent_rows(program)]
     matrix = saddle_point(mass, jacobian)
+    if not matrix.size:
+        return True
     scale = 1 / np.sqrt(np.maximum(np.max(np.abs(matrix), axis=1), 1e-300))
     return bool(np.linalg.cond(scale[:, None] * matrix * scale) < 1e6)
 
