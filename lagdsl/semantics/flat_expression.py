@@ -7,8 +7,9 @@ values 0 and 1. Nodes are immutable and may be shared; they compare by value, lo
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
+
+from lagdsl.record import record
 
 # ---- scalars ---------------------------------------------------------------------------------------------------------
 
@@ -41,21 +42,21 @@ FUNCTIONS: dict[str, int] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Number:
     """A value in SI units."""
 
     value: float
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Variable:
     """Any named scalar of the flat model (parameter, coordinate, state, input, discrete, definition) or `time`."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Derivative:
     """Total time derivative of a scalar or, in the inertial frame, of a vector.
 
@@ -65,7 +66,7 @@ class Derivative:
     operand: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Unary:
     """`-` also negates vectors."""
 
@@ -73,7 +74,7 @@ class Unary:
     operand: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Binary:
     """On scalars every operator; on vectors `+` and `-`; `*` of a scalar (left) and a vector (right); `/` of a vector
     by a scalar. Exponents of `^` are scalars. The scalar product of vectors is `Dot`."""
@@ -83,7 +84,7 @@ class Binary:
     right: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Function:
     """One of FUNCTIONS."""
 
@@ -91,7 +92,7 @@ class Function:
     arguments: tuple[FlatExpression, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Conditional:
     """`if condition then value else otherwise`, of scalars or of vectors."""
 
@@ -100,7 +101,7 @@ class Conditional:
     otherwise: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Component:
     """World component 0, 1 or 2 of a vector."""
 
@@ -108,13 +109,13 @@ class Component:
     axis: int
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Dot:
     left: FlatExpression
     right: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Norm:
     """Euclidean length; its derivative does not exist at zero (a run-time diagnostic names `element`)."""
 
@@ -125,7 +126,7 @@ class Norm:
 # ---- vectors ---------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Vector:
     """Three world components."""
 
@@ -134,21 +135,21 @@ class Vector:
     z: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class PointReference:
     """Position of the named point from the world origin."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class FrameOrigin:
     """Position of the origin of the named frame (`world` included)."""
 
     frame: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class FrameAxis:
     """Unit vector x, y or z (0, 1, 2) of the named frame."""
 
@@ -156,14 +157,14 @@ class FrameAxis:
     axis: int
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class AngularVelocity:
     """omega of the named frame relative to the world."""
 
     frame: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class MaterialVelocity:
     """Velocity of the material point of `frame` that is at `point` now."""
 
@@ -171,7 +172,7 @@ class MaterialVelocity:
     frame: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Cross:
     left: FlatExpression
     right: FlatExpression
@@ -180,14 +181,14 @@ class Cross:
 # ---- what the mechanics provides: allowed in outputs, invariants and assertions only --------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Multiplier:
     """Multiplier of one constraint row, by the row's name (`wire`, `pin[2]`)."""
 
     row: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class FrameReaction:
     """Force or torque (vector) that the side of the parent of `frame` exerts on all it carries, at its origin."""
 
@@ -195,7 +196,7 @@ class FrameReaction:
     kind: Literal["force", "torque"]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class ReactionAlong:
     """d'Alembert value (scalar) of the non-contributing force on the named point along `direction`: the point is
     released by s*direction, and the equation of s is evaluated at s = 0 (direction is not normalised and is held as if
@@ -205,26 +206,26 @@ class ReactionAlong:
     direction: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class SystemEnergy:
     """`total` is energy(): T + V and, for each lagrangian term Lx, qd.dLx/dqd - Lx; `jacobi` is qd.dL/dqd - L."""
 
     kind: Literal["total", "kinetic", "potential", "jacobi"]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class GeneralizedMomentum:
     """dL/dqd of the named coordinate."""
 
     coordinate: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class LinearMomentum:
     """Vector: sum of m v over all masses and bodies."""
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class AngularMomentum:
     """Vector: of the named body (None: of all masses and bodies) about a point."""
 

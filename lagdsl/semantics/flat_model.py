@@ -7,10 +7,11 @@ Every item keeps the stack of source spans that produced it, innermost first (to
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from typing import Literal, TypeAlias
 
+from lagdsl.record import record
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.source import Span
 from lagdsl.units import Dimension
@@ -26,12 +27,12 @@ class Variability(StrEnum):
     CONTINUOUS = "continuous"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Item:
     spans: Spans = field(compare=False, repr=False)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Quantity(Item):
     """What every named scalar has. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see,
     `symbol` how reports typeset the name (LaTeX)."""
@@ -45,7 +46,7 @@ class Quantity(Item):
     symbol: str | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Parameter(Quantity):
     """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1.
 
@@ -60,7 +61,7 @@ class Parameter(Quantity):
     text: str | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Coordinate(Quantity):
     """A generalized coordinate; starts may depend on parameters. `explicit` says that the user wrote the start."""
 
@@ -77,7 +78,7 @@ class Coordinate(Quantity):
     rate_start_span: Span | None = field(default=None, compare=False, repr=False)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class State(Quantity):
     """A first-order state and its equation `der(x) = derivative`."""
 
@@ -90,7 +91,7 @@ class State(Quantity):
     maximum: float | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Input(Quantity):
     """A top-level input. `smooth` is the number of time derivatives the caller provides, as further inputs `der(name)`,
     `der(der(name))` that follow it directly in the list of inputs: items of their own, each with `derivative_of` naming
@@ -101,7 +102,7 @@ class Input(Quantity):
     derivative_of: str | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Definition(Quantity):
     """A named scalar with a binding: dependent parameters, algebraic variables, labels of energies and loads."""
 
@@ -109,7 +110,7 @@ class Definition(Quantity):
     variability: Variability
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Output(Quantity):
     """A result column; `value` may use what the mechanics provides."""
 
@@ -119,14 +120,14 @@ class Output(Quantity):
 # ---- geometry --------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Point(Item):
     name: str
     position: FlatExpression
     doc: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Rotate:
     """Turn about the frame's own x, y or z axis (0, 1, 2)."""
 
@@ -134,7 +135,7 @@ class Rotate:
     angle: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class RotateAbout:
     """Turn about an axis given in the frame's own axes; it is normalised. `axis` depends on parameters only."""
 
@@ -142,14 +143,14 @@ class RotateAbout:
     angle: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class RotateQuaternion:
     """Turn by the rotation of e/|e|, scalar first."""
 
     e: tuple[FlatExpression, FlatExpression, FlatExpression, FlatExpression]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class SetAxes:
     """World axes of the new frame: three orthonormal vectors."""
 
@@ -158,14 +159,14 @@ class SetAxes:
     z: FlatExpression
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Move:
     """Displace the origin by a vector given in the frame's own axes."""
 
     offset: tuple[FlatExpression, FlatExpression, FlatExpression]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Place:
     """Put the origin at a world position (vector)."""
 
@@ -175,7 +176,7 @@ class Place:
 FrameStep: TypeAlias = "Rotate | RotateAbout | RotateQuaternion | SetAxes | Move | Place"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Frame(Item):
     """`parent` is a frame of the model or `world`; the steps are applied in order."""
 
@@ -190,7 +191,7 @@ Named: TypeAlias = "Definition | Point | Frame"
 # ---- physics ---------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class EnergyTerm(Item):
     """A contribution to T, V, L or D, in J or W."""
 
@@ -199,13 +200,13 @@ class EnergyTerm(Item):
     value: FlatExpression
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class PointMass(Item):
     mass: FlatExpression
     position: FlatExpression
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class RigidBody(Item):
     """`com` in the axes of `frame` from its origin; `inertia` is Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the mass centre in
     the same axes (tensor elements)."""
@@ -217,7 +218,7 @@ class RigidBody(Item):
     inertia: tuple[FlatExpression, FlatExpression, FlatExpression, FlatExpression, FlatExpression, FlatExpression]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class PointForce(Item):
     """A force vector at a point. With `frame` the material point of that frame is displaced, else the point itself;
     with `origin` the opposite force acts there."""
@@ -230,7 +231,7 @@ class PointForce(Item):
     origin_frame: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class FrameTorque(Item):
     """A moment vector on a frame and, with `origin`, the opposite one on another."""
 
@@ -240,7 +241,7 @@ class FrameTorque(Item):
     origin: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class GeneralizedForce(Item):
     """Q_j = value * d(target)/dq_j; `target` is any scalar of q, t. `origin`: the opposite value on another scalar."""
 
@@ -254,7 +255,7 @@ class GeneralizedForce(Item):
 Load: TypeAlias = "PointForce | FrameTorque | GeneralizedForce"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Constraint(Item):
     """Rows `residual = left - right = 0` in source order. `level` position: of q and t; velocity: linear in the rates.
 
@@ -269,7 +270,7 @@ class Constraint(Item):
     normalisation: bool = False
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Invariant(Item):
     """A claim that `value` stays constant; `tolerance` None means the default."""
 
@@ -279,7 +280,7 @@ class Invariant(Item):
     tolerance: float | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Assertion(Item):
     """The simulation stops with `message` when `condition` becomes 0."""
 
@@ -287,7 +288,7 @@ class Assertion(Item):
     message: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class InitialEquation(Item):
     """`residual = 0` at the start time; may hold rates and accelerations."""
 
@@ -295,7 +296,7 @@ class InitialEquation(Item):
     dimension: Dimension
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Drawing(Item):
     """A shape of the viewer; `anchors` are vectors (points) or the name of a frame."""
 
@@ -305,7 +306,7 @@ class Drawing(Item):
     anchors: tuple[FlatExpression | str, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Experiment:
     start_time: float = 0.0
     stop_time: float = 10.0
@@ -314,7 +315,7 @@ class Experiment:
     stop_time_explicit: bool = False
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class FlatModel:
     """One complete model."""
 

@@ -6,13 +6,14 @@ Source shape only: nothing is resolved. Every node carries its span, which does 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
 
+from lagdsl.record import record
 from lagdsl.source import Span
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Node:
     span: Span = field(compare=False, repr=False)
 
@@ -20,14 +21,14 @@ class Node:
 # ---- expressions -----------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Number(Node):
     """`1.5e3`; `text` keeps the spelling."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Quantity(Node):
     """`9.81 m/s2`: number and unit as spelled, the unit without the blank (`m/s2`, `/s`)."""
 
@@ -35,26 +36,26 @@ class Quantity(Node):
     unit: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class String(Node):
     """Text between the quotes, escapes resolved."""
 
     value: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Boolean(Node):
     value: bool
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Reference(Node):
     """One identifier."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Member(Node):
     """`target.name`; `name_span` covers the identifier after the dot."""
 
@@ -63,7 +64,7 @@ class Member(Node):
     name_span: Span = field(compare=False, repr=False)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Index(Node):
     """`target[i, j]`."""
 
@@ -71,7 +72,7 @@ class Index(Node):
     subscripts: tuple[Subscript, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Range(Node):
     """`start:stop` or `start:step:stop`. A single expression is not wrapped in a Range."""
 
@@ -80,12 +81,12 @@ class Range(Node):
     stop: Expression
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class All(Node):
     """`:` as a subscript or array size."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Named(Node):
     """`name = value` as an argument."""
 
@@ -93,7 +94,7 @@ class Named(Node):
     value: Expression
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Call(Node):
     """`function(arguments)`; `function` is a Reference or, for methods, a Member."""
 
@@ -101,7 +102,7 @@ class Call(Node):
     arguments: tuple[Expression | Named, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Iterator(Node):
     """`i in range` of a loop, comprehension or reduction."""
 
@@ -109,7 +110,7 @@ class Iterator(Node):
     range: Expression | Range
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Reduction(Node):
     """`sum(body for i in 1:n)`; `function` as in Call."""
 
@@ -118,7 +119,7 @@ class Reduction(Node):
     iterators: tuple[Iterator, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Comprehension(Node):
     """`{body for i in 1:n}`."""
 
@@ -126,28 +127,28 @@ class Comprehension(Node):
     iterators: tuple[Iterator, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Array(Node):
     """`{a, b, c}`."""
 
     elements: tuple[Expression, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Matrix(Node):
     """`[a, b; c, d]`."""
 
     rows: tuple[tuple[Expression, ...], ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Tuple(Node):
     """`(a, b)`: parsed, not yet given a meaning."""
 
     elements: tuple[Expression, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Unary(Node):
     """`operator` is one of `-`, `+`, `not`."""
 
@@ -155,7 +156,7 @@ class Unary(Node):
     operand: Expression
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Binary(Node):
     """`operator` is one of `+ - * / .* ./ ^ and or < <= > >= == <>`."""
 
@@ -164,13 +165,13 @@ class Binary(Node):
     right: Expression
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Branch(Node):
     condition: Expression
     value: Expression
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Conditional(Node):
     """`if c then a elseif d then b else e`."""
 
@@ -178,7 +179,7 @@ class Conditional(Node):
     otherwise: Expression
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Parenthesized(Node):
     """`(inner)`: kept, so that text prints back as written."""
 
@@ -194,14 +195,14 @@ Subscript: TypeAlias = "Expression | Range | All"
 # ---- names, modifiers, declarators -----------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Name(Node):
     """Dotted name: `Lag.Planar.Revolute`."""
 
     parts: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Modifier(Node):
     """`each final name[dims](nested) = value`; also `der(start = 2)` as name `der` with nested modifiers."""
 
@@ -212,7 +213,7 @@ class Modifier(Node):
     value: Expression | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class RedeclareComponent(Node):
     type_name: Name
     name: str
@@ -220,7 +221,7 @@ class RedeclareComponent(Node):
     modifiers: tuple[AnyModifier, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class RedeclareClass(Node):
     kind: str
     name: str
@@ -231,7 +232,7 @@ class RedeclareClass(Node):
 AnyModifier: TypeAlias = "Modifier | RedeclareComponent | RedeclareClass"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Declarator(Node):
     """`name[dims](modifiers) = value if condition "doc"`; `name_span` covers the identifier."""
 
@@ -247,7 +248,7 @@ class Declarator(Node):
 # ---- declarations and physics items ----------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Component(Node):
     """`parameter Mass m = 1, n = 2;`: prefixes, type name, declarators."""
 
@@ -256,7 +257,7 @@ class Component(Node):
     declarators: tuple[Declarator, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Coordinate(Node):
     """`coordinate Angle q(start = 1);`."""
 
@@ -264,7 +265,7 @@ class Coordinate(Node):
     declarators: tuple[Declarator, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Geometry(Node):
     """`point P = ...;` or `frame F = ...;`: `keyword` is `point` or `frame`."""
 
@@ -272,7 +273,7 @@ class Geometry(Node):
     declarators: tuple[Declarator, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Energy(Node):
     """`kinetic T = ...;`: `keyword` is kinetic, potential, dissipation or lagrangian."""
 
@@ -283,13 +284,13 @@ class Energy(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Gravity(Node):
     value: Expression
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class PointMass(Node):
     """`mass m at P;`."""
 
@@ -299,7 +300,7 @@ class PointMass(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class RigidBody(Node):
     """`body b(m = ..., I = {...}) on A;`."""
 
@@ -310,7 +311,7 @@ class RigidBody(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Load(Node):
     """`force F = value at P on B from R on C if c;`: `keyword` is force or torque.
 
@@ -329,7 +330,7 @@ class Load(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Constraint(Node):
     label: str | None
     left: Expression
@@ -338,7 +339,7 @@ class Constraint(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Contact(Node):
     label: str | None
     value: Expression
@@ -347,7 +348,7 @@ class Contact(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Invariant(Node):
     label: str | None
     value: Expression
@@ -356,7 +357,7 @@ class Invariant(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Draw(Node):
     """`draw rod(radius = r) from A to B;`: `place` is at, on, between or None with one or two expressions."""
 
@@ -367,19 +368,19 @@ class Draw(Node):
     condition: Expression | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Connect(Node):
     items: tuple[Expression, ...]
     condition: Expression | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Extends(Node):
     base: Name
     modifiers: tuple[AnyModifier, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Annotation(Node):
     modifiers: tuple[AnyModifier, ...]
 
@@ -387,14 +388,14 @@ class Annotation(Node):
 # ---- equations and structure -----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Equation(Node):
     left: Expression
     right: Expression
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class CallEquation(Node):
     """An expression standing as an equation: `assert(...)`, `reinit(...)`."""
 
@@ -402,36 +403,36 @@ class CallEquation(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class For(Node):
     iterators: tuple[Iterator, ...]
     body: tuple[Item, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class IfBranch(Node):
     condition: Expression
     body: tuple[Item, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class If(Node):
     branches: tuple[IfBranch, ...]
     otherwise: tuple[Item, ...] | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class WhenBranch(Node):
     condition: Expression
     body: tuple[Item, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class When(Node):
     branches: tuple[WhenBranch, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Section(Node):
     """A header and what follows it.
 
@@ -445,7 +446,7 @@ class Section(Node):
 # ---- classes and units -----------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Class(Node):
     """`model Name "doc" items sections end Name;`. `end_name` is None where the text leaves it out."""
 
@@ -459,7 +460,7 @@ class Class(Node):
     end_name: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class ShortClass(Node):
     """`model S = Lib.Spring(k = 2);`."""
 
@@ -472,7 +473,7 @@ class ShortClass(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class TypeDefinition(Node):
     """`type T = Real[3](unit = "m");` or, with `literals`, an enumeration (then `base` is None)."""
 
@@ -484,7 +485,7 @@ class TypeDefinition(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class FunctionParameter(Node):
     type_name: Name
     name: str
@@ -492,7 +493,7 @@ class FunctionParameter(Node):
     default: Expression | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Function(Node):
     """`function f(Real x) -> Real = x^2;`."""
 
@@ -504,7 +505,7 @@ class Function(Node):
     doc: str | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Import(Node):
     """`import A.B;`, `import X = A.B;` (alias), `import A.*;` (wildcard), `import A.{b, c};` (names)."""
 
@@ -521,7 +522,7 @@ Item: TypeAlias = (
 )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Unit(Node):
     """A compilation unit: one file."""
 
