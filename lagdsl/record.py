@@ -30,7 +30,7 @@ def record(*, kw_only: bool = False) -> Callable[[_Class], _Class]:
     return decorate
 
 
-def _equal(self: Any, other: object) -> bool:
+def _equal(self: Any, other: Any) -> Any:
     if self is other:
         return True
     if type(other) is not type(self):
