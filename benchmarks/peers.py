@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
@@ -17,7 +18,7 @@ MODEL = Path(__file__).parents[1] / "models" / "cart_double_pendulum.lag"
 
 
 def lagdsl_cart_double_pendulum() -> NumpyEngine:
-    """From the text to callable NumPy functions, all of them."""
+    """From the text to callable NumPy functions: all of them, each called once, for they are compiled when first called."""
     sink = Sink()
     source = read_source(MODEL, sink)
     assert source is not None
@@ -26,7 +27,12 @@ def lagdsl_cart_double_pendulum() -> NumpyEngine:
     flat = flatten(unit, sink)
     sink.raise_if_errors()
     assert flat is not None
-    return NumpyEngine(derive(flat))
+    program = derive(flat)
+    engine = NumpyEngine(program)
+    for function in program.functions:
+        arguments = [np.zeros(program.layout.size(group)) for group in function.arguments[1:]]
+        engine.evaluate(function.name, 0.0, *arguments)
+    return engine
 
 
 def sympy_cart_double_pendulum() -> Callable[..., object]:
