@@ -18,7 +18,7 @@ MODEL = Path(__file__).parents[1] / "models" / "cart_double_pendulum.lag"
 
 
 def lagdsl_cart_double_pendulum() -> NumpyEngine:
-    """From the text to callable NumPy functions: all of them, each called once, for they are compiled when first called."""
+    """From the text to callable NumPy functions, each called once: they are compiled when first called."""
     sink = Sink()
     source = read_source(MODEL, sink)
     assert source is not None
