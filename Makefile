@@ -35,7 +35,7 @@ c-test: $(READY)  ## tests of the C runtime, with the address and undefined-beha
 update: $(READY)  ## regenerate what is generated: parser tables, unit table, expectations of the corpus
 	$(BIN)/python -m lagdsl.syntax.generate
 	$(BIN)/python -m lagdsl.units.generate
-	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics
+	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/units
 
 bench: $(READY)  ## the figures of benchmarks/README.md
 	$(BIN)/python benchmarks/run.py

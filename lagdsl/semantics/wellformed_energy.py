@@ -36,10 +36,10 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
 
 
 def _check_effect(term: fm.EnergyTerm, orders: Orders, sink: Sink) -> None:
-    if not orders:
-        sink.report("W0514", place(term), keyword=term.kind, reason="it depends on no coordinate")
-    elif term.kind == "dissipation" and not any(orders.values()):
+    if term.kind == "dissipation" and not any(orders.values()):
         sink.report("W0514", place(term), keyword=term.kind, reason="it depends on no rate, and only rates dissipate")
+    elif not orders:
+        sink.report("W0514", place(term), keyword=term.kind, reason="it depends on no coordinate")
 
 
 def _is_quadratic(flat: fm.FlatModel, term: fm.EnergyTerm) -> bool:

@@ -77,8 +77,15 @@ def _check_twice(flat: fm.FlatModel, sink: Sink) -> None:
         used = _sum_of(columns, _centered(weight.values[sound]))
         if used:
             energy = terms[used[0]][0]
-            others = [Label(span) for span in (place(weight.item), flat.gravity_span) if span is not None]
-            sink.report("W0511", place(energy), *others)
+            others = [Label(span) for span in (flat.gravity_span,) if span is not None]
+            sink.report("W0511", place(energy), *others, item=_statement(weight.item))
+
+
+def _statement(item: fm.Item) -> str:
+    """The text of an item, cut to a length that fits a label."""
+    span = place(item)
+    text = "mass" if span is None else " ".join(span.text.rstrip(";").split())
+    return text if len(text) <= 40 else f"{text[:37]}..."
 
 
 def _sum_of(columns: NDArray[np.float64], target: NDArray[np.float64]) -> list[int]:

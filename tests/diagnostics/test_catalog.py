@@ -44,13 +44,16 @@ def test_words_of_a_row(code):
 
 def report(*places, **more):
     sink = Sink()
-    sink.report("W0511", *places, **more)
+    sink.report("W0511", *places, **{"item": "mass m at P", **more})
     return sink
 
 
 def test_templates_fill_labels_and_help():
     (diagnostic,) = report(HERE, Label(THERE)).diagnostics
-    assert [label.text for label in diagnostic.labels] == ["equals the automatic term", "already adds -m*g.r"]
+    assert [label.text for label in diagnostic.labels] == [
+        "equals the automatic term",
+        "already adds -m*g.r for `mass m at P`",
+    ]
     assert diagnostic.help == "remove one of the two"
 
 
@@ -62,8 +65,8 @@ def test_words_given_win():
 
 def test_the_same_fact_is_kept_once():
     sink = report(HERE)
-    sink.report("W0511", HERE)
-    sink.report("W0511", THERE)
+    sink.report("W0511", HERE, item="mass m at P")
+    sink.report("W0511", THERE, item="mass m at P")
     assert len(sink.diagnostics) == 2
 
 

@@ -31,6 +31,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.wellformed import check
+from lagdsl.source import SourceFile, Span
 
 Q, R, M, L = var("q"), var("r"), var("m"), var("l")
 ONE = num(1)
@@ -295,8 +296,18 @@ def test_gravity_counted_twice(potential, twice):
     diagnostics = found(masses=(mass(M, TIP),), energies=(energy("potential", potential),), gravity=DOWN)
     assert [d.code for d in diagnostics] == (["W0511"] if twice else [])
     if twice:
-        assert [label.span.first.line for label in diagnostics[0].labels] == [5, 6, 8]
-        assert [label.text for label in diagnostics[0].labels][1:] == ["already adds -m*g.r"] * 2
+        assert [label.span.first.line for label in diagnostics[0].labels] == [5, 8]
+        assert diagnostics[0].labels[1].text == "already adds -m*g.r for `item`"
+
+
+def test_a_long_statement_is_cut_in_the_label():
+    span = Span(SourceFile("a.lag", "x" * 100 + ";"), 0, 101)
+    heavy = dataclasses.replace(mass(M, TIP), spans=(span,))
+    potential = energy("potential", fx.Unary("-", HEIGHT))
+    (diagnostic,) = found(masses=(heavy,), energies=(potential,), gravity=DOWN)
+    assert diagnostic.labels[1].text == f"already adds -m*g.r for `{'x' * 37}...`"
+    (bare,) = found(masses=(dataclasses.replace(heavy, spans=()),), energies=(potential,), gravity=DOWN)
+    assert bare.labels[1].text == "already adds -m*g.r for `mass`"
 
 
 def test_gravity_twice_for_all_masses_together_and_for_bodies():

@@ -1,18 +1,62 @@
 """Types and constants that every model knows."""
 
 import math
+import os
 
 import pytest
 
 from lagdsl.semantics.prelude import CONSTANTS, TYPES
 from lagdsl.units.definition import from_si, si_value
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, dimension
+from lagdsl.units.naming import unit_text
 from lagdsl.units.parse import parse_unit
+from lagdsl.units.vocabulary import UNITS
 
-RULING_14 = """Velocity Acceleration AngularVelocity AngularAcceleration Momentum AngularMomentum Force Torque Energy Power
-Stiffness Damping RotationalStiffness RotationalDamping Density LinearDensity Pressure Volume VolumeFlowRate Frequency
-Charge Current Voltage Resistance Inductance Capacitance MagneticFlux MagneticFluxDensity ElectricField Temperature
-Angle Length Distance Position Mass Inertia Time Area Real Integer Boolean String Quaternion""".split()
+RULING_14 = [
+    "Velocity",
+    "Acceleration",
+    "AngularVelocity",
+    "AngularAcceleration",
+    "Momentum",
+    "AngularMomentum",
+    "Force",
+    "Torque",
+    "Energy",
+    "Power",
+    "Stiffness",
+    "Damping",
+    "RotationalStiffness",
+    "RotationalDamping",
+    "Density",
+    "LinearDensity",
+    "Pressure",
+    "Volume",
+    "VolumeFlowRate",
+    "Frequency",
+    "Charge",
+    "Current",
+    "Voltage",
+    "Resistance",
+    "Inductance",
+    "Capacitance",
+    "MagneticFlux",
+    "MagneticFluxDensity",
+    "ElectricField",
+    "Temperature",
+    "Angle",
+    "Length",
+    "Distance",
+    "Position",
+    "Mass",
+    "Inertia",
+    "Time",
+    "Area",
+    "Real",
+    "Integer",
+    "Boolean",
+    "String",
+    "Quaternion",
+]
 
 
 @pytest.mark.parametrize("name", RULING_14)
@@ -68,3 +112,32 @@ def test_constants():
 
 def test_short_names_belong_to_the_user():
     assert not {"c", "e", "G", "R", "k", "h", "F"} & set(CONSTANTS)
+
+
+def quantities() -> str:
+    """docs/quantities.md: what the language knows without import."""
+    lines = ["# Quantities, constants, units", ""]
+    lines += ["Every model knows these without import. Written from `lagdsl/semantics/prelude.py` and"]
+    lines += ["`lagdsl/units/vocabulary.py` by `make update`.", "", "## Types", ""]
+    lines += ["| type | SI unit | shown in | at least |", "|---|---|---|---|"]
+    for known in TYPES.values():
+        unit = known.unit if known.base == "Real" else ""
+        least = "" if known.minimum is None else f"{known.minimum:g}"
+        size = f" ({known.shape[0]} elements)" if known.shape else ""
+        lines.append(f"| {known.name}{size} | {unit} | {known.display_unit or ''} | {least} |")
+    lines += ["", "## Constants", "", "| name | value | unit | |", "|---|---|---|---|"]
+    lines += [f"| {c.name} | {c.value!r} | {c.unit} | {c.doc} |" for c in CONSTANTS.values()]
+    lines += ["", "## Units of literals", "", "| unit | in SI |", "|---|---|"]
+    for name, unit in UNITS.items():
+        pi = {0: "", 1: " pi", -1: " / pi"}[unit.pi_power]
+        shift = f", after adding {float(unit.shift):g}" if unit.shift else ""
+        lines.append(f"| {name} | {unit.scale}{pi} {unit_text(unit.dimension)}{shift} |")
+    return "\n".join(lines) + "\n"
+
+
+def test_the_documentation_lists_them_all(root):
+    path = root / "docs" / "quantities.md"
+    expected = quantities()
+    if os.environ.get("LAGDSL_UPDATE"):
+        path.write_text(expected, encoding="utf-8")
+    assert path.read_text(encoding="utf-8") == expected

@@ -55,7 +55,7 @@ ROWS: dict[str, Row] = {
     "W0511": warning(
         "gravity may be counted twice",
         label="equals the automatic term",
-        secondary="already adds -m*g.r",
+        secondary="already adds -m*g.r for `{item}`",
         help="remove one of the two",
     ),
     "E0512": error(
