@@ -41,7 +41,7 @@ ROWS: dict[str, Row] = {
     "E0809": error(
         "the motion cannot be continued at t = {time} s: steps became smaller than {step} s because of `{name}`",
         None,
-        "the motion is unbounded or not smooth there; a relation inside a force, or a tolerance below round-off, does this",
+        "the motion is unbounded or not smooth there; a relation in a force or a tolerance below round-off does this",
     ),
     "E0810": error(
         "assertion failed at t = {time} s: {text}",
