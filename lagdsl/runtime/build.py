@@ -14,7 +14,7 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from lagdsl.runtime.compiler import FLAGS, Compiler, compile_shared, failure, find_compiler
+from lagdsl.runtime.compiler import FLAGS, Compiler, compile_object, failure, find_compiler, link_shared
 
 
 def build(sources: Mapping[str, str], *, fresh: bool = False) -> Path:
@@ -64,8 +64,21 @@ def _build_into(library: Path, sources: Mapping[str, str], compiler: Compiler) -
             for path, text in sources.items():
                 (folder / path).parent.mkdir(parents=True, exist_ok=True)
                 (folder / path).write_text(text, encoding="utf-8")
-            units = [path for path in sources if path.endswith(".c")]
-            compile_shared(compiler, folder, units, library.name)
+            objects = [
+                _object(path, library.parent, folder, sources, compiler) for path in sources if path.endswith(".c")
+            ]
+            link_shared(compiler, folder, [str(path) for path in objects], library.name)
             (folder / library.name).replace(library)
     except OSError as problem:
         raise failure("E0913", reason=str(problem)) from None
+
+
+def _object(path: str, cache: Path, folder: Path, sources: Mapping[str, str], compiler: Compiler) -> Path:
+    """The object file of one C file; those of the runtime are the same for all models, and compiled once."""
+    headers = [name for name in sources if name.startswith("lag/") or name == path.removesuffix(".c") + ".h"]
+    read = {name: sources[name] for name in (path, *(name for name in headers if name.endswith(".h")))}
+    kept = cache / f"{content_hash(read, compiler)}.o"
+    if not kept.exists():
+        compile_object(compiler, folder, path, "one.o")
+        (folder / "one.o").replace(kept)
+    return kept

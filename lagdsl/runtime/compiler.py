@@ -16,7 +16,7 @@ from lagdsl.diagnostics import CompilationFailed, Sink
 _CANDIDATES = ("cc", "gcc", "clang")
 # No -ffast-math: results must be those of the graph's order of operations, the same in every run; for the same reason
 # no contraction into fused multiply-adds, which differ between machines.
-FLAGS = ("-std=c11", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno")
+FLAGS = ("-std=c11", "-fPIC", "-ffp-contract=off", "-fno-math-errno")
 # Above this size of generated text (bytes) compile time counts more than the speed of the result.
 _LARGE = 200_000
 _LONGEST_NOTE = 2000
@@ -43,22 +43,30 @@ def find_compiler() -> Compiler:
     raise failure("E0911")
 
 
-def compile_shared(compiler: Compiler, folder: Path, sources: list[str], library: str) -> None:
-    """Compile `sources` in `folder` into the shared library of that name. Raises CompilationFailed (E0912)."""
-    command = [*compiler.command, *flags(folder, sources), "-I.", "-o", library, *sources, "-lm"]
+def compile_object(compiler: Compiler, folder: Path, source: str, target: str) -> None:
+    """Compile the C file `source` of `folder` into the object file `target`. Raises CompilationFailed (E0912)."""
+    _run(compiler, folder, [*flags((folder / source).stat().st_size), "-I.", "-c", "-o", target, source])
+
+
+def link_shared(compiler: Compiler, folder: Path, objects: list[str], target: str) -> None:
+    """Link object files into the shared library `target`. Raises CompilationFailed (E0912)."""
+    _run(compiler, folder, ["-shared", "-o", target, *objects, "-lm"])
+
+
+def flags(size: int) -> tuple[str, ...]:
+    """Compiler flags for a text of `size` bytes; less optimization for what is too large for it."""
+    return (*FLAGS, "-O1" if size > _LARGE else "-O2")
+
+
+def _run(compiler: Compiler, folder: Path, arguments: list[str]) -> None:
     name = Path(compiler.command[0]).name
+    command = [*compiler.command, *arguments]
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", check=False)
     except OSError as problem:
         raise failure("E0912", notes=(str(problem),), compiler=name) from None
     if done.returncode != 0:
         raise failure("E0912", notes=(done.stderr.strip()[:_LONGEST_NOTE],), compiler=name)
-
-
-def flags(folder: Path, sources: list[str]) -> tuple[str, ...]:
-    """Compiler flags; less optimization for what is too large for it."""
-    size = sum((folder / source).stat().st_size for source in sources)
-    return (*FLAGS, "-O1" if size > _LARGE else "-O2")
 
 
 def _identity(program: str) -> str:

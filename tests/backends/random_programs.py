@@ -1,7 +1,7 @@
 """Random expression graphs.
 
-In the exact layer every operation is rounded correctly everywhere, so all must agree to the bit; in the smooth layer they
-must agree to a few roundings of the size of the terms. Steps read exact values only.
+In the exact layer every operation is rounded correctly everywhere, so all must agree to the bit; in the smooth layer
+they must agree to a few roundings of the size of the terms. Steps read exact values only.
 """
 
 from __future__ import annotations

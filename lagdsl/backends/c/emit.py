@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from lagdsl.backends.backend import Artifact
 from lagdsl.backends.c.source import header, source, symbol
 from lagdsl.backends.identifier import identifier
 from lagdsl.program.program import Program
+from lagdsl.resources import c_folder
 
 # Names that the Makefile, the runtime or the example have taken.
 _RESERVED = frozenset({"main", "makefile", "lag", "all", "clean"})
-_RUNTIME = Path(__file__).parents[2] / "runtime" / "c"
 
 
 class CBackend:
@@ -21,8 +19,8 @@ class CBackend:
 
     def emit(self, program: Program) -> Artifact:
         stem = identifier(program.name, _RESERVED)
-        example = (_RUNTIME / "example" / "main.c").read_text(encoding="utf-8")
-        makefile = (_RUNTIME / "example" / "Makefile").read_text(encoding="utf-8")
+        example = (c_folder() / "example" / "main.c").read_text(encoding="utf-8")
+        makefile = (c_folder() / "example" / "Makefile").read_text(encoding="utf-8")
         return Artifact(
             {
                 **sources(program),
@@ -45,5 +43,7 @@ def sources(program: Program) -> dict[str, str]:
 
 def runtime_sources() -> dict[str, str]:
     """The runtime's own files, all in one folder `lag`."""
-    files = sorted([*(_RUNTIME / "include" / "lag").glob("*.h"), *(_RUNTIME / "src").glob("*.c")], key=lambda f: f.name)
+    files = sorted(
+        [*(c_folder() / "include" / "lag").glob("*.h"), *(c_folder() / "src").glob("*.c")], key=lambda f: f.name
+    )
     return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in files}
