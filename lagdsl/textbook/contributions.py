@@ -10,6 +10,7 @@ from sympy import Add, Expr, Integer, Rational, Symbol
 from lagdsl.semantics.flat_model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce, PointMass, RigidBody
 from lagdsl.textbook import geometry
 from lagdsl.textbook.convert import Converter
+from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.geometry import Vector
 
 HALF = Rational(1, 2)
@@ -149,17 +150,17 @@ def admissible_variation(action: Applied, converter: Converter, q: Symbol, qd: S
     """dr/dq of the place of a force, domega/dqd of a torque, d(target)/dq of a generalized force."""
     match action:
         case AppliedForce(position=position, frame=None):
-            return geometry.each(lambda x: x.diff(q), position)
+            return geometry.each(lambda x: partial(x, q), position)
         case AppliedForce(position=position, frame=frame):
             assert frame is not None
             origin = converter.kinematics.poses[frame].origin
-            turning = geometry.each(lambda x: x.diff(qd), converter.kinematics.angular_velocity(frame))
+            turning = geometry.each(lambda x: partial(x, qd), converter.kinematics.angular_velocity(frame))
             arm = geometry.subtract(position, origin)
-            return geometry.add(geometry.each(lambda x: x.diff(q), origin), geometry.cross(turning, arm))
+            return geometry.add(geometry.each(lambda x: partial(x, q), origin), geometry.cross(turning, arm))
         case AppliedTorque(frame=frame):
-            return geometry.each(lambda x: x.diff(qd), converter.kinematics.angular_velocity(frame))
+            return geometry.each(lambda x: partial(x, qd), converter.kinematics.angular_velocity(frame))
         case AppliedGeneralizedForce(target=target):
-            return target.diff(q)
+            return partial(target, q)
         case _:
             assert_never(action)
 

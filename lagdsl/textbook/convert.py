@@ -13,9 +13,10 @@ from sympy import Expr, Float, Integer, Rational, Symbol
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.flat_model import Definition, FlatModel, Frame, Point
 from lagdsl.textbook import functions, geometry
+from lagdsl.textbook.differentiate import along
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.kinematics import RELEASE, RELEASE_RATE, Kinematics, Release
-from lagdsl.textbook.symbols import Symbols, rates_of_motion, total_derivative
+from lagdsl.textbook.symbols import Symbols, rates_of_motion
 
 Mechanical: TypeAlias = (
     flat.Multiplier
@@ -159,7 +160,7 @@ class Converter:
         rates = self.rates
         if coasting:
             rates = {symbol: rate for symbol, rate in rates.items() if symbol not in self.symbols.qd}
-        return self.tidy(total_derivative(expression, rates))
+        return self.tidy(along(expression, rates))
 
     # ---- scalars -----------------------------------------------------------------------------------------------------
 

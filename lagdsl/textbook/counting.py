@@ -15,6 +15,7 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.contributions import Contributions
+from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.symbols import Symbols
 from lagdsl.textbook.to_graph import ToGraph
 
@@ -100,7 +101,7 @@ class _Ranks:
         if not velocities:
             return 0
         qd = self._table.qd
-        rows = [self._to_graph.node(velocity.diff(rate)) for velocity in velocities for rate in qd]
+        rows = [self._to_graph.node(partial(velocity, rate)) for velocity in velocities for rate in qd]
         jacobian = self._values(rows, self._project(residuals)).reshape(len(velocities), len(qd))
         if not np.all(np.isfinite(jacobian)):
             return len(velocities)
@@ -112,7 +113,7 @@ class _Ranks:
         """Newton's method in minimum norm from a random point; where it fails the rank is taken where it ended."""
         q: NDArray[np.float64] = 0.5 + 0.5 * np.random.default_rng(_SEED).random(len(self._table.q))
         phi = [self._to_graph.node(residual) for residual in residuals]
-        slopes = [self._to_graph.node(residual.diff(x)) for residual in residuals for x in self._table.q]
+        slopes = [self._to_graph.node(partial(residual, x)) for residual in residuals for x in self._table.q]
         for _ in range(30 if residuals else 0):
             value = self._values(phi, q)
             slope = self._values(slopes, q).reshape(len(residuals), len(q))

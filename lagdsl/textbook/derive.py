@@ -15,6 +15,7 @@ from lagdsl.semantics.flat_expression import Binary, FlatExpression, SystemEnerg
 from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.contributions import Contributions, contributions, generalized_force
 from lagdsl.textbook.convert import Converter
+from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.equations import Energies, EquationsOfMotion, MonitoredValue
 from lagdsl.textbook.mechanical import MechanicalValues
 from lagdsl.textbook.symbols import Symbols, symbols
@@ -30,12 +31,12 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
     """Lagrange's equations for contributions already gathered."""
     converter = parts.converter
     lagrangian, dissipation = parts.lagrangian, parts.dissipation
-    momenta = [lagrangian.diff(qd) for qd in table.qd]
-    mass = _symmetric([[momentum.diff(qd) for qd in table.qd[: i + 1]] for i, momentum in enumerate(momenta)])
+    momenta = [partial(lagrangian, qd) for qd in table.qd]
+    mass = _symmetric([[partial(momentum, qd) for qd in table.qd[: i + 1]] for i, momentum in enumerate(momenta)])
     loads = [generalized_force(parts, q, qd) for q, qd in zip(table.q, table.qd, strict=True)]
-    drag = [-dissipation.diff(qd) for qd in table.qd]
+    drag = [-partial(dissipation, qd) for qd in table.qd]
     forcing = [
-        load + resistance + lagrangian.diff(q) - converter.rate(momentum, coasting=True)
+        load + resistance + partial(lagrangian, q) - converter.rate(momentum, coasting=True)
         for load, resistance, q, momentum in zip(loads, drag, table.q, momenta, strict=True)
     ]
     levels = [constraint.level for constraint in flat.constraints for _ in constraint.rows]
@@ -63,7 +64,7 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
             for residual, level in zip(parts.residuals, levels, strict=True)
         ),
         constraint_jacobian=_matrix(
-            len(velocities), len(table.q), (velocity.diff(qd) for velocity in velocities for qd in table.qd)
+            len(velocities), len(table.q), (partial(velocity, qd) for velocity in velocities for qd in table.qd)
         ),
         velocity_constraint=_column(velocities),
         gamma=_column(-converter.rate(velocity, coasting=True) for velocity in velocities),
@@ -85,7 +86,7 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
 
 
 def system_energies(table: Symbols, parts: Contributions, momenta: Sequence[Expr]) -> Energies:
-    beyond = Add(*(qd * parts.extra.diff(qd) for qd in table.qd), -parts.extra)
+    beyond = Add(*(qd * partial(parts.extra, qd) for qd in table.qd), -parts.extra)
     return Energies(
         total=parts.kinetic + parts.potential + beyond,
         kinetic=parts.kinetic,

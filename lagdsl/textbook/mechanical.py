@@ -13,6 +13,7 @@ from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook import geometry
 from lagdsl.textbook.contributions import Contributions, Inertial, contributions, generalized_force
 from lagdsl.textbook.convert import Converter, Mechanical
+from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.equations import Energies
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.kinematics import RELEASE, RELEASE_RATE, Release
@@ -93,16 +94,16 @@ class MechanicalValues:
         lagrangian = parts.lagrangian
         levels = [constraint.level for constraint in self.model.constraints for _ in constraint.rows]
         upheld = [
-            lam * residual.diff(RELEASE if level == "position" else RELEASE_RATE)
+            lam * partial(residual, RELEASE if level == "position" else RELEASE_RATE)
             for lam, residual, level in zip(self.symbols.lam, parts.residuals, levels, strict=True)
         ]
         others = (
-            parts.dissipation.diff(RELEASE_RATE)
-            - lagrangian.diff(RELEASE)
+            partial(parts.dissipation, RELEASE_RATE)
+            - partial(lagrangian, RELEASE)
             - generalized_force(parts, RELEASE, RELEASE_RATE)
             - Add(*upheld)
         )
-        momentum = _unreleased(lagrangian.diff(RELEASE_RATE))
+        momentum = _unreleased(partial(lagrangian, RELEASE_RATE))
         return unreleased.rate(unreleased.tidy(momentum)) + _unreleased(others)
 
 

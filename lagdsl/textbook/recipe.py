@@ -26,6 +26,7 @@ from lagdsl.textbook.contributions import (
 )
 from lagdsl.textbook.counting import Count, count
 from lagdsl.textbook.derive import system_energies
+from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.extent import Extent, extent
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.mechanical import MechanicalValues
@@ -129,7 +130,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     lagrangian, dissipation = kinetic - potential + extra, tidy(parts.dissipation)
     steps = tuple(_coordinate(reading, lagrangian, q, qd) for q, qd in zip(table.q, table.qd, strict=True))
     actions = tuple(_action(reading, *each) for each in _numbered(reading))
-    drags = tuple(tidy(-dissipation.diff(qd)) for qd in table.qd)
+    drags = tuple(tidy(-partial(dissipation, qd)) for qd in table.qd)
     loads = tuple(tidy(Add(*(action.works[j] for action in actions))) for j in range(len(table.q)))
     rows = _constraints(flat, reading)
     reading.parts.converter.mechanical = reading.values.mechanical = MechanicalValues(
@@ -178,9 +179,9 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
 
 def _coordinate(reading: Reading, lagrangian: Expr, q: Symbol, qd: Symbol) -> CoordinateStep:
     tidy = reading.tidy
-    momentum = tidy(lagrangian.diff(qd))
+    momentum = tidy(partial(lagrangian, qd))
     rate = reading.parts.converter.rate(momentum)
-    gradient = tidy(lagrangian.diff(q))
+    gradient = tidy(partial(lagrangian, q))
     left = _by_accelerations(reading, rate - gradient)
     return CoordinateStep(
         q=q, momentum=momentum, momentum_rate=_by_accelerations(reading, rate), gradient=gradient, left=left
@@ -191,7 +192,7 @@ def _by_accelerations(reading: Reading, expression: Expr) -> Expr:
     """Linear in the accelerations: their factors and the rest, each tidied by itself."""
     tidy, qdd = reading.tidy, reading.symbols.qdd
     rest = expression.xreplace(dict.fromkeys(qdd, geometry.ZERO[0]))
-    return Add(*(tidy(expression.diff(x)) * x for x in qdd if x in expression.free_symbols), tidy(rest))
+    return Add(*(tidy(partial(expression, x)) * x for x in qdd if x in expression.free_symbols), tidy(rest))
 
 
 def _numbered(reading: Reading) -> list[tuple[int, bool, Applied]]:
@@ -250,7 +251,7 @@ def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]
                 level=level,
                 multiplier=multiplier,
                 residual=residual,
-                forces=tuple(tidy(residual.diff(symbol)) for symbol in by),
+                forces=tuple(tidy(partial(residual, symbol)) for symbol in by),
                 acceleration=_by_accelerations(reading, converter.rate(velocity)),
             )
         )
@@ -277,5 +278,5 @@ def _rheonomic(reading: Reading, rows: Sequence[ConstraintRow]) -> bool:
 def _is_scleronomic(reading: Reading, kinetic: Expr) -> bool:
     """T + V is the Jacobi integral if T is quadratic in the rates."""
     table = reading.symbols
-    twice = Add(*(qd * kinetic.diff(qd) for qd in table.qd))
+    twice = Add(*(qd * partial(kinetic, qd) for qd in table.qd))
     return reading.tidy.is_zero(twice - 2 * kinetic)

@@ -7,10 +7,9 @@ independent in partial derivatives, and the total derivative is the chain rule o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Add, Expr, Integer, Symbol
+from sympy import Expr, Integer, Symbol
 
 from lagdsl.semantics.flat_model import FlatModel
 
@@ -53,9 +52,3 @@ def rates_of_motion(flat: FlatModel, symbols: Symbols) -> dict[Symbol, Expr]:
         if item.derivative_of is not None:
             rates[Symbol(item.derivative_of)] = symbol
     return rates
-
-
-def total_derivative(expression: Expr, rates: Mapping[Symbol, Expr]) -> Expr:
-    """d/dt by the chain rule over everything in `rates` that occurs."""
-    occurring = expression.free_symbols
-    return Add(*(expression.diff(symbol) * rate for symbol, rate in rates.items() if symbol in occurring and rate != 0))
