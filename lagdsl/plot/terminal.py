@@ -13,7 +13,7 @@ from lagdsl.simulate.trajectory import Column, Trajectory
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _BLANK = 0x2800
 _MOST_CURVES = 6
-_FINE = 4
+_FINE = 12
 
 
 def sketch(trajectory: Trajectory, *, width: int | None = None, height: int = 4) -> str:
