@@ -11,6 +11,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import operand
+from lagdsl.semantics.limits import another_turn, range_fits
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
@@ -29,9 +30,6 @@ from lagdsl.semantics.values import (
 )
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS
-
-MOST_ELEMENTS = 100_000
-
 
 # ---- constructors ----------------------------------------------------------------------------------------------------
 
@@ -147,7 +145,7 @@ def range_values(ctx: Context, scope: Scope, node: nodes.Expression | nodes.Rang
             ]
             return tuple(number for number in found if number is not None) if None not in found else None
         count = structural_integer(ctx, value, node, "E0301", name=node.span.text)
-        return tuple(range(1, count + 1)) if count is not None and _bounded(ctx, node, count) else None
+        return tuple(range(1, count + 1)) if count is not None and range_fits(ctx, node.span, count) else None
     numbers = []
     for part in (node.start, node.step, node.stop):
         if part is not None:
@@ -161,13 +159,7 @@ def range_values(ctx: Context, scope: Scope, node: nodes.Expression | nodes.Rang
         ctx.sink.report("E0323", node.span, reason="the step of a range is zero")
         return None
     values = range(start, stop + (1 if step > 0 else -1), step)
-    return tuple(values) if _bounded(ctx, node, len(values)) else None
-
-
-def _bounded(ctx: Context, node: nodes.Node, count: int) -> bool:
-    if count > MOST_ELEMENTS:
-        ctx.sink.report("E0326", node.span, what=f"a range of {count} values", most=MOST_ELEMENTS)
-    return count <= MOST_ELEMENTS
+    return tuple(values) if range_fits(ctx, node.span, len(values)) else None
 
 
 def index_value(number: int) -> Scalar:
@@ -182,6 +174,8 @@ def loops(ctx: Context, scope: Scope, iterators: tuple[nodes.Iterator, ...]) -> 
     first, *rest = iterators
     values = range_values(ctx, scope, first.range)
     for number in values or ():
+        if not another_turn(ctx, first.span):
+            return
         turn = scope.local({first.name: index_value(number)}, (number,))
         yield from loops(ctx, turn, tuple(rest))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from math import pi
+from math import pi, prod
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import flat_expression as flat
@@ -15,6 +15,7 @@ from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
 from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import kind_of, quantity
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
@@ -269,10 +270,13 @@ def _sizes(call: Application, items: tuple[Operand, ...]) -> list[int] | None:
         number = structural_integer(call.ctx, item.value, item.node, "E0301", name=item.node.span.text)
         if number is None:
             return None
-        if not 1 <= number <= 10_000:
-            call.ctx.sink.report("E0326", item.node.span, what=f"an array of {number}", most=10_000)
+        if number < 1:
+            call.ctx.sink.report("E0334", item.node.span, what="an array size", expected="positive", found=str(number))
             return None
         sizes.append(number)
+    square = sizes * 2 if call.name == "identity" else sizes
+    if not array_fits(call.ctx, call.node.span, tuple(square)):
+        return None
     return sizes
 
 
@@ -287,10 +291,9 @@ def _filled(call: Application) -> Value:
     if sizes is None or not isinstance(filler, Scalar):
         return POISON
     dimension = DIMENSIONLESS if call.name == "ones" else filler.dimension
-    count = 1
-    for size in sizes:
-        count *= size
-    return Array((filler.expression,) * count, tuple(sizes), dimension, filler.variability, filler.order, filler.kind)
+    return Array(
+        (filler.expression,) * prod(sizes), tuple(sizes), dimension, filler.variability, filler.order, filler.kind
+    )
 
 
 def _identity(call: Application) -> Value:
@@ -307,6 +310,8 @@ def _diagonal(call: Application) -> Value:
     if array is None:
         return POISON
     n = array.shape[0]
+    if not array_fits(call.ctx, call.node.span, (n, n)):
+        return POISON
     parts = tuple(array.elements[row] if row == column else flat.ZERO for row in range(n) for column in range(n))
     return Array(parts, (n, n), array.dimension, array.variability, array.order, array.kind)
 

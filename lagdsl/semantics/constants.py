@@ -48,65 +48,78 @@ _FUNCTIONS: dict[str, Callable[..., float]] = {
 def evaluate(expression: FlatExpression) -> float:
     """The value of an expression of numbers; raises NoValue where there is none."""
     try:
-        value = _evaluate(expression)
-    except (ArithmeticError, ValueError) as fault:
-        raise NoValue(str(fault)) from None
+        value = _Evaluation().scalar(expression)
+    except ZeroDivisionError:
+        raise NoValue("division by zero") from None
+    except OverflowError:
+        raise NoValue("the number is too large") from None
+    except ValueError:
+        raise NoValue("outside the domain of the function") from None
     if math.isnan(value):
         raise NoValue("not a number")
     return value
 
 
-def _evaluate(expression: FlatExpression) -> float:
-    match expression:
-        case flat.Number(value):
-            return value
-        case flat.Unary("-", operand):
-            return -_evaluate(operand)
-        case flat.Unary("not", operand):
-            return float(_evaluate(operand) == 0)
-        case flat.Binary(operator, left, right):
-            return _BINARY[operator](_evaluate(left), _evaluate(right))
-        case flat.Function(name, arguments):
-            function = _FUNCTIONS.get(name) or getattr(math, name)
-            return float(function(*(_evaluate(argument) for argument in arguments)))
-        case flat.Conditional(condition, value, otherwise):
-            return _evaluate(value if _evaluate(condition) != 0 else otherwise)
-        case flat.Norm(vector, _):
-            return math.hypot(*_components(vector))
-        case flat.Dot(left, right):
-            return sum(x * y for x, y in zip(_components(left), _components(right), strict=True))
-        case flat.Component(vector, axis):
-            return _components(vector)[axis]
-        case flat.Derivative():
-            return 0.0
-        case _:
-            raise NoValue("not known while compiling")
+class _Evaluation:
+    """Shared parts are evaluated once: an expanded function may hold its argument many times."""
 
+    def __init__(self) -> None:
+        self.known: dict[int, float] = {}
 
-def _components(vector: FlatExpression) -> tuple[float, float, float]:
-    match vector:
-        case flat.Vector(x, y, z):
-            return _evaluate(x), _evaluate(y), _evaluate(z)
-        case flat.Unary("-", operand):
-            a, b, c = _components(operand)
-            return -a, -b, -c
-        case flat.Binary("*", factor, part):
-            k = _evaluate(factor)
-            a, b, c = _components(part)
-            return k * a, k * b, k * c
-        case flat.Binary("/", part, divisor):
-            k = _evaluate(divisor)
-            a, b, c = _components(part)
-            return a / k, b / k, c / k
-        case flat.Binary(("+" | "-") as operator, left, right):
-            sign = 1.0 if operator == "+" else -1.0
-            (a, b, c), (d, e, f) = _components(left), _components(right)
-            return a + sign * d, b + sign * e, c + sign * f
-        case flat.Cross(left, right):
-            (a, b, c), (d, e, f) = _components(left), _components(right)
-            return b * f - c * e, c * d - a * f, a * e - b * d
-        case _:
-            raise NoValue("not known while compiling")
+    def scalar(self, expression: FlatExpression) -> float:
+        found = self.known.get(id(expression))
+        if found is None:
+            found = self.known[id(expression)] = self._scalar(expression)
+        return found
+
+    def _scalar(self, expression: FlatExpression) -> float:
+        match expression:
+            case flat.Number(value):
+                return value
+            case flat.Unary("-", operand):
+                return -self.scalar(operand)
+            case flat.Unary("not", operand):
+                return float(self.scalar(operand) == 0)
+            case flat.Binary(operator, left, right):
+                return _BINARY[operator](self.scalar(left), self.scalar(right))
+            case flat.Function(name, arguments):
+                function = _FUNCTIONS.get(name) or getattr(math, name)
+                return float(function(*(self.scalar(argument) for argument in arguments)))
+            case flat.Conditional(condition, value, otherwise):
+                return self.scalar(value if self.scalar(condition) != 0 else otherwise)
+            case flat.Norm(vector, _):
+                return math.hypot(*self.vector(vector))
+            case flat.Dot(left, right):
+                return sum(x * y for x, y in zip(self.vector(left), self.vector(right), strict=True))
+            case flat.Component(vector, axis):
+                return self.vector(vector)[axis]
+            case _:
+                raise NoValue("not known while compiling")
+
+    def vector(self, expression: FlatExpression) -> tuple[float, float, float]:
+        match expression:
+            case flat.Vector(x, y, z):
+                return self.scalar(x), self.scalar(y), self.scalar(z)
+            case flat.Unary("-", operand):
+                a, b, c = self.vector(operand)
+                return -a, -b, -c
+            case flat.Binary("*", factor, part):
+                k = self.scalar(factor)
+                a, b, c = self.vector(part)
+                return k * a, k * b, k * c
+            case flat.Binary("/", part, divisor):
+                k = self.scalar(divisor)
+                a, b, c = self.vector(part)
+                return a / k, b / k, c / k
+            case flat.Binary(("+" | "-") as operator, left, right):
+                sign = 1.0 if operator == "+" else -1.0
+                (a, b, c), (d, e, f) = self.vector(left), self.vector(right)
+                return a + sign * d, b + sign * e, c + sign * f
+            case flat.Cross(left, right):
+                (a, b, c), (d, e, f) = self.vector(left), self.vector(right)
+                return b * f - c * e, c * d - a * f, a * e - b * d
+            case _:
+                raise NoValue("not known while compiling")
 
 
 def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> float | None:

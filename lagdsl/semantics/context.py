@@ -52,6 +52,9 @@ class Context:
     unlabelled: int = 0
     incomplete: bool = False
     functions: list[nodes.Function] = field(default_factory=list)
+    turns: int = 0
+    calls: int = 0
+    exceeded: set[str] = field(default_factory=set)
     reported: set[str] = field(default_factory=set)
 
     def dimension(self, dimension: Dimension) -> Dimension:

@@ -5,7 +5,6 @@ What a value uses is complete before the value itself; the order of completion i
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -21,6 +20,7 @@ from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.geometry import as_point
+from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import element_name, kind_of
 from lagdsl.semantics.quantity_fields import quantity_fields
 from lagdsl.semantics.scope import LABELS, Binding, Indices, Symbol
@@ -83,13 +83,17 @@ class Definitions:
                 value = self.ctx.elaborate(self.ctx, scope, subscript, False)
                 name = subscript.span.text
                 extent = structural_integer(self.ctx, value, subscript, "E0301", name=name)
-                if extent is not None and not 1 <= extent <= 100_000:
-                    self.ctx.sink.report("E0326", subscript.span, what=f"an array of {extent}", most=100_000)
+                if extent is not None and extent < 1:
+                    what = f"the size of `{symbol.short}`"
+                    self.ctx.sink.report("E0334", subscript.span, what=what, expected="positive", found=str(extent))
                     extent = None
             if extent is None:
                 self._poison(symbol)
                 return None
             extents.append(extent)
+        if not array_fits(self.ctx, symbol.span, tuple(extents)):
+            self._poison(symbol)
+            return None
         return tuple(extents)
 
     def _bound_extent(self, symbol: Symbol, position: int, subscript: nodes.All) -> int | None:
@@ -314,5 +318,4 @@ class Definitions:
 
 def every(shape: tuple[int, ...]) -> list[Indices]:
     """All 1-based indices of an array, in row-major order."""
-    assert math.prod(shape) <= 100_000
     return list(cartesian(*(range(1, extent + 1) for extent in shape)))

@@ -9,6 +9,7 @@ from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
+from lagdsl.semantics.limits import another_call
 from lagdsl.semantics.naming import name_span
 from lagdsl.semantics.scope import Entry, FunctionSymbol, Scope, TypeInfo
 from lagdsl.semantics.types import resolve_type
@@ -26,7 +27,7 @@ def inlined(ctx: Context, scope: Scope, node: nodes.Call, symbol: FunctionSymbol
         ctx.reported.update(f"{active.name}()" for active in ctx.functions)
         return POISON
     bound = _bind(ctx, symbol, node, arguments)
-    if bound is None:
+    if bound is None or not another_call(ctx, node.span):
         return POISON
     ctx.functions.append(function)
     try:
