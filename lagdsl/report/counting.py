@@ -48,7 +48,7 @@ def _in_space(count: Count) -> list[Block]:
     sentences = [f"{carriers.capitalize()} {'has' if count.particles + count.bodies == 1 else 'have'} "]
     sentences[0] += f"{_some(count.in_space, 'coordinate')} in space."
     sentences.append(f"The choice of coordinates builds in {_some(count.built_in, 'independent restriction')}")
-    sentences[-1] += f", the declared constraints add {count.declared}." if count.position_rows else "."
+    sentences[-1] += f", the declared constraints add {_number(count.declared)}." if count.declared else "."
     if count.normalisations:
         sentences.append("The unit length of a quaternion makes up for its fourth coordinate and restricts nothing.")
     k = count.built_in + count.declared
@@ -89,9 +89,12 @@ def _coordinates_only(count: Count) -> list[Block]:
 _WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 
 
+def _number(number: int) -> str:
+    return _WORDS[number] if number < len(_WORDS) else str(number)
+
+
 def _some(number: int, noun: str, plural: str | None = None) -> str:
-    word = _WORDS[number] if number < len(_WORDS) else str(number)
-    return f"{word} {noun if number == 1 else plural or noun + 's'}"
+    return f"{_number(number)} {noun if number == 1 else plural or noun + 's'}"
 
 
 def _s(number: int) -> str:

@@ -6,10 +6,11 @@ from sympy import Expr
 
 from lagdsl.report.boxes import Box, Name, Row, Subscript, Sum, Upright
 from lagdsl.report.counting import count_blocks
-from lagdsl.report.document import Block, Equation, Equations, Heading, Math, Paragraph, Table, Text, text
+from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text
 from lagdsl.report.names import indexed
 from lagdsl.report.page import LAGRANGIAN, Page, by_time, partial
 from lagdsl.semantics.flat_model import Parameter, Quantity
+from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.units.naming import to_display
 
 _POSITIONS = "From the world origin, in world axes; of a body its mass centre."
@@ -18,13 +19,15 @@ _ENERGIES_BY_HAND = "No mass or body is declared: the energies are written by ha
 
 def parameters(page: Page) -> list[Block]:
     items = [p for p in page.flat.parameters if not p.structural]
-    if not items:
-        return []
-    rows = tuple(
+    rows: list[tuple[Inline, ...]] = [
         ((Math(page.notation.of(symbol)),), text(value(item)), text(item.doc or ""))
         for symbol, item in zip(page.derivation.symbols.p, items, strict=True)
-    )
-    blocks: list[Block] = [Heading("Parameters"), Table(("symbol", "value", "meaning"), rows)]
+    ]
+    if STANDARD_GRAVITY in page.derivation.lagrangian.free_symbols:
+        rows.append(((Math(page.notation.of(STANDARD_GRAVITY)),), text("9.80665 m/s2"), text("standard gravity")))
+    if not rows:
+        return []
+    blocks: list[Block] = [Heading("Parameters"), Table(("symbol", "value", "meaning"), tuple(rows))]
     if page.derivation.dependent_parameters:
         blocks += [Paragraph(text("Quantities that follow from them:"))]
         blocks += [definition_lines(page, page.derivation.dependent_parameters)]

@@ -29,7 +29,7 @@ from lagdsl.textbook import functions
 from lagdsl.textbook.symbols import Symbols
 from lagdsl.textbook.tidy import size
 
-LONGEST = 600
+LONGEST = 300
 """Nodes of an expression that is still printed."""
 
 _FUNCTION_NAMES = {
@@ -133,7 +133,7 @@ class Typesetter:
         if factor.is_Pow:
             return self._power(factor.base, factor.exp)
         box = self._box(factor)
-        return Bracket(box) if isinstance(box, Sum | Cases) and not alone else box
+        return Bracket(box) if isinstance(box, Sum) and not alone else box
 
     def _power(self, base: Expr, exponent: Expr) -> Box:
         if exponent == sympy.Rational(1, 2):
@@ -158,27 +158,27 @@ class Typesetter:
             return Row((left, Operator(_RELATIONS[kind]), right))
         return Call(Upright(_FUNCTION_NAMES.get(kind, str(kind.__name__))), arguments)
 
-    # ---- order -------------------------------------------------------------------------------------------------------
+    # ---- order (ties stay in SymPy's own, which is the same in every run) -------------------------------------------------------------------------------------------------------
 
-    def _factor_key(self, factor: Expr) -> tuple[int, int, str]:
+    def _factor_key(self, factor: Expr) -> tuple[int, int]:
         base = factor.as_base_exp()[0]
         if base.is_NumberSymbol:
-            return (0, 0, "")
+            return (0, 0)
         if base.is_Symbol:
-            return (1 if base in self.constants else 3, self._rank.get(base, len(self._rank)), base.name)
+            return (1 if base in self.constants else 3, self._rank.get(base, len(self._rank)))
         if base.is_Add:
             constant = base.free_symbols <= self.constants
-            return (1 if constant else 2, -1 if constant else 0, str(base))
+            return (1 if constant else 2, -1 if constant else 0)
         rank = min((self._rank.get(s, 0) for s in base.free_symbols), default=0)
-        return (4, 2 * rank + (not isinstance(base, sympy.sin)), str(base))
+        return (4, 2 * rank + (not isinstance(base, sympy.sin)))
 
-    def _term_key(self, term: Expr) -> tuple[int, int, int, str]:
+    def _term_key(self, term: Expr) -> tuple[int, int, int]:
         """Accelerations first, then terms of higher degree in the rates, then the others."""
         powers = term.as_powers_dict()
         qdd = [self._rank[s] for s in self.symbols.qdd if s in term.free_symbols]
         rates = sum(int(p) for s, p in powers.items() if s in self.symbols.qd and p.is_Integer)
         moving = [self._rank[s] for s in term.free_symbols if s in self._rank and s not in self.constants]
-        return (qdd[0] if qdd else len(self._rank), -rates, max(moving, default=-1), str(term))
+        return (qdd[0] if qdd else len(self._rank), -rates, max(moving, default=len(self._rank)))
 
 
 def _is_negative(e: Expr) -> bool:
@@ -206,9 +206,14 @@ def _number(e: Expr) -> Box:
         return Sum((("-", _number(-e)),))
     if e.is_Integer or e.is_Float:
         return Number(_decimal(e) if e.is_Float or abs(e) >= 10**12 else str(e))
-    if e.q <= 100 and e.p < 10**4:
+    if (e.q <= 9 or not _is_decimal(e.q)) and max(e.q, e.p) < 10**4:
         return Fraction(Number(str(e.p)), Number(str(e.q)))
     return Number(_decimal(e))
+
+
+def _is_decimal(q: int) -> bool:
+    """Whether 1/q ends after a few digits."""
+    return 10**9 % q == 0
 
 
 def _decimal(e: Expr) -> str:

@@ -45,8 +45,9 @@ def line(box: Box) -> str:  # noqa: C901, PLR0912
             head = f"−{_term(first[1])}" if first[0] == "-" else line(first[1])
             return head + "".join(f" {'−' if sign == '-' else '+'} {_term(term)}" for sign, term in others)
         case Fraction(above, below):
-            plain = f"{line(above)}/{line(below)}"
-            return _VULGAR.get(plain) or f"{_guarded(above)}/{_guarded(below)}"
+            over = line(above) if isinstance(above, Row) else _guarded(above)
+            plain = f"{over}/{_guarded(below)}"
+            return _VULGAR.get(plain, plain)
         case Power(base, exponent):
             raised = line(exponent)
             return line(base) + (raised.translate(_SUPERSCRIPTS) if _is_integer(raised) else f"^({raised})")

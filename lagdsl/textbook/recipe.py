@@ -147,6 +147,11 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         for step, load, drag in zip(steps, loads, drags, strict=True)
         if step.gradient == 0 and load == 0 and drag == 0
     ]
+    states = tuple(
+        (symbol, tidy(reading.values.scalar(state.derivative)))
+        for symbol, state in zip(table.z, flat.states, strict=True)
+    )
+    outputs = tuple((output.name, tidy(reading.values.scalar(output.value))) for output in flat.outputs)
     autonomous = not (table.time in lagrangian.free_symbols or lagrangian.free_symbols & {*table.u, *table.z})
     conserved = autonomous and not any(loads) and not any(drags) and not _rheonomic(reading, rows)
     return Derivation(
@@ -165,12 +170,9 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         generalized_forces=loads,
         constraints=rows,
         dependent_parameters=_definitions(reading, reading.constants),
-        abbreviations=_definitions(reading, reading.abbreviations),
-        states=tuple(
-            (symbol, tidy(reading.values.scalar(state.derivative)))
-            for symbol, state in zip(table.z, flat.states, strict=True)
-        ),
-        outputs=tuple((output.name, tidy(reading.values.scalar(output.value))) for output in flat.outputs),
+        abbreviations=_used(_definitions(reading, reading.abbreviations), actions, (*states, *outputs)),
+        states=states,
+        outputs=outputs,
         cyclic=tuple(q for q in free if not any(row.forces[table.q.index(q)] for row in rows)),
         jacobi_conserved=conserved,
         energy_conserved=conserved and _is_scleronomic(reading, kinetic),
@@ -266,6 +268,21 @@ def _definitions(reading: Reading, names: dict[str, Symbol]) -> tuple[tuple[Symb
     """Definitions as the model has them, in its own order, other definitions inside kept as symbols."""
     values = {item.name: item for item in reading.flat.named if isinstance(item, Definition)}
     return tuple((symbol, reading.values.scalar(values[name].value)) for name, symbol in names.items())
+
+
+def _used(
+    definitions: tuple[tuple[Symbol, Expr], ...],
+    actions: Sequence[ActionStep],
+    values: Sequence[tuple[Symbol | str, Expr]],
+) -> tuple[tuple[Symbol, Expr], ...]:
+    """Those definitions that loads, states or outputs are written with, and those that these are written with."""
+    wanted = {s for _, value in values for s in value.free_symbols}
+    wanted |= {s for action in actions for value in action.works for s in value.free_symbols}
+    wanted |= {Symbol(s.name[4:-1]) for s in wanted if s.name.startswith("der(")}
+    for symbol, value in reversed(definitions):
+        if symbol in wanted:
+            wanted |= value.free_symbols
+    return tuple((symbol, value) for symbol, value in definitions if symbol in wanted)
 
 
 def _rheonomic(reading: Reading, rows: Sequence[ConstraintRow]) -> bool:

@@ -7,13 +7,13 @@ Whichever is shorter, the result or what was there before, is kept. Numbers of a
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 
-from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, exponents, multiply, times
+from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, multiply, times
+from lagdsl.textbook.rational import divided, factors, lowest, quotient
 from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry
 
 _LARGEST_POLYNOMIAL = 1500
@@ -61,7 +61,35 @@ class Tidy:
         """The expression as a polynomial in kernels, trigonometry reduced; raises TooLargeError."""
         polynomial = self._polynomial(expression, 0)
         angles = Angles(kernel=self.kernel, expression=lambda index: self._kernels[index])
-        return reduce_trigonometry(polynomial, angles)
+        return self._cancelled(reduce_trigonometry(polynomial, angles), angles)
+
+    def _cancelled(self, polynomial: Polynomial, angles: Angles) -> Polynomial:
+        """Sums in denominators are divided out of the numerator where that leaves no remainder."""
+        below = sorted({k for m in polynomial for k, power in m if power < 0 and self._kernels[k].is_Add})
+        for kernel in below:
+            divisor = reduce_trigonometry(self._polynomial(self._kernels[kernel], 0), angles)
+            power, numerator = self._over(polynomial, kernel, divisor)
+            reduced = power
+            while reduced < 0 and numerator:
+                result = quotient(numerator, divisor)
+                if result is None:
+                    break
+                numerator, reduced = result, reduced + 1
+            if reduced > power or not numerator:
+                polynomial = multiply(numerator, {((kernel, reduced),) if reduced else (): Integer(1)})
+        return polynomial
+
+    def _over(self, polynomial: Polynomial, kernel: int, divisor: Polynomial) -> tuple[int, Polynomial]:
+        """The lowest power of a kernel, and all that stands over it."""
+        power = min(dict(monomial).get(kernel, 0) for monomial in polynomial)
+        numerator: Polynomial = {}
+        for monomial, coefficient in polynomial.items():
+            excess = dict(monomial).get(kernel, 0) - power
+            term: Polynomial = {times(monomial, ((kernel, -excess - power),)): coefficient}
+            for _ in range(excess):
+                term = self._times(term, divisor)
+            add_into(numerator, term)
+        return power, self._bounded(numerator)
 
     def is_zero(self, expression: Expr) -> bool:
         """Whether it vanishes identically, as far as the bound lets one see."""
@@ -175,19 +203,18 @@ class Tidy:
 
     def _factor(self, polynomial: Polynomial) -> tuple[Expr, Expr]:
         """Rational content and the rest, factored where it is small."""
-        lowest = _lowest(polynomial)
-        shifted = {times(monomial, _inverse(lowest)): c for monomial, c in polynomial.items()}
-        common = self._monomial(lowest)
+        divisor = lowest(polynomial)
+        shifted = divided(polynomial, divisor)
+        common = self._monomial(divisor)
         if len(shifted) == 1:
             [(monomial, coefficient)] = shifted.items()
             return coefficient, common * self._monomial(monomial)
         if len(shifted) > _LARGEST_TO_FACTOR:
             return Integer(1), common * self._sum(shifted)
-        content, factors = _factor_list(shifted)
-        if sum(1 for factor, power in factors if power % 2 and _mostly_negative(factor)) % 2:
+        content, parts = factors(shifted)
+        if sum(1 for part, power in parts if power % 2 and _mostly_negative(part)) % 2:
             content = -content
-        factors = [(_positive(factor), power) for factor, power in factors]
-        return content, Mul(common, *(self._sum(factor) ** power for factor, power in factors))
+        return content, Mul(common, *(self._sum(_positive(part)) ** power for part, power in parts))
 
     def _sum(self, polynomial: Polynomial) -> Expr:
         return Add(*(c * self._monomial(monomial) for monomial, c in polynomial.items()))
@@ -205,35 +232,6 @@ def _positive(polynomial: Polynomial) -> Polynomial:
 def _common(factors: list[Expr]) -> Expr:
     total = Add(*factors)
     return sympy.factor_terms(total) if total.is_Add else total
-
-
-def _lowest(polynomial: Polynomial) -> Monomial:
-    """The monomial that divides every term (exponents may be negative)."""
-    tables = [dict(monomial) for monomial in polynomial]
-    indices = sorted({index for table in tables for index in table})
-    lowest = ((index, min(table.get(index, 0) for table in tables)) for index in indices)
-    return tuple((index, power) for index, power in lowest if power)
-
-
-def _inverse(monomial: Monomial) -> Monomial:
-    return tuple((index, -power) for index, power in monomial)
-
-
-def _factor_list(polynomial: Polynomial) -> tuple[Expr, list[tuple[Polynomial, int]]]:
-    """Factors over the rationals, by SymPy's polynomial ring."""
-    indices = sorted({index for monomial in polynomial for index, _ in monomial})
-    ring = sympy.polys.rings.PolyRing([f"x{i}" for i in indices], sympy.QQ)
-    terms = {exponents(monomial, indices): sympy.QQ(c.p, c.q) for monomial, c in polynomial.items()}
-    content, factors = ring.from_dict(terms).factor_list()
-    result = [(_from_ring(factor.terms(), indices), power) for factor, power in factors]
-    return Rational(content.numerator, content.denominator), result
-
-
-def _from_ring(terms: Iterable[tuple[tuple[int, ...], object]], indices: list[int]) -> Polynomial:
-    return {
-        tuple((index, power) for index, power in zip(indices, powers, strict=True) if power): sympy.QQ.to_sympy(value)
-        for powers, value in terms
-    }
 
 
 def size(expression: Expr) -> int:

@@ -1,0 +1,62 @@
+"""Polynomial arithmetic over the rationals that is worth handing to SymPy's rings: factors, and exact division."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from sympy import QQ, Expr, Rational
+from sympy.polys.rings import PolyRing
+
+from lagdsl.textbook.polynomial import Monomial, Polynomial, exponents, times
+
+
+def lowest(polynomial: Polynomial) -> Monomial:
+    """The monomial that divides every term (exponents may be negative)."""
+    tables = [dict(monomial) for monomial in polynomial]
+    kernels = sorted({kernel for table in tables for kernel in table})
+    powers = ((kernel, min(table.get(kernel, 0) for table in tables)) for kernel in kernels)
+    return tuple((kernel, power) for kernel, power in powers if power)
+
+
+def divided(polynomial: Polynomial, monomial: Monomial) -> Polynomial:
+    inverse = tuple((kernel, -power) for kernel, power in monomial)
+    return {times(m, inverse): coefficient for m, coefficient in polynomial.items()}
+
+
+def factors(polynomial: Polynomial) -> tuple[Expr, list[tuple[Polynomial, int]]]:
+    """Content and factors of a polynomial without negative exponents."""
+    kernels = _kernels(polynomial)
+    content, parts = _to_ring(polynomial, kernels).factor_list()
+    result = [(_from_ring(part.terms(), kernels), power) for part, power in parts]
+    return Rational(content.numerator, content.denominator), result
+
+
+def quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
+    """polynomial/divisor where that leaves no remainder; exponents of either sign."""
+    common, other = lowest(polynomial), lowest(divisor)
+    kernels = _kernels(polynomial, divisor)
+    ring_quotient, remainder = _to_ring(divided(polynomial, common), kernels).div(
+        _to_ring(divided(divisor, other), kernels)
+    )
+    if remainder:
+        return None
+    result = _from_ring(ring_quotient.terms(), kernels)
+    shift = times(common, tuple((kernel, -power) for kernel, power in other))
+    return {times(monomial, shift): coefficient for monomial, coefficient in result.items()}
+
+
+def _kernels(*polynomials: Polynomial) -> list[int]:
+    return sorted({kernel for polynomial in polynomials for monomial in polynomial for kernel, _ in monomial})
+
+
+def _to_ring(polynomial: Polynomial, kernels: list[int]) -> Any:
+    ring = PolyRing([f"x{kernel}" for kernel in kernels], QQ)
+    return ring.from_dict({exponents(monomial, kernels): QQ(c.p, c.q) for monomial, c in polynomial.items()})
+
+
+def _from_ring(terms: Iterable[tuple[tuple[int, ...], object]], kernels: list[int]) -> Polynomial:
+    return {
+        tuple((kernel, power) for kernel, power in zip(kernels, powers, strict=True) if power): QQ.to_sympy(value)
+        for powers, value in terms
+    }
