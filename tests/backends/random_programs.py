@@ -40,7 +40,7 @@ values = st.lists(
 
 def grow(graph: Graph, exact_steps: list[Step], smooth_steps: list[Step]) -> tuple[list[int], list[int]]:
     """Nodes of the exact and of the smooth layer."""
-    exact = [*graph.symbols(Group.Q, SYMBOLS), *(graph.constant(x) for x in CONSTANTS)]
+    exact = [*graph.symbols(Group.Q, SYMBOLS), graph.symbol(Group.TIME), *(graph.constant(x) for x in CONSTANTS)]
     for step in exact_steps:
         exact.append(_node(graph, EXACT, step, exact))
     smooth = [x for x in exact[:SYMBOLS] + exact[-10:] if not graph.is_constant(x)]

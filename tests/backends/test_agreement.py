@@ -21,18 +21,18 @@ EMPTY = np.zeros(0)
 
 def _outputs(engine: Engine, q: np.ndarray) -> np.ndarray:
     nothing = (EMPTY,) * 4
-    return engine.evaluate("output", 0.0, q, np.zeros(SYMBOLS), *nothing, np.zeros(SYMBOLS), EMPTY)[0]
+    return engine.evaluate("output", 0.75, q, np.zeros(SYMBOLS), *nothing, np.zeros(SYMBOLS), EMPTY)[0]
 
 
 def _many_outputs(engine: Engine, q: np.ndarray) -> np.ndarray:
     nothing = (EMPTY,) * 4
-    return engine.evaluate_many("output", 0.0, q, np.zeros(SYMBOLS), *nothing, np.zeros(SYMBOLS), EMPTY)[0]
+    return engine.evaluate_many("output", 0.75, q, np.zeros(SYMBOLS), *nothing, np.zeros(SYMBOLS), EMPTY)[0]
 
 
 def _check(program: Program, exact: int, found: np.ndarray, q: np.ndarray) -> None:
     """The first `exact` outputs to the bit (up to the sign of zero), the others to roundings of their size."""
     roots = program.function("output").results[0].elements
-    expected = evaluate_with_size(program.graph, roots, {Group.Q: q})
+    expected = evaluate_with_size(program.graph, roots, {Group.Q: q, Group.TIME: 0.75})
     for index, (value, (meaning, size)) in enumerate(zip(found, expected, strict=True)):
         if index < exact or not np.isfinite(size):
             same = value == meaning or (np.isnan(value) and np.isnan(meaning))

@@ -121,6 +121,15 @@ def test_the_example_prints_accelerations_and_motion(tmp_path: Path) -> None:
     np.testing.assert_allclose([float(x) for x in list(rows[-1].values())[1:]], reference, rtol=1e-9)
 
 
+def test_the_example_is_clean_under_sanitizers(tmp_path: Path) -> None:
+    _write(BACKENDS["c"].emit(quaternion_body("Body")), tmp_path)
+    flags = "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+    subprocess.run(["make", "-s", flags], cwd=tmp_path, check=True, capture_output=True)
+    done = subprocess.run([str(tmp_path / "Body"), "0.01", "1e-3"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert len(done.stdout.splitlines()) == 12
+
+
 def test_lines_tell_where_they_come_from() -> None:
     text = BACKENDS["c"].emit(pendulum()).files["Pendulum.c"]
     assert "/* pendulum.lag:4 */" in text

@@ -22,7 +22,7 @@ ZERO_TOLERANCE = 1e-14
 SINGULAR_TOLERANCE = 2e-15
 # Values beyond this, whose squares are not numbers any more, count as infinite.
 LARGEST = 1e140
-REFINEMENTS = 2
+REFINEMENTS = 1
 
 
 class SingularSystem(ArithmeticError):  # noqa: N818  it is a state of the mechanism, not always a mistake

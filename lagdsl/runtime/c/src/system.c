@@ -8,7 +8,7 @@ static const double RANK_TOLERANCE = 1e-8;
 static const double ZERO_TOLERANCE = 1e-14;
 static const double SINGULAR_TOLERANCE = 2e-15;
 static const double LARGEST = 1e140;
-enum { REFINEMENTS = 2 };
+enum { REFINEMENTS = 1 };
 
 static size_t least(size_t x, size_t y)
 {
