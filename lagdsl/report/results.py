@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy import Add
 
-from lagdsl.report.boxes import EQUALS, Name, Number, row
+from lagdsl.report.boxes import EQUALS, Box, Name, Number, Row, Sum, row
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -21,8 +21,10 @@ from lagdsl.report.document import (
 )
 from lagdsl.report.left_side import definition_lines
 from lagdsl.report.notation import dotted, name_box
-from lagdsl.report.page import LAGRANGIAN, Page, partial
-from lagdsl.textbook.recipe import ConstraintRow
+from lagdsl.report.page import LAGRANGIAN, Page, by_time, partial
+from lagdsl.report.typeset import LONGEST
+from lagdsl.textbook.recipe import ConstraintRow, CoordinateStep
+from lagdsl.textbook.tidy import size
 
 _ZERO = Number("0")
 _LEVELS = {"position": "the configuration", "velocity": "the rates only"}
@@ -39,8 +41,16 @@ def equations(page: Page) -> list[Block]:
     for j, step in enumerate(d.coordinates):
         upheld = [r.multiplier * r.forces[j] for r in d.constraints if r.forces[j] != 0]
         right = Add(d.generalized_forces[j], d.drags[j], *upheld)
-        lines.append(Equation(page.typeset(step.left), page.typeset(right), final=True))
+        lines.append(Equation(_left(page, step), page.typeset(right), final=True))
     return [Heading("Equations of motion"), Equations(tuple(lines)), *_matrix_form(page)]
+
+
+def _left(page: Page, step: CoordinateStep) -> Box:
+    """Collected by accelerations; the letters of the recipe where that is too long to print."""
+    if size(step.left) <= LONGEST:
+        return page.typeset(step.left)
+    rate = Row((by_time(), partial(LAGRANGIAN, page.rate(step.q))))
+    return Sum((("+", rate), ("-", partial(LAGRANGIAN, page.notation.of(step.q)))))
 
 
 def _matrix_form(page: Page) -> list[Block]:
@@ -49,6 +59,8 @@ def _matrix_form(page: Page) -> list[Block]:
     if not 2 <= n <= 4:
         return []
     mass = tuple(tuple(step.left.diff(x) for x in d.symbols.qdd) for step in d.coordinates)
+    if any(size(element) > LONGEST // 4 for line in mass for element in line):
+        return []
     return [
         Paragraph(text("The matrix of the accelerations, symmetric:")),
         Equations((Equation(Name("M"), page.typeset.matrix(mass)),)),
@@ -113,7 +125,7 @@ def conserved(page: Page) -> list[Block]:
     d = page.derivation
     items: list[Inline] = []
     for q in d.cyclic:
-        words = " occurs nowhere but in its rate and nothing acts on it: its momentum is constant, "
+        words = " does not occur in L, and nothing acts on it: its momentum is constant, "
         momentum = d.coordinates[d.symbols.q.index(q)].momentum
         items.append(
             (

@@ -158,7 +158,7 @@ class Typesetter:
             return Row((left, Operator(_RELATIONS[kind]), right))
         return Call(Upright(_FUNCTION_NAMES.get(kind, str(kind.__name__))), arguments)
 
-    # ---- order (ties stay in SymPy's own, which is the same in every run) -------------------------------------------------------------------------------------------------------
+    # Order; ties stay in SymPy's own, which is the same in every run.
 
     def _factor_key(self, factor: Expr) -> tuple[int, int]:
         base = factor.as_base_exp()[0]
