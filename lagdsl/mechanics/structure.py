@@ -1,7 +1,6 @@
 """Structure of a model: degrees of freedom, redundant and contradictory constraints, coordinates without inertia.
 
-Ranks are bounded by the pattern of the Jacobian first and then found numerically at three general points of the
-constraint set, the same ones in every run.
+Ranks are found numerically at three general points of the constraint set, the same ones in every run.
 """
 
 from __future__ import annotations

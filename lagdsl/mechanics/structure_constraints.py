@@ -11,7 +11,7 @@ from lagdsl.diagnostics import Label, Sink
 from lagdsl.mechanics.rank import Floats, independent_rows, minimum_norm
 from lagdsl.mechanics.structure_display import quantity_text
 from lagdsl.mechanics.structure_newton import Descent
-from lagdsl.mechanics.structure_points import HOLDS, Geometry, random_points
+from lagdsl.mechanics.structure_points import HOLDS, Geometry, Probe, random_points
 from lagdsl.semantics.flat_model import Constraint, FlatModel
 from lagdsl.units.dimension import BASE_UNITS
 
@@ -127,13 +127,13 @@ class Dependence:
     empty: tuple[bool, ...]
 
 
-def dependence(space: Geometry, points: list[Floats]) -> Dependence:
+def dependence(space: Geometry, points: list[Probe]) -> Dependence:
     """Rows that add nothing at any probed point; holonomic rows come first, so a velocity row that repeats the
     derivative of one is the redundant one (ruling 22)."""
     count = len(space.functions.layout.constraints)
     if not points:
         return Dependence((False,) * count, (False,) * count)
-    samples = [space.velocity(point, space.qd)[1] * space.sizes / space.row_sizes[:, None] for point in points]
+    samples = [point.rows for point in points]
     holonomic = space.position_rows
     order = holonomic + [row for row in range(count) if row not in set(holonomic)]
     kept = independent_rows(samples, order)
@@ -142,7 +142,7 @@ def dependence(space: Geometry, points: list[Floats]) -> Dependence:
     return Dependence(tuple(not keep for keep in kept), tuple(empty))
 
 
-def report_dependence(flat: FlatModel, space: Geometry, points: list[Floats], found: Dependence, sink: Sink) -> None:
+def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], found: Dependence, sink: Sink) -> None:
     """N0605 for rows without content, N0607 for rows that follow from others."""
     for item in located(flat):
         span = item.constraint.spans[0] if item.constraint.spans else None
@@ -156,11 +156,10 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Floats], fo
                 sink.report("N0607", span, name=item.constraint.rows[component], others=others)
 
 
-def _sources(space: Geometry, point: Floats, found: Dependence, row: int) -> str:
+def _sources(space: Geometry, point: Probe, found: Dependence, row: int) -> str:
     """Names of the kept rows that a redundant one is a combination of."""
-    jacobian = space.velocity(point, space.qd)[1] * space.sizes / space.row_sizes[:, None]
     kept = [index for index, redundant in enumerate(found.redundant) if not redundant]
-    weights = minimum_norm(jacobian[kept].T, jacobian[row])
+    weights = minimum_norm(point.rows[kept].T, point.rows[row])
     names = [
         f"`{space.functions.layout.constraints[index].name}`"
         for index, weight in zip(kept, weights.tolist(), strict=True)
@@ -169,12 +168,11 @@ def _sources(space: Geometry, point: Floats, found: Dependence, row: int) -> str
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
-def report_inconsistent_rates(flat: FlatModel, space: Geometry, points: list[Floats], sink: Sink) -> bool:
+def report_inconsistent_rates(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> bool:
     """E0603 where no rates satisfy the rows although each row holds alone; E0602 for a row that moves by itself."""
     for point in points[:1]:
-        drift, jacobian = space.velocity(point, np.zeros_like(space.qd))
-        scaled, right = jacobian * space.sizes / space.row_sizes[:, None], drift / space.row_sizes
-        left_over = np.abs(scaled @ minimum_norm(scaled, right) - right)
+        right = space.velocity(point.q, np.zeros_like(space.qd))[0] / space.row_sizes
+        left_over = np.abs(point.rows @ minimum_norm(point.rows, right) - right)
         size = float(np.max(np.abs(right), initial=0.0))
         if not np.isfinite(size) or float(np.max(left_over, initial=0.0)) <= 1e-6 * size:
             continue

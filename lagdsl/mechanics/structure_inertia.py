@@ -6,14 +6,14 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats, null_space
-from lagdsl.mechanics.structure_points import Geometry, random_rates
+from lagdsl.mechanics.structure_points import Geometry, Probe
 from lagdsl.semantics.flat_model import FlatModel
 
 # Smallest inertia in a direction the constraints leave free, relative to the largest, that still counts as inertia.
 _TOLERANCE = 1e-12
 
 
-def report_massless(flat: FlatModel, space: Geometry, points: list[Floats], sink: Sink) -> None:
+def report_massless(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> None:
     """E0503 for each coordinate that moves in a direction without inertia at every probed state.
 
     M itself may be singular (quaternions, massless links): what counts is M on the null space of J.
@@ -21,8 +21,8 @@ def report_massless(flat: FlatModel, space: Geometry, points: list[Floats], sink
     if not points or not flat.coordinates:
         return
     shares = np.full(len(flat.coordinates), np.inf)
-    for point, rates in zip(points, random_rates(flat.coordinates, space.sizes, len(points)), strict=True):
-        shares = np.minimum(shares, _massless_shares(space, point, rates))
+    for point in points:
+        shares = np.minimum(shares, _massless_shares(space, point))
     if float(np.max(shares)) < 1e-3:
         return
     leading = int(np.argmax(shares))
@@ -33,17 +33,13 @@ def report_massless(flat: FlatModel, space: Geometry, points: list[Floats], sink
             sink.report("E0503", span, notes=(why,), name=coordinate.name)
 
 
-def _massless_shares(space: Geometry, q: Floats, qd: Floats) -> Floats:
+def _massless_shares(space: Geometry, point: Probe) -> Floats:
     """How much of each coordinate's unit vector lies in the directions without inertia, 0 to 1."""
-    mass = space.mass(q, qd)
-    jacobian = space.velocity(q, qd)[1]
-    diagonal = np.sqrt(np.abs(np.diag(mass)))
-    largest = float(np.max(diagonal, initial=0.0))
-    if not np.isfinite(largest) or not np.all(np.isfinite(mass)):
-        return np.zeros(len(q))
+    diagonal = np.sqrt(np.abs(np.diag(point.mass)))
+    largest = float(np.max(diagonal))
     scale = np.where(diagonal > 1e-9 * largest, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), space.sizes)
-    free = null_space(jacobian * scale / space.row_sizes[:, None])
-    values, directions = np.linalg.eigh(free.T @ ((mass * scale[:, None]) * scale) @ free)
+    free = null_space(point.rows * (scale / space.sizes))
+    values, directions = np.linalg.eigh(free.T @ ((point.mass * scale[:, None]) * scale) @ free)
     top = float(np.max(np.abs(values), initial=0.0))
     empty = free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free
     return np.asarray(np.linalg.norm(empty, axis=1))

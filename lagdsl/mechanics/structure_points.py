@@ -133,27 +133,41 @@ def random_rates(coordinates: tuple[Coordinate, ...], sizes: Floats, count: int)
     return [sizes * generator.standard_normal(len(coordinates)) for _ in range(count)]
 
 
-def probes(flat: FlatModel, space: Geometry, rows: list[int], *, wanted: int = 3, tries: int = 24) -> list[Floats]:
+@dataclass(frozen=True, slots=True)
+class Probe:
+    """A general point of the constraint set with rates of natural size: J there, its rows scaled to size one, and M."""
+
+    q: Floats
+    rows: Floats
+    mass: Floats
+
+
+def probes(flat: FlatModel, space: Geometry, rows: list[int], *, wanted: int = 3, tries: int = 24) -> list[Probe]:
     """Up to `wanted` general points at which the position rows hold and the functions are finite.
 
-    Where the functions exist near the start only (roots, logarithms) the points are drawn closer and closer to it.
+    Where the functions exist near the start only (roots, logarithms) the points are drawn closer and closer to it; the
+    start itself is the last resort.
     """
-    found: list[Floats] = []
+    found: list[Probe] = []
     scale = 1.0
-    for candidate in random_points(flat.coordinates, space.q, space.sizes, tries):
-        result = space.project(space.q + scale * (candidate - space.q), rows)
-        if result.size <= HOLDS and _finite(space, result.point):
-            found.append(result.point)
-            if len(found) == wanted:
-                return found
+    candidates = random_points(flat.coordinates, space.q, space.sizes, tries)
+    for candidate, rates in zip(candidates, random_rates(flat.coordinates, space.sizes, tries), strict=True):
+        probe = _probe(space, space.q + scale * (candidate - space.q), rates, rows)
+        if probe is not None:
+            found.append(probe)
         else:
             scale *= 0.7
-    if not found:
-        result = space.project(space.q, rows)
-        if result.size <= HOLDS and _finite(space, result.point):
-            found.append(result.point)
-    return found
+        if len(found) == wanted:
+            return found
+    last = _probe(space, space.q, space.qd, rows)
+    return found or ([last] if last is not None else [])
 
 
-def _finite(space: Geometry, q: Floats) -> bool:
-    return bool(np.all(np.isfinite(space.velocity(q, space.qd)[1])) and np.all(np.isfinite(space.mass(q, space.qd))))
+def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int]) -> Probe | None:
+    """The point nearest to `start`; None where there is none or a function is not finite."""
+    result = space.project(start, rows)
+    if result.size > HOLDS:
+        return None
+    scaled = space.velocity(result.point, space.qd)[1] * space.sizes / space.row_sizes[:, None]
+    mass = space.mass(result.point, rates)
+    return Probe(result.point, scaled, mass) if np.all(np.isfinite(scaled)) and np.all(np.isfinite(mass)) else None

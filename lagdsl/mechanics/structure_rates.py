@@ -7,16 +7,16 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats, null_space
 from lagdsl.mechanics.structure_constraints import located
-from lagdsl.mechanics.structure_points import Geometry, random_rates
+from lagdsl.mechanics.structure_points import Geometry, Probe, random_rates
 from lagdsl.semantics.flat_model import FlatModel
 
 
-def report_nonlinear(flat: FlatModel, space: Geometry, points: list[Floats], sink: Sink) -> bool:
+def report_nonlinear(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> bool:
     """E0604 for velocity constraints that are not linear in the rates: r(v + w) = r(v) + r(w) - r(0) must hold."""
     found = False
     for point in points[:1]:
         v, w = random_rates(flat.coordinates, space.sizes, 2)
-        at = [space.velocity(point, rates)[0] for rates in (v + w, v, w, np.zeros_like(v))]
+        at = [space.velocity(point.q, rates)[0] for rates in (v + w, v, w, np.zeros_like(v))]
         # A row without content is zero but for round-off of the size of its neighbours.
         size = np.maximum.reduce([np.abs(values) for values in at])
         size = np.maximum(size, 1e-3 * np.max(size, initial=0.0))
@@ -30,7 +30,7 @@ def report_nonlinear(flat: FlatModel, space: Geometry, points: list[Floats], sin
 
 
 def report_integrable(
-    flat: FlatModel, space: Geometry, points: list[Floats], redundant: tuple[bool, ...], sink: Sink
+    flat: FlatModel, space: Geometry, points: list[Probe], redundant: tuple[bool, ...], sink: Sink
 ) -> None:
     """N0606 for velocity rows a(q, t).dq + b(q, t) dt = 0 that are integrable.
 
@@ -41,7 +41,7 @@ def report_integrable(
         if item.constraint.level != "velocity":
             continue
         rows = [row for row in item.rows if not redundant[row]]
-        if rows and points and all(_closed(space, point, row) for point in points for row in rows):
+        if rows and points and all(_closed(space, point.q, row) for point in points for row in rows):
             sink.report("N0606", item.constraint.spans[0] if item.constraint.spans else None, name=item.constraint.name)
 
 

@@ -396,3 +396,57 @@ def test_time_and_inputs_of_the_start() -> None:
 
 def test_number_starts() -> None:
     assert coordinate("a", 0.5).start == Number(0.5)
+
+
+def test_search_that_cannot_get_closer_stays_on_the_curve() -> None:
+    """Retractions from far along a tight curve come back longer: the steps are halved until they do not."""
+    from lagdsl.simulate.nearest import nearest
+
+    def spiral(y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return np.array([y[1] - np.sin(8.0 * y[0]) - 2.0]), np.array([[-8.0 * np.cos(8.0 * y[0]), 1.0]])
+
+    found = nearest(spiral, np.array([2.0, np.sin(16.0) + 2.0]), holds=1e-12)
+    assert abs(spiral(found)[0][0]) < 1e-12
+    assert np.linalg.norm(found) <= np.hypot(2.0, np.sin(16.0) + 2.0)
+
+
+def test_search_ends_where_no_step_holds() -> None:
+    from lagdsl.simulate.nearest import nearest
+
+    def rough(y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return np.array([0.0 if y[0] == 1.0 else 1.0]), np.array([[0.0, 0.0]])
+
+    assert nearest(rough, np.array([1.0, 0.5]), holds=1e-12).tolist() == [1.0, 0.5]
+
+
+def test_inconsistent_velocity_rows_are_named() -> None:
+    class Both(Hand):
+        def rows(self, t, q):  # type: ignore[no-untyped-def]
+            return np.array([[1.0], [1.0]])
+
+        def phi(self, t, q):  # type: ignore[no-untyped-def]
+            return np.zeros(2)
+
+        def rate(self, t, q):  # type: ignore[no-untyped-def]
+            return np.array([-1.0, -2.0])
+
+    rows = [constraint("a", level="velocity"), constraint("b", level="velocity")]
+    engine = Both(flat_model([length("x")], rows))
+    sink = Sink()
+    initial_state(engine.flat, engine, sink=sink)
+    assert sink.diagnostics[0].code == "E0803" and "residual 0.5 m stalls at" in sink.diagnostics[0].message
+
+
+def test_contradicting_fixed_rates_of_unequal_weight_name_the_rate() -> None:
+    class Stopped(Hand):
+        def rows(self, t, q):  # type: ignore[no-untyped-def]
+            return np.array([[1.0, 0.0]])
+
+        def phi(self, t, q):  # type: ignore[no-untyped-def]
+            return np.zeros(1)
+
+    x = length("x", 0.5, 1.0, rate_fixed=True, nominal=1.0)
+    engine = Stopped(flat_model([x, length("y", nominal=1.0)], [constraint("stop", level="velocity")]))
+    sink = Sink()
+    initial_state(engine.flat, engine, sink=sink)
+    assert [d.code for d in sink.diagnostics] == ["E0803"]

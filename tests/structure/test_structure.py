@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from dataclasses import replace
 from typing import Any
 
@@ -280,3 +282,25 @@ def test_the_same_every_time() -> None:
 def test_point_of_a_model_with_points() -> None:
     flat = model(coordinates=("x",), named=(point("P", "v(x, 0, 0)"),), masses=(mass(2, "p(P)"),))
     assert examined(flat)[0].freedom == 1
+
+
+def test_functions_that_exist_at_the_start_only_are_examined_there() -> None:
+    flat = model(
+        coordinates=(coordinate("x", 0.3),), energies=(energy("kinetic", "sqrt(1e-14 - (x - 0.3)^2)*der(x)^2"),)
+    )
+    found, sink = examined(flat)
+    assert found.freedom == 1 and not sink.diagnostics
+
+
+def test_functions_that_exist_nowhere_are_left_to_the_start_values() -> None:
+    found, sink = examined(plane(CIRCLE, energies=(energy("kinetic", "sqrt(-1 - x^2)*der(x)^2"),)))
+    assert found.redundant == (False,) and not sink.diagnostics
+
+
+def test_check_needs_no_scipy() -> None:
+    code = (
+        "import sys, lagdsl.mechanics.structure, lagdsl.simulate.initialize, lagdsl.simulate.simulate, "
+        "lagdsl.simulate.table_io; "
+        "sys.exit(any(name in sys.modules for name in ('scipy', 'matplotlib', 'pandas', 'pyarrow', 'sympy')))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
