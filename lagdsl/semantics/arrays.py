@@ -49,7 +49,7 @@ def stacked(ctx: Context, scope: Scope, node: nodes.Node, parts: list[tuple[node
     first = parts[0][0]
     for (part, _), value in zip(parts, values, strict=True):
         if not fits(dimension, value.dimension):
-            report_unequal(ctx, "put in one array", scope, (first, dimension), (part, value.dimension))
+            report_unequal(ctx, "put together in one array", scope, (first, dimension), (part, value.dimension))
             return POISON
         if dimension is None:
             dimension, first = value.dimension, part

@@ -17,14 +17,14 @@ from lagdsl.syntax import nodes
 _SHOWN = ("unit", "displayUnit", "symbol")
 _BOUNDS = ("min", "max")
 ALLOWED: dict[str, tuple[str, ...]] = {
-    "constant": (*_SHOWN, *_BOUNDS),
-    "structural": (*_SHOWN, *_BOUNDS),
-    "parameter": (*_SHOWN, *_BOUNDS),
-    "input": (*_SHOWN, "start", "smooth"),
+    "constant": (*_BOUNDS, *_SHOWN),
+    "structural": (*_BOUNDS, *_SHOWN),
+    "parameter": (*_BOUNDS, *_SHOWN),
+    "input": ("start", "smooth", *_SHOWN),
     "output": _SHOWN,
     "algebraic": _SHOWN,
-    "state": (*_SHOWN, *_BOUNDS, "start", "fixed", "nominal"),
-    "coordinate": (*_SHOWN, *_BOUNDS, "start", "fixed", "nominal", "der.start", "der.fixed"),
+    "state": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN),
+    "coordinate": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN, "der.start", "der.fixed"),
     "point": (),
     "frame": (),
 }
@@ -32,7 +32,6 @@ QUATERNION = ("start", "fixed", "symbol", "der.start", "der.fixed", "omega.start
 # Attributes of Modelica that exist but may not fit the thing they stand at.
 KNOWN = ("start", "fixed", "min", "max", "nominal", "unit", "displayUnit", "symbol", "smooth", "der", "omega")
 LATER = {"prefer": "the choice of coordinates in closed loops", "stateSelect": "the choice of states"}
-_SHOWN_LIST = "start, fixed, min, max, nominal, unit, displayUnit, symbol"
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +105,9 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
         names = list(dict.fromkeys(each.partition(".")[0] for each in allowed))
     if name in LATER:
         ctx.sink.report("E0311", span, what=f"`{name}`", hint=f"{LATER[name]} comes with components")
+    elif name == "fixed" and symbol.kind == "parameter":
+        later = "parameters found from the start of the motion come later; give it a value"
+        ctx.sink.report("E0311", span, what="a free parameter", hint=later)
     elif name in KNOWN and not prefix:
         ctx.sink.report("E0213", span, name=name, what=symbol.title)
     else:
@@ -132,7 +134,7 @@ def expressions(
         text = attribute.node.span.text
         ctx.sink.report("E0335", attribute.node.span, text=text)
         return None
-    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted))
+    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted, code="E0415"))
     if found is None:
         return None
     if rank(found.variability) > rank(Variability.PARAMETER):
@@ -155,7 +157,7 @@ def numbers(
     found = None
     value = ctx.elaborate(ctx, attribute.scope, attribute.value, True)
     wanted = () if each.each or isinstance(value, Scalar) else shape
-    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted))
+    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted, code="E0415"))
     if found is None:
         return [None] * count
     if not is_structural(found):

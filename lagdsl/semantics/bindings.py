@@ -23,6 +23,7 @@ class Expected:
     shape: tuple[int, ...] = ()
     base: BaseType = "Real"
     unit: str = "1"
+    code: str = "E0407"
 
 
 def conform(ctx: Context, scope: Scope, node: nodes.Node, value: Value, expected: Expected) -> Scalar | Array | None:
@@ -38,7 +39,7 @@ def conform(ctx: Context, scope: Scope, node: nodes.Node, value: Value, expected
         ctx.sink.report("E0411", node.span, what=expected.what)
         return None
     if not fits(shaped.dimension, expected.dimension):
-        require(ctx, scope, node, shaped.dimension, expected.dimension, "E0407", what=expected.what)
+        require(ctx, scope, node, shaped.dimension, expected.dimension, expected.code, what=expected.what)
         return None
     return replace(shaped, dimension=expected.dimension)
 

@@ -81,7 +81,9 @@ def _property(
     if node is None:
         return [flat.ZERO] * count
     value = ctx.elaborate(ctx, scope, node, True)
-    found = conform(ctx, scope, node, value, Expected(f"`{name}` of a body", ctx.dimension(dimension), shape))
+    found = conform(
+        ctx, scope, node, value, Expected(f"`{name}` of a body", ctx.dimension(dimension), shape, code="E0415")
+    )
     if found is None:
         return None
     return [found.expression] if isinstance(found, Scalar) else list(found.elements)
@@ -97,7 +99,7 @@ def _center(ctx: Context, scope: Scope, node: nodes.Expression | None) -> list[F
         return None
     value = components(value) if isinstance(value, Vector) else value
     size = 2 if isinstance(value, Array) and value.shape == (2,) else 3
-    found = conform(ctx, scope, node, value, Expected("`com` of a body", ctx.dimension(LENGTH), (size,)))
+    found = conform(ctx, scope, node, value, Expected("`com` of a body", ctx.dimension(LENGTH), (size,), code="E0415"))
     if not isinstance(found, Array):
         return None
     return [*found.elements, flat.ZERO][:3]
@@ -116,7 +118,9 @@ def _inertia(ctx: Context, scope: Scope, given: dict[str, nodes.Expression]) -> 
             picked = tuple(row.elements[j] for i, j in diagonal if isinstance(row := rows[i], Array))
             value = Array(picked, (6,), value.dimension, value.variability, value.order)
         size = 6 if isinstance(value, Array) and value.shape == (6,) else 3
-        found = conform(ctx, scope, whole, value, Expected("`I` of a body", ctx.dimension(INERTIA), (size,)))
+        found = conform(
+            ctx, scope, whole, value, Expected("`I` of a body", ctx.dimension(INERTIA), (size,), code="E0415")
+        )
         ok = isinstance(found, Array)
         if isinstance(found, Array):
             entries[:size] = found.elements

@@ -16,7 +16,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.limits import array_fits
-from lagdsl.semantics.naming import kind_of, quantity
+from lagdsl.semantics.naming import arguments_text, kind_of, quantity
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
     POISON,
@@ -412,7 +412,9 @@ def apply(call: Application) -> Value:
     function, least, most = BUILTINS[call.name]
     if not least <= len(call.arguments) <= most:
         expected = str(least) if least == most else f"{least} to {most}"
-        call.ctx.sink.report("E0315", call.node.span, function=call.name, expected=expected, found=len(call.arguments))
+        call.ctx.sink.report(
+            "E0315", call.node.span, function=call.name, expected=arguments_text(expected), found=len(call.arguments)
+        )
         return POISON
     if any(isinstance(item.value, Poison) for item in call.arguments):
         return POISON

@@ -182,7 +182,8 @@ class Definitions:
             circle = active[active.index((symbol, key)) :]
             names = [element_name(member.short, indices or ()) for member, indices in circle]
             names.append(names[0])
-            path = ", ".join(f"`{a}` depends on `{b}`" for a, b in pairwise(names))
+            links = [f"`{a}` on `{b}`" for a, b in pairwise(names)]
+            path = ", ".join([links[0].replace(" on ", " depends on ", 1), *links[1:]])
             places = [Label(member.span, f"`{member.short}` is defined here") for member, _ in circle]
             self.ctx.sink.report("E0305", span, *places, path=path)
             for member, indices in circle:

@@ -131,6 +131,7 @@ def require(
     found: AnyDimension,
     expected: Dimension,
     code: str,
+    /,
     help: str | None = None,
     **words: str,
 ) -> bool:
@@ -144,7 +145,6 @@ def require(
         ctx.sink.report("E0405", node.span, number=bare, preposition="used as", words=describe(wanted), unit=unit)
     else:
         notes = hidden_variables(scope, node)
-        ctx.sink.report(
-            code, node.span, notes=notes, help=help, expected=quantity(wanted), found=quantity(found), **words
-        )
+        texts = {"expected": quantity(wanted), "found": quantity(found), **words}
+        ctx.sink.report(code, node.span, notes=notes, help=help, **texts)
     return False

@@ -9,6 +9,7 @@ from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import Binding, Indices, Scope, Symbol, lookup
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
+from lagdsl.syntax.walk import descendants
 
 _DEFINED = ("algebraic", "output", "point", "frame")
 
@@ -55,6 +56,11 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
         return
     if symbol is not None and symbol.kind == "unknown":
         return
+    for node in (*descendants(item.left), *descendants(item.right)):
+        unsolved = _symbol(scope, node) if isinstance(node, nodes.Reference) else None
+        if unsolved is not None and unsolved.kind in _DEFINED and not unsolved.bindings:
+            # It was meant to get its value here: nothing more is said about it.
+            unsolved.kind = "unknown"
     hint = None
     if symbol is not None and symbol.kind == "coordinate":
         hint = f"an equation between coordinates is a constraint: `constraint {item.span.text.strip().rstrip(';')};`"

@@ -11,7 +11,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, require
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import FrameStep, Variability
-from lagdsl.semantics.naming import kind_of, quantity
+from lagdsl.semantics.naming import arguments_text, kind_of, quantity
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
     POISON,
@@ -150,7 +150,8 @@ def as_direction(
     if vector is None:
         ctx.sink.report("E0312", node.span, expected=f"{what}, a vector", found=kind_of(value))
         return None
-    return vector if require(ctx, scope, node, vector.dimension, dimension, "E0415", what=what) else None
+    words = {"what": what, "expected": "a moment [N.m]"} if what == "a torque" else {"what": what}
+    return vector if require(ctx, scope, node, vector.dimension, dimension, "E0415", **words) else None
 
 
 def as_frame(ctx: Context, node: nodes.Expression, value: Value) -> FrameValue | None:
@@ -216,7 +217,7 @@ def method(
         return _no_member(ctx, name, frame)
     expected = sizes.get(name.name, 1)
     if len(values) != expected:
-        ctx.sink.report("E0315", call.span, function=name.name, expected=expected, found=len(values))
+        ctx.sink.report("E0315", call.span, function=name.name, expected=arguments_text(expected), found=len(values))
         return POISON
     arguments = _Arguments(ctx, scope, call, values)
     if name.name in ("point", "vec"):

@@ -10,7 +10,7 @@ from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.limits import another_call
-from lagdsl.semantics.naming import name_span
+from lagdsl.semantics.naming import arguments_text, name_span
 from lagdsl.semantics.scope import Entry, FunctionSymbol, Scope, TypeInfo
 from lagdsl.semantics.types import resolve_type
 from lagdsl.semantics.values import POISON, Array, Poison, Scalar, Text, Value, Vector
@@ -54,7 +54,9 @@ def _bind(ctx: Context, symbol: FunctionSymbol, node: nodes.Call, arguments: lis
     missing = any(p.default is None and p.name not in given for p in function.parameters)
     if missing or len(arguments) > len(names) or len(given) < len(arguments):
         expected = str(needed) if needed == len(names) else f"{needed} to {len(names)}"
-        ctx.sink.report("E0315", node.span, function=function.name, expected=expected, found=len(arguments))
+        ctx.sink.report(
+            "E0315", node.span, function=function.name, expected=arguments_text(expected), found=len(arguments)
+        )
         return None
     bound: dict[str, Entry] = {}
     for parameter in function.parameters:

@@ -17,7 +17,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.declare import Placed
 from lagdsl.semantics.dimensions import require
 from lagdsl.semantics.geometry import as_direction, as_point
-from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.naming import arguments_text, kind_of, name_span
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import Order, Poison, Scalar, Text
 from lagdsl.syntax import nodes
@@ -185,7 +185,7 @@ def _tolerance(ctx: Context, scope: Scope, node: nodes.Invariant) -> float | Non
         if option.name != "tol":
             meant = nearest(option.name, ["tol"])
             hint = f"did you mean `{meant}`?" if meant else None
-            ctx.sink.report("E0202", option.span, name=option.name, type="invariant", attributes="tol", help=hint)
+            ctx.sink.report("E0202", name_span(option), name=option.name, type="invariant", attributes="tol", help=hint)
             continue
         value = ctx.elaborate(ctx, scope, option.value, False)
         if isinstance(value, Scalar) and not require(
@@ -209,7 +209,7 @@ def _call(ctx: Context, physics: Physics, scope: Scope, node: nodes.CallEquation
         return
     arguments = [part for part in call.arguments if not isinstance(part, nodes.Named)]
     if len(arguments) != 2 or len(call.arguments) != 2:
-        ctx.sink.report("E0315", call.span, function="assert", expected=2, found=len(call.arguments))
+        ctx.sink.report("E0315", call.span, function="assert", expected=arguments_text(2), found=len(call.arguments))
         return
     with ctx.without_relations():
         condition = boolean(ctx, Operand(arguments[0], ctx.elaborate(ctx, scope, arguments[0], False)))

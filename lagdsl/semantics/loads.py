@@ -98,7 +98,7 @@ def _torque(
     if frame is None or value is None or (node.origin is not None and origin is None):
         return None
     if isinstance(value, Scalar):
-        hint = f"give it an axis: `{node.value.span.text}*{frame.name}.z`"
+        hint = f"give it an axis: `{node.value.span.text}*{node.on.span.text}.z`"
         ctx.sink.report("E0312", node.value.span, expected="a moment vector", found=kind_of(value), help=hint)
         return None
     if not fits(value.dimension, ctx.dimension(labels.MOMENT)):

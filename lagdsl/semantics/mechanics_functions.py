@@ -20,7 +20,7 @@ from lagdsl.semantics.geometry import (
     operand,
     time_derivative,
 )
-from lagdsl.semantics.naming import kind_of, name_span
+from lagdsl.semantics.naming import arguments_text, kind_of, name_span
 from lagdsl.semantics.scope import Indices, Scope, Symbol, lookup
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Reaction, Scalar, Value, Vector, as_vector
 from lagdsl.syntax import nodes
@@ -53,7 +53,9 @@ def _positional(
             return None
     if not least <= len(found) <= most:
         expected = str(least) if least == most else f"{least} to {most}"
-        ctx.sink.report("E0315", node.span, function=node.function.span.text, expected=expected, found=len(found))
+        ctx.sink.report(
+            "E0315", node.span, function=node.function.span.text, expected=arguments_text(expected), found=len(found)
+        )
         return None
     return found
 

@@ -54,3 +54,8 @@ def element_name(name: str, indices: tuple[int, ...]) -> str:
 def name_span(argument: nodes.Named) -> Span:
     """The name in `name = value`."""
     return Span(argument.span.file, argument.span.start, argument.span.start + len(argument.name))
+
+
+def arguments_text(count: int | str) -> str:
+    """`1 argument`, `2 to 4 arguments`."""
+    return f"{count} argument" if str(count) == "1" else f"{count} arguments"

@@ -15,6 +15,29 @@ from lagdsl.units.dimension import DIMENSIONLESS
 from lagdsl.units.naming import describe, unit_text
 from lagdsl.units.parse import UnknownUnit, parse_unit
 
+STATEMENTS = (
+    "kinetic",
+    "potential",
+    "lagrangian",
+    "dissipation",
+    "force",
+    "torque",
+    "mass",
+    "body",
+    "gravity",
+    "constraint",
+    "invariant",
+    "coordinate",
+    "parameter",
+    "constant",
+    "input",
+    "output",
+    "state",
+    "point",
+    "frame",
+    "draw",
+)
+
 
 def resolve_type(ctx: Context, name: nodes.Name, scope: Scope, depth: int = 0) -> TypeInfo | None:
     """The type that `name` means, or None after a diagnostic."""
@@ -121,9 +144,13 @@ def _unknown(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     if ctx.incomplete:
         return
     if name.parts[0] in ("Modelica", "SI", "Lag"):
-        hint = f"quantities are known by their plain name: `{name.parts[-1]}`"
-        ctx.sink.report("E0311", name.span, what=f"the library name `{text}`", hint=hint)
+        known = f"quantities are known by their plain name: `{name.parts[-1]}`"
+        ctx.sink.report("E0311", name.span, what=f"the library name `{text}`", hint=known)
         return
     types = [found for found, entry in visible(scope) if isinstance(entry, TypeSymbol | ClassSymbol)]
+    statement = nearest(text, STATEMENTS)
     meant = nearest(text, [*types, *prelude.TYPES])
-    ctx.sink.report("E0208", name.span, name=text, help=f"did you mean `{meant}`?" if meant else None)
+    hint = f"did you mean `{meant}`?" if meant else None
+    if statement is not None:
+        hint = f"did you mean the statement `{statement}`?"
+    ctx.sink.report("E0208", name.span, name=text, help=hint)

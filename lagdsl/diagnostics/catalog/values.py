@@ -40,7 +40,7 @@ ROWS: dict[str, Row] = {
     "E0314": error(
         "function `{name}` calls itself", label="recursion", help="functions are expanded in place and cannot recur"
     ),
-    "E0315": error("`{function}` takes {expected} arguments, found {found}", label="wrong number of arguments"),
+    "E0315": error("`{function}` takes {expected}, found {found}", label="wrong number of arguments"),
     "E0316": error("index {index} is out of range: there are {extent} {what}", label="must be 1 to {extent}"),
     "E0317": error("{what} may depend on {allowed} only", label="varies more than that"),
     "E0318": error(
