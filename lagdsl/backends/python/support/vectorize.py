@@ -63,7 +63,14 @@ def split(flat: Floats, shapes: Shapes) -> tuple[Floats, ...]:
     blocks = []
     start = 0
     for shape in shapes:
-        stop = start + int(np.prod(shape, dtype=np.int64))
+        stop = start + _size(shape)
         blocks.append(flat[..., start:stop].reshape(flat.shape[:-1] + shape))
         start = stop
     return tuple(blocks)
+
+
+def _size(shape: tuple[int, ...]) -> int:
+    size = 1
+    for length in shape:
+        size *= length
+    return size
