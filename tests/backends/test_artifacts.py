@@ -130,9 +130,14 @@ def test_the_example_is_clean_under_sanitizers(tmp_path: Path) -> None:
     assert len(done.stdout.splitlines()) == 12
 
 
-def test_lines_tell_where_they_come_from() -> None:
-    text = BACKENDS["c"].emit(pendulum()).files["Pendulum.c"]
+@pytest.mark.parametrize("folder", ["", "/home/somebody/", "C:\\models\\"])
+def test_lines_tell_where_they_come_from_but_not_in_which_folder(folder: str) -> None:
+    program = pendulum()
+    slot = replace(program.layout.coordinates[0], place=f"{folder}pendulum.lag:4")
+    moved = replace(program, layout=replace(program.layout, coordinates=(slot,)))
+    text = BACKENDS["c"].emit(moved).files["Pendulum.c"]
     assert "/* pendulum.lag:4 */" in text
+    assert text == BACKENDS["c"].emit(program).files["Pendulum.c"]
 
 
 def test_numbers_read_back_and_strings_hold_only_plain_characters() -> None:

@@ -121,10 +121,15 @@ def _stores(graph: Graph, block: Block, name: str, places: Sequence[Slot], mirro
         row, column = divmod(index, max(width, 1))
         if (mirrored and column > row) or (sparse and node == graph.zero):
             continue
-        place = places[row].place if row < len(places) and row not in commented else None
+        place = _place(places[row]) if row < len(places) and row not in commented else None
         commented.add(row)
         stores.append(Store(f"{name}[{index}]", node, comment_text(place) if place else ""))
     return stores
+
+
+def _place(slot: Slot) -> str | None:
+    """file:line without the folder: the same text gives the same bytes wherever it lies."""
+    return None if slot.place is None else slot.place.replace("\\", "/").rpartition("/")[2]
 
 
 def _places(layout: Layout, function: str, position: int) -> Sequence[Slot]:
@@ -212,7 +217,10 @@ def _slot_tables(layout: Layout) -> dict[str, tuple[Slot, ...]]:
 
 
 def _slots(name: str, slots: Sequence[Slot]) -> str:
-    rows = [f"{{{string(s.name)}, {string(s.unit)}, {string(s.place) if s.place else 'NULL'}}}" for s in slots]
+    rows = []
+    for slot in slots:
+        place = _place(slot)
+        rows.append(f"{{{string(slot.name)}, {string(slot.unit)}, {'NULL' if place is None else string(place)}}}")
     return _array("lag_slot", name, rows)
 
 
