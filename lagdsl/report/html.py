@@ -26,7 +26,7 @@ from lagdsl.report.document import (
 from lagdsl.report.html_style import STYLE
 from lagdsl.report.mathml import element, mathml
 
-_WIDTH = 80
+_WIDTH = 92
 
 
 def html(document: Document) -> str:

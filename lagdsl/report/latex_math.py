@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import assert_never
+from string import ascii_letters
+from typing import Literal, assert_never
 
 from lagdsl.report.boxes import (
     Box,
@@ -39,7 +40,7 @@ _LETTERS = {letter: f"\\{name}" for name, letter in GREEK.items()} | {"Υ": r"\U
 _SPECIAL |= {letter: rf"\ensuremath{{{command}}}" for letter, command in _LETTERS.items()}
 _FUNCTIONS = ("sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "min", "max")
 _OPERATORS = {
-    "=": "=", "<": "<", "≤": r"\le", "≥": r"\ge", ">": ">", "·": r"\cdot", "×": r"\times", "and": r"\text{ and }",
+    "=": "=", ",": ",", "<": "<", "≤": r"\le", "≥": r"\ge", ">": ">", "·": r"\cdot", "×": r"\times", "and": r"\text{ and }",
     "or": r"\text{ or }", "→": r"\to", "≈": r"\approx",
 }  # fmt: skip
 _SYMBOLS = _LETTERS | {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "δ": r"\delta", "-∞": r"-\infty"}
@@ -58,11 +59,11 @@ def tex(box: Box) -> str:  # noqa: C901, PLR0912
     """The box for math mode."""
     match box:
         case Name(text):
-            return _SYMBOLS.get(text) or (text if len(text) == 1 and text.isalpha() and text.isascii() else _word(text))
+            return _SYMBOLS.get(text) or (text if len(text) == 1 and text in ascii_letters else _word(text, "it"))
         case Upright(text):
-            return _SYMBOLS.get(text) or (f"\\{text}" if text in _FUNCTIONS else rf"\mathrm{{\text{{{escape(text)}}}}}")
+            return _SYMBOLS.get(text) or (f"\\{text}" if text in _FUNCTIONS else _word(text, "rm"))
         case Number(text):
-            return text
+            return text.replace("·", r" \cdot ")
         case Operator(text):
             return f" {_OPERATORS[text]} "
         case Row(items):
@@ -75,9 +76,9 @@ def tex(box: Box) -> str:  # noqa: C901, PLR0912
             small = isinstance(above, Number) and isinstance(below, Number)
             return rf"\{'t' if small else ''}frac{{{tex(above)}}}{{{tex(below)}}}"
         case Power(base, exponent):
-            return f"{{{tex(base)}}}^{{{tex(exponent)}}}"
+            return f"{_base(base)}^{{{tex(exponent)}}}"
         case Subscript(base, index):
-            return f"{{{tex(base)}}}_{{{tex(index)}}}"
+            return f"{_base(base)}_{{{tex(index)}}}"
         case Root(inside):
             return rf"\sqrt{{{tex(inside)}}}"
         case Dotted(base, dots):
@@ -104,8 +105,15 @@ def tex(box: Box) -> str:  # noqa: C901, PLR0912
             assert_never(box)
 
 
-def _word(text: str) -> str:
-    return rf"\mathit{{\text{{{escape(text)}}}}}"
+def _word(text: str, shape: Literal["rm", "it"]) -> str:
+    """A name of several letters, or words."""
+    plain = text.isascii() and text.isalnum()
+    return rf"\math{shape}{{{text}}}" if plain else rf"\text{shape}{{{escape(text)}}}"
+
+
+def _base(box: Box) -> str:
+    """What carries an exponent or an index."""
+    return tex(box) if isinstance(box, Name | Dotted | Bracket | Number) else f"{{{tex(box)}}}"
 
 
 def _function(box: Box) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from html import escape
 from typing import assert_never
 
 from lagdsl.report.broken import lines, sign_and_rest
@@ -24,7 +25,7 @@ from lagdsl.report.document import (
 from lagdsl.report.latex_math import tex
 
 _WIDTH = 90
-_SPECIAL = re.compile(r"([\\`*_{}\[\]()#+!|~$>:@&-])")
+_SPECIAL = re.compile(r"([\\`*_\[\]$|~])")
 
 
 def markdown(document: Document) -> str:
@@ -89,7 +90,7 @@ def _inline(content: Inline) -> str:
 def _escape(text: str) -> str:
     """Words without any meaning to Markdown or HTML."""
     plain = " ".join("".join(c if c.isprintable() else " " for c in text).split(" "))
-    return _SPECIAL.sub(r"\\\1", plain).replace("<", "&lt;")
+    return escape(_SPECIAL.sub(r"\\\1", plain), quote=False)
 
 
 def _code(text: str) -> str:

@@ -38,7 +38,7 @@ def _point_name(mass: PointMass) -> str | None:
 
 
 def indexed(letter: str, index: Box) -> Box:
-    """`r` with an index; an index that is an indexed name itself is set as plain words."""
-    if isinstance(index, Subscript):
+    """`r` with an index; a word, or an index with an index of its own, is set upright."""
+    if isinstance(index, Subscript) or (isinstance(index, Name) and len(index.text) > 1):
         return Subscript(Name(letter), Upright(line(index)))
     return Subscript(Name(letter), index)

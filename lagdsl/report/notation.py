@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from sympy import Symbol
 
-from lagdsl.report.boxes import Box, Dotted, Name, Number, Row, Subscript, Upright
+from lagdsl.report.boxes import Box, Dotted, Name, Number, Operator, Row, Subscript, Upright
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.symbols import Symbols
 
@@ -37,7 +37,7 @@ def name_box(name: str) -> Box:
         return _word(stem)
     inside: list[Box] = []
     for label in labels:
-        inside += [Upright(",")] if inside else []
+        inside += [Operator(",")] if inside else []
         inside.append(Number(label) if label.isdigit() else _word(label) if label in GREEK else Upright(label))
     return Subscript(_word(stem), inside[0] if len(inside) == 1 else Row(tuple(inside)))
 

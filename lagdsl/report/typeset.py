@@ -91,7 +91,9 @@ class Typesetter:
         return self._function(e)
 
     def _sum(self, e: Expr) -> Box:
-        terms = [(_is_negative(term), term) for term in sorted(e.args, key=self._term_key)]
+        unmoving = len(self._rank) if any(self._is_polynomial(term) for term in e.args) else -1
+        ordered = sorted(e.args, key=lambda term: self._term_key(term, unmoving))
+        terms = [(_is_negative(term), term) for term in ordered]
         if terms[0][0]:
             first = next((i for i, (negative, _) in enumerate(terms) if not negative), 0)
             terms.insert(0, terms.pop(first))
@@ -160,6 +162,10 @@ class Typesetter:
 
     # Order; ties stay in SymPy's own, which is the same in every run.
 
+    def _is_polynomial(self, term: Expr) -> bool:
+        """Whether something that moves is a factor by itself, not only inside functions."""
+        return any(s in self._rank and s not in self.constants for s in term.as_powers_dict())
+
     def _factor_key(self, factor: Expr) -> tuple[int, int]:
         base = factor.as_base_exp()[0]
         if base.is_NumberSymbol:
@@ -172,13 +178,13 @@ class Typesetter:
         rank = min((self._rank.get(s, 0) for s in base.free_symbols), default=0)
         return (4, 2 * rank + (not isinstance(base, sympy.sin)))
 
-    def _term_key(self, term: Expr) -> tuple[int, int, int]:
-        """Accelerations first, then terms of higher degree in the rates, then the others."""
+    def _term_key(self, term: Expr, unmoving: int) -> tuple[int, int, int]:
+        """Accelerations first, then terms of higher degree in the rates, then the others; `unmoving` ranks constants."""
         powers = term.as_powers_dict()
         qdd = [self._rank[s] for s in self.symbols.qdd if s in term.free_symbols]
         rates = sum(int(p) for s, p in powers.items() if s in self.symbols.qd and p.is_Integer)
         moving = [self._rank[s] for s in term.free_symbols if s in self._rank and s not in self.constants]
-        return (qdd[0] if qdd else len(self._rank), -rates, max(moving, default=len(self._rank)))
+        return (qdd[0] if qdd else len(self._rank), -rates, max(moving, default=unmoving))
 
 
 def _is_negative(e: Expr) -> bool:

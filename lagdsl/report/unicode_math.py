@@ -52,7 +52,7 @@ def line(box: Box) -> str:  # noqa: C901, PLR0912
             raised = line(exponent)
             return line(base) + (raised.translate(_SUPERSCRIPTS) if _is_integer(raised) else f"^({raised})")
         case Subscript(base, index):
-            low = line(index)
+            low = line(index).replace(" , ", ",")
             return line(base) + (low.translate(_SUBSCRIPTS) if low.isdigit() else f"_{low}")
         case Root(inside):
             return f"√{_guarded(inside)}"

@@ -1,0 +1,199 @@
+"""What every format owes its reader: inert text, balanced markup, one page that stands alone."""
+
+from __future__ import annotations
+
+import re
+from html.parser import HTMLParser
+from xml.etree import ElementTree
+
+import pytest
+from textbook import models
+from textbook.build import coordinate, der, energy, model, parameter, v
+
+from lagdsl.report.boxes import (
+    Bracket,
+    Call,
+    Cases,
+    Column,
+    Derivative,
+    Dotted,
+    Fraction,
+    Matrix,
+    Name,
+    Number,
+    Operator,
+    Power,
+    Root,
+    Row,
+    Subscript,
+    Sum,
+    Upright,
+)
+from lagdsl.report.derivation import FORMATS, render
+from lagdsl.report.document import Bullets, Code, Document, Equation, Equations, Paragraph, Strong, Table, Text, text
+from lagdsl.report.latex_math import escape, tex
+from lagdsl.report.mathml import mathml
+from lagdsl.report.notation import name_box
+from lagdsl.report.unicode_math import line
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.textbook.recipe import recipe
+
+HOSTILE = "<script>alert(1)</script> $x$ \\input{/etc/passwd} %{ [a](javascript:b) `c` | \x1b[31m _d_ \u202e ∫"
+
+
+class Balance(HTMLParser):
+    """Collects elements; every element but the void ones must be closed in order."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.seen: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.seen.add(tag)
+        assert all(not name.startswith("on") and name not in ("src", "href") for name, _ in attrs)
+        if tag not in ("meta", "br"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def hostile() -> FlatModel:
+    """Names that no lexer would let through, and a text that means harm in every format."""
+    names = ["<b>&x", "a$b", "\\input{x}", "__import__('os')"]
+    return model(
+        "<i>Evil</i> \\name_1 & $y$",
+        doc=HOSTILE,
+        parameters=[parameter(name, 1.5, doc=HOSTILE) for name in names],
+        coordinates=[coordinate("x%"), coordinate("theta")],
+        energies=[
+            energy("kinetic", v(names[0]) * der(v("x%")) ** 2 + v(names[1]) * der(v("theta")) ** 2),
+            energy("potential", v(names[2]) * v("x%") * v(names[3]) * v("theta")),
+        ],
+    )
+
+
+@pytest.mark.parametrize("make", [*models.ALL, hostile], ids=lambda make: make.__name__)
+def test_html_is_balanced_and_alone(make) -> None:  # type: ignore[no-untyped-def]
+    page = render(recipe(make()), "html")
+    balance = Balance()
+    balance.feed(page)
+    assert not balance.open
+    assert not balance.seen & {"script", "img", "link", "iframe", "i", "b", "object"}
+    assert "http" not in page.replace("http-equiv", "")
+    for formula in re.findall(r"<math.*?</math>", page, re.DOTALL):
+        ElementTree.fromstring(formula)
+
+
+@pytest.mark.parametrize("make", [*models.ALL, hostile], ids=lambda make: make.__name__)
+def test_latex_is_balanced(make) -> None:  # type: ignore[no-untyped-def]
+    source = render(recipe(make()), "latex")
+    bare = re.sub(r"\\[\\{}$%&#_]", "", source)
+    depth = 0
+    for character in bare:
+        depth += {"{": 1, "}": -1}.get(character, 0)
+        assert depth >= 0
+    assert depth == 0
+    assert bare.count("$") % 2 == 0
+    environments: list[str] = []
+    for kind, name in re.findall(r"\\(begin|end)\{([a-z]+\*?)\}", source):
+        if kind == "begin":
+            environments.append(name)
+        else:
+            assert environments.pop() == name
+    assert not environments
+    assert r"\input" not in source
+    assert source.count(r"\left") == source.count(r"\right")
+    assert all(ord(character) < 256 for character in source)
+
+
+def test_markdown_and_text_are_inert() -> None:
+    found = recipe(hostile())
+    page = render(found, "markdown")
+    assert "<script" not in page
+    assert "](javascript" not in page.replace("\\]", "")
+    assert "\x1b" not in page
+    plain = render(found, "text")
+    assert "\x1b" not in plain
+    assert "\u202e" not in plain
+
+
+def test_escape_keeps_words() -> None:
+    assert escape("50 % of A & B_1") == r"50 \% of A \& B\_1"
+    assert escape("θ ∫\n") == r"\ensuremath{\theta} [U+222B] "
+
+
+FORMULA = Row(
+    (
+        Sum((("-", Name("gap")), ("+", Sum((("+", Number("1")), ("-", Name("θ"))))))),
+        Operator("≤"),
+        Fraction(Number("1"), Number("2")),
+        Power(Bracket(Name("x")), Number("-2")),
+        Power(Name("y"), Name("n")),
+        Subscript(Name("m"), Upright("rod")),
+        Root(Sum((("+", Name("a")), ("+", Name("b"))))),
+        Dotted(Name("gap"), 2),
+        Dotted(Name("ψ"), 1),
+        Derivative("∂", Name("L"), Name("q")),
+        Call(Upright("atan2"), (Name("y"), Name("x"))),
+        Cases(Name("a"), Row((Name("x"), Operator("<"), Number("0"))), Name("b")),
+        Column((Name("a"), Name("b"))),
+        Matrix(((Name("a"), Name("b")), (Name("c"), Name("d")))),
+        Upright("∞"),
+    )
+)
+
+
+def test_every_box_in_every_format() -> None:
+    assert line(FORMULA) == (
+        "−gap + (1 − θ) ≤ ½ (x)⁻² y^(n) m_rod √(a + b) der(der(gap)) ψ̇ ∂L/∂q atan2(y, x) "
+        "(if x < 0 then a else b) (a, b) [a, b; c, d] ∞"
+    )
+    assert tex(FORMULA) == (
+        r"-\mathit{gap} + \left(1 - \theta\right) \le \tfrac{1}{2}\, \left(x\right)^{-2}\, y^{n}\, m_{\mathrm{rod}}\, "
+        r"\sqrt{a + b}\, \ddot{\mathit{gap}}\, \dot{\psi}\, \frac{\partial L}{\partial q}\, "
+        r"\operatorname{atan2}\left(y, x\right)\, "
+        r"\begin{cases} a & \text{if } x < 0 \\ b & \text{otherwise} \end{cases}\, "
+        r"\begin{pmatrix} a \\ b \end{pmatrix}\, \begin{bmatrix} a & b \\ c & d \end{bmatrix}\, \infty"
+    )
+    root = ElementTree.fromstring(mathml(FORMULA, display=True))
+    tags = {element.tag for element in root.iter()}
+    assert {"mfrac", "msup", "msub", "msqrt", "mover", "mtable", "mi", "mn", "mo"} <= tags
+
+
+def test_every_block_in_every_format() -> None:
+    blocks = (
+        Paragraph((Text("words "), Strong("strong"), Code("co`de | x"))),
+        Bullets((text("item"),)),
+        Table(("a", "b"), ((text("1"), text("")),)),
+        Equations((Equation(Name("x"), Number("1"), final=True),)),
+    )
+    document = Document(title="T", subtitle=None, blocks=blocks)
+    for to, setter in FORMATS.items():
+        page = setter(document)
+        assert "words" in page, to
+        assert "strong" in page, to
+        assert page.endswith("\n"), to
+
+
+@pytest.mark.parametrize(
+    ("name", "shown"),
+    [
+        ("theta", "θ"),
+        ("Omega", "Ω"),
+        ("a1", "a₁"),
+        ("m_rod", "m_rod"),
+        ("q[2]", "q₂"),
+        ("P[3,4]", "P_3,4"),
+        ("arm.q", "q_arm"),
+        ("arm.q[1]", "q_arm,1"),
+        ("phi_dot2", "φ_dot2"),
+        ("theta_1", "θ₁"),
+        ("_", "_"),
+        ("gap", "gap"),
+        ("x_theta", "x_θ"),
+    ],
+)
+def test_names(name: str, shown: str) -> None:
+    assert line(name_box(name)) == shown

@@ -1,0 +1,39 @@
+"""Reports of the corpus in all four formats. A missing expectation is written, and fails once, so that it is read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import front, read
+from lagdsl.report.derivation import FORMATS, render
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.textbook.recipe import recipe
+
+_CORPUS = Path(__file__).parents[1] / "corpus" / "derive"
+_SUFFIX = {"text": ".txt", "markdown": ".md", "latex": ".tex", "html": ".html"}
+
+
+def flat_model(path: Path) -> FlatModel:
+    sink = Sink()
+    file = read(path, sink)
+    assert file is not None
+    flat = front(file, sink)
+    assert flat is not None, sink.diagnostics
+    return flat
+
+
+@pytest.mark.parametrize("path", sorted(_CORPUS.glob("*.lag")), ids=lambda path: path.stem)
+def test_reports_are_as_reviewed(path: Path) -> None:
+    found = recipe(flat_model(path))
+    missing = []
+    for to in FORMATS:
+        text, expected = render(found, to), path.with_suffix(_SUFFIX[to])
+        if not expected.exists():
+            expected.write_text(text, encoding="utf-8")
+            missing.append(expected.name)
+            continue
+        assert text == expected.read_text(encoding="utf-8"), f"{expected.name} differs; delete it to write it anew"
+    assert not missing, f"written, read them: {missing}"
