@@ -1,0 +1,125 @@
+"""Nodes of expressions."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from lagdsl.diagnostics import Sink
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+from lagdsl.syntax.lexer import Token, unit_of
+from lagdsl.syntax.machine import Action
+from lagdsl.syntax.unknown_unit import report_unknown_unit
+
+_OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "emul": ".*", "ediv": "./", "pow": "^", "or_": "or", "and_": "and"}
+_SIGNS = {"neg": "-", "pos": "+", "not_": "not"}
+_ESCAPE = re.compile(r"\\(.)", re.DOTALL)
+_ESCAPED = {"n": "\n", "t": "\t", "r": "\r"}
+
+
+def expression_actions(sink: Sink) -> dict[str, Action]:
+    """Actions of expressions; a call of what cannot be called and a member of a number go to `sink`."""
+
+    def call(c: list[Any], span: Span) -> nodes.Call | nodes.Reduction:
+        function, arguments = c
+        if not isinstance(function, nodes.Reference | nodes.Member):
+            sink.report("E0121", function.span)
+        if isinstance(arguments, _Reduced):
+            return nodes.Reduction(span=span, function=function, body=arguments.body, iterators=arguments.iterators)
+        return nodes.Call(span=span, function=function, arguments=arguments or ())
+
+    def member(c: list[Any], span: Span) -> nodes.Member:
+        target, name = c
+        if isinstance(target, nodes.Quantity):
+            start = target.span.end - len(target.unit)
+            report_unknown_unit(sink, Span(span.file, start, span.end), target.number, f"{target.unit}.{name.text}")
+        elif isinstance(target, nodes.Number):
+            sink.report("E0127", token_span(name, span))
+        return nodes.Member(span=span, target=target, name=name.text, name_span=token_span(name, span))
+
+    binary = {rule: _binary(operator) for rule, operator in _OPERATORS.items()}
+    unary = {rule: _unary(operator) for rule, operator in _SIGNS.items()}
+    return {**_PLAIN, **binary, **unary, "call": call, "member": member}
+
+
+class _Reduced:
+    """`body for i in 1:n` between the brackets of a call."""
+
+    def __init__(self, body: nodes.Expression, iterators: tuple[nodes.Iterator, ...]) -> None:
+        self.body = body
+        self.iterators = iterators
+
+
+def token_span(token: Token, within: Span) -> Span:
+    return Span(within.file, token.start, token.end)
+
+
+def unquote(token: Token) -> str:
+    """The text between the quotes, escapes resolved as in Modelica."""
+    return _ESCAPE.sub(lambda match: _ESCAPED.get(match[1], match[1]), token.text[1:-1])
+
+
+def pairs(items: list[Any]) -> list[tuple[Any, Any]]:
+    """(a, b), (c, d) of a, b, c, d."""
+    return list(zip(items[::2], items[1::2], strict=True))
+
+
+def _binary(operator: str) -> Action:
+    return lambda c, span: nodes.Binary(span=span, operator=operator, left=c[0], right=c[1])
+
+
+def _unary(operator: str) -> Action:
+    return lambda c, span: nodes.Unary(span=span, operator=operator, operand=c[0])
+
+
+def _quantity(c: list[Any], span: Span) -> nodes.Quantity:
+    unit = unit_of(c[0].text)
+    return nodes.Quantity(span=span, number=c[0].text[: -len(unit)].rstrip(" \t"), unit=unit)
+
+
+def _conditional(c: list[Any], span: Span) -> nodes.Conditional:
+    branches = tuple(
+        nodes.Branch(span=condition.span.to(value.span), condition=condition, value=value)
+        for condition, value in pairs(c[:-1])
+    )
+    return nodes.Conditional(span=span, branches=branches, otherwise=c[-1])
+
+
+def _range(c: list[Any], span: Span) -> object:
+    """`a`, `a:b` or `a:step:b`."""
+    first, second, third = c
+    if second is None:
+        return first
+    if third is None:
+        return nodes.Range(span=span, start=first, step=None, stop=second)
+    return nodes.Range(span=span, start=first, step=second, stop=third)
+
+
+_PLAIN: dict[str, Action] = {
+    "if_expr": _conditional,
+    "relation": lambda c, span: nodes.Binary(span=span, operator=c[1].text, left=c[0], right=c[2]),
+    "index_": lambda c, span: nodes.Index(span=span, target=c[0], subscripts=c[1]),
+    "ref": lambda c, span: nodes.Reference(span=span, name=c[0].text),
+    "quantity": _quantity,
+    "number": lambda c, span: nodes.Number(span=span, text=c[0].text),
+    "string": lambda c, span: nodes.String(span=span, value=unquote(c[0])),
+    "true": lambda c, span: nodes.Boolean(span=span, value=True),
+    "false": lambda c, span: nodes.Boolean(span=span, value=False),
+    "parenthesized": lambda c, span: nodes.Parenthesized(span=span, inner=c[0]),
+    "tuple": lambda c, span: nodes.Tuple(span=span, elements=tuple(c)),
+    "vector": lambda c, span: nodes.Array(span=span, elements=tuple(c)),
+    "comprehension": lambda c, span: nodes.Comprehension(span=span, body=c[0], iterators=c[1]),
+    "matrix": lambda c, span: nodes.Matrix(span=span, rows=tuple(c)),
+    "row": lambda c, span: tuple(c),
+    "args": lambda c, span: tuple(c),
+    "reduction": lambda c, span: _Reduced(c[0], c[1]),
+    "named": lambda c, span: nodes.Named(span=span, name=c[0].text, value=c[1]),
+    "named_args": lambda c, span: tuple(c),
+    "range": _range,
+    "all_": lambda c, span: nodes.All(span=span),
+    "dims": lambda c, span: tuple(c),
+    "indices": lambda c, span: tuple(c),
+    "index": lambda c, span: nodes.Iterator(span=span, name=c[0].text, range=c[1]),
+    "name": lambda c, span: nodes.Name(span=span, parts=(*(c[0].parts if len(c) == 2 else ()), c[-1].text)),
+}
