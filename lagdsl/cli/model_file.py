@@ -12,7 +12,7 @@ import click
 
 from lagdsl.cli.status import ERRORS, USAGE
 from lagdsl.diagnostics import Diagnostic, Sink
-from lagdsl.pipeline import read
+from lagdsl.semantics.library import read_source
 from lagdsl.source import SourceFile
 
 Format: TypeAlias = Literal["text", "json"]
@@ -40,7 +40,7 @@ def takes_model(command: _Command) -> _Command:
 def read_or_leave(file: Path, style: Format, *, to_output: bool = False) -> SourceFile:
     """The text of FILE; leaves with status 2 where it cannot be read."""
     sink = Sink()
-    source = read(file, sink)
+    source = read_source(file, sink)
     if source is None:
         tell(sink.diagnostics, style, to_output=to_output)
         click.get_current_context().exit(USAGE)

@@ -31,7 +31,7 @@ def test_json_holds_the_place(invoke: Invoke, broken: Path) -> None:
     assert result.exit_code == 1
     (diagnostic,) = json.loads(result.stdout)
     assert diagnostic["code"] == "E0201"
-    assert (diagnostic["line"], diagnostic["column"], diagnostic["end_column"]) == (6, 33, 37)
+    assert (diagnostic["line"], diagnostic["column"], diagnostic["end_column"]) == (6, 35, 39)
     assert diagnostic["file"] == str(broken)
 
 

@@ -158,7 +158,7 @@ class TestNew:
         assert "exists" in result.stderr
         assert (tmp_path / "a.lag").read_text() == "mine"
 
-    @pytest.mark.parametrize("name", ["9lives", "-x", "nowhere/model", "°"])
+    @pytest.mark.parametrize("name", ["9lives", "nowhere/model", "°"])
     def test_names_that_are_none(
         self, invoke: Invoke, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
     ) -> None:

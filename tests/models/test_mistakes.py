@@ -25,8 +25,8 @@ model Pendulum
 MISTAKES = [
     (
         "misspelt parameter",
-        PENDULUM.format("  potential m*g_n*ll*cos(theta);\n"),
-        "                  ^^             ",
+        PENDULUM.format("  parameter Length drop = 1 m;\n  potential m*g_n*dorp*cos(theta);\n"),
+        "                  ^^^^           ",
         "E0201",
     ),
     (
@@ -56,8 +56,8 @@ MISTAKES = [
     (
         "absurd unit",
         PENDULUM.replace("m = 1 kg", "m = 1 s").format(""),
-        "                      ^^^",
-        "E0406",
+        "                     ^^^",
+        "E0407",
     ),
     (
         "coordinate that redeclares a parameter",
@@ -69,19 +69,19 @@ MISTAKES = [
         "product without its asterisk read as a call",
         PENDULUM.format("  potential m*g_n*l(1 - cos(theta));\n"),
         "                  ^",
-        "E0207",
+        "E0327",
     ),
     (
         "type that does not exist",
         PENDULUM.replace("coordinate Angle", "coordinate Angel").format(""),
         "             ^^^^^",
-        "E0201",
+        "E0208",
     ),
     (
         "force without a place",
         PENDULUM.format("  force 1 N;\n"),
         "           ^",
-        "E0123",
+        "E0100",
     ),
     (
         "unbalanced parenthesis",
@@ -93,7 +93,7 @@ MISTAKES = [
         "unit literal that hides a variable",
         PENDULUM.format("  parameter Time s = 1 s;\n  Length path = 2 m/s;\n"),
         "                ^^^^^",
-        "E0401",
+        "E0407",
     ),
 ]
 
@@ -112,7 +112,7 @@ def test_mistake_is_told_at_its_place(text: str, carets: str, code: str) -> None
 
 def test_misspelt_names_are_answered_with_the_nearest_one() -> None:
     helps = [_error(text).help or "" for name, text, _, _ in MISTAKES if name.startswith("misspelt")]
-    for right, text in zip(("l", "start", "theta", "theta", "dissipation"), helps, strict=True):
+    for right, text in zip(("drop", "start", "theta", "theta", "dissipation"), helps, strict=True):
         assert f"`{right}`" in text
 
 

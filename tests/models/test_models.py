@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from lagdsl.syntax.printer import format_text
 
 from lagdsl.diagnostics import Sink
 from lagdsl.graph.evaluate import evaluate
@@ -13,6 +12,7 @@ from lagdsl.program.program import Program
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_text import flat_text
 from lagdsl.syntax.parser import parse
+from lagdsl.syntax.printer import format_text
 from models.corpus import (
     MODELS,
     STATES,

@@ -88,14 +88,14 @@ def test_a_closed_loop_keeps_its_constraints_for_a_hundred_seconds() -> None:
 
 @EVERY
 def test_the_command_line_runs_it(name: str, tmp_path: Path) -> None:
-    """One second of motion as `lag run`, and the derivation as a page."""
+    """A short motion as `lag run`, and the derivation as a page."""
     runner = CliRunner()
     table = tmp_path / "out.csv"
     result = runner.invoke(lag, ["run", str(path_of(name)), "--stop", "0.1", "-o", str(table)])
     assert result.exit_code == 0, result.output
     header, *rows = table.read_text().splitlines()
     assert header.split(",")[0] == "time"
-    assert len(rows) > 2
+    assert len(rows) >= 2
     page = tmp_path / "page.html"
     result = runner.invoke(lag, ["derive", str(path_of(name)), "--to", "html", "-o", str(page)])
     assert result.exit_code == 0, result.output

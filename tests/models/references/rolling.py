@@ -50,5 +50,8 @@ def rolling_coin(p: Parameters, t: Floats) -> dict[str, Floats]:
             w2 - turn * np.sin(tilt),
         ]
 
-    x = solve(rates, [lean, 0, spin, 0, 0, 0], t)
+    # The heading's rate is not given: the start is the one nearest to rest in the metric of the kinetic energy.
+    s, k = np.sin(lean), np.cos(lean)
+    heading = -spin * m * R**2 * s / (m * R**2 * s**2 + a * k**2 + c * s**2)
+    x = solve(rates, [lean, 0, spin + heading * s, heading * k, 0, 0], t)
     return {"lean": x[0], "psi": x[4], "spin": x[5]}
