@@ -36,6 +36,7 @@ def _line(compilation: Compilation) -> str:
         (len(layout.inputs), "input"),
         (len(layout.outputs), "output"),
     )
-    rank = f" (rank {compilation.structure.rank})"
-    parts = [f"{n} {noun}{'' if n == 1 else 's'}{rank if noun == 'constraint' else ''}" for n, noun in counts]
+    parts = [f"{number} {noun}{'' if number == 1 else 's'}" for number, noun in counts]
+    if layout.constraints:
+        parts[0] += f" (rank {compilation.structure.rank})"
     return f"{compilation.flat.name}: {structure_text(compilation.structure)}; {', '.join(parts)}"

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-
 CARRIED = {
     "grammar/lagdsl.lark": "lagdsl/_data/grammar/lagdsl.lark",
     "stdlib/Lag/package.lag": "lagdsl/_data/stdlib/Lag/package.lag",
