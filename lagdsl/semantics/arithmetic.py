@@ -119,7 +119,9 @@ def aligned(ctx: Context, left: Operand, right: Operand, node: nodes.Node) -> tu
         first, second = as_vector(one), as_vector(two)
         if first is not None and second is not None:
             return first, second
-    ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
+    ordered = left.node.span.start < right.node.span.start
+    span = left.node.span.to(right.node.span) if ordered else node.span
+    ctx.sink.report("E0313", span, left=kind_of(one), right=kind_of(two))
     return None
 
 

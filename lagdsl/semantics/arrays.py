@@ -87,7 +87,7 @@ def subscript_indices(
 ) -> list[int | tuple[int, ...]] | None:
     """1-based indices, one number or (for a slice) a tuple for each subscript; None after a diagnostic."""
     if len(subscripts) > len(shape):
-        ctx.sink.report("E0316", node.span, index=len(subscripts), what="subscripts", extent=len(shape))
+        ctx.sink.report("E0341", node.span, index=len(subscripts), extent=len(shape))
         return None
     result: list[int | tuple[int, ...]] = []
     for subscript, extent in zip(subscripts, shape, strict=False):
@@ -109,7 +109,7 @@ def subscript_indices(
             return None
         for index in (found,) if isinstance(found, int) else found:
             if not 1 <= index <= extent:
-                ctx.sink.report("E0316", subscript.span, index=index, what="elements", extent=extent)
+                ctx.sink.report("E0316", subscript.span, index=index, extent=extent)
                 return None
         result.append(found)
     return result

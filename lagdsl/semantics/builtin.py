@@ -349,7 +349,7 @@ def _size(call: Application) -> Value:
     if index is None:
         return POISON
     if not 1 <= index <= len(shape):
-        call.ctx.sink.report("E0316", item.node.span, index=index, what="dimensions", extent=len(shape))
+        call.ctx.sink.report("E0341", item.node.span, index=index, extent=len(shape))
         return POISON
     return element_at(sizes, index - 1)
 

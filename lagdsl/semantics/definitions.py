@@ -159,6 +159,8 @@ class Definitions:
                 return POISON
             with self.ctx.without_relations(False):
                 self._make(symbol, indices, key)
+        if indices not in symbol.cells and key is None:
+            self._poison(symbol)
         return symbol.cells.setdefault(indices, POISON)
 
     def _key(self, symbol: Symbol, indices: Indices) -> Indices | None:
@@ -219,6 +221,14 @@ class Definitions:
             case _:
                 symbol.cells[indices] = POISON
 
+    def _missing(self, symbol: Symbol, indices: Indices) -> None:
+        """E0318 for the element or, where no element has a value, once for all."""
+        if symbol.bindings:
+            self.ctx.sink.report("E0318", symbol.span, name=element_name(symbol.short, indices))
+        else:
+            self.ctx.sink.report("E0318", symbol.span, name=symbol.short)
+            self._poison(symbol)
+
     def _binding(self, symbol: Symbol, key: Indices | None) -> Binding | None:
         return symbol.bindings.get(key) or (symbol.bindings.get(None) if not key else None)
 
@@ -227,14 +237,8 @@ class Definitions:
         binding = self._binding(symbol, key)
         shape = self.shape(symbol)
         if binding is None:
-            name = element_name(symbol.short, indices)
-            self.ctx.sink.report("E0318", symbol.span, name=name)
+            self._missing(symbol, indices)
         if binding is None or shape is None or symbol.info is None:
-            symbol.cells[indices] = POISON
-            return
-        if symbol.info.base == "String":
-            self.ctx.sink.report("E0312", binding.node.span, expected="a number", found="a String")
-            symbol.cells[indices] = POISON
             return
         part = () if key else shape
         expected = Expected(f"`{symbol.short}`", symbol.info.dimension, part, symbol.info.base, symbol.info.unit)
@@ -261,11 +265,7 @@ class Definitions:
         binding = symbol.bindings.get(indices)
         name = element_name(symbol.name, indices)
         if binding is None:
-            row = self._row(symbol, indices)
-            if row is None:
-                self.ctx.sink.report("E0318", symbol.span, name=element_name(symbol.short, indices))
-                return POISON
-            position: Vector | None = row
+            position = self._row(symbol, indices)
         else:
             value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, True)
             position = as_point(self.ctx, binding.scope, binding.node, value)
@@ -280,10 +280,17 @@ class Definitions:
     def _row(self, symbol: Symbol, indices: Indices) -> Vector | None:
         """One point of an array of points with one binding for all: `point P[2] = {{0, 0}, {l, 0}}`."""
         binding = symbol.bindings.get(None)
-        if binding is None or len(indices) != 1:
+        if binding is None:
+            self._missing(symbol, indices)
             return None
         value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, True)
-        if not isinstance(value, Array) or len(value.shape) != 2 or value.shape[0] != (symbol.shape or (0,))[0]:
+        if not isinstance(value, Array) or len(value.shape) != 2 or value.shape[:1] != symbol.shape:
+            if not isinstance(value, Poison):
+                count = " by ".join(str(extent) for extent in symbol.shape or ())
+                wanted, found = f"an array of {count} points", kind_of(value)
+                what = f"`{symbol.short}`"
+                self.ctx.sink.report("E0334", binding.node.span, what=what, expected=wanted, found=found)
+            self._poison(symbol)
             return None
         part = element_at(value, indices[0] - 1)
         return as_point(self.ctx, binding.scope, binding.node, part)
@@ -292,7 +299,7 @@ class Definitions:
         binding = symbol.bindings.get(indices)
         name = element_name(symbol.name, indices)
         if binding is None:
-            self.ctx.sink.report("E0318", symbol.span, name=element_name(symbol.short, indices))
+            self._missing(symbol, indices)
             return POISON
         value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, False)
         if not isinstance(value, FrameValue):

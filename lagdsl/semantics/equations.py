@@ -116,9 +116,9 @@ def element_indices(
         found.append(number)
     for index, extent in zip(found, shape, strict=False):
         if not 1 <= index <= extent:
-            ctx.sink.report("E0316", span, index=index, what="elements", extent=extent)
+            ctx.sink.report("E0316", span, index=index, extent=extent)
             return None
     if len(found) != len(shape):
-        ctx.sink.report("E0316", span, index=len(found), what="subscripts", extent=len(shape))
+        ctx.sink.report("E0341", span, index=len(found), extent=len(shape))
         return None
     return tuple(found)

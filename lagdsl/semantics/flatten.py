@@ -11,6 +11,7 @@ from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import annotations as notes
 from lagdsl.semantics import quantities
+from lagdsl.semantics.attributes import attributes
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declare import Contents, Declarer
 from lagdsl.semantics.definitions import Definitions, every
@@ -90,6 +91,7 @@ def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) ->
     states: list[State] = []
     inputs: list[Input] = []
     for symbol in contents.symbols:
+        attributes(ctx, symbol)
         for indices in every(ctx.resolver.shape(symbol) or ()):
             ctx.resolver.element(symbol, indices, symbol.span)
         if symbol.kind == "coordinate":
@@ -110,7 +112,8 @@ def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) ->
     return FlatModel(
         name=node.name,
         doc=node.doc,
-        parameters=tuple(ctx.parameters),
+        # Found in the order of need, listed in the order of the text.
+        parameters=tuple(sorted(ctx.parameters, key=lambda parameter: parameter.spans[0].start)),
         coordinates=tuple(coordinates),
         states=tuple(states),
         inputs=tuple(inputs),

@@ -148,7 +148,11 @@ def as_direction(
         return None
     vector = as_vector(value) if not isinstance(value, FrameValue) else None
     if vector is None:
-        ctx.sink.report("E0312", node.span, expected=f"{what}, a vector", found=kind_of(value))
+        hint = None
+        if isinstance(value, Scalar) and fits(value.dimension, ctx.dimension(dimension)):
+            text = node.span.text if not isinstance(node, nodes.Binary) else f"({node.span.text})"
+            hint = f"give it a direction: `{text}*world.x`"
+        ctx.sink.report("E0312", node.span, expected=f"a vector for {what}", found=kind_of(value), help=hint)
         return None
     words = {"what": what, "expected": "a moment [N.m]"} if what == "a torque" else {"what": what}
     return vector if require(ctx, scope, node, vector.dimension, dimension, "E0415", **words) else None
@@ -181,8 +185,9 @@ class _Arguments:
         value = self.values[index]
         if isinstance(value, Scalar) and fits(value.dimension, DIMENSIONLESS) and value.kind != "Boolean":
             return value.expression
-        if isinstance(value, Scalar):
-            self.ctx.sink.report("E0402", self.node(index).span, function="a rotation", found=quantity(value.dimension))
+        if isinstance(value, Scalar) and value.kind != "Boolean":
+            found = quantity(value.dimension)
+            self.ctx.sink.report("E0402", self.node(index).span, function="a rotation", found=found)
         elif not isinstance(value, Poison):
             self.ctx.sink.report("E0312", self.node(index).span, expected="an angle", found=kind_of(value))
         self.ok = False

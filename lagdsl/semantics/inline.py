@@ -10,7 +10,7 @@ from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.limits import another_call
-from lagdsl.semantics.naming import arguments_text, name_span
+from lagdsl.semantics.naming import arguments_text, kind_of, name_span
 from lagdsl.semantics.scope import Entry, FunctionSymbol, Scope, TypeInfo
 from lagdsl.semantics.types import resolve_type
 from lagdsl.semantics.values import POISON, Array, Poison, Scalar, Text, Value, Vector
@@ -80,6 +80,9 @@ def _argument(
     if info is None:
         return POISON
     if info.base == "String":
+        if not isinstance(operand.value, Text | Poison):
+            what, found = f"argument `{parameter.name}`", kind_of(operand.value)
+            ctx.sink.report("E0334", operand.node.span, what=what, expected="a String", found=found)
         return operand.value if isinstance(operand.value, Text) else POISON
     shape = _shape(ctx, scope, parameter.subscripts, info, operand.value)
     if shape is None:

@@ -133,7 +133,7 @@ def _mass(ctx: Context, physics: Physics, scope: Scope, node: nodes.PointMass) -
     if not isinstance(mass, Scalar) or mass.kind == "Boolean":
         ctx.sink.report("E0312", node.mass.span, expected="a mass", found=kind_of(mass))
         return
-    if not require(ctx, scope, node.mass, mass.dimension, MASS, "E0415", what="a mass"):
+    if not require(ctx, scope, node.mass, mass.dimension, MASS, "E0415", what="`mass`"):
         return
     if point is None:
         return

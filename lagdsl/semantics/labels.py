@@ -46,6 +46,7 @@ def _definition(ctx: Context, instance: LabelInstance, node: nodes.Energy | node
         dimension=dimension,
         unit=unit_text(dimension),
         doc=node.doc,
+        type_name="Real" if isinstance(node, nodes.Load) else "Power" if node.keyword == "dissipation" else "Energy",
         value=found.expression,
         variability=variability,
     )

@@ -78,7 +78,7 @@ def _der(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         ctx.sink.report("E0312", arguments[0].span, expected="a quantity to differentiate", found=kind_of(value))
         return POISON
     if value.order >= Order.ACCELERATION:
-        ctx.sink.report("E0324", arguments[0].span, what="the derivative of an acceleration or reaction")
+        ctx.sink.report("E0342", arguments[0].span)
         return POISON
     return time_derivative(ctx, value)
 

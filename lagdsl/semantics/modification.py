@@ -21,7 +21,12 @@ def expand_short(ctx: Context, symbol: ClassSymbol) -> tuple[nodes.Class, list[t
             ctx.sink.report("E0305", node.span, path=f"model `{node.name}` is defined by itself")
             return None
         seen.append(node.name)
+        given: set[str] = set()
         for modifier in node.modifiers:
+            name = ".".join(modifier.name.parts) if isinstance(modifier, nodes.Modifier) else modifier.name
+            if name in given:
+                ctx.sink.report("E0212", modifier.span, name=name)
+            given.add(name)
             if isinstance(modifier, nodes.Modifier):
                 found.insert(0, (modifier, symbol.scope))
             else:

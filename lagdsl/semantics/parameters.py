@@ -87,7 +87,8 @@ def _element(
     try:
         number = evaluate(value.expression)
     except NoValue as fault:
-        ctx.sink.report("E0323", symbol.span, reason=str(fault))
+        place = next(iter(symbol.bindings.values())).node.span if symbol.bindings else symbol.span
+        ctx.sink.report("E0323", place, reason=str(fault))
         return POISON
     _check_bounds(ctx, symbol, number, bounds)
     folded = symbol.kind != "parameter"

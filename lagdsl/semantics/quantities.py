@@ -150,7 +150,7 @@ def _derivative(ctx: Context, symbol: Symbol, indices: Indices | None, shape: tu
     if isinstance(value, Poison):
         return None
     dimension = _dimension(symbol) / ctx.dimension(TIME)
-    expected = Expected(f"`der({symbol.short})`", dimension, shape)
+    expected = Expected(f"`der({symbol.short})`", dimension, shape, code="E0415")
     found = conform(ctx, binding.scope, binding.node, value, expected)
     if found is not None and found.order >= Order.ACCELERATION:
         code = "E0308" if found.order == Order.ACCELERATION else "E0324"

@@ -123,6 +123,9 @@ def _element(ctx: Context, scope: Scope, node: nodes.Index, symbol: Symbol, shap
     value = ctx.resolver.element(symbol, indices, node.span)
     if not rest:
         return value
+    if isinstance(value, Scalar):
+        ctx.sink.report("E0341", node.span, index=len(node.subscripts), extent=len(shape))
+        return POISON
     inner = nodes.Index(span=node.span, target=node.target, subscripts=rest)
     return _indexed(ctx, scope, inner, value)
 

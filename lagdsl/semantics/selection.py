@@ -58,12 +58,12 @@ def select(ctx: Context, unit: nodes.Unit, scope: Scope, name: str | None) -> Cl
         ctx.sink.report("E0217", None, name=name, help=hint if models else None)
         return None
     used = _used(unit)
-    complete = [symbol for path, symbol in models.items() if "." not in path and "partial" not in symbol.node.prefixes]
+    complete = [symbol for symbol in models.values() if "partial" not in symbol.node.prefixes]
     free = [symbol for symbol in complete if symbol.node.name not in used]
     if free or complete:
         return (free or complete)[-1]
-    first = unit.items[0].span if unit.items else None
-    ctx.sink.report("E0218", first)
+    first = unit.items[0] if unit.items else None
+    ctx.sink.report("E0218", first.name_span if isinstance(first, nodes.Class) else first.span if first else None)
     return None
 
 

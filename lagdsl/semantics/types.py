@@ -148,9 +148,7 @@ def _unknown(ctx: Context, name: nodes.Name, scope: Scope) -> None:
         ctx.sink.report("E0311", name.span, what=f"the library name `{text}`", hint=known)
         return
     types = [found for found, entry in visible(scope) if isinstance(entry, TypeSymbol | ClassSymbol)]
-    statement = nearest(text, STATEMENTS)
-    meant = nearest(text, [*types, *prelude.TYPES])
-    hint = f"did you mean `{meant}`?" if meant else None
-    if statement is not None:
-        hint = f"did you mean the statement `{statement}`?"
+    meant = nearest(text, [*types, *prelude.TYPES, *STATEMENTS])
+    what = "the statement " if meant in STATEMENTS else ""
+    hint = f"did you mean {what}`{meant}`?" if meant else None
     ctx.sink.report("E0208", name.span, name=text, help=hint)

@@ -41,7 +41,7 @@ ROWS: dict[str, Row] = {
         "function `{name}` calls itself", label="recursion", help="functions are expanded in place and cannot recur"
     ),
     "E0315": error("`{function}` takes {expected}, found {found}", label="wrong number of arguments"),
-    "E0316": error("index {index} is out of range: there are {extent} {what}", label="must be 1 to {extent}"),
+    "E0316": error("index {index} is out of range: there are {extent} elements", label="must be 1 to {extent}"),
     "E0317": error("{what} may depend on {allowed} only", label="varies more than that"),
     "E0318": error(
         "`{name}` has no value",
@@ -110,5 +110,11 @@ ROWS: dict[str, Row] = {
         "`{name}` cannot be declared inside a loop",
         label="one declaration, many turns",
         help="declare an array outside: `{name}[N]`, and give its elements in the loop: `{name}[i] = ...`",
+    ),
+    "E0341": error("there is no dimension {index}: the number of dimensions is {extent}", label="one subscript each"),
+    "E0342": error(
+        "the derivative of an acceleration, reaction or multiplier is not known",
+        label="known only after the equations are solved",
+        help="`der` may be taken twice of coordinates",
     ),
 }

@@ -1,0 +1,56 @@
+"""Texts to flat models, and what was said on the way."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import Sink
+from lagdsl.semantics import flat_expression as fx
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_evaluate import Values, evaluate
+from lagdsl.semantics.flatten import flatten
+from lagdsl.source import SourceFile
+from lagdsl.syntax.parser import parse
+
+PENDULUM = """model M
+  parameter Mass m = 1 kg;
+  parameter Length l = 0.5 m;
+  coordinate Angle theta(start = 60 deg);
+  gravity = {0, -9.81 m/s2};
+  mass m at {l*sin(theta), -l*cos(theta)};
+"""
+
+
+def run(text: str, **options: object) -> tuple[fm.FlatModel | None, Sink]:
+    """The flat model of a text and the sink; parsing must succeed."""
+    sink = Sink()
+    unit = parse(SourceFile("x.lag", text), sink)
+    assert unit is not None, sink.diagnostics
+    return flatten(unit, sink, **options), sink  # type: ignore[arg-type]
+
+
+def pendulum(body: str) -> tuple[fm.FlatModel | None, Sink]:
+    """A pendulum (m, l, theta) with more in its body."""
+    return run(f"{PENDULUM}{body}\nend M;\n")
+
+
+def accepted(body: str) -> fm.FlatModel:
+    """The flat model of a pendulum with `body`, which must have no error."""
+    flat, sink = pendulum(body)
+    assert flat is not None, [(d.code, d.message) for d in sink.diagnostics]
+    return flat
+
+
+def said(sink: Sink) -> list[tuple[str, str]]:
+    """Codes with the text at their caret."""
+    return [(d.code, d.labels[0].span.text if d.labels else "") for d in sink.diagnostics]
+
+
+def value_of(expression: str, kind: str = "Real", **coordinates: float) -> float:
+    """The number that an expression of `x`, `y` (coordinates without a dimension) means."""
+    text = f"model M coordinate Angle x, y; kinetic (1 J.s2)*(der(x)^2 + der(y)^2);\noutput {kind} r = {expression};\nend M;"
+    flat, sink = run(text)
+    assert flat is not None, [(d.code, d.message) for d in sink.diagnostics]
+    return evaluate(flat, flat.outputs[0].value, Values(variables=coordinates))
+
+
+def output(flat: fm.FlatModel, name: str) -> fx.FlatExpression:
+    return next(item.value for item in flat.outputs if item.name == name)
