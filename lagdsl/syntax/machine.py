@@ -141,7 +141,7 @@ class Machine:
                 depth += 1
                 span = Span(self.file, start, end)
                 if depth > limits.MAX_DEPTH:
-                    raise TooDeep(span)
+                    raise TooDeep(Span(self.file, self.starts[-1], end))
                 value = self.actions[reduced.name](children, span)
         self.cut(height)
         self._push(row(self.states[-1])[reduced.result], value, start, end, depth)

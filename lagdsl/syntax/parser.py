@@ -45,9 +45,9 @@ def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
 
 def _read(session: Session) -> None:
     while not session.machine.finished and not session.stopped:
+        if len(session.sink.diagnostics) >= limits.MAX_ERRORS:
+            return
         token = session.take()
         if ends_outer_class(session, token) or session.shift(token):
             continue
-        if len(session.sink.diagnostics) >= limits.MAX_ERRORS:
-            return
         recover(session, token)

@@ -31,8 +31,7 @@ class Session:
         self.machine = Machine(file, start, actions(sink))
         self.previous = Token(END_OF_TEXT, "", 0, 0)
         self.brackets: list[Token] = []
-        self.failed_at = -1
-        self.failures = 0  # at that place
+        self.failures: dict[int, int] = {}  # by place: how often the parser could not go on there
         self.told: set[tuple[str, int]] = set()  # (code, place) of what is said once for many statements
         self.stopped = False
 

@@ -51,11 +51,10 @@ RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
 def recover(session: Session, token: Token) -> None:
     """Report what is wrong at `token` and leave the session where reading can go on."""
     session.machine.settle()
-    if token.start == session.failed_at:
+    session.failures[token.start] = session.failures.get(token.start, 0) + 1
+    if session.failures[token.start] > 1:
         _give_way(session, token)
         return
-    session.failed_at = token.start
-    session.failures = 1
     if session.statement_start(token) <= session.lexer.fault_at < token.start:  # what follows from a fault that is told
         if session.starts_line(token) and session.insert(";"):
             session.lexer.rewind(token.start)
@@ -67,10 +66,9 @@ def recover(session: Session, token: Token) -> None:
 
 def _give_way(session: Session, token: Token) -> None:
     """A repair did not help: say no more about this statement, and at the third failure leave the token out."""
-    session.failures += 1
     if token.terminal == END_OF_TEXT:
         session.give_up()
-    elif session.failures == 2:
+    elif session.failures[token.start] == 2:
         session.panic(token)
     else:
         session.lexer.rewind(token.end)

@@ -72,7 +72,8 @@ def ends_outer_class(session: Session, token: Token) -> bool:
     if len(names) < 2 or names[-1] == token.text or token.text not in names:
         return False
     block = session.open_block()
-    assert block is not None
+    if block is None or block.terminal != CLASS_KIND:
+        return False
     end = session.previous
     _report_open(session, block, end)
     session.insert(";")

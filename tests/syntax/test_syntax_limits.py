@@ -1,0 +1,127 @@
+"""Hostile and absurd texts: a diagnostic, bounded time and memory, no traceback."""
+
+import time
+
+import pytest
+from texts_of_syntax import expression, parsed
+
+from lagdsl.diagnostics import Sink
+from lagdsl.source import SourceFile
+from lagdsl.syntax import limits
+from lagdsl.syntax.printer import format_text, print_expression
+from lagdsl.syntax.recursion import deep_recursion
+
+SECONDS = 8.0  # far beyond what is needed: these tests guard against quadratic time, not against slow machines
+
+
+def model(body: str) -> str:
+    return f"model M\n{body}\nend M;\n"
+
+
+def codes(text: str) -> list[str]:
+    begun = time.process_time()
+    unit, diagnostics = parsed(text)
+    assert time.process_time() - begun < SECONDS
+    assert (unit is None) == any(d.code.startswith("E") for d in diagnostics)
+    return [d.code for d in diagnostics]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "  Real x = " + "(" * 10_000 + "1" + ")" * 10_000 + ";",
+        "  Real x = " + "[" * 100_000,
+        "  Real x = " + "{" * 100_000 + ";",
+        "  Real x = " + "+".join("x" * 5000) + ";",
+        "  Real x = " + "^".join("x" * 5000) + ";",
+        "  Real x = " + "-" * 100_000 + "x;",
+        "  Real x = " + "if a then b else " * 5000 + "x;",
+        "  Real x = a" + ".b" * 100_000 + ";",
+        "  a" + ".b" * 100_000 + " x;",
+        "  Real x = " + "f(" * 5000 + ")" * 5000 + ";",
+        "  Real x" + "(a" * 5000 + ")" * 5000 + ";",
+        "  if a then\n" * 20_000,
+        "  for i in 1:2 loop\n" * 20_000,
+        "  model N\n" * 20_000,
+    ],
+)
+def test_depth_has_a_limit(body):
+    assert codes(model(body)) == ["E0109"]
+
+
+def test_just_within_the_limits():
+    assert codes(model("  Real x = " + "+".join("x" * (limits.MAX_DEPTH - 20)) + ";")) == []
+    assert codes(model("  Real x = " + "(" * (limits.MAX_BRACKETS - 1) + "1" + ")" * (limits.MAX_BRACKETS - 1) + ";")) == []
+    assert codes(model(f"  Real {'x' * limits.MAX_NAME} = {'1' * limits.MAX_NUMBER};")) == []
+
+
+def test_deep_trees_print_and_compare():
+    for text in ("+".join("x" * 900), "^".join("x" * 900), "-" * 900 + "x", "if a then b else " * 400 + "c"):
+        tree = expression(text)
+        assert print_expression(tree).replace(" ", "") == text.replace(" ", "")
+        with deep_recursion():
+            assert tree == expression(text)
+
+
+def test_ten_megabytes_are_refused_at_once():
+    begun = time.process_time()
+    assert codes(" " * 10_000_000) == ["E0130"]
+    assert time.process_time() - begun < SECONDS
+    sink = Sink()
+    assert format_text(SourceFile("t", "x" * (limits.MAX_CHARACTERS + 1)), sink) is None
+    assert [d.code for d in sink.diagnostics] == ["E0130"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ")" * 999_000,
+        model(")" * 999_000),
+        model("  Real 3 x;\n" * 80_000),
+        model("  Real 3 x;" * 80_000),
+        model(";" * 999_000),
+        "@" * 999_000,
+        "@ " * 499_000,
+        "\0" * 999_000,
+        "θ " * 499_000,
+        model("  Real x = [1;" * 70_000),
+        model("  Real x = 1e9999;" * 50_000),
+    ],
+)
+def test_a_megabyte_of_errors_stops(text):
+    found = codes(text)
+    assert len(found) == limits.MAX_ERRORS + 1
+    assert found[-1] == "N0199"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '"' * 499_001,
+        '"\\' * 249_000,
+        '"\n' * 249_000,
+        "/*" * 249_000,
+        model("  Real x = " + ("3" + " " * 1000) * 900),
+        model("  Real x = " + "1" * 900_000 + ";"),
+        model("  Real " + "x" * 900_000 + ";"),
+        model('  Real x "' + "x" * 900_000 + '";'),
+        model("  Real x = 5 " + "m." * 400_000 + "q;"),
+        model("mass " * 90_000),
+        model("end " * 90_000),
+        model("for " * 90_000),
+        model("if " * 90_000),
+        model("Real " * 90_000),
+        model("( " * 90_000 + ";" * 1000),
+        model("Real x = f(1\n" * 20_000),
+    ],
+)
+def test_anything_is_told_in_time(text):
+    assert codes(text)
+
+
+def test_many_thousand_declarators():
+    assert codes(model("  Real " + ", ".join(f"x{i}" for i in range(20_000)) + ";")) == []
+
+
+def test_carriage_returns():
+    assert codes("model M\r\n  Real x = 3;\r\nend M;\r\n") == []
