@@ -139,6 +139,10 @@ def require(
     wanted = ctx.dimension(expected)
     if fits(found, wanted):
         return True
+    if isinstance(node, nodes.Array):
+        # The element at fault is a better place than the whole vector.
+        numbers = [part for part in node.elements if (bare_number(part) or "0").strip("-0.")]
+        node = numbers[0] if numbers else node
     bare = bare_number(node)
     if bare is not None:
         unit = unit_text(wanted)

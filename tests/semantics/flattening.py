@@ -46,7 +46,8 @@ def said(sink: Sink) -> list[tuple[str, str]]:
 
 def value_of(expression: str, kind: str = "Real", **coordinates: float) -> float:
     """The number that an expression of `x`, `y` (coordinates without a dimension) means."""
-    text = f"model M coordinate Angle x, y; kinetic (1 J.s2)*(der(x)^2 + der(y)^2);\noutput {kind} r = {expression};\nend M;"
+    motion = "coordinate Angle x, y; kinetic (1 J.s2)*(der(x)^2 + der(y)^2);"
+    text = f"model M {motion}\noutput {kind} r = {expression};\nend M;"
     flat, sink = run(text)
     assert flat is not None, [(d.code, d.message) for d in sink.diagnostics]
     return evaluate(flat, flat.outputs[0].value, Values(variables=coordinates))

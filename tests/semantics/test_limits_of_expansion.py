@@ -1,0 +1,67 @@
+"""Long and deep models: bounded time, no trouble with recursion."""
+
+from __future__ import annotations
+
+import sys
+import time
+
+from flattening import run, said
+
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.limits import MAX_TURNS
+
+HEAD = "model A\n  coordinate Length x;\n"
+
+
+def body(text: str) -> str:
+    return f"{HEAD}{text}\nend A;"
+
+
+def test_long_sum() -> None:
+    flat, _ = run(body("  potential (1 N)*(" + " + ".join(["x"] * 900) + ");"))
+    assert flat is not None
+
+
+def test_definitions_in_reverse_order() -> None:
+    before = sys.getrecursionlimit()
+    lines = [f"  Length a{i} = a{i + 1} + x;" for i in range(1000)]
+    flat, _ = run(body("\n".join([*lines, "  Length a1000 = x;", "  potential (1 N)*a0;"])))
+    assert flat is not None
+    assert [item.name for item in flat.named] == [f"a{i}" for i in range(1000, -1, -1)]
+    assert sys.getrecursionlimit() == before
+
+
+def test_chain_of_eighty_links_is_quick(root) -> None:  # type: ignore[no-untyped-def]
+    text = (root / "models" / "chain.lag").read_text(encoding="utf-8")
+    run(text)
+    start = time.process_time()
+    flat, _ = run(text, structural={"N": 80.0})
+    assert flat is not None and len([item for item in flat.named if isinstance(item, fm.Point)]) == 80
+    assert time.process_time() - start < 1.0
+
+
+def test_functions_that_multiply() -> None:
+    doubling = "".join(f"function f{i}(Real x) -> Real = f{i - 1}(x) + f{i - 1}(x);\n" for i in range(1, 30))
+    _, sink = run(f"function f0(Real x) -> Real = x;\n{doubling}" + body("  potential f29(x/(1 m))*(1 J);"))
+    assert {code for code, _ in said(sink)} == {"E0326"}
+
+
+def test_shared_arguments_are_evaluated_once() -> None:
+    text = "function f(Real x) -> Real = x*x;\nmodel A\n  structural parameter Real k = " + "f(" * 100 + "1" + ")" * 100
+    flat, _ = run(text + ";\n  coordinate Length x;\n  potential (1 N)*k*x;\nend A;")
+    assert flat is not None and flat.parameters[0].value == 1.0
+
+
+def test_what_is_too_large() -> None:
+    cases = {
+        "  potential (1 N)*sum(x for i in 1:1000, j in 1:1000);": "i in 1:1000",
+        "  potential (1 N)*sum(x for i in 1:1000000);": "1:1000000",
+        "  potential (1 N)*x*sum(identity(10000)*ones(10000));": "identity(10000)",
+        "  potential (1 N)*x*sum(diagonal(ones(1000)));": "diagonal(ones(1000))",
+        "  potential (1 N)*x;\n  Real z[1000,1000];": "z",
+    }
+    for text, place in cases.items():
+        _, sink = run(body(text))
+        found = dict(said(sink))
+        assert found.get("E0326", "").endswith(place.split(" ")[-1]), (text, said(sink))
+    assert MAX_TURNS <= 1_000_000
