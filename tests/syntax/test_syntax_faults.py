@@ -20,7 +20,7 @@ CASES = [
     ("E0100", model("  force F ⟦;⟧"), "`at`, `on` or an operator"),
     ("E0100", model("  parameter ⟦;⟧"), "a type"),
     ("E0100", model("  Real x = 3 ⟦y⟧;").replace("3 ", "(3) "), None),
-    ("E0100", model("  Real x = a ⟦\"text\"⟧ + 1;").replace('⟦"text"⟧ +', '"text" ⟦+⟧'), None),
+    ("E0100", model('  Real x = a ⟦"text"⟧ + 1;').replace('⟦"text"⟧ +', '"text" ⟦+⟧'), None),
     ("E0100", "model ⟦3⟧\n  Real x;\nend;\n", "the name of the model"),
     ("E0100", "model⟦;⟧\n  Real x;\nend;\n", "the name of the model"),
     ("E0100", "model M\nequation\n  x = 3 +⟦⟧", "an expression"),
@@ -52,7 +52,7 @@ CASES = [
     ("E0103", model("  Real x;\n  ⟦x = 3⟧;\n  y = 4;\n  der(z) = 5;"), "line 3"),
     ("E0103", model("  ⟦der(x) = 3⟧;"), "equation"),
     ("E0103", model("  ⟦a.b[1] = 3⟧;"), "equation"),
-    ("E0103", model("  ⟦assert(x > 0, \"no\")⟧;"), "equation"),
+    ("E0103", model('  ⟦assert(x > 0, "no")⟧;'), "equation"),
     ("E0103", model("  for i in 1:3 loop\n    ⟦x[i] = 3⟧;\n  end for;"), "equation"),
     # units
     ("E0104", model("  Real x = 5 m/s⟦/⟧s;"), "m/s2"),
@@ -72,8 +72,8 @@ CASES = [
     ("E0108", model("  Real x = a ⟦!⟧= b;"), "`<>`"),
     ("E0108", model("  Real x = a ⟦−⟧ b;"), "`-`"),
     ("E0108", model("  Real x; ⟦\0⟧"), None),
-    ("E0126", model("  Real x = 1 ⟦\"⟧the mass;\n  Real y = 2 \"the other\";"), '"'),
-    ("E0126", model("  Real x = f(\"a\", ⟦\"⟧b);"), '"'),
+    ("E0126", model('  Real x = 1 ⟦"⟧the mass;\n  Real y = 2 "the other";'), '"'),
+    ("E0126", model('  Real x = f("a", ⟦"⟧b);'), '"'),
     # brackets
     ("E0110", model("  Real x = 3 + 4⟦)⟧;"), None),
     ("E0110", model("  Real x = {1}⟦}⟧;"), None),
@@ -102,10 +102,10 @@ CASES = [
     # names
     ("E0115", model("  parameter Real ⟦end⟧ = 3;"), "end_"),
     ("E0115", model("  Real x = ⟦in⟧ + 2;"), "in_"),
-    ("E0115", model("  Real x, ⟦loop⟧ \"doc\";"), "loop_"),
-    ("E0115", "model ⟦for⟧ \"doc\"\nend;\n", "for_"),
+    ("E0115", model('  Real x, ⟦loop⟧ "doc";'), "loop_"),
+    ("E0115", 'model ⟦for⟧ "doc"\nend;\n', "for_"),
     ("E0124", model(f"  Real ⟦{'x' * 300}⟧;"), None),
-    ("E0124", model(f"  Real x \"{'x' * 20_000}\";").replace('"', '⟦"', 1).replace('";', '"⟧;'), None),
+    ("E0124", model(f'  Real x "{"x" * 20_000}";').replace('"', '⟦"', 1).replace('";', '"⟧;'), None),
     ("E0124", model(f"  Real x = ⟦{'1' * 200}⟧ kg;"), None),
     # numbers
     ("E0116", model("  Real x = ⟦1e999999⟧;"), "large"),
@@ -210,6 +210,25 @@ def test_fault_of_an_expression(code, marked):
     assert places(sink.diagnostics) == expected
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "package P\n  model M\n  when a then\n end P;",
+        "model M\n for",
+        "model M\n for i",
+        "model M\n if a",
+        "model",
+        "model M\n Real x =",
+        "model M\n end",
+        "model M\n end for",
+        "package P\n model M\n for i in 1:2 loop\n end P; end for; end M; end P;",
+    ],
+)
+def test_unfinished_texts_are_told(text):
+    unit, diagnostics = parsed(text)
+    assert unit is None and 1 <= len(diagnostics) <= 5
+
+
 def test_same_file_twice_in_one_sink():
     """A text with faults stays without a tree however often it is read."""
     sink, file = Sink(), SourceFile("t", "model M Real x = 5 Nm; end M;")
@@ -223,7 +242,7 @@ def test_words_of_messages_are_those_of_users():
     """No terminal of the grammar shows in a message."""
     from lagdsl.syntax.tables import RESULTS, TERMINALS
 
-    names = {name for name in (*TERMINALS, *RESULTS) if "_" in name or name.isupper() and len(name) > 3}
+    names = {name for name in (*TERMINALS, *RESULTS) if "_" in name or (name.isupper() and len(name) > 3)}
     for _, marked, _ in CASES:
         for diagnostic in parsed(unmarked(marked)[0])[1]:
             told = " ".join((diagnostic.message, diagnostic.help or "", *(x.text for x in diagnostic.labels)))

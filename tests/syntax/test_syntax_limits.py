@@ -51,7 +51,10 @@ def test_depth_has_a_limit(body):
 
 def test_just_within_the_limits():
     assert codes(model("  Real x = " + "+".join("x" * (limits.MAX_DEPTH - 20)) + ";")) == []
-    assert codes(model("  Real x = " + "(" * (limits.MAX_BRACKETS - 1) + "1" + ")" * (limits.MAX_BRACKETS - 1) + ";")) == []
+    assert (
+        codes(model("  Real x = " + "(" * (limits.MAX_BRACKETS - 1) + "1" + ")" * (limits.MAX_BRACKETS - 1) + ";"))
+        == []
+    )
     assert codes(model(f"  Real {'x' * limits.MAX_NAME} = {'1' * limits.MAX_NUMBER};")) == []
 
 

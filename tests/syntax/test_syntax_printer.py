@@ -180,7 +180,9 @@ model M
    lines" /* kept */ ;
 end M;
 """
-    assert check(text) == """\
+    assert (
+        check(text)
+        == """\
 model M
   parameter Real a = 1,  // first
                  b = 2;  // second
@@ -189,6 +191,7 @@ model M
    lines" /* kept */ ;
 end M;
 """
+    )
 
 
 def test_comment_before_a_section_belongs_where_it_stands():
@@ -197,7 +200,7 @@ def test_comment_before_a_section_belongs_where_it_stands():
 
 
 def test_comments_in_odd_places_are_kept():
-    check("model /* a */ M // b\n  \"doc\"\nend /* c */ M /* d */ ; // e")
+    check('model /* a */ M // b\n  "doc"\nend /* c */ M /* d */ ; // e')
     check("model M\nequation\n  if /* a */ b /* c */ then /* d */ x = 1; /* e */ end /* f */ if;\nend M;")
     check("model M\n  when a then\n    x = 1;\n  // b\n  elsewhen c then // d\n  end when;\nend M;")
     check("within /* a */ Lag /* b */ ;\nmodel M end M;")
