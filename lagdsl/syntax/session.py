@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import limits, tables
 from lagdsl.syntax.automaton import END_OF_TEXT, TERMINAL, row
-from lagdsl.syntax.build import actions
 from lagdsl.syntax.lexer import IDENT, Lexer, Token
 from lagdsl.syntax.machine import Machine, TooDeep
+from lagdsl.syntax.reductions import actions
 
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 BLOCKS = ("for", "if", "when")
@@ -91,8 +92,7 @@ class Session:
         for height in range(len(machine.values) - 1, 0, -1):
             value = machine.values[height]
             if isinstance(value, Token) and (
-                value.terminal == CLASS_KIND
-                or (value.text in BLOCKS and machine.states[height - 1] in tables.BOUNDARY)
+                value.terminal == CLASS_KIND or (value.text in BLOCKS and machine.states[height - 1] in tables.BOUNDARY)
             ):
                 return value
         return None
@@ -102,7 +102,7 @@ class Session:
         values = self.machine.values
         return [
             after.text
-            for value, after in zip(values, values[1:], strict=False)
+            for value, after in pairwise(values)
             if isinstance(value, Token) and value.terminal == CLASS_KIND and isinstance(after, Token)
         ]
 

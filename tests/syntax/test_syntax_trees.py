@@ -209,7 +209,7 @@ def test_lexer_and_tree_agree_with_lark():
 
     from lagdsl.resources import grammar_file
     from lagdsl.syntax import tables
-    from lagdsl.syntax.build import actions
+    from lagdsl.syntax.reductions import actions
     from lagdsl.syntax.machine import Machine
 
     lark = Lark(grammar_file().read_text(encoding="utf-8"), parser="lalr", lexer="contextual")

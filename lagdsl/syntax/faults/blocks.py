@@ -113,4 +113,3 @@ def _report_open(session: Session, block: Token, end: Token | None) -> None:
         place = len(text.rstrip())
         labels = (Label(Span(session.file, place, place), "the file ends here"),)
     session.sink.report("E0113", span, *labels, block=spelled, ending=ending)
-

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.build.declarations import doc, label
 from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.declarations import doc, label
 
 
 class _Place(NamedTuple):
@@ -31,9 +31,7 @@ def _point_mass(c: list[Any], span: Span) -> nodes.PointMass:
 
 def _rigid_body(c: list[Any], span: Span) -> nodes.RigidBody:
     name, modifiers, on, condition, text = c
-    return nodes.RigidBody(
-        span=span, label=label(name), modifiers=modifiers, on=on, condition=condition, doc=doc(text)
-    )
+    return nodes.RigidBody(span=span, label=label(name), modifiers=modifiers, on=on, condition=condition, doc=doc(text))
 
 
 def _load(c: list[Any], span: Span) -> nodes.Load:
@@ -54,9 +52,7 @@ def _load(c: list[Any], span: Span) -> nodes.Load:
 
 def _constraint(c: list[Any], span: Span) -> nodes.Constraint:
     name, left, right, condition, text = c
-    return nodes.Constraint(
-        span=span, label=label(name), left=left, right=right, condition=condition, doc=doc(text)
-    )
+    return nodes.Constraint(span=span, label=label(name), left=left, right=right, condition=condition, doc=doc(text))
 
 
 def _contact(c: list[Any], span: Span) -> nodes.Contact:

@@ -6,9 +6,9 @@ from typing import Any
 
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.build.expressions import token_span, unquote
 from lagdsl.syntax.lexer import Token
 from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.expressions import token_span, unquote
 
 
 def doc(token: Token | None) -> str | None:

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.build.declarations import doc, split_prefixes
-from lagdsl.syntax.build.expressions import token_span
 from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.declarations import doc, split_prefixes
+from lagdsl.syntax.reductions.expressions import token_span
 
 
 class _Within(NamedTuple):
@@ -113,9 +113,7 @@ def _import_name(c: list[Any], span: Span) -> nodes.Import:
 def _import(c: list[Any], span: Span) -> nodes.Import:
     """The clause has the span of the whole statement."""
     clause = c[0]
-    return nodes.Import(
-        span=span, name=clause.name, alias=clause.alias, wildcard=clause.wildcard, names=clause.names
-    )
+    return nodes.Import(span=span, name=clause.name, alias=clause.alias, wildcard=clause.wildcard, names=clause.names)
 
 
 def _unit(c: list[Any], span: Span) -> nodes.Unit:

@@ -6,9 +6,9 @@ from typing import Any
 
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.build.declarations import doc
-from lagdsl.syntax.build.expressions import pairs
 from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.declarations import doc
+from lagdsl.syntax.reductions.expressions import pairs
 
 
 def _for(c: list[Any], span: Span) -> nodes.For:
@@ -17,12 +17,18 @@ def _for(c: list[Any], span: Span) -> nodes.For:
 
 def _if(c: list[Any], span: Span) -> nodes.If:
     """Conditions and bodies in turn, then the body of `else` or None."""
-    branches = tuple(nodes.IfBranch(span=_branch_span(condition, body), condition=condition, body=body) for condition, body in pairs(c[:-1]))
+    branches = tuple(
+        nodes.IfBranch(span=_branch_span(condition, body), condition=condition, body=body)
+        for condition, body in pairs(c[:-1])
+    )
     return nodes.If(span=span, branches=branches, otherwise=c[-1])
 
 
 def _when(c: list[Any], span: Span) -> nodes.When:
-    branches = tuple(nodes.WhenBranch(span=_branch_span(condition, body), condition=condition, body=body) for condition, body in pairs(c))
+    branches = tuple(
+        nodes.WhenBranch(span=_branch_span(condition, body), condition=condition, body=body)
+        for condition, body in pairs(c)
+    )
     return nodes.When(span=span, branches=branches)
 
 

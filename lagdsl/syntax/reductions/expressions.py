@@ -12,7 +12,17 @@ from lagdsl.syntax.lexer import Token, unit_of
 from lagdsl.syntax.machine import Action
 from lagdsl.syntax.unknown_unit import report_unknown_unit
 
-_OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "emul": ".*", "ediv": "./", "pow": "^", "or_": "or", "and_": "and"}
+_OPERATORS = {
+    "add": "+",
+    "sub": "-",
+    "mul": "*",
+    "div": "/",
+    "emul": ".*",
+    "ediv": "./",
+    "pow": "^",
+    "or_": "or",
+    "and_": "and",
+}
 _SIGNS = {"neg": "-", "pos": "+", "not_": "not"}
 _ESCAPE = re.compile(r"\\(.)", re.DOTALL)
 _ESCAPED = {"n": "\n", "t": "\t", "r": "\r"}
