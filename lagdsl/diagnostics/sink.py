@@ -9,7 +9,7 @@ class Sink:
     """Where the early stages put what they find; later ones raise `CompilationFailed` through it."""
 
     def __init__(self) -> None:
-        self._diagnostics: list[Diagnostic] = []
+        self._diagnostics: dict[Diagnostic, None] = {}  # in order; a set would lose it
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
@@ -50,8 +50,7 @@ class Sink:
 
     def add(self, diagnostic: Diagnostic) -> None:
         """Add what another sink has collected; the same fact at the same place is kept once."""
-        if diagnostic not in self._diagnostics:
-            self._diagnostics.append(diagnostic)
+        self._diagnostics.setdefault(diagnostic)
 
     def raise_if_errors(self) -> None:
         """Raise `CompilationFailed` with all that was collected if any of it is an error."""
