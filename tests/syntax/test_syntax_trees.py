@@ -209,8 +209,8 @@ def test_lexer_and_tree_agree_with_lark():
 
     from lagdsl.resources import grammar_file
     from lagdsl.syntax import tables
-    from lagdsl.syntax.reductions import actions
     from lagdsl.syntax.machine import Machine
+    from lagdsl.syntax.reductions import actions
 
     lark = Lark(grammar_file().read_text(encoding="utf-8"), parser="lalr", lexer="contextual")
     for path in TEXTS:
