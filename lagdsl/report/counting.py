@@ -26,11 +26,7 @@ def count_blocks(count: Count) -> list[Block]:
     if count.rows > count.rank:
         spare = count.rows - count.rank
         blocks.append(
-            Paragraph(
-                text(
-                    f"{_some(spare, 'constraint row').capitalize()} of {count.rows} follow{_s(spare)} from the others."
-                )
-            )
+            Paragraph(text(f"{_some(spare, 'constraint row').capitalize()} of {count.rows} hold{_s(spare)} anyway."))
         )
     return blocks
 

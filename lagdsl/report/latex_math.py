@@ -40,7 +40,8 @@ _LETTERS = {letter: f"\\{name}" for name, letter in GREEK.items()} | {"Υ": r"\U
 _SPECIAL |= {letter: rf"\ensuremath{{{command}}}" for letter, command in _LETTERS.items()}
 _FUNCTIONS = ("sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "min", "max")
 _OPERATORS = {
-    "=": "=", ",": ",", "<": "<", "≤": r"\le", "≥": r"\ge", ">": ">", "·": r"\cdot", "×": r"\times", "and": r"\text{ and }",
+    "=": "=", ",": ",",
+    "<": "<", "≤": r"\le", "≥": r"\ge", ">": ">", "·": r"\cdot", "×": r"\times", "and": r"\text{ and }",
     "or": r"\text{ or }", "→": r"\to", "≈": r"\approx",
 }  # fmt: skip
 _SYMBOLS = _LETTERS | {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "δ": r"\delta", "-∞": r"-\infty"}

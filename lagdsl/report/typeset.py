@@ -179,7 +179,7 @@ class Typesetter:
         return (4, 2 * rank + (not isinstance(base, sympy.sin)))
 
     def _term_key(self, term: Expr, unmoving: int) -> tuple[int, int, int]:
-        """Accelerations first, then terms of higher degree in the rates, then the others; `unmoving` ranks constants."""
+        """Accelerations first, then higher degrees in the rates, then the others; `unmoving` ranks constants."""
         powers = term.as_powers_dict()
         qdd = [self._rank[s] for s in self.symbols.qdd if s in term.free_symbols]
         rates = sum(int(p) for s, p in powers.items() if s in self.symbols.qd and p.is_Integer)

@@ -50,7 +50,7 @@ class _Dynamics:
 def lower(equations: EquationsOfMotion, flat: FlatModel) -> Program:
     """All functions of `lagdsl.program.functions`."""
     graph = Graph()
-    to_graph = ToGraph(graph, _symbol_nodes(graph, equations.symbols))
+    to_graph = ToGraph(graph, symbol_nodes(graph, equations.symbols))
     blocks = _Blocks(to_graph, equations)
     shared = _dynamics(blocks)
     tangent = _tangent(graph, _AT_GIVEN_SOLUTION)
@@ -115,7 +115,7 @@ def _block(name: str, shape: tuple[int, ...], nodes: Sequence[int]) -> Block:
     return Block(name=name, shape=shape, elements=tuple(nodes))
 
 
-def _symbol_nodes(graph: Graph, symbols: Symbols) -> dict[Symbol, int]:
+def symbol_nodes(graph: Graph, symbols: Symbols) -> dict[Symbol, int]:
     groups = {
         Group.Q: symbols.q,
         Group.QD: symbols.qd,

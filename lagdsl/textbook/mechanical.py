@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import assert_never
 
 from sympy import Add, Expr, Integer
@@ -29,8 +29,15 @@ class MechanicalValues:
     parts: Contributions
     energies: Energies
     momenta: Sequence[Expr]
+    _known: dict[Mechanical, Expr | Vector] = field(default_factory=dict)
 
     def __call__(self, node: Mechanical) -> Expr | Vector:
+        """A reaction that several outputs read is formed once."""
+        if node not in self._known:
+            self._known[node] = self._value(node)
+        return self._known[node]
+
+    def _value(self, node: Mechanical) -> Expr | Vector:
         match node:
             case flat.Multiplier(row):
                 rows = [name for constraint in self.model.constraints for name in constraint.rows]

@@ -12,13 +12,15 @@ from dataclasses import dataclass, field
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 
-from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, multiply, times
+from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, multiply
 from lagdsl.textbook.rational import divided, factors, lowest, quotient
 from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry
 
-_LARGEST_POLYNOMIAL = 1500
+_LARGEST_POLYNOMIAL = 800
 _LARGEST_TO_FACTOR = 12
+_MOST_UNKNOWNS_TO_FACTOR = 8
 _DEEPEST = 60
+_DEEPEST_NESTING = 12
 
 
 class TooLargeError(Exception):
@@ -34,7 +36,9 @@ class Tidy:
 
     constants: frozenset[Symbol]
     positive: frozenset[Symbol]
-    budget: int = 150_000
+    budget: int = 100_000
+    _constant_kernels: dict[int, bool] = field(default_factory=dict)
+    _nesting: int = 0
     _kernels: list[Expr] = field(default_factory=list)
     _index: dict[Expr, int] = field(default_factory=dict)
     _memo: dict[Expr, Expr] = field(default_factory=dict)
@@ -50,12 +54,15 @@ class Tidy:
         return known
 
     def _shortest(self, expression: Expr) -> Expr:
+        if self._nesting >= _DEEPEST_NESTING:
+            return expression
+        self._nesting += 1
         try:
-            reduced = self.reduced(expression)
+            return min(self._collect(self.reduced(expression)), expression, key=size)
         except TooLargeError:
             return expression
-        collected = self._collect(reduced)
-        return min(collected, expression, key=size)
+        finally:
+            self._nesting -= 1
 
     def reduced(self, expression: Expr) -> Polynomial:
         """The expression as a polynomial in kernels, trigonometry reduced; raises TooLargeError."""
@@ -84,9 +91,9 @@ class Tidy:
         power = min(dict(monomial).get(kernel, 0) for monomial in polynomial)
         numerator: Polynomial = {}
         for monomial, coefficient in polynomial.items():
-            excess = dict(monomial).get(kernel, 0) - power
-            term: Polynomial = {times(monomial, ((kernel, -excess - power),)): coefficient}
-            for _ in range(excess):
+            own = dict(monomial).get(kernel, 0)
+            term: Polynomial = {tuple(pair for pair in monomial if pair[0] != kernel): coefficient}
+            for _ in range(own - power):
                 term = self._times(term, divisor)
             add_into(numerator, term)
         return power, self._bounded(numerator)
@@ -196,7 +203,10 @@ class Tidy:
         return Add(*(_common(factors) * bracket for bracket, factors in brackets.items()))
 
     def _is_constant(self, index: int) -> bool:
-        return bool(self._kernels[index].free_symbols <= self.constants)
+        known = self._constant_kernels.get(index)
+        if known is None:
+            known = self._constant_kernels[index] = bool(self._kernels[index].free_symbols <= self.constants)
+        return known
 
     def _monomial(self, monomial: Monomial) -> Expr:
         return Mul(*(self._kernels[index] ** power for index, power in monomial))
@@ -209,7 +219,8 @@ class Tidy:
         if len(shifted) == 1:
             [(monomial, coefficient)] = shifted.items()
             return coefficient, common * self._monomial(monomial)
-        if len(shifted) > _LARGEST_TO_FACTOR:
+        unknowns = {kernel for monomial in shifted for kernel, _ in monomial}
+        if len(shifted) > _LARGEST_TO_FACTOR or len(unknowns) > _MOST_UNKNOWNS_TO_FACTOR:
             return Integer(1), common * self._sum(shifted)
         content, parts = factors(shifted)
         if sum(1 for part, power in parts if power % 2 and _mostly_negative(part)) % 2:

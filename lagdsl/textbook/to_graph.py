@@ -60,15 +60,12 @@ class ToGraph:
             if top in memo:
                 stack.pop()
                 continue
-            waiting = [argument for argument in self._arguments(top) if argument not in memo]
+            waiting = [argument for argument in top.args if argument not in memo]
             if waiting:
                 stack.extend(waiting)
             else:
                 memo[stack.pop()] = self._make(top)
         return memo[expression]
-
-    def _arguments(self, expression: Expr) -> tuple[Expr, ...]:
-        return expression.args if not expression.is_number or expression.args else ()
 
     def _make(self, expression: Expr) -> int:
         graph = self.graph

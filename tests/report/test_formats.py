@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import cache
 from html.parser import HTMLParser
 from xml.etree import ElementTree
 
@@ -36,7 +38,7 @@ from lagdsl.report.mathml import mathml
 from lagdsl.report.notation import name_box
 from lagdsl.report.unicode_math import line
 from lagdsl.semantics.flat_model import FlatModel
-from lagdsl.textbook.recipe import recipe
+from lagdsl.textbook.recipe import Recipe, recipe
 
 HOSTILE = "<script>alert(1)</script> $x$ \\input{/etc/passwd} %{ [a](javascript:b) `c` | \x1b[31m _d_ \u202e ∫"
 
@@ -59,6 +61,11 @@ class Balance(HTMLParser):
         assert self.open.pop() == tag
 
 
+@cache
+def found(make: Callable[[], FlatModel]) -> Recipe:
+    return recipe(make())
+
+
 def hostile() -> FlatModel:
     """Names that no lexer would let through, and a text that means harm in every format."""
     names = ["<b>&x", "a$b", "\\input{x}", "__import__('os')"]
@@ -75,8 +82,8 @@ def hostile() -> FlatModel:
 
 
 @pytest.mark.parametrize("make", [*models.ALL, hostile], ids=lambda make: make.__name__)
-def test_html_is_balanced_and_alone(make) -> None:  # type: ignore[no-untyped-def]
-    page = render(recipe(make()), "html")
+def test_html_is_balanced_and_alone(make: Callable[[], FlatModel]) -> None:
+    page = render(found(make), "html")
     balance = Balance()
     balance.feed(page)
     assert not balance.open
@@ -87,8 +94,8 @@ def test_html_is_balanced_and_alone(make) -> None:  # type: ignore[no-untyped-de
 
 
 @pytest.mark.parametrize("make", [*models.ALL, hostile], ids=lambda make: make.__name__)
-def test_latex_is_balanced(make) -> None:  # type: ignore[no-untyped-def]
-    source = render(recipe(make()), "latex")
+def test_latex_is_balanced(make: Callable[[], FlatModel]) -> None:
+    source = render(found(make), "latex")
     bare = re.sub(r"\\[\\{}$%&#_]", "", source)
     depth = 0
     for character in bare:
@@ -109,12 +116,11 @@ def test_latex_is_balanced(make) -> None:  # type: ignore[no-untyped-def]
 
 
 def test_markdown_and_text_are_inert() -> None:
-    found = recipe(hostile())
-    page = render(found, "markdown")
+    page = render(found(hostile), "markdown")
     assert "<script" not in page
     assert "](javascript" not in page.replace("\\]", "")
     assert "\x1b" not in page
-    plain = render(found, "text")
+    plain = render(found(hostile), "text")
     assert "\x1b" not in plain
     assert "\u202e" not in plain
 

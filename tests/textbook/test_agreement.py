@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from textbook.compare import FUNCTIONS, disagreement, names, random_arguments
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.derive import derive as derive_on_graph
@@ -14,6 +13,7 @@ from lagdsl.pipeline import front, read
 from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.derive import derive
 from lagdsl.textbook.lower import lower
+from textbook.compare import FUNCTIONS, disagreement, names, random_arguments
 
 _MODELS = sorted((Path(__file__).parents[2] / "models").glob("*.lag"))
 

@@ -1,0 +1,98 @@
+"""Short forms: never wrong, often the textbook's, always bounded."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sympy import Symbol, cos, sin, sqrt, symbols
+
+from lagdsl.textbook.tidy import Tidy, size
+
+a, b, m, l, R, w, t = symbols("a b m l R w t")
+x, y = symbols("x y")
+
+
+def tidy(budget: int = 100_000) -> Tidy:
+    constants = frozenset({m, l, R})
+    return Tidy(constants, constants, budget)
+
+
+@pytest.mark.parametrize(
+    ("given_form", "short"),
+    [
+        (sin(a) ** 2 + cos(a) ** 2, sympy.Integer(1)),
+        (m * sin(a) ** 2 + m * cos(a) ** 2, m),
+        (sin(a) * sin(b) + cos(a) * cos(b), cos(a - b)),
+        (cos(a) * cos(b) - sin(a) * sin(b), cos(a + b)),
+        (sin(a) * cos(b) - cos(a) * sin(b), sin(a - b)),
+        (sin(a) * cos(b) + cos(a) * sin(b), sin(a + b)),
+        (sqrt(R**2 * sin(a) ** 2 + R**2 * cos(a) ** 2), R),
+        (1 - cos(a) ** 2, sin(a) ** 2),
+        (6 * x**2 - 5 * x**2 * cos(a) ** 2, x**2 * (1 + 5 * sin(a) ** 2)),
+        (m * x**2 / 2 + m * x * y + m * y**2 / 2, m * (x + y) ** 2 / 2),
+        ((x**3 + x * y**2) / (x**2 + y**2) ** 2, x / (x**2 + y**2)),
+        (x / (x**2 + y**2) - x**3 / (x**2 + y**2) ** 2 - x * y**2 / (x**2 + y**2) ** 2, sympy.Integer(0)),
+        (sqrt(x) * sqrt(x), x),
+        (1 / (1 + (a**2 + 1) ** -4), 1 / (1 + (a**2 + 1) ** -4)),
+        (sqrt(4 * x), 2 * sqrt(x)),
+        ((x + y) ** -3 * (x + y), (x + y) ** -2),
+        (sin(b) * cos(sin(a) ** 2 + cos(a) ** 2), sin(b) * cos(1)),
+        (-x - y, -x - y),
+        (sin(x + 0 * y) / sin(x), sympy.Integer(1)),
+        (m ** sympy.Rational(3, 2) * sqrt(m), m**2),
+        (x ** sympy.Rational(1, 3) * x, x ** sympy.Rational(4, 3)),
+    ],
+)
+def test_known_forms(given_form: sympy.Expr, short: sympy.Expr) -> None:
+    assert sympy.expand(tidy()(given_form) - short) == 0
+    assert size(tidy()(given_form)) <= size(given_form)
+
+
+ATOMS = st.sampled_from([a, b, x, y, m, sympy.Integer(2), sympy.Rational(1, 2), sin(a), cos(a), sin(b), cos(b), 1 / x])
+EXPRESSIONS = st.recursive(
+    ATOMS,
+    lambda inner: st.one_of(
+        st.tuples(inner, inner).map(lambda pair: pair[0] + pair[1]),
+        st.tuples(inner, inner).map(lambda pair: pair[0] - pair[1]),
+        st.tuples(inner, inner).map(lambda pair: pair[0] * pair[1]),
+        inner.map(lambda e: e**2),
+        inner.map(lambda e: 1 / (e**2 + 1)),
+        inner.map(lambda e: sqrt(e**2 + m)),
+        inner.map(sin),
+    ),
+    max_leaves=8,
+)
+
+
+@settings(max_examples=100, deadline=None)
+@given(EXPRESSIONS)
+def test_never_changes_the_value(expression: sympy.Expr) -> None:
+    short = tidy()(expression)
+    draw = np.random.default_rng(5)
+    for _ in range(3):
+        point = {s: sympy.Float(draw.uniform(0.4, 1.9), 30) for s in (a, b, x, y, m)}
+        before, after = (complex(e.xreplace(point).evalf(20)) for e in (expression, short))
+        assert abs(before - after) <= 1e-9 * (1 + abs(before))
+
+
+def test_bounded_work() -> None:
+    z = [Symbol(f"z{i}") for i in range(12)]
+    huge = sympy.Mul(*(sum(z) + i for i in range(12)))
+    assert tidy()(huge) == huge
+    assert tidy(budget=10)((x + y) ** 2 * (x - y) ** 3) == (x + y) ** 2 * (x - y) ** 3
+    assert not tidy(budget=1).is_zero((x + y) ** 2 - (x + y) * (x + y + m))
+    assert tidy().is_zero((x + y) ** 2 - x**2 - 2 * x * y - y**2)
+    deep = x
+    for _ in range(60):
+        deep = 1 / (1 + deep)
+    assert abs(tidy()(deep).subs(x, 2.0) - deep.subs(x, 2.0)) < 1e-12
+
+
+def test_size_is_bounded() -> None:
+    expression = x + y
+    for _ in range(40):
+        expression = sympy.Mul(sin(expression), cos(expression), evaluate=False)
+    assert size(expression) == 1000
