@@ -1,0 +1,47 @@
+"""Examples in documents do what the text says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import lagdsl
+
+PAGES = ("README.md", "docs/language.md", "docs/mechanics.md")
+LATER = {
+    "extends": "extends A;",
+    "import": "import Lag.Planar.*;",
+    "connect": "connect(world, world);",
+    "contact": "contact floor: x >= 0 with restitution = 0.5;",
+    "when": "equation when x > 1 m then reinit(der(x), 0); end when;",
+    "discrete": "discrete Real d(start = 0);",
+    "table": "output Real y = table(x);",
+}
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_models_in_documents_are_sound(root: Path, page: str) -> None:
+    for text in re.findall(r"```modelica\n(model .*?)```", (root / page).read_text(encoding="utf-8"), re.DOTALL):
+        assert [d.code for d in lagdsl.check(text) if d.severity != "note"] == []
+
+
+@pytest.mark.parametrize("word", LATER)
+def test_what_comes_later_is_answered_with_an_error(root: Path, word: str) -> None:
+    text = f"model M coordinate Length x; gravity = 0; mass 1 kg at {{x, 0}}; {LATER[word]} end M;"
+    errors = [d for d in lagdsl.check(text) if d.severity == "error"]
+    assert errors[0].code == "E0311"
+    later = (root / "docs" / "language.md").read_text(encoding="utf-8").split("## What comes later")[1]
+    assert f"`{word}" in later
+
+
+def test_python_of_the_readme_runs(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(root)
+    (code,) = re.findall(r"```python\n(.*?)```", (root / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+    names: dict[str, object] = {}
+    exec(code, names)
+    model, motion = names["model"], names["motion"]
+    assert isinstance(model, lagdsl.Model)
+    assert isinstance(motion, lagdsl.Trajectory)
+    assert motion.time[-1] == 5.0
