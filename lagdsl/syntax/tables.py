@@ -2,7 +2,7 @@
 
 Symbols are numbered, terminals first. Line s of ROWS is state s: `symbol action symbol action ...`: an action n >= 0
 goes to state n, n < 0 reduces by rule ~n. A line of RULES is `result length name child child ...`: a child i is kept
-as it is, `*i` is spliced in as a list, `-` is an absent option. Lines are read when first needed: start-up costs nothing.
+as it is, `*i` is spliced in as a list, `-` is an absent option. Lines are read when first needed.
 """
 
 # fmt: off

@@ -124,8 +124,8 @@ def unit_help(suggestion: str | None, number: str, word: str) -> str:
     return f"for a product write `{number}*{word}`"
 
 
-def unexpected_help(found: str, after: str) -> str | None:
-    """Help of E0100, from the texts of the token at fault and of the one before it."""
+def unexpected_help(after: str, found: str, expected: str) -> str | None:
+    """Help of E0100, from the texts of the token before and of the one at fault and from what is expected."""
     match (after, found):
         case (_, ":"):
             return "an equation or binding is written with `=`"
@@ -135,8 +135,10 @@ def unexpected_help(found: str, after: str) -> str | None:
             return "relations are `<=`, `>=`, `==` and `<>`"
         case (_, ("elif" | "elsif")):
             return "write `elseif`"
-        case (_, "=") if after.isidentifier():
-            return "a condition is compared with `==`"
-    if found[:1].isalnum() and (after[-1:].isalnum() or after in (")", "]", "}")):
+        case (_, ".") if "expression" in expected:
+            return "digits stand before the decimal point: `0.5`"
+        case (_, ",") if after.isdigit():
+            return "a number has a decimal point, not a comma: `0.5`"
+    if "operator" in expected and (found[:1].isalnum() or found[:1] == '"'):
         return "an operator may be missing: a product is written with `*`"
     return None

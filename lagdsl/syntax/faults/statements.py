@@ -17,6 +17,9 @@ from lagdsl.syntax.session import CLOSING, SEMICOLON, Session, statement_words
 _AFTER_A_NAME = (";", ",", "=", "(", "[", ")", "]", "}", ".")
 _PLACES = ("at", "on", "from", "with", ":")
 _OPERANDS = (IDENT, NUMBER, QUANTITY, STRING)
+_PHYSICS = {
+    TERMINAL[name] for name in ("ENERGY", "LOAD", "MASS", "BODY", "GRAVITY", "CONSTRAINT", "CONTACT", "INVARIANT")
+} | {TERMINAL[name] for name in ("DRAW", "CONNECT", "EXTENDS", "ANNOTATION", "CLASS_KIND", "FOR", "IF", "WHEN")}
 _SECTIONS = ("_section_item", "when_equation")
 
 
@@ -188,9 +191,8 @@ def missing_separator(session: Session, token: Token) -> bool:
     before_new = session.starts_line(token) or token.text == "end" or token.terminal == END_OF_TEXT
     if not before_new:
         return False
-    what = "equation" if _kind(session) in _SECTIONS else "declaration"
     if session.machine.accepts(SEMICOLON):
-        session.sink.report("E0101", session.after_previous(), what=what)
+        session.sink.report("E0101", session.after_previous(), what=_noun(session, token))
         session.insert(";")
         session.lexer.rewind(token.start)
         return True
@@ -201,6 +203,14 @@ def missing_separator(session: Session, token: Token) -> bool:
             session.lexer.rewind(token.start)
             return True
     return False
+
+
+def _noun(session: Session, token: Token) -> str:
+    """What the unfinished statement is."""
+    first = next(session.look_ahead(session.statement_start(token)), token)
+    if not _PHYSICS.isdisjoint(tables.WORDS.get(first.text, ())):
+        return "statement"
+    return "equation" if _kind(session) in _SECTIONS else "declaration"
 
 
 def second_relation(session: Session, token: Token) -> bool:
@@ -217,13 +227,9 @@ def second_relation(session: Session, token: Token) -> bool:
 
 def unexpected(session: Session, token: Token) -> bool:
     """Anything else."""
-    session.sink.report(
-        "E0100",
-        session.span(token),
-        found=found(token),
-        expected=expected(session.machine),
-        help=unexpected_help(token.text, session.previous.text if session.previous.end else ""),
-    )
+    words = expected(session.machine)
+    help_text = unexpected_help(session.previous.text, token.text, words)
+    session.sink.report("E0100", session.span(token), found=found(token), expected=words, help=help_text)
     session.panic(token)
     return True
 
