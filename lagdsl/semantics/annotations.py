@@ -61,12 +61,15 @@ def _modifiers(annotations: Iterable[nodes.Annotation]) -> list[nodes.Modifier]:
 
 
 def _setting(ctx: Context, scope: Scope, setting: nodes.AnyModifier, found: dict[str, float]) -> None:
-    name = ".".join(setting.name.parts) if isinstance(setting, nodes.Modifier) else ""
-    if not isinstance(setting, nodes.Modifier) or name not in _SETTINGS:
+    if not isinstance(setting, nodes.Modifier):
+        ctx.sink.report("E0311", setting.span, what="`redeclare`", hint="it comes with components")
+        return
+    name = ".".join(setting.name.parts)
+    if name not in _SETTINGS:
         meant = nearest(name, _SETTINGS)
         hint = f"did you mean `{meant}`?" if meant else None
         listed = ", ".join(_SETTINGS)
-        span = setting.name.span if isinstance(setting, nodes.Modifier) else setting.span
+        span = setting.name.span
         ctx.sink.report("E0202", span, name=name, type="experiment", attributes=listed, help=hint)
         return
     if setting.value is None or setting.modifiers:

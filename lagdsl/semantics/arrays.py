@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.arithmetic import Operand, added
 from lagdsl.semantics.constants import structural_integer
@@ -166,25 +164,33 @@ def index_value(number: int) -> Scalar:
     return Scalar(flat.Number(float(number)), None if number == 0 else DIMENSIONLESS, kind="Integer")
 
 
-def loops(ctx: Context, scope: Scope, iterators: tuple[nodes.Iterator, ...]) -> Iterator[Scope]:
-    """A scope for each turn of nested loops; later ranges may use earlier indices."""
+def turns(ctx: Context, scope: Scope, iterators: tuple[nodes.Iterator, ...]) -> list[Scope] | None:
+    """A scope for each turn of nested loops; later ranges may use earlier indices. None after a diagnostic."""
     if not iterators:
-        yield scope
-        return
+        return [scope]
     first, *rest = iterators
     values = range_values(ctx, scope, first.range)
-    for number in values or ():
+    if values is None:
+        return None
+    found: list[Scope] = []
+    for number in values:
         if not another_turn(ctx, first.span):
-            return
-        turn = scope.local({first.name: index_value(number)}, (number,))
-        yield from loops(ctx, turn, tuple(rest))
+            return None
+        inner = turns(ctx, scope.local({first.name: index_value(number)}, (number,)), tuple(rest))
+        if inner is None:
+            return None
+        found += inner
+    return found
 
 
 def comprehension(ctx: Context, scope: Scope, node: nodes.Comprehension, adopt: bool) -> Value:
     """`{body for i in 1:n, j in 1:m}`: the last index is the outermost dimension, as in Modelica."""
     *inner, outer = node.iterators
     parts: list[tuple[nodes.Node, Value]] = []
-    for turn in loops(ctx, scope, (outer,)):
+    found = turns(ctx, scope, (outer,))
+    if found is None:
+        return POISON
+    for turn in found:
         if inner:
             part: nodes.Expression = nodes.Comprehension(span=node.span, body=node.body, iterators=tuple(inner))
             parts.append((node, ctx.elaborate(ctx, turn, part, adopt)))
@@ -207,10 +213,11 @@ def reduction(ctx: Context, scope: Scope, node: nodes.Reduction) -> Value:
             "E0209", node.function.span, name=node.function.span.text, help=f"reductions are {', '.join(REDUCTIONS)}"
         )
         return POISON
-    operands = [
-        Operand(node.body, operand(ctx, ctx.elaborate(ctx, turn, node.body, False), node.body.span))
-        for turn in loops(ctx, scope, node.iterators)
-    ]
+    found = turns(ctx, scope, node.iterators)
+    if found is None:
+        return POISON
+    values = [operand(ctx, ctx.elaborate(ctx, turn, node.body, False), node.body.span) for turn in found]
+    operands = [Operand(node.body, value) for value in values]
     return reduced(ctx, scope, name, operands, node)
 
 

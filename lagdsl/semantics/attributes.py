@@ -105,7 +105,7 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
         names = list(dict.fromkeys(each.partition(".")[0] for each in allowed))
     if name in LATER:
         ctx.sink.report("E0311", span, what=f"`{name}`", hint=f"{LATER[name]} comes with components")
-    elif name == "fixed" and symbol.kind == "parameter":
+    elif name == "fixed" and symbol.kind == "parameter" and _is_false(modifier.value):
         later = "parameters found from the start of the motion come later; give it a value"
         ctx.sink.report("E0311", span, what="a free parameter", hint=later)
     elif name in KNOWN and not prefix:
@@ -116,6 +116,10 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
         hint = f"did you mean `{meant}`?" if meant is not None else None
         listed = ", ".join(names) if names else "none"
         ctx.sink.report("E0202", span, name=name, type=type_name, attributes=listed, help=hint)
+
+
+def _is_false(node: nodes.Expression | None) -> bool:
+    return isinstance(node, nodes.Boolean) and not node.value
 
 
 # ---- values of attributes --------------------------------------------------------------------------------------------

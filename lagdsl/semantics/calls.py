@@ -8,7 +8,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.inline import inlined
 from lagdsl.semantics.mechanics_functions import SPECIALS
 from lagdsl.semantics.naming import name_span, quantity
-from lagdsl.semantics.references import package_entry
+from lagdsl.semantics.references import not_in_package, package_entry
 from lagdsl.semantics.scope import FunctionSymbol, Scope, Symbol, lookup, visible
 from lagdsl.semantics.values import POISON, Array, FrameValue, Poison, Scalar, Value, Vector
 from lagdsl.syntax import nodes
@@ -35,6 +35,8 @@ def call(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if isinstance(entry, FunctionSymbol):
         return inlined(ctx, scope, node, entry, _arguments(ctx, scope, node))
     if isinstance(node.function, nodes.Member):
+        if not_in_package(ctx, scope, node.function):
+            return POISON
         return _method(ctx, scope, node, node.function)
     if not isinstance(node.function, nodes.Reference):
         ctx.sink.report("E0209", node.function.span, name=node.function.span.text, help=None)

@@ -121,7 +121,8 @@ class Declarer:
         for section in node.sections:
             if section.keyword in ("kinematics", "closure"):
                 hint = "joints come with components"
-                self.ctx.sink.report("E0311", section.span, what=f"a `{section.keyword}` section", hint=hint)
+                span = Span(section.span.file, section.span.start, section.span.start + len(section.keyword))
+                self.ctx.sink.report("E0311", span, what=f"a `{section.keyword}` section", hint=hint)
         for items, keyword in listed:
             if keyword not in ("kinematics", "closure"):
                 self._expand(items, self.scope, keyword)
@@ -236,7 +237,7 @@ class Declarer:
             if iterator.name in ("time", "world"):
                 self.ctx.sink.report("E0207", iterator.span, name=iterator.name)
                 return
-        for turn in arrays.loops(self.ctx, scope, item.iterators):
+        for turn in arrays.turns(self.ctx, scope, item.iterators) or ():
             self._expand(item.body, turn, section)
 
     def _if(self, item: nodes.If, scope: Scope, section: str) -> None:

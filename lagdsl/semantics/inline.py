@@ -34,7 +34,7 @@ def inlined(ctx: Context, scope: Scope, node: nodes.Call, symbol: FunctionSymbol
         value = ctx.elaborate(ctx, symbol.scope.local(bound), function.value, True)
     finally:
         ctx.functions.pop()
-    return _result(ctx, symbol, value)
+    return _result(ctx, symbol, bound, value)
 
 
 def _bind(ctx: Context, symbol: FunctionSymbol, node: nodes.Call, arguments: list[Operand]) -> dict[str, Entry] | None:
@@ -118,14 +118,14 @@ def _shape(
     return tuple(shape)
 
 
-def _result(ctx: Context, symbol: FunctionSymbol, value: Value) -> Value:
+def _result(ctx: Context, symbol: FunctionSymbol, bound: dict[str, Entry], value: Value) -> Value:
     function = symbol.node
     if function.result is None or isinstance(value, Poison):
         return value
     info = resolve_type(ctx, function.result, symbol.scope)
     if info is None:
         return POISON
-    shape = _shape(ctx, symbol.scope, function.result_subscripts, info, value)
+    shape = _shape(ctx, symbol.scope.local(bound), function.result_subscripts, info, value)
     if shape is None:
         return POISON
     expected = Expected(f"the result of `{function.name}`", info.dimension or DIMENSIONLESS, shape, info.base)
@@ -146,4 +146,4 @@ def check_function(ctx: Context, symbol: FunctionSymbol) -> None:
         ctx.functions.append(symbol.node)
         value = ctx.elaborate(ctx, symbol.scope.local(bound), symbol.node.value, True)
         ctx.functions.pop()
-    _result(ctx, symbol, value)
+    _result(ctx, symbol, bound, value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics import flat_model
-from lagdsl.semantics.conditions import switched
+from lagdsl.semantics.conditions import condition_of, switched
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import require
 from lagdsl.semantics.flat_model import Variability
@@ -25,6 +25,9 @@ def value(ctx: Context, symbol: Symbol, indices: Indices) -> Value:
     if instance is None:
         return POISON
     node = instance.node
+    if condition_of(ctx, instance.scope, node.condition) is False:
+        # What is switched off contributes nothing, whatever its unit.
+        return Scalar(flat.ZERO, None)
     if isinstance(node, nodes.Invariant):
         return invariant_value(ctx, instance.scope, node) or POISON
     if isinstance(node, nodes.Energy):

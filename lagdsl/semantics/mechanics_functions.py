@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Literal
 
+from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.arrays import subscript_indices
+from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
@@ -166,9 +168,9 @@ def _momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if arguments is None:
         return POISON
     value = ctx.elaborate(ctx, scope, arguments[0], False)
-    found = named_element(ctx, scope, arguments[0])
     if isinstance(value, Poison):
         return POISON
+    found = named_element(ctx, scope, arguments[0])
     coordinate = found is not None and found[0].kind == "coordinate"
     if not coordinate or not isinstance(value, Scalar) or not isinstance(value.expression, flat.Variable):
         ctx.sink.report("E0312", arguments[0].span, expected="a coordinate", found=_what(found, value))
@@ -220,9 +222,10 @@ def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if found is None:
         return POISON
     symbol, indices = found
-    rows = [
-        ctx.resolver.constraint(symbol, each) for each in ([indices] if indices in symbol.labels else symbol.labels)
-    ]
+    places = [indices] if indices in symbol.labels else list(symbol.labels)
+    if not all(_present(ctx, symbol, each, arguments[0]) for each in places):
+        return POISON
+    rows = [ctx.resolver.constraint(symbol, each) for each in places]
     known = [constraint for constraint in rows if constraint is not None]
     if not known or len(known) < len(rows):
         return POISON
@@ -232,6 +235,15 @@ def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if len(parts) == 1 and len(known) == 1 and known[0].rows == (known[0].name,):
         return Scalar(parts[0], dimension, Variability.CONTINUOUS, Order.SOLUTION)
     return Array(parts, (len(parts),), dimension, Variability.CONTINUOUS, Order.SOLUTION)
+
+
+def _present(ctx: Context, symbol: Symbol, indices: Indices, node: nodes.Node) -> bool:
+    """E0343 where the condition of the labelled item leaves it out."""
+    instance = symbol.labels[indices]
+    if condition_of(ctx, instance.scope, instance.node.condition) is not False:
+        return True
+    ctx.sink.report("E0343", node.span, Label(symbol.span, "its condition is false"), name=instance.name)
+    return False
 
 
 def _multiplier_dimension(ctx: Context, row: Dimension, level: str) -> Dimension:
@@ -266,7 +278,10 @@ def _labelled(
             help=f"did you mean `{meant}`?" if meant else None,
         )
         return None
-    found = entry.title if isinstance(entry, Symbol) else kind_of(ctx.elaborate(ctx, scope, node, False))
+    value = ctx.elaborate(ctx, scope, node, False)
+    if isinstance(value, Poison) and not isinstance(entry, Symbol):
+        return None
+    found = entry.title if isinstance(entry, Symbol) else kind_of(value)
     hint = f"name the {kind}: `{kind} c: ...`" if kind == "constraint" else "name the body: `body b(...) on F`"
     ctx.sink.report("E0312", node.span, expected=f"the name of a {kind}", found=found, help=hint)
     return None
@@ -291,6 +306,8 @@ def _angular_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         symbol, indices = found
         if indices not in symbol.labels:
             ctx.sink.report("E0312", arguments[0].span, expected="one body", found=f"all bodies `{symbol.name}`")
+            return POISON
+        if not _present(ctx, symbol, indices, arguments[0]):
             return POISON
         body = symbol.labels[indices].name
     about = _named(node, "about")

@@ -17,7 +17,10 @@ def expand_short(ctx: Context, symbol: ClassSymbol) -> tuple[nodes.Class, list[t
     seen: list[str] = []
     while isinstance(symbol.node, nodes.ShortClass):
         node = symbol.node
-        if node.name in seen or node.subscripts:
+        if node.subscripts:
+            ctx.sink.report("E0311", node.span, what="an array of models", hint="arrays of components come later")
+            return None
+        if node.name in seen:
             ctx.sink.report("E0305", node.span, path=f"model `{node.name}` is defined by itself")
             return None
         seen.append(node.name)

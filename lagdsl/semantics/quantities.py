@@ -70,9 +70,9 @@ def coordinates(ctx: Context, symbol: Symbol) -> list[flat_model.Coordinate]:
     else:
         starts_known = starts or [flat.ZERO] * math.prod(shape)
     rates_known = rates or [flat.ZERO] * math.prod(shape)
-    nominal = attributes.numbers(ctx, found.get("nominal"), "nominal", dimension, shape)
-    least = attributes.numbers(ctx, found.get("min"), "min", dimension, shape)
-    most = attributes.numbers(ctx, found.get("max"), "max", dimension, shape)
+    nominal = attributes.numbers(ctx, found.get("nominal"), "`nominal`", dimension, shape)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape)
     sign = attributes.text(ctx, found.get("symbol"))
     return [
         flat_model.Coordinate(
@@ -114,9 +114,9 @@ def states(ctx: Context, symbol: Symbol) -> list[flat_model.State]:
     dimension = _dimension(symbol)
     starts = _start(ctx, symbol, found.get("start"), "the start", dimension, shape)
     fixed = attributes.flags(ctx, found.get("fixed"), "`fixed`", shape)
-    nominal = attributes.numbers(ctx, found.get("nominal"), "nominal", dimension, shape)
-    least = attributes.numbers(ctx, found.get("min"), "min", dimension, shape)
-    most = attributes.numbers(ctx, found.get("max"), "max", dimension, shape)
+    nominal = attributes.numbers(ctx, found.get("nominal"), "`nominal`", dimension, shape)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape)
     sign = attributes.text(ctx, found.get("symbol"))
     result = []
     whole = _derivative(ctx, symbol, None, shape) if None in symbol.derivatives else None

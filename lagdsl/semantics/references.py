@@ -82,6 +82,8 @@ def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:
     package = package_entry(scope, node)
     if package is not None:
         return _value(ctx, package, node)
+    if not_in_package(ctx, scope, node):
+        return POISON
     return geometry.member(ctx, node, ctx.elaborate(ctx, scope, node.target, False))
 
 
@@ -95,6 +97,18 @@ def package_entry(scope: Scope, node: nodes.Expression) -> Entry | None:
             if isinstance(around, ClassSymbol) and around.inner is not None:
                 return around.inner.entries.get(node.name)
     return None
+
+
+def not_in_package(ctx: Context, scope: Scope, node: nodes.Member) -> bool:
+    """E0210 for a name that a package does not hold."""
+    around = package_entry(scope, node.target)
+    if not isinstance(around, ClassSymbol) or around.inner is None:
+        return False
+    meant = nearest(node.name, around.inner.entries)
+    what = f"package `{node.target.span.text}`"
+    hint = f"did you mean `{meant}`?" if meant else None
+    ctx.sink.report("E0210", node.name_span, name=node.name, what=what, help=hint)
+    return True
 
 
 def index(ctx: Context, scope: Scope, node: nodes.Index) -> Value:

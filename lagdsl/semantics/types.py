@@ -91,12 +91,13 @@ def _defined(ctx: Context, entry: TypeSymbol, depth: int) -> TypeInfo | None:
 def with_unit(ctx: Context, base: TypeInfo, modifiers: tuple[nodes.AnyModifier, ...]) -> TypeInfo:
     """The type with the `unit` and `displayUnit` among `modifiers` applied."""
     for modifier in modifiers:
-        if isinstance(modifier, nodes.Modifier) and isinstance(modifier.value, nodes.String):
-            text, span = modifier.value.value, modifier.value.span
-            if modifier.name.parts == ("unit",):
-                base = _unit(ctx, base, text, span)
-            elif modifier.name.parts == ("displayUnit",):
-                base = _display(ctx, base, text, span)
+        if isinstance(modifier, nodes.Modifier) and modifier.name.parts in (("unit",), ("displayUnit",)):
+            if isinstance(modifier.value, nodes.String):
+                change = _unit if modifier.name.parts == ("unit",) else _display
+                base = change(ctx, base, modifier.value.value, modifier.value.span)
+            elif modifier.value is not None:
+                found = f"`{modifier.value.span.text}`"
+                ctx.sink.report("E0312", modifier.value.span, expected='a unit in quotes such as "m/s"', found=found)
     return base
 
 

@@ -176,7 +176,8 @@ def test_choice_of_the_model() -> None:
 
 def test_quaternion_starts_from_an_angular_velocity() -> None:
     flat = accepted(
-        "coordinate Quaternion e(start = {0, 1, 0, 0}, omega(start = {1, 2, 3}, fixed = true));\nbody b(m = 1) on world.quat(e);"
+        "coordinate Quaternion e(start = {0, 1, 0, 0}, omega(start = {1, 2, 3}, fixed = true));\n"
+        "body b(m = 1) on world.quat(e);"
     )
     e = flat.coordinates[1:]
     assert [evaluate(flat, c.start, Values()) for c in e] == [0, 1, 0, 0]
@@ -198,7 +199,8 @@ def test_array_of_quaternions() -> None:
 def test_rows_of_constraints_in_loops() -> None:
     flat = accepted(
         "coordinate Length x[2];\npotential (1 N)*sum(x);\nfor i in 1:2 loop\n constraint c: {x[i], x[i]} = {l, l};\n"
-        " constraint d: der(x[i]) = 0;\nend for;\nconstraint x[1] = l;\noutput Force f[4] = multiplier(c), g[2] = multiplier(c[2]), h = multiplier(d[1]);\n"
+        " constraint d: der(x[i]) = 0;\nend for;\nconstraint x[1] = l;\n"
+        "output Force f[4] = multiplier(c), g[2] = multiplier(c[2]), h = multiplier(d[1]);\n"
         "output Real all[2] = multiplier(d)/(1 N);"
     )
     assert [c.rows for c in flat.constraints] == [

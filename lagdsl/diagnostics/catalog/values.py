@@ -117,4 +117,9 @@ ROWS: dict[str, Row] = {
         label="known only after the equations are solved",
         help="`der` may be taken twice of coordinates",
     ),
+    "E0343": error(
+        "`{name}` is not part of the model: its condition is false",
+        label="left out",
+        help="use the same condition here, in a structural `if`",
+    ),
 }
