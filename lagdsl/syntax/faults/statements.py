@@ -18,8 +18,9 @@ _AFTER_A_NAME = (";", ",", "=", "(", "[", ")", "]", "}", ".")
 _PLACES = ("at", "on", "from", "with", ":")
 _OPERANDS = (IDENT, NUMBER, QUANTITY, STRING)
 _PHYSICS = {
-    TERMINAL[name] for name in ("ENERGY", "LOAD", "MASS", "BODY", "GRAVITY", "CONSTRAINT", "CONTACT", "INVARIANT")
-} | {TERMINAL[name] for name in ("DRAW", "CONNECT", "EXTENDS", "ANNOTATION", "CLASS_KIND", "FOR", "IF", "WHEN")}
+    TERMINAL[name]
+    for name in ("ENERGY", "LOAD", "MASS", "BODY", "GRAVITY", "CONSTRAINT", "CONTACT", "INVARIANT", "DRAW", "CONNECT")
+}
 _SECTIONS = ("_section_item", "when_equation")
 
 
@@ -207,6 +208,8 @@ def missing_separator(session: Session, token: Token) -> bool:
 
 def _noun(session: Session, token: Token) -> str:
     """What the unfinished statement is."""
+    if any(isinstance(value, Token) and value.terminal == TERMINAL["END"] for value in session.machine.values[-2:]):
+        return "`end`"
     first = next(session.look_ahead(session.statement_start(token)), token)
     if not _PHYSICS.isdisjoint(tables.WORDS.get(first.text, ())):
         return "statement"
