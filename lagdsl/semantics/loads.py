@@ -101,13 +101,6 @@ def _torque(
         hint = f"give it an axis: `{node.value.span.text}*{node.on.span.text}.z`"
         ctx.sink.report("E0312", node.value.span, expected="a moment vector", found=kind_of(value), help=hint)
         return None
-    if not fits(value.dimension, ctx.dimension(labels.MOMENT)):
-        found = quantity(value.dimension)
-        notes = hidden_variables(scope, node.value)
-        ctx.sink.report(
-            "E0415", node.value.span, what="a torque", expected=quantity(labels.MOMENT), found=found, notes=notes
-        )
-        return None
     return flat_model.FrameTorque(
         spans=(node.span, *scope.spans),
         label=_label(scope, symbol),
