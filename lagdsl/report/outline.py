@@ -86,22 +86,21 @@ def _parts(title: str, items: Sequence[Item]) -> list[Block]:
 
 
 def _equations(flat: FlatModel) -> list[Block]:
-    q, lam = Name("q"), Name("λ")
+    q, p, lagrangian = Name("q"), Name("p"), Name("L")
     qd, qdd = Dotted(q, 1), Dotted(q, 2)
-    lagrangian = Name("L")
-    momentum = Derivative("∂", lagrangian, qd)
-    mass = Derivative("∂", momentum, qd)
     terms: list[tuple[str, Box]] = [("+", Row((Name("M"), qdd)))]
     if flat.constraints:
-        terms.append(("-", Row((Power(Name("J"), Upright("T")), lam))))
-    gradient = Derivative("∂", lagrangian, q)
-    drag = Derivative("∂", Name("D"), qd)
-    coasting = Subscript(
-        Bracket(Row((Derivative("d", None, Name("t")), momentum))), Row((qdd, Operator("="), Number("0")))
-    )
+        terms.append(("-", Row((Power(Name("J"), Upright("T")), Name("λ")))))
+    coasting = Subscript(Bracket(Derivative("d", p, Name("t"))), Row((qdd, Operator("="), Number("0"))))
+    drag, gradient = Derivative("∂", Name("D"), qd), Derivative("∂", lagrangian, q)
     force = Sum((("+", Name("Q")), ("-", drag), ("+", gradient), ("-", coasting)))
     left = Sum(tuple(("-" if sign == "-" else "+", box) for sign, box in terms))
-    lines = [Equation(left, Name("f"), final=True), Equation(Name("M"), mass), Equation(Name("f"), force)]
+    lines = [
+        Equation(left, Name("f"), final=True),
+        Equation(p, Derivative("∂", lagrangian, qd)),
+        Equation(Name("M"), Derivative("∂", p, qd)),
+        Equation(Name("f"), force),
+    ]
     if flat.constraints:
         lines.append(Equation(Row((Name("J"), qdd)), Name("γ"), final=True))
     return [Heading("Form of the equations"), Equations(tuple(lines))]

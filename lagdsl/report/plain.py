@@ -32,7 +32,8 @@ def plain(document: Document) -> str:
     parts = [title, "=" * _columns(title)]
     if document.subtitle:
         parts += [_safe(document.subtitle)]
-    return "\n".join([*parts, *(_block(block) for block in document.blocks)]).rstrip() + "\n"
+    text = "\n".join([*parts, *(_block(block) for block in document.blocks)]).rstrip() + "\n"
+    return unicodedata.normalize("NFC", text)
 
 
 def _block(block: Block) -> str:

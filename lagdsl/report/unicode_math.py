@@ -50,10 +50,12 @@ def line(box: Box) -> str:  # noqa: C901, PLR0912
             return _VULGAR.get(plain, plain)
         case Power(base, exponent):
             raised = line(exponent)
-            return line(base) + (raised.translate(_SUPERSCRIPTS) if _is_integer(raised) else f"^({raised})")
+            plain = f"^({raised})" if len(raised) > 1 else f"^{raised}"
+            return line(base) + (raised.translate(_SUPERSCRIPTS) if _is_integer(raised) else plain)
         case Subscript(base, index):
             low = line(index).replace(" , ", ",")
-            return line(base) + (low.translate(_SUBSCRIPTS) if low.isdigit() else f"_{low}")
+            plain = f"_({low})" if " " in low else f"_{low}"
+            return line(base) + (low.translate(_SUBSCRIPTS) if low.isdigit() else plain)
         case Root(inside):
             return f"√{_guarded(inside)}"
         case Dotted(base, dots):

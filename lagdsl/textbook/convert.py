@@ -16,7 +16,7 @@ from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.differentiate import along
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.kinematics import RELEASE, RELEASE_RATE, Kinematics, Release
-from lagdsl.textbook.symbols import Symbols, rates_of_motion
+from lagdsl.textbook.symbols import Symbols, occurring, rates_of_motion
 
 Mechanical: TypeAlias = (
     flat.Multiplier
@@ -150,11 +150,11 @@ class Converter:
 
     def rate(self, expression: Expr, *, coasting: bool = False) -> Expr:
         """Total time derivative; that of a state is its equation. `coasting`: its part without accelerations."""
-        occurring = expression.free_symbols
+        present = occurring(expression)
         for state, symbol in zip(self.model.states, self.symbols.z, strict=True):
-            if symbol in occurring and symbol not in self.rates:
+            if symbol in present and symbol not in self.rates:
                 self.rates[symbol] = self.scalar(state.derivative)
-        missing = [u for u in self.symbols.u if u not in self.rates and u in occurring]
+        missing = [u for u in self.symbols.u if u not in self.rates and u in present]
         if missing:
             raise NoDerivativeError(missing[0].name)
         rates = self.rates

@@ -2,9 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from lagdsl.semantics.flat_model import FlatModel, Frame, Rotate, RotateAbout, RotateQuaternion, SetAxes
+from lagdsl.semantics import flat_expression as fx
+from lagdsl.semantics.flat_model import (
+    Definition,
+    FlatModel,
+    Frame,
+    Point,
+    Rotate,
+    RotateAbout,
+    RotateQuaternion,
+    SetAxes,
+)
+from lagdsl.semantics.flat_traversal import operands, postorder, step_expressions
 
 _MOST_COORDINATES = 6
 _MOST_CARRIERS = 12
@@ -12,6 +24,8 @@ _MOST_LOADS = 24
 _MOST_ROWS = 12
 _DEEPEST_TURNS = 6
 _MOST_DEFINITIONS = 200
+_LONGEST_EXPRESSION = 2000
+_COUNTED = 10**6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,6 +44,7 @@ def extent(flat: FlatModel) -> Extent:
         (rows, _MOST_ROWS, "constraint rows"),
         (_turns(flat), _DEEPEST_TURNS, "rotations in a row"),
         (len(flat.named), _MOST_DEFINITIONS, "definitions, points and frames"),
+        (_longest(flat), _LONGEST_EXPRESSION, "symbols in one expression, definitions written out"),
     )
     return Extent(reasons=tuple(f"{value} {noun} (at most {most})" for value, most, noun in measures if value > most))
 
@@ -42,3 +57,47 @@ def _turns(flat: FlatModel) -> int:
             own = sum(isinstance(step, Rotate | RotateAbout | RotateQuaternion | SetAxes) for step in item.steps)
             depth[item.name] = depth.get(item.parent, 0) + own
     return max(depth.values())
+
+
+def _longest(flat: FlatModel) -> int:
+    """Leaves and operations of the longest expression, names replaced by what they stand for; counted up to a million.
+
+    Frames count by the expressions of their steps: how often rotations multiply them is bounded by their depth.
+    """
+    known: dict[int, int] = {}
+    names: dict[str, int] = {}
+
+    def length(expression: fx.FlatExpression) -> int:
+        for node in postorder(expression, known):
+            inner = sum(known[id(operand)] for operand in operands(node))
+            known[id(node)] = min(1 + inner + names.get(_name(node), 0), _COUNTED)
+        return known[id(expression)]
+
+    for item in flat.named:
+        match item:
+            case Definition(name=name, value=value):
+                names[name] = length(value)
+            case Point(name=name, position=position):
+                names[name] = length(position)
+            case Frame(name=name, parent=parent, steps=steps):
+                own = sum(length(expression) for step in steps for expression in step_expressions(step))
+                names[name] = names.get(parent, 0) + own
+    return max([0, *names.values(), *(length(expression) for expression in _declared(flat))])
+
+
+def _name(node: fx.FlatExpression) -> str:
+    match node:
+        case fx.Variable(name) | fx.PointReference(name) | fx.FrameOrigin(name) | fx.FrameAxis(name, _):
+            return name
+        case fx.AngularVelocity(name) | fx.MaterialVelocity(_, name):
+            return name
+        case _:
+            return ""
+
+
+def _declared(flat: FlatModel) -> Iterator[fx.FlatExpression]:
+    """What is differentiated beyond points and frames."""
+    yield from (term.value for term in flat.energies)
+    yield from (mass.position for mass in flat.masses)
+    for constraint in flat.constraints:
+        yield from constraint.residuals

@@ -52,3 +52,19 @@ def rates_of_motion(flat: FlatModel, symbols: Symbols) -> dict[Symbol, Expr]:
         if item.derivative_of is not None:
             rates[Symbol(item.derivative_of)] = symbol
     return rates
+
+
+def occurring(expression: Expr) -> set[Symbol]:
+    """The symbols of an expression; shared parts are looked at once, which SymPy's `free_symbols` does not."""
+    found: set[Symbol] = set()
+    seen: set[int] = set()
+    stack = [expression]
+    while stack:
+        node = stack.pop()
+        if id(node) in seen:
+            continue
+        seen.add(id(node))
+        if node.is_Symbol:
+            found.add(node)
+        stack.extend(node.args)
+    return found

@@ -130,10 +130,10 @@ class Tidy:
             return product
         if expression.is_Pow and expression.exp.is_Rational:
             return self._power(expression.base, expression.exp, depth)
-        if expression.is_Symbol or expression.is_NumberSymbol:
+        if expression.is_Atom:
             return self._single(expression, 1)
         rebuilt = expression.func(*(self(argument) for argument in expression.args))
-        if rebuilt.is_Function or rebuilt.is_Pow or rebuilt.is_Float or not rebuilt.args:
+        if rebuilt.is_Function or rebuilt.is_Pow:
             return self._single(rebuilt, 1)
         return self._polynomial(rebuilt, depth + 1)
 

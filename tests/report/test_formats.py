@@ -4,13 +4,28 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from functools import cache
 from html.parser import HTMLParser
 from xml.etree import ElementTree
 
 import pytest
 from textbook import models
-from textbook.build import coordinate, der, energy, model, parameter, v
+from textbook.build import (
+    X,
+    call,
+    coordinate,
+    der,
+    energy,
+    generalized,
+    less,
+    mass,
+    model,
+    output,
+    parameter,
+    state,
+    v,
+    vec,
+    when,
+)
 
 from lagdsl.report.boxes import (
     Bracket,
@@ -31,14 +46,16 @@ from lagdsl.report.boxes import (
     Sum,
     Upright,
 )
+from lagdsl.report.broken import lines, sign_and_rest
 from lagdsl.report.derivation import FORMATS, render
 from lagdsl.report.document import Bullets, Code, Document, Equation, Equations, Paragraph, Strong, Table, Text, text
 from lagdsl.report.latex_math import escape, tex
 from lagdsl.report.mathml import mathml
 from lagdsl.report.notation import name_box
 from lagdsl.report.unicode_math import line
+from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics.flat_model import FlatModel
-from lagdsl.textbook.recipe import Recipe, recipe
+from lagdsl.textbook.recipe import recipe
 
 HOSTILE = "<script>alert(1)</script> $x$ \\input{/etc/passwd} %{ [a](javascript:b) `c` | \x1b[31m _d_ \u202e ∫"
 
@@ -61,11 +78,6 @@ class Balance(HTMLParser):
         assert self.open.pop() == tag
 
 
-@cache
-def found(make: Callable[[], FlatModel]) -> Recipe:
-    return recipe(make())
-
-
 def hostile() -> FlatModel:
     """Names that no lexer would let through, and a text that means harm in every format."""
     names = ["<b>&x", "a$b", "\\input{x}", "__import__('os')"]
@@ -83,7 +95,7 @@ def hostile() -> FlatModel:
 
 @pytest.mark.parametrize("make", [*models.ALL, hostile], ids=lambda make: make.__name__)
 def test_html_is_balanced_and_alone(make: Callable[[], FlatModel]) -> None:
-    page = render(found(make), "html")
+    page = render(models.recipe_of(make), "html")
     balance = Balance()
     balance.feed(page)
     assert not balance.open
@@ -95,7 +107,7 @@ def test_html_is_balanced_and_alone(make: Callable[[], FlatModel]) -> None:
 
 @pytest.mark.parametrize("make", [*models.ALL, hostile], ids=lambda make: make.__name__)
 def test_latex_is_balanced(make: Callable[[], FlatModel]) -> None:
-    source = render(found(make), "latex")
+    source = render(models.recipe_of(make), "latex")
     bare = re.sub(r"\\[\\{}$%&#_]", "", source)
     depth = 0
     for character in bare:
@@ -116,11 +128,11 @@ def test_latex_is_balanced(make: Callable[[], FlatModel]) -> None:
 
 
 def test_markdown_and_text_are_inert() -> None:
-    page = render(found(hostile), "markdown")
+    page = render(models.recipe_of(hostile), "markdown")
     assert "<script" not in page
     assert "](javascript" not in page.replace("\\]", "")
     assert "\x1b" not in page
-    plain = render(found(hostile), "text")
+    plain = render(models.recipe_of(hostile), "text")
     assert "\x1b" not in plain
     assert "\u202e" not in plain
 
@@ -153,7 +165,7 @@ FORMULA = Row(
 
 def test_every_box_in_every_format() -> None:
     assert line(FORMULA) == (
-        "−gap + (1 − θ) ≤ ½ (x)⁻² y^(n) m_rod √(a + b) der(der(gap)) ψ̇ ∂L/∂q atan2(y, x) "
+        "−gap + (1 − θ) ≤ ½ (x)⁻² y^n m_rod √(a + b) der(der(gap)) ψ̇ ∂L/∂q atan2(y, x) "
         "(if x < 0 then a else b) (a, b) [a, b; c, d] ∞"
     )
     assert tex(FORMULA) == (
@@ -203,3 +215,43 @@ def test_every_block_in_every_format() -> None:
 )
 def test_names(name: str, shown: str) -> None:
     assert line(name_box(name)) == shown
+
+
+def test_odd_corners() -> None:
+    """No parameters but a switch, a charge beside a mass, numbers that are none, logic, and a state."""
+    x, z = v("x"), v("z")
+    no_number = call("sqrt", X(fx.Number(float("inf")))) * x
+    relations = when(X(fx.Binary("and", less(x, 1).e, less(z, 2).e)), 1, X(fx.Binary("<>", x.e, z.e)))
+    flat = model(
+        "Corners",
+        parameters=[parameter("on", 1.0, kind="Boolean"), parameter("off", 0.0, kind="Boolean")],
+        coordinates=[coordinate("x"), coordinate("charge")],
+        states=[state("z", -z * v("on"))],
+        masses=[mass(2, vec(x, 0))],
+        energies=[
+            energy("kinetic", 0.0375 * der(v("charge")) ** 2),
+            energy("lagrangian", x * der(v("charge"))),
+            energy("dissipation", 0.01 * der(x) ** 2),
+        ],
+        loads=[generalized(relations, x), generalized(1e15 * z ** (2 / 3), v("charge"))],
+        outputs=[output("o", no_number), output("n", call("exp", X(fx.Number(1.0))) + call("sign", x))],
+    )
+    page = render(recipe(flat), "text")
+    assert "Besides, one coordinate moves no mass" in page
+    assert "on      true" in page
+    assert "\u017c = −on z" in page
+    assert "L_x = x der(charge)" in page
+    assert "o = ∞ x" in page
+    assert "if (x < 1) and (z < 2) then" in page
+    bare = model("Bare", coordinates=[coordinate("x")], energies=[energy("kinetic", der(x) ** 2)])
+    assert "Parameters" not in render(recipe(bare), "markdown")
+
+
+def test_long_left_sides_are_broken_on_their_own() -> None:
+    terms = tuple((("-" if i % 3 == 0 else "+"), Name("x" * 12 + str(i))) for i in range(12))
+    parts = lines(Equation(Sum(terms), Sum(terms)), 60)  # type: ignore[arg-type]
+    assert parts[0].left is None
+    assert not parts[0].continued
+    assert any(sign_and_rest(part.right)[0] == "-" for part in parts[1:])
+    assert sign_and_rest(Row((Sum(terms[3:5]), Operator("="), Number("0"))))[0] == "-"  # type: ignore[arg-type]
+    assert sign_and_rest(Name("x")) == ("+", Name("x"))

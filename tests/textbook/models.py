@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
+
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics.flat_model import (
     Assertion,
@@ -15,6 +18,7 @@ from lagdsl.semantics.flat_model import (
     SetAxes,
     Variability,
 )
+from lagdsl.textbook.recipe import Recipe, recipe
 from lagdsl.units.dimension import DIMENSIONLESS
 from textbook.build import (
     X,
@@ -49,6 +53,12 @@ from textbook.build import (
     vec,
     when,
 )
+
+
+@cache
+def recipe_of(make: Callable[[], FlatModel]) -> Recipe:
+    """Made once for all tests of a run that read it."""
+    return recipe(make())
 
 
 def parameters(*names: str) -> list:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
 
 import numpy as np
 import pytest
@@ -29,9 +28,10 @@ def derivation_of(flat: FlatModel) -> Derivation:
     return derivation
 
 
-@cache
 def made(make: Callable[[], FlatModel]) -> Derivation:
-    return derivation_of(make())
+    derivation = models.recipe_of(make).derivation
+    assert derivation is not None
+    return derivation
 
 
 def nodes_of(graph: Graph, derivation: Derivation) -> ToGraph:
@@ -165,10 +165,25 @@ def test_large_models_stay_outlines() -> None:
         assert len(text) < 12_000
     plain = render(found, "text")
     assert "… and 18 more." in plain
-    assert "M q̈ − J^(T) λ = f" in plain
+    assert "M q̈ − J^T λ = f" in plain
 
 
 def test_deeply_turned_frames_stay_outlines() -> None:
     frames = [frame(f"F{i}", f"F{i - 1}" if i else "world", Rotate(i % 3, v("a").e)) for i in range(9)]
     flat = model("Deep", coordinates=[coordinate("a")], named=frames, masses=[mass(1, vec(1, 0))])
     assert recipe(flat).extent.reasons == ("9 rotations in a row (at most 6)",)
+
+
+def test_nested_definitions_stay_outlines() -> None:
+    """Each definition uses the one before twice: short as a text, endless written out."""
+    steps = [models.definition("d0", v("x"))]
+    for k in range(1, 41):
+        steps.append(models.definition(f"d{k}", models.sin(v(f"d{k - 1}")) * models.cos(v(f"d{k - 1}"))))
+    flat = model(
+        "Swell",
+        coordinates=[coordinate("x")],
+        named=steps,
+        energies=[energy("kinetic", der(v("x")) ** 2), energy("potential", v("d40"))],
+    )
+    assert recipe(flat).extent.reasons == ("1000000 symbols in one expression, definitions written out (at most 2000)",)
+    assert len(lower(derive(flat), flat).graph) < 5000
