@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeAlias
 
-from lagdsl.report.boxes import EQUALS, Box, Row, Sum
+from lagdsl.report.boxes import EQUALS, Box, Bracket, Fraction, Number, Row, Sum
 from lagdsl.report.document import Equation
 from lagdsl.report.unicode_math import line
+
+Sign: TypeAlias = Literal["+", "-"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +35,7 @@ def lines(equation: Equation, width: int) -> list[Line]:
     return [*result, Line(None, Row((EQUALS, right[0]))), *(Line(None, other, True) for other in right[1:])]
 
 
-def sign_and_rest(box: Box) -> tuple[Literal["+", "-"], Box]:
+def sign_and_rest(box: Box) -> tuple[Sign, Box]:
     """The sign a continued line starts with, and the line without it."""
     match box:
         case Sum(((sign, first), *others)):
@@ -47,11 +49,15 @@ def sign_and_rest(box: Box) -> tuple[Literal["+", "-"], Box]:
 
 def _broken(box: Box, width: int) -> list[Box]:
     """Boxes to be set one under the other; each but the first starts with its sign."""
-    if not isinstance(box, Sum) or len(line(box)) <= width:
+    if len(line(box)) <= width:
+        return [box]
+    whole = box if isinstance(box, Sum) else Sum((("+", box),))
+    terms = [part for sign, term in whole.terms for part in _distributed(sign, term, width)]
+    if len(terms) == 1:
         return [box]
     pieces: list[Sum] = []
     room = 0
-    for term in box.terms:
+    for term in terms:
         length = len(line(term[1])) + 3
         if not pieces or length > room:
             pieces.append(Sum((term,)))
@@ -60,3 +66,20 @@ def _broken(box: Box, width: int) -> list[Box]:
             pieces[-1] = Sum((*pieces[-1].terms, term))
             room -= length
     return list(pieces)
+
+
+def _distributed(sign: Sign, term: Box, width: int) -> list[tuple[Sign, Box]]:
+    """A product too long for a line, multiplied into its bracket; with numbers in the bracket it stays as it is."""
+    if not isinstance(term, Row) or len(line(term)) <= width:
+        return [(sign, term)]
+    brackets = [item for item in term.items if isinstance(item, Bracket) and isinstance(item.inside, Sum)]
+    if not brackets:
+        return [(sign, term)]
+    longest = max(brackets, key=lambda bracket: len(line(bracket)))
+    assert isinstance(longest.inside, Sum)
+    inner = [(s, part.items if isinstance(part, Row) else (part,)) for s, part in longest.inside.terms]
+    if any(isinstance(items[0], Number | Fraction) for _, items in inner):
+        return [(sign, term)]
+    place = term.items.index(longest)
+    before, after = term.items[:place], term.items[place + 1 :]
+    return [("+" if s == sign else "-", Row((*before, *items, *after))) for s, items in inner]

@@ -255,3 +255,16 @@ def test_long_left_sides_are_broken_on_their_own() -> None:
     assert any(sign_and_rest(part.right)[0] == "-" for part in parts[1:])
     assert sign_and_rest(Row((Sum(terms[3:5]), Operator("="), Number("0"))))[0] == "-"  # type: ignore[arg-type]
     assert sign_and_rest(Name("x")) == ("+", Name("x"))
+
+
+def test_long_products_are_multiplied_out_to_be_broken() -> None:
+    names = [Name("x" * 12 + str(i)) for i in range(6)]
+    inside = Bracket(Sum(tuple(("-" if i else "+", Row((name, Name("y")))) for i, name in enumerate(names))))
+    product = Row((Name("m"), inside, Name("z")))
+    parts = lines(Equation(Name("T"), Sum((("-", product),))), 40)
+    assert len(parts) > 2
+    assert line(parts[0].right) == "−m xxxxxxxxxxxx0 y z"
+    numbered = Row((Name("m"), Bracket(Sum(tuple(("+", Row((Number("2"), name))) for name in names)))))
+    assert len(lines(Equation(Name("T"), numbered), 40)) == 1
+    plain = Row(tuple(names))
+    assert len(lines(Equation(Name("T"), plain), 40)) == 1
