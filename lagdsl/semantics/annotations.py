@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.constants import structural_number
@@ -16,6 +16,7 @@ from lagdsl.units.dimension import DIMENSIONLESS, TIME
 
 _SETTINGS = ("StartTime", "StopTime", "Tolerance", "Interval")
 _NAMES = ("experiment", "units")
+_FINEST, _COARSEST = 1e-13, 0.1
 
 
 def annotations_of(node: nodes.Class) -> list[nodes.Annotation]:
@@ -33,7 +34,7 @@ def without_units(ctx: Context, annotations: Iterable[nodes.Annotation]) -> bool
     return False
 
 
-def experiment(ctx: Context, scope: Scope, annotations: Iterable[nodes.Annotation]) -> Experiment:
+def experiment(ctx: Context, scope: Scope, annotations: Sequence[nodes.Annotation]) -> Experiment:
     """The experiment; unknown annotations and settings are reported."""
     found: dict[str, float] = {}
     for modifier in _modifiers(annotations):
@@ -47,6 +48,10 @@ def experiment(ctx: Context, scope: Scope, annotations: Iterable[nodes.Annotatio
             ctx.sink.report("W0216", modifier.name.span, name=name, help=hint)
     start = found.get("StartTime", 0.0)
     stop = found.get("StopTime", start + 10.0)
+    if stop <= start:
+        place = next(item.span for item in annotations)
+        expected = f"later than the start time of {start:g} s"
+        ctx.sink.report("E0334", place, what="`StopTime`", expected=expected, found=f"{stop:g} s")
     return Experiment(
         start_time=start,
         stop_time=stop,
@@ -94,5 +99,12 @@ def _setting(ctx: Context, scope: Scope, setting: nodes.AnyModifier, found: dict
         ctx.sink.report(
             "E0334", setting.value.span, what=f"`{name}`", expected="a positive number", found=f"{number:g}"
         )
+        return
+    if name in ("StartTime", "StopTime") and not abs(number) < float("inf"):
+        ctx.sink.report("E0334", setting.value.span, what=f"`{name}`", expected="finite", found=f"{number:g}")
+        return
+    if name == "Tolerance" and not _FINEST <= number <= _COARSEST:
+        expected = f"between {_FINEST:g} and {_COARSEST:g}"
+        ctx.sink.report("E0334", setting.value.span, what=f"`{name}`", expected=expected, found=f"{number:g}")
         return
     found[name] = number

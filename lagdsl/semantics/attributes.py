@@ -48,6 +48,8 @@ class Attribute:
 def attributes(ctx: Context, symbol: Symbol) -> dict[str, Attribute]:
     """The attributes of a declared quantity by name (`der.start` for a nested one); what does not fit is reported."""
     found: dict[str, Attribute] = {}
+    if symbol.kind == "unknown":
+        return found
     if symbol.info is not None:
         for modifier, scope in symbol.info.modifiers:
             _read(ctx, symbol, modifier, scope, "", found, inherited=True)
@@ -134,6 +136,7 @@ def expressions(
         count *= extent
     value = ctx.elaborate(ctx, attribute.scope, attribute.value, True)
     wanted = () if attribute.each else shape
+    _check_each(ctx, attribute, what, shape)
     if shape and not attribute.each and isinstance(value, Scalar):
         text = attribute.node.span.text
         ctx.sink.report("E0335", attribute.node.span, text=text)
@@ -157,10 +160,9 @@ def numbers(
     if attribute is None:
         return [None] * count
     # A bound or nominal value is most often one number for the whole array.
-    each = attribute
-    found = None
+    _check_each(ctx, attribute, what, shape)
     value = ctx.elaborate(ctx, attribute.scope, attribute.value, True)
-    wanted = () if each.each or isinstance(value, Scalar) else shape
+    wanted = () if attribute.each or isinstance(value, Scalar) else shape
     found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted, code="E0415"))
     if found is None:
         return [None] * count
@@ -182,6 +184,7 @@ def flags(ctx: Context, attribute: Attribute | None, what: str, shape: tuple[int
         count *= extent
     if attribute is None:
         return [False] * count
+    _check_each(ctx, attribute, what, shape)
     value = ctx.elaborate(ctx, attribute.scope, attribute.value, False)
     wanted = () if attribute.each or isinstance(value, Scalar) else shape
     found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, None, wanted, "Boolean"))
@@ -192,6 +195,11 @@ def flags(ctx: Context, attribute: Attribute | None, what: str, shape: tuple[int
         return [False] * count
     parts = found.elements if isinstance(found, Array) else (found.expression,) * count
     return [evaluate(part) != 0.0 for part in parts]
+
+
+def _check_each(ctx: Context, attribute: Attribute, what: str, shape: tuple[int, ...]) -> None:
+    if attribute.each and not shape:
+        ctx.sink.report("E0344", attribute.node.span, what=what)
 
 
 def text(ctx: Context, attribute: Attribute | None) -> str | None:

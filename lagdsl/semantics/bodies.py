@@ -10,6 +10,7 @@ from lagdsl.semantics.conditions import switched
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import as_frame
+from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.scope import Scope, Symbol
 from lagdsl.semantics.values import Array, Scalar, Vector, components, element_at
 from lagdsl.syntax import nodes
@@ -25,7 +26,7 @@ def rigid_body(ctx: Context, scope: Scope, node: nodes.RigidBody, symbol: Symbol
     frame = as_frame(ctx, node.on, ctx.elaborate(ctx, scope, node.on, False))
     given = _given(ctx, node)
     mass = _property(ctx, scope, given.get("m"), "m", MASS, ())
-    com = _center(ctx, scope, given.get("com"))
+    com = _center(ctx, scope, given.get("com"), along_world=frame is not None and frame.name == "world")
     inertia = _inertia(ctx, scope, given)
     if frame is None or mass is None or com is None or inertia is None:
         return None
@@ -89,12 +90,14 @@ def _property(
     return [found.expression] if isinstance(found, Scalar) else list(found.elements)
 
 
-def _center(ctx: Context, scope: Scope, node: nodes.Expression | None) -> list[FlatExpression] | None:
+def _center(
+    ctx: Context, scope: Scope, node: nodes.Expression | None, *, along_world: bool
+) -> list[FlatExpression] | None:
     """`com` with two or three components in the frame's axes."""
     if node is None:
         return [flat.ZERO] * 3
     value = ctx.elaborate(ctx, scope, node, True)
-    if isinstance(value, Vector) and not isinstance(value.expression, flat.Vector):
+    if isinstance(value, Vector) and not (along_world and isinstance(value.expression, flat.Vector)):
         ctx.sink.report("E0332", node.span, what="`com`")
         return None
     value = components(value) if isinstance(value, Vector) else value
@@ -116,6 +119,10 @@ def _inertia(ctx: Context, scope: Scope, given: dict[str, nodes.Expression]) -> 
             diagonal = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
             rows = [element_at(value, k) for k in range(3)]
             picked = tuple(row.elements[j] for i, j in diagonal if isinstance(row := rows[i], Array))
+            below = tuple(row.elements[j] for i, j in ((1, 0), (2, 0), (2, 1)) if isinstance(row := rows[i], Array))
+            if below != picked[3:]:
+                ctx.sink.report("E0334", whole.span, what="`I` of a body", expected="symmetric", found=kind_of(value))
+                return None
             value = Array(picked, (6,), value.dimension, value.variability, value.order)
         size = 6 if isinstance(value, Array) and value.shape == (6,) else 3
         found = conform(
@@ -124,6 +131,10 @@ def _inertia(ctx: Context, scope: Scope, given: dict[str, nodes.Expression]) -> 
         ok = isinstance(found, Array)
         if isinstance(found, Array):
             entries[:size] = found.elements
+        for name in MOMENTS[3:] if size == 6 else ():
+            if name in given:
+                ctx.sink.report("E0212", given[name].span, name=name)
+                return None
     for position, name in enumerate(MOMENTS):
         if name in given:
             part = _property(ctx, scope, given[name], name, INERTIA, ())

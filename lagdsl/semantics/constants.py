@@ -12,6 +12,7 @@ from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.values import Scalar, Value, is_structural
 from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS
 
 
 class NoValue(ArithmeticError):  # noqa: N818 named after what it says
@@ -142,7 +143,10 @@ def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, *
 
 def structural_integer(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> int | None:
     number = structural_number(ctx, value, node, code, **words)
-    if number is None:
+    if number is None or not isinstance(value, Scalar):
+        return None
+    if value.kind == "Boolean" or not (value.dimension is None or value.dimension == DIMENSIONLESS):
+        ctx.sink.report("E0312", node.span, expected="an Integer", found=kind_of(value))
         return None
     if not math.isfinite(number) or number != int(number):
         ctx.sink.report("E0312", node.span, expected="an Integer", found=f"{number:g}")

@@ -19,6 +19,7 @@ from lagdsl.syntax import nodes
 from lagdsl.units.dimension import LENGTH
 
 SHAPES = ("rod", "spring", "damper", "box", "cylinder", "cone", "disc", "sphere", "circle", "arrow", "trace", "text")
+_BETWEEN = ("rod", "spring", "damper")
 _LENGTHS = ("radius", "length", "width", "height", "size", "scale")
 _ARGUMENTS = (*_LENGTHS, "color", "text", "coils", "vector", "axis")
 
@@ -34,8 +35,9 @@ def drawing(ctx: Context, scope: Scope, node: nodes.Draw) -> flat_model.Drawing 
         return None
     arguments = [_argument(ctx, scope, node, argument) for argument in node.arguments]
     place = _PLACES.get(node.place or "")
-    if place is None:
-        ctx.sink.report("E0331", node.span, shape=node.shape)
+    if place is None or (node.shape in _BETWEEN and place != "between"):
+        ways = "`from A to B`" if node.shape in _BETWEEN else "`at P`, `on F` or `from A to B`"
+        ctx.sink.report("E0331", node.span, shape=node.shape, ways=ways)
         return None
     anchors = [_anchor(ctx, scope, anchor, place) for anchor in node.anchors]
     known = [anchor for anchor in anchors if anchor is not None]
@@ -88,6 +90,10 @@ def _value(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> t
         case Text():
             return argument.name, value.value
         case Scalar():
+            if argument.name in _LENGTHS and isinstance(value.expression, flat.Number) and value.expression.value < 0:
+                found = argument.value.span.text
+                ctx.sink.report("E0334", argument.value.span, what=what, expected="positive", found=found)
+                return None
             return argument.name, value.expression
         case Vector():
             return argument.name, value.expression

@@ -167,14 +167,20 @@ def as_frame(ctx: Context, node: nodes.Expression, value: Value) -> FrameValue |
     return None
 
 
+def along_world(frame: FrameValue) -> bool:
+    """Whether the axes of the frame are those of the world, so that own and world components are the same."""
+    return frame.name == "world" and all(isinstance(step, flat_model.Move | flat_model.Place) for step in frame.steps)
+
+
 # ---- methods ---------------------------------------------------------------------------------------------------------
 
 
 class _Arguments:
     """Positional arguments of a method call, taken one by one with their checks; `ok` tells whether all fitted."""
 
-    def __init__(self, ctx: Context, scope: Scope, call: nodes.Call, values: list[Value]) -> None:
+    def __init__(self, ctx: Context, scope: Scope, call: nodes.Call, frame: FrameValue, values: list[Value]) -> None:
         self.ctx, self.scope, self.call, self.values = ctx, scope, call, values
+        self.turned = not along_world(frame)
         self.ok = True
 
     def node(self, index: int) -> nodes.Expression:
@@ -203,8 +209,7 @@ class _Arguments:
             if require(self.ctx, self.scope, node, value.dimension, dimension, "E0415", what=what):
                 return (*value.elements, flat.ZERO)[:size]
         elif isinstance(value, Vector):
-            literal = isinstance(value.expression, flat.Vector)
-            if literal and value.variability != Variability.CONTINUOUS:
+            if isinstance(value.expression, flat.Vector) and not self.turned:
                 return tuple(component(value.expression, axis) for axis in range(3))
             self.ctx.sink.report("E0332", node.span, what=what)
         elif not isinstance(value, Poison):
@@ -224,7 +229,7 @@ def method(
     if len(values) != expected:
         ctx.sink.report("E0315", call.span, function=name.name, expected=arguments_text(expected), found=len(values))
         return POISON
-    arguments = _Arguments(ctx, scope, call, values)
+    arguments = _Arguments(ctx, scope, call, frame, values)
     if name.name in ("point", "vec"):
         return _in_axes(ctx, frame, name, arguments)
     steps = _STEPS[name.name](ctx, arguments, name.name)

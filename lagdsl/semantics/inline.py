@@ -31,7 +31,7 @@ def inlined(ctx: Context, scope: Scope, node: nodes.Call, symbol: FunctionSymbol
         return POISON
     ctx.functions.append(function)
     try:
-        value = ctx.elaborate(ctx, symbol.scope.local(bound), function.value, True)
+        value = ctx.elaborate(ctx, symbol.scope.of_function(bound), function.value, True)
     finally:
         ctx.functions.pop()
     return _result(ctx, symbol, bound, value)
@@ -72,7 +72,7 @@ def _argument(
     operand: Operand | None,
     bound: dict[str, Entry],
 ) -> Value:
-    scope = symbol.scope.local(dict(bound))
+    scope = symbol.scope.of_function(dict(bound))
     if operand is None:
         assert parameter.default is not None
         operand = Operand(parameter.default, ctx.elaborate(ctx, scope, parameter.default, True))
@@ -125,7 +125,7 @@ def _result(ctx: Context, symbol: FunctionSymbol, bound: dict[str, Entry], value
     info = resolve_type(ctx, function.result, symbol.scope)
     if info is None:
         return POISON
-    shape = _shape(ctx, symbol.scope.local(bound), function.result_subscripts, info, value)
+    shape = _shape(ctx, symbol.scope.of_function(bound), function.result_subscripts, info, value)
     if shape is None:
         return POISON
     expected = Expected(f"the result of `{function.name}`", info.dimension or DIMENSIONLESS, shape, info.base)
@@ -144,6 +144,6 @@ def check_function(ctx: Context, symbol: FunctionSymbol) -> None:
             bound[parameter.name] = Scalar(flat.Variable(parameter.name), dimension, Variability.CONTINUOUS)
     with ctx.without_relations():
         ctx.functions.append(symbol.node)
-        value = ctx.elaborate(ctx, symbol.scope.local(bound), symbol.node.value, True)
+        value = ctx.elaborate(ctx, symbol.scope.of_function(bound), symbol.node.value, True)
         ctx.functions.pop()
     _result(ctx, symbol, bound, value)

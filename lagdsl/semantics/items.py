@@ -192,9 +192,13 @@ def _tolerance(ctx: Context, scope: Scope, node: nodes.Invariant) -> float | Non
             ctx, scope, option.value, value.dimension, DIMENSIONLESS, "E0415", what="a tolerance"
         ):
             return None
-        return structural_number(
+        number = structural_number(
             ctx, value, option.value, "E0317", what="a tolerance", allowed="constants and structural parameters"
         )
+        if number is not None and not number > 0.0:
+            ctx.sink.report("E0334", option.value.span, what="a tolerance", expected="positive", found=f"{number:g}")
+            return None
+        return number
     return None
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import arrays, geometry, prelude
@@ -14,6 +16,7 @@ from lagdsl.semantics.scope import ClassSymbol, Entry, FunctionSymbol, Scope, Sy
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Scalar, Value, Vector, components
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import TIME
+from lagdsl.units.parse import UnknownUnit, parse_unit
 
 
 def reference(ctx: Context, scope: Scope, node: nodes.Reference) -> Value:
@@ -65,6 +68,13 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     if node.name in BUILTINS or node.name == "der":
         ctx.sink.report("E0219", node.span, name=node.name, what="a function", help=f"call it: `{node.name}(...)`")
         return
+    outside = next((found for step in scope.chain() if isinstance(found := step.entries.get(node.name), Symbol)), None)
+    if outside is not None:
+        outside.used = True
+        label = Label(outside.span, f"{an(outside.word)}, declared here")
+        way = f"a function knows its arguments and constants only: give it `{node.name}` as an argument"
+        ctx.sink.report("E0201", node.span, label, name=node.name, scope="the function", help=way)
+        return
     names = dict(visible(scope))
     meant = nearest(node.name, [*names, *prelude.CONSTANTS, "time", "world"])
     entry = names.get(meant) if meant is not None else None
@@ -73,9 +83,26 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
         entry.used = True
         labels = (Label(entry.span, f"{an(entry.word)} with a similar name is declared here"),)
     hint = f"did you mean `{meant}`?" if meant is not None else None
+    if hint is None and _after_unit(node):
+        hint = f"if the unit `{node.name}` is meant: units are joined by `.`, as in `5 kg.m2`"
     if hint is None and node.name in prelude.TYPES:
         hint = f"`{node.name}` is a type; a value needs a name of its own"
     ctx.sink.report("E0201", node.span, *labels, name=node.name, scope=scope.title, help=hint)
+
+
+_UNIT_BEFORE = re.compile(r"[0-9.]\s*[A-Za-z][A-Za-z0-9.^/]*\s*\*\s*$")
+
+
+def _after_unit(node: nodes.Reference) -> bool:
+    """Whether the name is a unit multiplied with a quantity literal: `5 kg*m2`."""
+    before = node.span.file.text[max(node.span.start - 40, 0) : node.span.start]
+    if not _UNIT_BEFORE.search(before):
+        return False
+    try:
+        parse_unit(node.name)
+    except UnknownUnit:
+        return False
+    return True
 
 
 def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:

@@ -149,6 +149,10 @@ class Scope:
         """A scope for loop indices or function arguments inside this one."""
         return Scope("local", self.title, self, self.prefix, self.spans, self.path + path, entries)
 
+    def of_function(self, entries: dict[str, Entry]) -> Scope:
+        """The scope of a function's body: its arguments, and outside it constants, types and functions only."""
+        return Scope("class", self.title, self, self.prefix, self.spans, self.path, entries)
+
     def chain(self) -> Iterator[Scope]:
         scope: Scope | None = self
         while scope is not None:

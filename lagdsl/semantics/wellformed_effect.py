@@ -71,7 +71,25 @@ def check_effects(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> Non
         _check_place(flat, body, _Place("body", "frame of this body", dependence.of_frame(body.frame)), sink)
     for load in flat.loads:
         keyword, displaced = _displaced(load, dependence)
+        idle = _idle(load)
+        if idle is not None:
+            sink.report("W0514", place(load), keyword=keyword, reason=idle)
+            continue
         _check_place(flat, load, _Place(keyword, "place of this load", displaced), sink)
+
+
+def _idle(load: fm.Load) -> str | None:
+    """Why a load does nothing whatever moves: it is written as zero, or it acts from a place on that place."""
+    value, *places = load_expressions(load)
+    same = not isinstance(load, fm.FrameTorque) and len(places) == 2 and places[0] == places[1]
+    match load:
+        case fm.PointForce():
+            same = same and load.frame == load.origin_frame
+        case fm.FrameTorque():
+            same = load.frame == load.origin
+    if value in (fx.ZERO, fx.ZERO_VECTOR):
+        return "it is zero"
+    return "it acts from a place on the same place" if same else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,13 +30,20 @@ def check_gravity(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> Non
         sink.report("E0507", flat.gravity_span, name=positions[0])
     elif any(term.kind == "potential" for term in flat.energies):
         _check_twice(flat, sink)
+    if not _heavy(flat) and flat.gravity not in (fx.ZERO, fx.ZERO_VECTOR):
+        reason = "it acts on `mass` and `body`; energies written by hand are taken as they stand"
+        sink.report("W0514", flat.gravity_span, keyword="gravity", reason=reason)
 
 
 def _check_forgotten(flat: fm.FlatModel, sink: Sink) -> None:
-    heavy: list[fm.Item] = [mass for mass in flat.masses if mass.mass != fx.ZERO]
-    heavy += [body for body in flat.bodies if body.mass != fx.ZERO]
+    heavy = _heavy(flat)
     if heavy and not any(term.kind in ("potential", "lagrangian") for term in flat.energies):
         sink.report("W0510", place(heavy[0]))
+
+
+def _heavy(flat: fm.FlatModel) -> list[fm.Item]:
+    masses: list[fm.Item] = [mass for mass in flat.masses if mass.mass != fx.ZERO]
+    return masses + [body for body in flat.bodies if body.mass != fx.ZERO]
 
 
 # ---- the comparison of a hand-written potential with the automatic terms ---------------------------------------------

@@ -76,4 +76,14 @@ ROWS: dict[str, Row] = {
         "invariant `{name}` is proved: it holds for every motion and all parameters",
         label="follows from the Lagrangian itself",
     ),
+    "E0516": error(
+        "the frame has no axes: {reason}",
+        label="cannot be turned like this",
+        help="`.axes` takes three perpendicular unit vectors with ex x ey = ez; `.rotate` any axis that is not zero",
+    ),
+    "E0517": error(
+        "the attributes of `{name}` are impossible: {reason}",
+        label="declared here",
+        help="correct `min`, `max` or `nominal`, or leave them out",
+    ),
 }

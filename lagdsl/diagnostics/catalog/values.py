@@ -83,9 +83,7 @@ ROWS: dict[str, Row] = {
         label="depends on a parameter",
         help="use a `structural parameter Boolean`",
     ),
-    "E0331": error(
-        "`draw {shape}` has no place", label="where?", help="write `at P`, `on F` or `from A to B` after the shape"
-    ),
+    "E0331": error("`draw {shape}` has no place", label="where?", help="write {ways} after the shape"),
     "E0332": error(
         "{what} is given in the frame's own axes, this is a vector in world axes",
         label="a world vector",
@@ -121,5 +119,8 @@ ROWS: dict[str, Row] = {
         "`{name}` is not part of the model: its condition is false",
         label="left out",
         help="use the same condition here, in a structural `if`",
+    ),
+    "E0344": error(
+        "`each` does not fit {what}: there is one only", label="`each` without an array", help="delete `each`"
     ),
 }

@@ -1,0 +1,41 @@
+"""W0328, E0517: `min`, `max`, `nominal` and the start values of coordinates and states."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import Sink
+from lagdsl.semantics import flat_model as fm
+from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.semantics.flat_spans import place
+
+
+def check_bounds(flat: fm.FlatModel, sink: Sink) -> None:
+    """E0517 for bounds that leave no value and sizes that are none, W0328 for a start value out of bounds."""
+    evaluator = Evaluator(flat, Values())
+    items: tuple[fm.Coordinate | fm.State, ...] = (*flat.coordinates, *flat.states)
+    for item in items:
+        low, high = item.minimum, item.maximum
+        if low is not None and high is not None and low > high:
+            sink.report("E0517", place(item), name=item.name, reason=f"its min {low:g} is larger than its max {high:g}")
+        elif item.nominal is not None and not 0.0 < item.nominal < float("inf"):
+            reason = f"its nominal size must be positive and finite, found {item.nominal:g}"
+            sink.report("E0517", place(item), name=item.name, reason=reason)
+        elif item.start_explicit:
+            _check_start(item, evaluator, sink)
+
+
+def _check_start(item: fm.Coordinate | fm.State, evaluator: Evaluator, sink: Sink) -> None:
+    try:
+        start = evaluator.scalar(item.start)
+    except NotEvaluable:
+        return
+    for limit, outside, word in (
+        (item.minimum, item.minimum is not None and start < item.minimum, "min"),
+        (item.maximum, item.maximum is not None and start > item.maximum, "max"),
+    ):
+        if outside and limit is not None:
+            value, bound = _shown(start, item.unit), _shown(limit, item.unit)
+            sink.report("W0328", place(item), name=f"{item.name}(start)", value=value, which=word, limit=bound)
+
+
+def _shown(number: float, unit: str) -> str:
+    return f"{number:g}" if unit == "1" else f"{number:g} {unit}"
