@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.api.names import known
+from lagdsl.api.names import known, require_value
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
@@ -128,42 +129,65 @@ class Model(Interface):
         tolerance: float | None = None,
         parameters: Mapping[str, float] | None = None,
         start: Mapping[str, float] | None = None,
-        inputs: Mapping[str, Signal] | None = None,
+        inputs: Mapping[str, Signal] | Path | str | None = None,
         solver: str = "auto",
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
     ) -> Trajectory:
         """The motion from the initial state, a row every `interval`; what is left out says the model's experiment.
 
-        `inputs` are constants, functions of time or pairs (times, values), by name. `progress` is called with the part
-        of the time that is done; warnings go to `sink`. Raises CompilationFailed before the first step,
-        SimulationFailed after it, with the motion so far.
+        `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
+        column `time` and one for each input. `progress` is called with the part of the time that is done; warnings go
+        to `sink`. Raises CompilationFailed before the first step, SimulationFailed after it, with the motion so far;
+        KeyError and ValueError for arguments that do not fit.
         """
         from lagdsl.api.trajectory import Trajectory
+        from lagdsl.simulate.failure import SimulationFailed
         from lagdsl.simulate.simulate import simulate
 
-        motion = simulate(
-            self._engine,
-            self._compilation.flat,
-            stop=stop,
-            interval=interval,
-            tolerance=tolerance,
-            p=self._parameter_vector(parameters),
-            inputs=inputs,
-            start=self._start_values(start),
-            solver=solver,
-            progress=progress,
-            sink=sink,
-        )
+        try:
+            motion = simulate(
+                self._engine,
+                self._compilation.flat,
+                stop=stop,
+                interval=interval,
+                tolerance=tolerance,
+                p=self._parameter_vector(parameters),
+                inputs=_signals(inputs),
+                start=self._start_values(start),
+                solver=solver,
+                progress=progress,
+                sink=sink,
+            )
+        except SimulationFailed as failure:
+            failure.trajectory = Trajectory.of(failure.trajectory)
+            raise
         return Trajectory.of(motion)
 
     def _parameter_vector(self, given: Mapping[str, float] | None) -> Floats:
-        """The defaults with some replaced by name."""
+        """The defaults with some replaced by name. Raises KeyError and ValueError for what does not fit."""
         values = dict(zip(self.parameters, self._layout.defaults, strict=True))
-        return np.array(list({**values, **known("parameter", given, self.parameters)}.values()), dtype=np.float64)
+        chosen = known("parameter", given, self.parameters)
+        for parameter in self._compilation.flat.parameters:
+            if parameter.name in chosen:
+                require_value(parameter, chosen[parameter.name])
+        return np.array(list({**values, **chosen}.values()), dtype=np.float64)
 
     def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
         return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])
+
+
+def _signals(inputs: Mapping[str, Signal] | Path | str | None) -> Mapping[str, Signal] | None:
+    """The inputs by name; those of a file are read."""
+    if not isinstance(inputs, (Path, str)):
+        return inputs
+    from lagdsl.diagnostics import Sink
+    from lagdsl.simulate.table_io import read_inputs
+
+    sink = Sink()
+    tables = read_inputs(Path(inputs), sink)
+    sink.raise_if_errors()
+    return tables
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:

@@ -3,16 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
 
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics.flat_model import Parameter
 
 
 def known(what: str, given: Mapping[str, float] | None, names: Sequence[str]) -> dict[str, float]:
-    """`given` as floats. Raises KeyError for a name that is none of `names`, with the nearest one."""
-    values = {name: float(value) for name, value in (given or {}).items()}
-    for name in values:
+    """`given` as floats. Raises KeyError for a name that is none of `names`, with the nearest one, and ValueError for
+    what is no number."""
+    values = dict(given or {})
+    for name, value in values.items():
         if name not in names:
             likely = nearest(name, names)
             hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(names) or 'none'}"
             raise KeyError(f"no {what} `{name}`; {hint}")
+        values[name] = _number(name, value)
     return values
+
+
+def require_value(parameter: Parameter, value: float) -> None:
+    """Raise ValueError where `value`, in SI units, is none that the parameter may have."""
+    name, unit = parameter.name, "" if parameter.unit in ("", "1") else f" {parameter.unit}"
+    if parameter.kind == "Integer" and not value.is_integer():
+        raise ValueError(f"`{name}` is a whole number, not {value:g}")
+    if parameter.kind == "Boolean" and value not in (0.0, 1.0):
+        raise ValueError(f"`{name}` is true (1) or false (0), not {value:g}")
+    if parameter.minimum is not None and value < parameter.minimum:
+        raise ValueError(f"`{name}` must be at least {parameter.minimum:g}{unit}, not {value:g}{unit}")
+    if parameter.maximum is not None and value > parameter.maximum:
+        raise ValueError(f"`{name}` must be at most {parameter.maximum:g}{unit}, not {value:g}{unit}")
+
+
+def _number(name: str, value: object) -> float:
+    try:
+        number = float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"`{name}` must be a number in SI units, not {str(value)[:40]!r}") from error
+    if not isfinite(number):
+        raise ValueError(f"`{name}` must be a finite number, not {number}")
+    return number

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import click
 
+from lagdsl.api.names import require_value
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.flat_model import Coordinate, FlatModel, Parameter, Quantity
@@ -16,7 +17,9 @@ from lagdsl.syntax.parser import parse_expression
 from lagdsl.units.definition import si_value
 from lagdsl.units.dimension import DIMENSIONLESS, TIME, Dimension
 from lagdsl.units.naming import describe, rate_text
-from lagdsl.units.parse import UnknownUnit, parse_unit
+from lagdsl.units.parse import parse_unit
+
+_MOST_TOLD = 12
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +83,9 @@ def seconds(option: str, text: str | None) -> float | None:
 
 def literal(name: str, text: str) -> _Literal:
     """A number, a quantity as in a model text (`2000 g`), or true or false."""
-    expression = parse_expression(SourceFile(name, text), Sink())
+    where = f"{name}={_short(text)}"
+    sink = Sink()
+    expression = parse_expression(SourceFile(name, text), sink)
     sign = 1.0
     while isinstance(expression, nodes.Unary) and expression.operator in "+-":
         sign = -sign if expression.operator == "-" else sign
@@ -89,37 +94,36 @@ def literal(name: str, text: str) -> _Literal:
         case nodes.Number(text=digits):
             return _Literal(text, sign * float(digits), None)
         case nodes.Quantity(number=digits, unit=unit):
-            try:
-                definition = parse_unit(unit)
-            except UnknownUnit as error:
-                raise click.UsageError(f"{name}={text}: {error}") from error
+            definition = parse_unit(unit)
             return _Literal(text, sign * si_value(digits, definition), definition.dimension)
         case nodes.Boolean(value=value):
             return _Literal(text, float(value), DIMENSIONLESS, boolean=True)
-        case _:
-            raise click.UsageError(f"{name}={text}: expected a number with or without a unit, as in 2 kg")
+    for fault in sink.diagnostics:
+        if fault.code in ("E0105", "E0116"):  # no unit, no number of double precision
+            raise click.UsageError(f"{where}: {fault.message}; {fault.help}")
+    example = "10 or 500 ms" if name.startswith("--") else "2 kg"
+    raise click.UsageError(f"{where}: expected a number with or without a unit, as in {example}")
 
 
 def _parameter_value(parameter: Parameter, text: str) -> float:
     given = literal(parameter.name, text)
-    where = f"{parameter.name}={text}"
+    where = f"{parameter.name}={_short(text)}"
     if given.boolean != (parameter.kind == "Boolean"):
         expected = "true or false" if parameter.kind == "Boolean" else "a number"
         raise click.UsageError(f"{where}: `{parameter.name}` is {expected}")
-    if parameter.kind == "Integer" and not given.value.is_integer():
-        raise click.UsageError(f"{where}: `{parameter.name}` is a whole number")
     value = _fitting(parameter.name, parameter.dimension, parameter.unit, given)
-    if parameter.minimum is not None and value < parameter.minimum:
-        raise click.UsageError(f"{where}: `{parameter.name}` must be at least {parameter.minimum:g} {parameter.unit}")
-    if parameter.maximum is not None and value > parameter.maximum:
-        raise click.UsageError(f"{where}: `{parameter.name}` must be at most {parameter.maximum:g} {parameter.unit}")
+    try:
+        require_value(parameter, value)
+    except ValueError as error:
+        raise click.UsageError(f"{where}: {error}") from error
     return value
 
 
 def _fitting(name: str, dimension: Dimension, unit: str, given: _Literal) -> float:
     if given.dimension is not None and given.dimension != dimension:
         raise click.UsageError(
-            f"{name}={given.text}: `{name}` is {describe(dimension)} [{unit}], this is {describe(given.dimension)}"
+            f"{name}={_short(given.text)}: `{name}` is {describe(dimension)} [{unit}], "
+            f"this is {describe(given.dimension)}"
         )
     return given.value
 
@@ -127,10 +131,20 @@ def _fitting(name: str, dimension: Dimension, unit: str, given: _Literal) -> flo
 def _unknown(flat: FlatModel, name: str, known: Sequence[str]) -> str:
     if any(getattr(item, "name", None) == name for item in flat.named):
         return f"`{name}` is computed from others in {flat.name}; set what it depends on"
-    if any(item.name == name for item in (*flat.coordinates, *flat.states)):
+    if f"{name}.start" in known:
         return f"`{name}` moves; set its start value with --set '{name}.start=...'"
+    first = name.removesuffix(".start") + "["
+    for element in known:
+        if element.startswith(first):
+            return f"`{name}` is an array; set its elements, as in --set '{element}=...'"
     likely = nearest(name, known)
     if likely is not None:
         return f"{flat.name} has no parameter `{name}`; did you mean `{likely}`?"
-    listing = ", ".join(known) if known else "none"
-    return f"{flat.name} has no parameter `{name}`; what can be set: {listing}"
+    more = f" and {len(known) - _MOST_TOLD} more" if len(known) > _MOST_TOLD else ""
+    listing = ", ".join(known[:_MOST_TOLD]) + more if known else "none"
+    return f"{flat.name} has no parameter `{_short(name)}`; what can be set: {listing}"
+
+
+def _short(text: str) -> str:
+    """As much of what was typed as a message can hold."""
+    return text if len(text) <= 60 else f"{text[:57]}..."

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import click
 
 from lagdsl.cli.status import USAGE
+from lagdsl.source.whole_file import whole_file
 
 
 class Unwritable(click.ClickException):
@@ -35,35 +35,15 @@ def require_writable(path: Path | None) -> None:
 
 
 @contextmanager
-def whole_file(path: Path) -> Iterator[Path]:
-    """A path to write to that takes the name `path` when all went well; a device or pipe is written directly."""
-    if path.exists() and not path.is_file():
-        yield path
-        return
+def draft_of(path: Path) -> Iterator[Path]:
+    """`whole_file` that leaves with status 2 where `path` cannot be written."""
     try:
-        descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=path.suffix)
-        os.close(descriptor)
+        with whole_file(path) as draft:
+            yield draft
+    except BrokenPipeError:
+        raise
     except OSError as error:
         raise Unwritable(path, error) from error
-    draft = Path(name)
-    try:
-        yield draft
-        _same_mode(path, draft)
-        draft.replace(path)
-    except OSError as error:
-        raise Unwritable(path, error) from error
-    finally:
-        draft.unlink(missing_ok=True)
-
-
-def _same_mode(path: Path, draft: Path) -> None:
-    """The permissions that the file had, or those that any new file gets."""
-    if path.exists():
-        draft.chmod(path.stat().st_mode & 0o7777)
-    else:
-        mask = os.umask(0)
-        os.umask(mask)
-        draft.chmod(0o666 & ~mask)
 
 
 def write_text(text: str, path: Path | None) -> None:
@@ -71,5 +51,5 @@ def write_text(text: str, path: Path | None) -> None:
     if path is None:
         click.echo(text, nl=not text.endswith("\n"))
         return
-    with whole_file(path) as draft:
+    with draft_of(path) as draft:
         draft.write_text(text, encoding="utf-8", newline="\n")

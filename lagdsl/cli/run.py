@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import NoReturn
 
 import click
 
 from lagdsl.api.model import Model
 from lagdsl.cli.assignments import Settings, seconds, settings, split
-from lagdsl.cli.columns import read_inputs, require_parquet, write_columns
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.output import require_writable, whole_file
+from lagdsl.cli.output import draft_of, require_writable
 from lagdsl.cli.progress import progress
-from lagdsl.cli.status import FAILED_RUN
+from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Compilation, Derivation, EngineName, engine_of, findings, front, middle
 from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.table_io import Tables, has_writer, read_inputs, write_table
+from lagdsl.simulate.trajectory import Trajectory
 from lagdsl.source import SourceFile
 
 _SECONDS = "e.g. 10, '500 ms'"
@@ -58,9 +60,9 @@ def command(
     """Simulate the model in FILE; without -o, show a summary of the motion."""
     for path in (output, picture):
         require_writable(path)
-    require_parquet(output)
+    _require_forms(output, picture, style)
     source = read_or_leave(file, style)
-    signals = read_inputs(inputs) if inputs is not None else {}
+    signals = _read_inputs(inputs, style)
     sink = Sink()
     compilation, chosen = _compile(source, sink, style, model, derivation, split(assignments))
     try:
@@ -81,23 +83,61 @@ def command(
         leave_with_errors(findings(sink, failure), style)
     except SimulationFailed as failure:
         tell((*sink.diagnostics, *failure.diagnostics), style)
-        if output is not None:
-            write_columns(failure.trajectory, output)
+        _write(failure.trajectory, output, style)
         click.get_current_context().exit(FAILED_RUN)
     except ValueError as error:  # options that make no sense
         raise click.UsageError(str(error)) from error
     tell(sink.diagnostics, style)
-    if output is not None:
-        write_columns(motion, output)
+    _write(motion, output, style)
     if picture is not None:
         from lagdsl.plot.figure import plot
 
-        with whole_file(picture) as draft:
+        with draft_of(picture) as draft:
             plot(motion, draft)
     if output is None:
         from lagdsl.cli.summary import summary
 
         click.echo(summary(motion, freedom=compilation.structure.freedom, curves=sys.stdout.isatty()))
+
+
+def _require_forms(output: Path | None, picture: Path | None, style: Format) -> None:
+    """Leave with status 2, before the work is done, where a file of that ending cannot be written."""
+    sink = Sink()
+    if output is not None and not has_writer(output, sink):
+        _leave_with_usage(sink, style)
+    if picture is not None:
+        from importlib.util import find_spec
+
+        from lagdsl.plot.figure import FORMS
+
+        if picture.suffix.lower() not in ("", *FORMS):
+            raise click.UsageError(f"{picture.name}: figures are written as {', '.join(FORMS)}")
+        if find_spec("matplotlib") is None:
+            raise click.UsageError("figures need matplotlib: pip install 'lagdsl[plot]'")
+
+
+def _read_inputs(path: Path | None, style: Format) -> Tables:
+    """The table of inputs; leaves with status 2 where it cannot be read."""
+    sink = Sink()
+    tables = {} if path is None else read_inputs(path, sink)
+    if tables is None:
+        _leave_with_usage(sink, style)
+    return tables
+
+
+def _write(motion: Trajectory, output: Path | None, style: Format) -> None:
+    """To the file if there is one; leaves with status 2 where it cannot be written."""
+    if output is None:
+        return
+    sink = Sink()
+    write_table(motion, output, sink)
+    if sink.has_errors:
+        _leave_with_usage(sink, style)
+
+
+def _leave_with_usage(sink: Sink, style: Format) -> NoReturn:
+    tell(sink.diagnostics, style)
+    click.get_current_context().exit(USAGE)
 
 
 def _compile(

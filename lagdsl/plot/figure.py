@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+# Endings of files that a figure can be written to.
+FORMS = (".eps", ".jpg", ".pdf", ".png", ".svg", ".webp")
 # Okabe and Ito's colors, told apart with any kind of color vision.
 _COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 _LINES = ("-", "--", ":", "-.")
@@ -41,9 +43,12 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
 
     Needs the extra `plot`. The figure belongs to no window and needs no display.
     """
-    import matplotlib as mpl
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    try:
+        import matplotlib as mpl
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+    except ModuleNotFoundError as missing:
+        raise ModuleNotFoundError(f"figures need matplotlib: pip install 'lagdsl[plot]' ({missing})") from missing
 
     panels = _panels(trajectory)
     heights = [1.5, *([1.0] * (len(panels) - 1))] if panels else []

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import csv
-import os
-import tempfile
-from collections.abc import Callable
+from importlib.util import find_spec
 from io import StringIO
 from pathlib import Path
 from typing import TypeAlias
@@ -15,22 +13,40 @@ import numpy as np
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.simulate.trajectory import Trajectory
 from lagdsl.source import SourceFile, Span
+from lagdsl.source.whole_file import whole_file
 
 # (times, values) by name of the input.
 Tables: TypeAlias = dict[str, tuple[list[float], list[float]]]
 _LARGEST_INPUT = 200_000_000
+_PARQUET = ".parquet"
+
+
+def has_writer(path: Path, sink: Sink) -> bool:
+    """Whether tables can be written in the form that the ending of `path` asks for; it is worth asking before a long
+    run. E0825: Parquet needs pyarrow. E0828: neither `.csv` nor `.parquet`; without an ending, as devices are, it is
+    CSV."""
+    ending = path.suffix.lower()
+    if ending == _PARQUET and find_spec("pyarrow") is None:
+        sink.report("E0825", None, what=f"writing `{path.name}`", package="pyarrow")
+        return False
+    if ending not in ("", ".csv", _PARQUET):
+        sink.report("E0828", None, file=path.name)
+        return False
+    return True
 
 
 def write_table(trajectory: Trajectory, path: Path, sink: Sink | None = None) -> None:
-    """Write all columns in SI units to `path`: Parquet if it ends so, else CSV. E0825 and E0826 where that cannot be
-    done; without a sink these raise CompilationFailed."""
+    """Write all columns in SI units to `path`: Parquet if it ends so, else CSV. E0825, E0826 and E0828 where that
+    cannot be done; without a sink these raise CompilationFailed."""
     own = Sink() if sink is None else sink
-    try:
-        _atomically(path, lambda draft: _write(trajectory, path.suffix == ".parquet", draft))
-    except ModuleNotFoundError as missing:
-        own.report("E0825", None, what=f"writing `{path.name}`", package=missing.name or "pyarrow")
-    except OSError as error:
-        own.report("E0826", None, file=path, reason=error.strerror or str(error))
+    if has_writer(path, own):
+        try:
+            with whole_file(path) as draft:
+                _write(trajectory, path.suffix.lower() == _PARQUET, draft)
+        except BrokenPipeError:  # the reader has gone, which is no fault of the table
+            raise
+        except OSError as error:
+            own.report("E0826", None, file=path, reason=error.strerror or str(error))
     if sink is None:
         own.raise_if_errors()
 
@@ -60,37 +76,19 @@ def _write_parquet(trajectory: Trajectory, draft: Path) -> None:
     pyarrow.parquet.write_table(table, draft)
 
 
-def _atomically(path: Path, write: Callable[[Path], None]) -> None:
-    """Write beside the file and put the result in its place; nothing is left behind if that fails."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    os.close(handle)
-    draft = Path(name)
-    try:
-        write(draft)
-        draft.chmod(0o666 & ~_umask())
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
-# ---- reading
-# ---------------------------------------------------------------------------------------------------------
+# ---- reading ---------------------------------------------------------------------------------------------------------
 
 
 def read_inputs(path: Path, sink: Sink) -> Tables | None:
-    """Columns of a CSV file that has a column `time`; every fault is reported with its line (E0820 to E0824,
-    E0827)."""
+    """Columns of a CSV file that has a column `time`; every fault is reported with its line (E0820 to E0824, E0827,
+    E0829)."""
     try:
-        if path.stat().st_size > _LARGEST_INPUT:
+        with path.open("rb") as file:
+            content = file.read(_LARGEST_INPUT + 1)  # a device without end is no danger
+        if len(content) > _LARGEST_INPUT:
             raise OSError(0, f"larger than {_LARGEST_INPUT // 1_000_000} MB")
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
+        text = content.decode("utf-8-sig")
+    except (OSError, ValueError) as error:  # ValueError: a name that no file can have
         reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
         sink.report("E0820", None, file=path, reason=reason)
         return None
@@ -100,11 +98,10 @@ def read_inputs(path: Path, sink: Sink) -> Tables | None:
 def parse_inputs(file: SourceFile, sink: Sink) -> Tables | None:
     """The same for a text."""
     before = len(sink.diagnostics)
-    numbered = [(n, file.line(n).split(",")) for n in range(1, len(file.line_starts) + 1) if file.line(n).strip()]
-    names = [cell.strip().strip('"') for cell in numbered[0][1]] if numbered else []
-    if "time" not in names:
-        span = _line_span(file, numbered[0][0]) if numbered else None
-        sink.report("E0821", span, file=file.name, column="time")
+    numbered = [(n, _cells(line)) for n, line in enumerate(file.text.split("\n"), 1) if line.strip()]
+    names = [cell.strip() for cell in numbered[0][1]] if numbered else []
+    _check_names(file, numbered[0][0] if numbered else None, names, sink)
+    if len(sink.diagnostics) > before:
         return None
     rows = [_row(file, line, cells, names, sink) for line, cells in numbered[1:]]
     if len(rows) < 2:
@@ -121,30 +118,52 @@ def parse_inputs(file: SourceFile, sink: Sink) -> Tables | None:
     return {name: (times.tolist(), table[:, i].tolist()) for i, name in enumerate(names) if name != "time"}
 
 
+def _check_names(file: SourceFile, line: int | None, names: list[str], sink: Sink) -> None:
+    span = None if line is None else _line_span(file, line)
+    if "time" not in names:
+        sink.report("E0821", span, file=file.name, column="`time`")
+    elif len(names) == 1:
+        sink.report("E0821", span, file=file.name, column="of an input")
+    for name in dict.fromkeys(names):
+        if names.count(name) > 1:
+            sink.report("E0829", span, file=file.name, column=name)
+
+
+def _cells(line: str) -> list[str]:
+    """Cells of one line as they stand; quotes, which may hide a comma as in `"u[1,2]"`, are taken off."""
+    if '"' not in line:
+        return line.split(",")
+    cells: list[str] = next(csv.reader([line], skipinitialspace=True))
+    return cells
+
+
 def _row(file: SourceFile, line: int, cells: list[str], names: list[str], sink: Sink) -> list[float]:
     """Numbers of one line; the faults of the file's first lines are all reported, each once."""
     if len(cells) != len(names):
         sink.report("E0824", _line_span(file, line), line=line, found=len(cells), expected=len(names))
         return [np.nan] * len(names)
-    numbers = []
-    offset = file.line_starts[line - 1]
-    for name, cell in zip(names, cells, strict=True):
-        number = _number(cell)
+    numbers = [_number(cell) for cell in cells]
+    for index, number in enumerate(numbers):
         if number is None:
-            # An empty cell is shown by the comma before it.
-            span = Label(Span(file, offset if cell else max(offset - 1, 0), offset + len(cell)))
-            sink.report("E0823", span, text=cell.strip()[:40], line=line, column=name)
-        numbers.append(np.nan if number is None else number)
-        offset += len(cell) + 1
-    return numbers
+            place = Label(_cell_span(file, line, cells, index))
+            sink.report("E0823", place, text=cells[index].strip()[:40], line=line, column=names[index])
+    return [np.nan if number is None else number for number in numbers]
+
+
+def _cell_span(file: SourceFile, line: int, cells: list[str], index: int) -> Span:
+    """An empty cell is shown by the comma before it, a cell of a line with quotes by the whole line."""
+    if ",".join(cells) != file.line(line):
+        return _line_span(file, line)
+    start = file.line_starts[line - 1] + sum(len(cell) + 1 for cell in cells[:index])
+    return Span(file, start if cells[index] else max(start - 1, 0), start + len(cells[index]))
 
 
 def _number(cell: str) -> float | None:
     try:
-        number = float(cell.strip().strip('"'))
+        number = float(cell)
     except ValueError:
         return None
-    return number if np.isfinite(number) else None
+    return number if np.isfinite(number) and "_" not in cell else None
 
 
 def _line_span(file: SourceFile, line: int) -> Span:

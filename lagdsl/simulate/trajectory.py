@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from lagdsl.diagnostics.suggest import nearest
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import Display
 from lagdsl.simulate.moved import MovedRow
@@ -59,7 +60,7 @@ class Statistics:
     notes: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Trajectory:
     """Rows at the requested times. `trajectory["theta"]` is a column in SI units.
 
@@ -77,6 +78,10 @@ class Trajectory:
     statistics: Statistics
     events: tuple[Event, ...] = ()
 
+    def __repr__(self) -> str:
+        span = f"{self.time[0]:g} s to {self.time[-1]:g} s" if len(self) else "no time"
+        return f"<{type(self).__name__} {self.model}: {len(self)} rows, {span}, {', '.join(self.names[1:])}>"
+
     @property
     def time(self) -> Floats:
         return self.columns[0].values
@@ -90,7 +95,9 @@ class Trajectory:
         for column in self.columns:
             if column.name == name:
                 return column
-        raise KeyError(f"no column `{name}`; there are {', '.join(self.names)}")
+        likely = nearest(name, self.names) if isinstance(name, str) else None
+        hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(self.names)}"
+        raise KeyError(f"no column `{name}`; {hint}")
 
     def __getitem__(self, name: str) -> Floats:
         return self.column(name).values
@@ -100,8 +107,10 @@ class Trajectory:
 
     def to_dataframe(self) -> pd.DataFrame:
         """All columns as a pandas DataFrame; needs the extra `table`."""
-        import pandas as pd
-
+        try:
+            import pandas as pd
+        except ModuleNotFoundError as missing:
+            raise ModuleNotFoundError(f"data frames need pandas: pip install 'lagdsl[table]' ({missing})") from missing
         return pd.DataFrame({column.name: column.values for column in self.columns})
 
     def crossings(self, name: str, level: float = 0.0, *, direction: int = 0) -> Floats:

@@ -2,6 +2,7 @@
 
 import csv
 import os
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -91,6 +92,15 @@ class TestSet:
         assert invoke("run", car, "--stop", "0.1", "--set", "active=false").exit_code == 0
         assert invoke("run", car, "--stop", "0.1", "--set", "active=1").exit_code == 2
 
+    def test_an_array_is_set_by_its_elements(self, invoke: Invoke, root: Path, tmp_path: Path) -> None:
+        chain, out = root / "models" / "chain.lag", tmp_path / "out.csv"
+        result = invoke("run", chain, "--stop", "0.1", "--set", "q[2].start=10 deg", "-o", out)
+        assert result.exit_code == 0, result.stderr
+        assert _read(out)["q[2]"][0] == pytest.approx(np.radians(10))
+        result = invoke("run", chain, "--set", "q.start=10 deg")
+        assert result.exit_code == 2
+        assert "--set 'q[1].start=...'" in " ".join(result.stderr.split())
+
     @pytest.mark.parametrize(
         ("assignment", "words"),
         [
@@ -102,7 +112,11 @@ class TestSet:
             ("m", "name=value"),
             ("m=", "name=value"),
             ("m=heavy", "expected a number"),
-            ("m=1 kgg", "expected a number"),
+            ("m=1 kgg", "unknown unit `kgg`"),
+            ("m=1 gram", "did you mean `g`?"),
+            ("m=1e999", "this number is too large"),
+            ("der(theta)=1", "set its start value with --set 'der(theta).start=...'"),
+            ("m=" + "(" * 3000, "(((...: expected a number"),
             ("m=-1", "at least 0"),
             ("m=1; import os", "expected a number"),
         ],
@@ -143,6 +157,13 @@ class TestInput:
         assert result.exit_code == 2
         assert "u.csv" in result.stderr.replace("\n", "")
 
+    def test_the_cell_at_fault_is_shown(self, invoke: Invoke, root: Path, tmp_path: Path) -> None:
+        table = tmp_path / "u.csv"
+        table.write_text("time,u\n0,0\n1,one\n")
+        result = invoke("run", root / "models" / "cart_double_pendulum.lag", "--input", table)
+        assert "u.csv:3:3" in result.stderr
+        assert "`one` is not a number" in result.stderr
+
     def test_a_missing_table_is_status_2(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
         assert invoke("run", pendulum, "--input", tmp_path / "none.csv").exit_code == 2
 
@@ -180,6 +201,30 @@ class TestFailures:
             result = invoke("run", pendulum, "-o", path)
             assert result.exit_code == 2
             assert "cannot write" in result.stderr
+
+    def test_forms_that_are_none_are_told_before_the_run(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+        for options in (["-o", tmp_path / "out.xlsx"], ["--plot", tmp_path / "out.doc"]):
+            result = invoke("run", pendulum, *options)
+            assert result.exit_code == 2
+            assert ".csv" in result.stderr or ".png" in result.stderr
+        assert [p.name for p in tmp_path.iterdir()] == ["pendulum.lag"]
+
+    @pytest.mark.parametrize("package", ["pyarrow", "matplotlib"])
+    def test_a_missing_package_is_told_before_the_run(
+        self, invoke: Invoke, pendulum: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, package: str
+    ) -> None:
+        monkeypatch.setitem(sys.modules, package, None)
+        option = ["-o", tmp_path / "out.parquet"] if package == "pyarrow" else ["--plot", tmp_path / "out.png"]
+        result = invoke("run", pendulum, *option)
+        assert result.exit_code == 2
+        assert "pip install 'lagdsl[" in " ".join(result.stderr.split())
+
+    @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
+    def test_a_full_disk_is_status_2(self, invoke: Invoke, pendulum: Path) -> None:
+        result = invoke("run", pendulum, "--stop", "0.1", "-o", "/dev/full")
+        assert result.exit_code == 2
+        assert "No space left" in result.stderr
+        assert invoke("derive", pendulum, "-o", "/dev/full").exit_code == 2
 
     @pytest.mark.skipif(os.name != "posix", reason="devices of Unix")
     def test_a_device_is_written_directly(self, invoke: Invoke, pendulum: Path) -> None:

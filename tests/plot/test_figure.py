@@ -134,3 +134,12 @@ def test_terminal_needs_neither_scipy_nor_matplotlib() -> None:
         "sys.exit(any(name in sys.modules for name in ('scipy', 'matplotlib', 'pandas', 'sympy')))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_missing_package_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(ModuleNotFoundError, match=r"pip install 'lagdsl\[plot\]'"):
+        plot(trajectory())
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ModuleNotFoundError, match=r"pip install 'lagdsl\[table\]'"):
+        trajectory().to_dataframe()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import os
 import sys
 from pathlib import Path
 
@@ -50,6 +51,39 @@ def test_parquet_without_its_package(motion: Trajectory, tmp_path: Path, monkeyp
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_form_that_is_none_is_refused(motion: Trajectory, tmp_path: Path) -> None:
+    sink = Sink()
+    write_table(motion, tmp_path / "out.xlsx", sink)
+    assert [d.code for d in sink.diagnostics] == ["E0828"]
+    write_table(motion, tmp_path / "OUT.CSV")
+    assert [p.name for p in tmp_path.iterdir()] == ["OUT.CSV"]
+
+
+def test_the_form_does_not_depend_on_capitals(motion: Trajectory, tmp_path: Path) -> None:
+    pytest.importorskip("pyarrow")
+    write_table(motion, tmp_path / "out.PARQUET")
+    assert (tmp_path / "out.PARQUET").read_bytes().startswith(b"PAR1")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links and permissions of Unix")
+def test_a_link_stays_a_link_and_permissions_stay(motion: Trajectory, tmp_path: Path) -> None:
+    real, link = tmp_path / "real.csv", tmp_path / "link.csv"
+    real.touch(mode=0o640)
+    real.chmod(0o640)
+    link.symlink_to(real)
+    write_table(motion, link)
+    assert link.is_symlink()
+    assert real.read_text() == csv_text(motion)
+    assert real.stat().st_mode & 0o777 == 0o640
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
+def test_a_device_that_is_full(motion: Trajectory) -> None:
+    sink = Sink()
+    write_table(motion, Path("/dev/full"), sink)
+    assert [d.code for d in sink.diagnostics] == ["E0826"]
+
+
 def test_unwritable_place(motion: Trajectory, tmp_path: Path) -> None:
     sink = Sink()
     write_table(motion, tmp_path / "missing" / "out.csv", sink)
@@ -89,12 +123,16 @@ def test_inputs_in_any_column_order(tmp_path: Path) -> None:
     [
         ("t,u\n0,1\n1,2\n", "E0821", (1, 1, 1, 4)),
         ("", "E0821", None),
+        ("time\n0\n1\n", "E0821", (1, 1, 1, 5)),
         ("time,u\n0,1\n2,1\n1,1\n", "E0822", (4, 1, 4, 4)),
         ("time,u\n0,1\n1,one\n", "E0823", (3, 3, 3, 6)),
         ("time,u\n0,1\n1,\n", "E0823", (3, 2, 3, 3)),
         ("time,u\n0,1\n1,nan\n", "E0823", (3, 3, 3, 6)),
         ("time,u\n0,1\n1,2,3\n", "E0824", (3, 1, 3, 6)),
         ("time,u\n0,1\n", "E0827", None),
+        ("time,u,u\n0,1,2\n1,1,2\n", "E0829", (1, 1, 1, 9)),
+        ("time,u\n0,1\n1,1_000\n", "E0823", (3, 3, 3, 8)),
+        ('time,u\n0,1\n"1","x"\n', "E0823", (3, 1, 3, 8)),
     ],
 )
 def test_faults_of_a_table_have_their_place(text: str, code: str, place: tuple[int, ...] | None) -> None:
@@ -107,6 +145,19 @@ def test_faults_of_a_table_have_their_place(text: str, code: str, place: tuple[i
     else:
         span = error.labels[0].span
         assert (*span.first, *span.last) == place
+
+
+def test_a_quoted_name_may_hold_a_comma() -> None:
+    table = parse_inputs(SourceFile("in.csv", 'time, "u[1,2]"\n0,1\n"1", "2"\n'), Sink())
+    assert table == {"u[1,2]": ([0.0, 1.0], [1.0, 2.0])}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="devices of Unix")
+def test_a_device_without_end_is_read_no_further_than_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lagdsl.simulate.table_io._LARGEST_INPUT", 1_000_000)
+    sink = Sink()
+    assert read_inputs(Path("/dev/zero"), sink) is None
+    assert "larger than 1 MB" in sink.diagnostics[0].message
 
 
 def test_all_bad_cells_are_told_at_once() -> None:

@@ -96,7 +96,7 @@ ROWS: dict[str, Row] = {
         "cannot read the table `{file}`: {reason}",
     ),
     "E0821": error(
-        "the table `{file}` has no column `{column}`",
+        "the table `{file}` has no column {column}",
         "names of the columns",
         "the first line names the columns: `time` and inputs of the model",
     ),
@@ -126,5 +126,15 @@ ROWS: dict[str, Row] = {
         "the table `{file}` has {found} row(s) of numbers",
         None,
         "a table needs two rows at least",
+    ),
+    "E0828": error(
+        "results are not written in the form of `{file}`",
+        None,
+        "end the name in `.csv` or `.parquet`",
+    ),
+    "E0829": error(
+        "the table `{file}` has two columns `{column}`",
+        "names of the columns",
+        "each input has one column",
     ),
 }
