@@ -5,6 +5,7 @@ Every stage reports into one sink and the next one runs only on sound input, so 
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -42,9 +43,16 @@ class Compilation:
 
 
 def read(source: Path | str, sink: Sink) -> SourceFile | None:
-    """The text behind `source`: a path, or a model text (a string that holds a line end or a semicolon)."""
-    if isinstance(source, str) and ("\n" in source or ";" in source):
-        return SourceFile("<text>", source.replace("\r\n", "\n").removeprefix("\ufeff"))
+    """The text behind `source`: a path, or a model text (a string that holds a line end or a semicolon, or nothing).
+
+    Anything else is no source, which is reported as a file that cannot be read.
+    """
+    if not isinstance(source, (str, os.PathLike)):
+        reason = f"a path or a model text is a string, this is {type(source).__name__}"
+        sink.report("E0134", None, name=repr(source)[:40], reason=reason)
+        return None
+    if isinstance(source, str) and ("\n" in source or "\r" in source or ";" in source or not source.strip()):
+        return SourceFile("<text>", source.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff"))
     return read_source(Path(source), sink)
 
 
@@ -76,6 +84,8 @@ def derive(flat: FlatModel, derivation: Derivation = "graph") -> Program:
                 from lagdsl.textbook.lower import lower
 
                 return lower(derive_by_textbook(flat), flat)
+            case _:
+                raise ValueError(f"there is no derivation `{derivation}`; there are graph, textbook")
 
 
 def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Compilation | None:
@@ -101,6 +111,8 @@ def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
             from lagdsl.runtime.c_engine import CEngine
 
             return CEngine(program)
+        case _:
+            raise ValueError(f"there is no engine `{name}`; there are numpy, c")
 
 
 def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:

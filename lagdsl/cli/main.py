@@ -6,13 +6,15 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
+from contextlib import suppress
 from importlib import import_module
+from pathlib import Path
 from typing import NoReturn
 
 import click
 
 import lagdsl
-from lagdsl.cli.status import ERRORS, INTERNAL, INTERRUPTED, SUCCESS
+from lagdsl.cli.status import INTERNAL, INTERRUPTED, SUCCESS, USAGE
 
 # Commands by name and what `lag --help` says of each; the module is loaded when the command is used.
 _COMMANDS = {
@@ -62,6 +64,7 @@ def lag() -> None:
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run `lag` and leave with its status; whatever happens, no Python traceback."""
+    _open_closed_streams()
     sys.exit(_status(arguments))
 
 
@@ -75,20 +78,35 @@ def _status(arguments: Sequence[str] | None) -> int:
     except (click.Abort, KeyboardInterrupt):
         click.echo("interrupted", err=True)
         return INTERRUPTED
-    except BrokenPipeError:
+    except (BrokenPipeError, SystemExit):  # click leaves by itself when the reader of a pipe has gone
         _silence_standard_output()
         return SUCCESS
-    except SystemExit as leaving:  # click leaves by itself when the reader of a pipe has gone
+    except OSError as error:
+        if error.filename is not None:  # not one of the standard streams
+            return _internal_error(error)
         _silence_standard_output()
-        return leaving.code if isinstance(leaving.code, int) else ERRORS
+        _complain(f"cannot write standard output: {error.strerror}")
+        return USAGE
     except Exception as error:
         return _internal_error(error)
     return status if isinstance(status, int) else SUCCESS
 
 
+def _open_closed_streams() -> None:
+    """A stream that was closed before we began is None in Python; what goes there is lost."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115 as long as the process
+
+
 def _silence_standard_output() -> None:
     """Nobody reads any more: let the interpreter's last flush go nowhere."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _complain(text: str) -> None:
+    with suppress(OSError):  # standard error may be as full
+        click.echo(text, err=True)
 
 
 def _internal_error(error: Exception) -> int:

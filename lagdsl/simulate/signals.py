@@ -6,21 +6,23 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.suggest import nearest
 from lagdsl.mechanics.rank import Floats
 from lagdsl.semantics.flat_model import FlatModel, Input
 
-# `pair`: (times, values), straight lines between them. Two equal times are a jump.
-Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]]"
+# A pair is (times, values), or an array of these two rows, straight lines between them. Two equal times are a jump.
+Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]] | Floats"
 # (t, before) -> value; `before` asks for the limit from the left.
 _Function: TypeAlias = Callable[[float, bool], float]
 
 
 _NONE = np.zeros(0)
+_KINDS = "a number, a function of time or a pair (times, values)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,12 +43,14 @@ def signals(
     """Every input of the model: given ones, derivatives of given tables and constants, defaults.
 
     Errors go to `sink`: unknown names (E0819), a table that does not cover `span` (E0817), a function whose
-    derivative the model needs and nobody gave (E0818).
+    derivative the model needs and nobody gave (E0818). Raises ValueError for what is no signal at all.
     """
     names = [item.name for item in flat.inputs]
     for name in inputs:
         if name not in names:
-            sink.report("E0819", None, name=name, known=", ".join(names) or "none")
+            likely = nearest(name, names)
+            help = f"did you mean `{likely}`?" if likely else None
+            sink.report("E0819", None, help=help, name=name, known=", ".join(names) or "none")
     functions: list[_Function] = []
     breaks: set[float] = set()
     for item, default in zip(flat.inputs, defaults.tolist(), strict=True):
@@ -78,8 +82,8 @@ def _function(
         if order:
             sink.report("E0818", item.spans[0] if item.spans else None, name=_base(item.name)[0], derivative=item.name)
         return lambda t, before: float(given(t))
-    if isinstance(signal, tuple):
-        times, values = (np.asarray(column, dtype=np.float64) for column in signal)
+    if isinstance(signal, (tuple, list)) or np.ndim(signal) > 0:
+        times, values = _columns(item.name, signal, smooth)
         if times[0] > span[0] or times[-1] < span[1]:
             sink.report(
                 "E0817", None, name=_base(item.name)[0], first=times[0], last=times[-1], start=span[0], stop=span[1]
@@ -89,7 +93,32 @@ def _function(
             return _spline(times, values, order)
         breaks.update(_kinks(times, values))
         return _lines(times.tolist(), values.tolist())
-    return _constant(float(signal) if order == 0 else 0.0)
+    try:
+        constant = float(cast(float, signal))
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"input `{item.name}` must be {_KINDS}") from error
+    return _constant(constant if order == 0 else 0.0)
+
+
+def _columns(name: str, signal: Any, smooth: bool) -> tuple[Floats, Floats]:
+    """Times and values of a table. Raises ValueError where it is none."""
+    try:
+        times, values = (np.asarray(column, dtype=np.float64) for column in signal)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"input `{name}` must be {_KINDS}") from error
+    if times.ndim != 1 or times.shape != values.shape or len(times) < 2:
+        raise ValueError(
+            f"the table of input `{name}` needs as many values as times, two at least; "
+            f"their shapes are {times.shape} and {values.shape}"
+        )
+    if not (np.isfinite(times).all() and np.isfinite(values).all()):
+        raise ValueError(f"the table of input `{name}` holds entries that are not numbers")
+    steps = np.diff(times)
+    if (steps < 0.0).any():
+        raise ValueError(f"time runs backward in the table of input `{name}`")
+    if smooth and (steps == 0.0).any():
+        raise ValueError(f"the table of input `{name}` jumps, and the model needs its derivative")
+    return times, values
 
 
 def _constant(value: float) -> _Function:

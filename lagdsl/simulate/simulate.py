@@ -85,7 +85,7 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
     count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
     times = t0 + step * np.arange(count + 1)
-    if stop - times[-1] > 1e-9 * step:
+    if count == 0 or stop - times[-1] > 1e-9 * step:
         return np.append(times, stop)
     times[-1] = stop
     return np.asarray(times)

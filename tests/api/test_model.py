@@ -146,6 +146,57 @@ def test_unknown_names_are_told(model: Model, options: dict[str, dict[str, float
         model.simulate(**options)  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"parameters": {"m": float("nan")}}, "`m` must be a finite number"),
+        ({"parameters": {"m": "heavy"}}, "`m` must be a number in SI units, not 'heavy'"),
+        ({"parameters": {"m": -1.0}}, "`m` must be at least 0 kg, not -1 kg"),
+        ({"start": {"a": float("inf")}}, "`a` must be a finite number"),
+    ],
+)
+def test_values_that_do_not_fit_are_refused(model: Model, options: dict[str, dict[str, float]], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        model.simulate(**options)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=words):
+        model.initial_state(**options)  # type: ignore[arg-type]
+
+
+def test_kinds_of_parameters() -> None:
+    model = lagdsl.compile(
+        """model M
+             parameter Boolean on = true;
+             parameter Integer n = 2;
+             parameter Real share(max = 1) = 0.5;
+             coordinate Length x;
+             mass 1 kg at {x, 0};
+             force if on then n*share*(1 N) else 0 on x;
+           end M;"""
+    )
+    assert model.simulate(stop=1.0, parameters={"on": True, "n": 3})["x"][-1] == pytest.approx(0.75)
+    assert model.simulate(stop=1.0, parameters={"on": False})["x"][-1] == 0.0
+    for values, words in (({"on": 2}, "true"), ({"n": 2.5}, "whole"), ({"share": 2}, "at most 1, not 2")):
+        with pytest.raises(ValueError, match=words):
+            model.simulate(parameters=values)
+
+
+def test_inputs_from_a_file(model: Model, tmp_path: Path) -> None:
+    table = tmp_path / "u.csv"
+    table.write_text("time,u\n0,0\n1,3\n")
+    from_file = model.simulate(stop=1.0, inputs=table)
+    np.testing.assert_allclose(from_file["x"], model.simulate(stop=1.0, inputs={"u": lambda t: 3 * t})["x"], atol=1e-6)
+    assert model.simulate(stop=1.0, inputs=str(table))["x"][-1] == from_file["x"][-1]
+    with pytest.raises(lagdsl.CompilationFailed, match="cannot read the table"):
+        model.simulate(inputs=tmp_path / "none.csv")
+
+
+def test_engines_and_derivations_that_are_none() -> None:
+    with pytest.raises(ValueError, match="no engine `rust`; there are numpy, c"):
+        lagdsl.compile(TEXT, engine="rust")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="no derivation `guess`; there are graph, textbook"):
+        lagdsl.compile(TEXT, derivation="guess")  # type: ignore[arg-type]
+
+
 def test_constrained_models() -> None:
     model = lagdsl.compile(
         """model P
@@ -180,6 +231,7 @@ def test_failures_are_told_with_time_and_motion() -> None:
         model.simulate(stop=1.0)
     assert caught.value.time == pytest.approx(0.2, abs=0.1)
     assert caught.value.trajectory["h"][-1] < 1.0
+    assert caught.value.trajectory.plot() is not None
 
 
 def test_structural_parameters(root: Path) -> None:
@@ -196,6 +248,29 @@ def test_every_public_name_is_there_and_documented() -> None:
 
 
 class TestCheck:
+    @pytest.mark.parametrize(
+        ("source", "code"),
+        [
+            ("nowhere.lag", "E0133"),
+            (Path(__file__).parent, "E0132"),
+            ("a" * 5000, "E0134"),
+            ("\0", "E0134"),
+            (b"model M end M;", "E0134"),
+            (None, "E0134"),
+            (["model M end M;"], "E0134"),
+            ("", "E0135"),
+            ("  ", "E0135"),
+            ("(" * 10_000 + ";", "E0100"),
+        ],
+        ids=range(10),
+    )
+    def test_whatever_it_is_given_it_tells(self, source: object, code: str) -> None:
+        assert code in [d.code for d in lagdsl.check(source)]  # type: ignore[arg-type]
+
+    def test_line_ends_of_all_systems(self) -> None:
+        for end in ("\n", "\r\n", "\r"):
+            assert [d for d in lagdsl.check(TEXT.replace("\n", end)) if d.severity == "error"] == []
+
     def test_a_sound_model(self, root: Path) -> None:
         assert [d for d in lagdsl.check(root / "models" / "pendulum.lag") if d.severity != "note"] == []
         assert lagdsl.check(str(root / "models" / "pendulum.lag")) == lagdsl.check(root / "models" / "pendulum.lag")

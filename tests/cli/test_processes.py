@@ -28,6 +28,40 @@ def test_a_reader_that_goes_away_is_no_fault(pendulum: Path) -> None:
     assert "Error" not in done.stderr
 
 
+@pytest.mark.parametrize("command", ["--help", "explain E0401", "flat models/chain.lag"])
+def test_a_reader_that_never_reads_is_no_fault(root: Path, command: str) -> None:
+    script = f"{sys.executable} -m lagdsl {command} | true; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=False, cwd=root)
+    assert done.returncode == 0
+    assert done.stderr == ""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="closes streams as shells of Unix do")
+def test_closed_streams_are_no_fault(pendulum: Path, tmp_path: Path) -> None:
+    for command, status in ((f"check {pendulum} >&-", 0), (f"check {tmp_path}/none.lag 2>&-", 2)):
+        done = subprocess.run(["bash", "-c", f"{sys.executable} -m lagdsl {command}"], capture_output=True, check=False)
+        assert done.returncode == status
+        assert (done.stdout, done.stderr) == (b"", b"")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
+def test_a_standard_output_that_is_full_is_status_2(pendulum: Path) -> None:
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [*LAG, "check", str(pendulum)], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert done.returncode == 2
+    assert done.stderr == "cannot write standard output: No space left on device\n"
+
+
+@pytest.mark.skipif(not Path("/dev/stdout").exists(), reason="devices of Unix")
+def test_standard_output_may_be_a_file(pendulum: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out.txt"
+    command = f"{sys.executable} -m lagdsl run {pendulum} --stop 0.1 -o /dev/stdout > {out}"
+    assert subprocess.run(["bash", "-c", command], check=False).returncode == 0
+    assert out.read_text().startswith("time,theta,der(theta)\n")
+
+
 def test_no_color_where_nobody_looks(broken: Path) -> None:
     done = subprocess.run([*LAG, "check", str(broken)], capture_output=True, text=True, check=False)
     assert "\x1b" not in done.stderr
@@ -70,7 +104,9 @@ def test_statuses_of_the_whole_program(
     [
         (KeyboardInterrupt(), 130, "interrupted"),
         (RuntimeError("boom"), 70, "internal error: RuntimeError: boom"),
-        (SystemExit(1), 1, ""),
+        (SystemExit(1), 0, ""),
+        (OSError(28, "No space left on device"), 2, "cannot write standard output: No space left on device"),
+        (OSError(13, "Permission denied", "x"), 70, "internal error"),
     ],
 )
 def test_what_goes_wrong_inside(

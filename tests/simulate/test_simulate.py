@@ -71,7 +71,7 @@ def test_columns_stand_in_the_order_of_result_files() -> None:
     assert len(motion) == 21 and motion.time[-1] == 1.0
     assert np.all(motion["s"] == 0.5)
     assert motion.events == ()
-    with pytest.raises(KeyError, match="no column `thta`; there are time, theta"):
+    with pytest.raises(KeyError, match="no column `thta`; did you mean `theta`"):
         motion["thta"]
 
 
@@ -108,6 +108,7 @@ def test_grid_ends_at_the_stop_time() -> None:
     assert grid(1.0, 2.0, 0.4).tolist() == pytest.approx([1.0, 1.4, 1.8, 2.0])
     assert len(grid(0.0, 1.0, 0.1)) == 11 and grid(0.0, 1.0, 0.1)[-1] == 1.0
     assert len(grid(0.0, 1.0, None)) == 501
+    assert grid(0.0, 1.0, 50.0).tolist() == [0.0, 1.0]
     for interval in (0.0, -1.0, 1e-12, float("nan")):
         with pytest.raises(ValueError, match="interval"):
             grid(0.0, 1.0, interval)
@@ -370,7 +371,51 @@ def test_inputs_that_do_not_fit(inputs: dict[str, Any], code: str) -> None:
     assert {d.code for d in failure.value.diagnostics} == {code}
 
 
+def test_a_table_is_also_two_rows_of_an_array() -> None:
+    table = np.array([[0.0, 10.0], [0.0, 10.0]])
+    motion = run(pushed(), inputs={"u": table}, stop=1.0)
+    assert motion["x"][-1] == pytest.approx(1 / 6, rel=1e-6)
+    assert run(pushed(), inputs={"u": table.tolist()}, stop=1.0)["x"][-1] == motion["x"][-1]
+
+
+@pytest.mark.parametrize(
+    ("signal", "words"),
+    [
+        (([0, 1], [0, 1, 2]), "as many values as times"),
+        (([], []), "two at least"),
+        (([0],), "must be a number, a function of time or a pair"),
+        (np.zeros(5), "must be a number, a function of time or a pair"),
+        (None, "must be a number, a function of time or a pair"),
+        (([0, 2, 1], [0, 1, 2]), "time runs backward"),
+        (([0, 1], [0, np.nan]), "not numbers"),
+    ],
+)
+def test_signals_that_are_none(signal: Any, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        run(pushed(), inputs={"u": signal})
+
+
+def test_a_jump_has_no_derivative() -> None:
+    flat = flat_model([length("x")], inputs=["road", "der(road)"])
+    with pytest.raises(ValueError, match="jumps"):
+        run(Pushed(flat), inputs={"road": ([0, 1, 1, 9], [0, 0, 1, 1])})
+
+
+def test_the_nearest_input_is_told() -> None:
+    with pytest.raises(CompilationFailed, match="did you mean `u`"):
+        run(pushed(), inputs={"U": 1.0})
+
+
 # ---- reading a trajectory --------------------------------------------------------------------------------------------
+
+
+def test_a_motion_is_shown_in_one_line() -> None:
+    assert repr(run(pendulum(), stop=1.0)).startswith("<Trajectory Hand: 21 rows, 0 s to 1 s, theta")
+
+
+def test_an_unknown_column_is_answered_with_the_nearest() -> None:
+    with pytest.raises(KeyError, match="did you mean `time`"):
+        run(pendulum(), stop=0.1)["tiem"]
 
 
 def test_crossings_are_the_times_of_passing() -> None:
