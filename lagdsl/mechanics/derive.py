@@ -9,13 +9,13 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints, energies, lagrange
 from lagdsl.mechanics.acceleration import refuse_accelerations
-from lagdsl.mechanics.layout import layout
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.provided import Provider
 from lagdsl.mechanics.symbols import Symbols
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import SIGNATURES
+from lagdsl.program.layout import layout
 from lagdsl.program.program import Block, Function, Program
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import FlatModel, Item

@@ -1,4 +1,4 @@
-"""The layout of a program from the flat model alone: names by index."""
+"""The layout of a program from the flat model alone: names, units and places by index. One for both derivations."""
 
 from __future__ import annotations
 
