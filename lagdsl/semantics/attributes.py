@@ -128,7 +128,13 @@ def _is_false(node: nodes.Expression | None) -> bool:
 
 
 def expressions(
-    ctx: Context, attribute: Attribute, what: str, dimension: AnyDimension, shape: tuple[int, ...]
+    ctx: Context,
+    attribute: Attribute,
+    what: str,
+    dimension: AnyDimension,
+    shape: tuple[int, ...],
+    *,
+    unit: str = "1",
 ) -> list[FlatExpression] | None:
     """One expression for each element, of parameters at most; None after a diagnostic."""
     count = 1
@@ -141,7 +147,8 @@ def expressions(
         text = attribute.node.span.text
         ctx.sink.report("E0335", attribute.node.span, text=text)
         return None
-    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted, code="E0415"))
+    expected = Expected(what, dimension, wanted, unit=unit, code="E0415")
+    found = conform(ctx, attribute.scope, attribute.value, value, expected)
     if found is None:
         return None
     if rank(found.variability) > rank(Variability.PARAMETER):

@@ -35,8 +35,8 @@ def conform(ctx: Context, scope: Scope, node: nodes.Node, value: Value, expected
         return None
     if expected.dimension is None:
         return shaped
-    if expected.unit in ("rad/s", "rpm") and _in_hertz(node):
-        ctx.sink.report("E0411", node.span, what=expected.what)
+    if expected.unit in ("rad/s", "rpm") and (literal := _in_hertz(node)) is not None:
+        ctx.sink.report("E0411", literal.span, what=expected.what)
         return None
     if not fits(shaped.dimension, expected.dimension):
         require(ctx, scope, node, shaped.dimension, expected.dimension, expected.code, what=expected.what)
@@ -81,11 +81,21 @@ def _kind_fits(ctx: Context, node: nodes.Node, value: Scalar | Array, expected: 
     return fitting
 
 
-def _in_hertz(node: nodes.Node) -> bool:
-    """A literal in Hz, sign and parentheses aside: a frequency, not an angular velocity."""
-    while isinstance(node, nodes.Unary | nodes.Parenthesized):
-        node = node.operand if isinstance(node, nodes.Unary) else node.inner
-    return isinstance(node, nodes.Quantity) and node.unit in ("Hz", "kHz", "MHz")
+def _in_hertz(node: nodes.Node) -> nodes.Node | None:
+    """The literal in Hz that is the value or an element or branch of it: a frequency, not an angular velocity."""
+    match node:
+        case nodes.Quantity(unit=("Hz" | "kHz" | "MHz")):
+            return node
+        case nodes.Unary(operand=inner) | nodes.Parenthesized(inner=inner):
+            found = _in_hertz(inner)
+            return node if found is inner else found
+        case nodes.Array(elements=parts):
+            return next(filter(None, map(_in_hertz, parts)), None)
+        case nodes.Matrix(rows=rows):
+            return next(filter(None, (_in_hertz(part) for row in rows for part in row)), None)
+        case nodes.Conditional(branches=branches, otherwise=otherwise):
+            return next(filter(None, map(_in_hertz, [*(branch.value for branch in branches), otherwise])), None)
+    return None
 
 
 def bound(ctx: Context, scope: Scope, node: nodes.Expression, expected: Expected) -> Scalar | Array | Value:

@@ -87,7 +87,7 @@ def _argument(
     shape = _shape(ctx, scope, parameter.subscripts, info, operand.value)
     if shape is None:
         return POISON
-    expected = Expected(f"argument `{parameter.name}`", info.dimension or DIMENSIONLESS, shape, info.base)
+    expected = Expected(f"argument `{parameter.name}`", info.dimension or DIMENSIONLESS, shape, info.base, info.unit)
     return conform(ctx, scope, operand.node, operand.value, expected) or POISON
 
 
@@ -128,7 +128,9 @@ def _result(ctx: Context, symbol: FunctionSymbol, bound: dict[str, Entry], value
     shape = _shape(ctx, symbol.scope.of_function(bound), function.result_subscripts, info, value)
     if shape is None:
         return POISON
-    expected = Expected(f"the result of `{function.name}`", info.dimension or DIMENSIONLESS, shape, info.base)
+    expected = Expected(
+        f"the result of `{function.name}`", info.dimension or DIMENSIONLESS, shape, info.base, info.unit
+    )
     return conform(ctx, symbol.scope, function.value, value, expected) or POISON
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from lagdsl.diagnostics import Label
 from lagdsl.semantics import attributes, flat_model
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.attributes import Attribute
@@ -35,12 +36,18 @@ def _dimension(symbol: Symbol) -> Dimension:
 
 
 def _start(
-    ctx: Context, symbol: Symbol, attribute: Attribute | None, what: str, dimension: Dimension, shape: tuple[int, ...]
+    ctx: Context,
+    symbol: Symbol,
+    attribute: Attribute | None,
+    what: str,
+    dimension: Dimension,
+    shape: tuple[int, ...],
+    unit: str = "1",
 ) -> list[FlatExpression] | None:
     """The values of a start attribute, or None where there is none or it is wrong."""
     if attribute is None:
         return None
-    return attributes.expressions(ctx, attribute, f"{what} of `{symbol.short}`", dimension, shape)
+    return attributes.expressions(ctx, attribute, f"{what} of `{symbol.short}`", dimension, shape, unit=unit)
 
 
 def coordinates(ctx: Context, symbol: Symbol) -> list[flat_model.Coordinate]:
@@ -55,14 +62,17 @@ def coordinates(ctx: Context, symbol: Symbol) -> list[flat_model.Coordinate]:
     rate_dimension = dimension / ctx.dimension(TIME)
     found = attributes.attributes(ctx, symbol)
     start = found.get("start")
-    starts = _start(ctx, symbol, start, "the start", dimension, shape)
+    starts = _start(ctx, symbol, start, "the start", dimension, shape, symbol.info.unit)
     rate = found.get("der.start")
-    rates = _start(ctx, symbol, rate, "the start rate", rate_dimension, shape)
+    rate_unit = unit_of_rate(symbol.info.unit, rate_dimension, 1)
+    rates = _start(ctx, symbol, rate, "the start rate", rate_dimension, shape, rate_unit)
     fixed = attributes.flags(ctx, found.get("fixed"), "`fixed`", shape)
     rate_fixed = attributes.flags(ctx, found.get("der.fixed"), "`fixed`", shape)
     if symbol.info.quaternion:
         starts_known = starts or _identity(shape)
         omega = found.get("omega.start")
+        if omega is not None and rate is not None:
+            ctx.sink.report("E0345", omega.node.span, _label_of(rate), name=symbol.short)
         if omega is not None:
             rates, rate = rate_starts(ctx, symbol, omega, starts_known, shape), omega
             rate_fixed = attributes.flags(ctx, found.get("omega.fixed"), "`fixed`", shape)
@@ -93,6 +103,10 @@ def coordinates(ctx: Context, symbol: Symbol) -> list[flat_model.Coordinate]:
     ]
 
 
+def _label_of(attribute: Attribute) -> Label:
+    return Label(attribute.node.span, "the rates are given here")
+
+
 def _span(attribute: Attribute | None) -> Span | None:
     return attribute.node.span if attribute is not None else None
 
@@ -112,7 +126,7 @@ def states(ctx: Context, symbol: Symbol) -> list[flat_model.State]:
         return []
     found = attributes.attributes(ctx, symbol)
     dimension = _dimension(symbol)
-    starts = _start(ctx, symbol, found.get("start"), "the start", dimension, shape)
+    starts = _start(ctx, symbol, found.get("start"), "the start", dimension, shape, symbol.info.unit)
     fixed = attributes.flags(ctx, found.get("fixed"), "`fixed`", shape)
     nominal = attributes.numbers(ctx, found.get("nominal"), "`nominal`", dimension, shape)
     least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape)
@@ -167,7 +181,7 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
     found = attributes.attributes(ctx, symbol)
     dimension = _dimension(symbol)
     defaults = _default(ctx, symbol, dimension, shape)
-    start = _start(ctx, symbol, found.get("start"), "the start", dimension, shape)
+    start = _start(ctx, symbol, found.get("start"), "the start", dimension, shape, symbol.info.unit)
     values = defaults or start or [flat.ZERO] * math.prod(shape)
     smooth = smoothness(ctx, symbol)
     sign = attributes.text(ctx, found.get("symbol"))

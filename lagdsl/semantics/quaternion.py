@@ -49,12 +49,12 @@ def rate_starts(
     """de/dt = 1/2 e o (0, omega) with omega in the frame's own axes; scalar first (Hamilton's product)."""
     dimension = DIMENSIONLESS / ctx.dimension(TIME)
     what = f"the start of omega of `{symbol.short}`"
-    values = attributes.expressions(ctx, omega, what, dimension, (*shape[:-1], 3))
+    values = attributes.expressions(ctx, omega, what, dimension, (*shape[:-1], 3), unit="rad/s")
     if values is None:
         return None
     rates: list[FlatExpression] = []
     for k in range(math.prod(shape[:-1])):
-        s, x, y, z = starts[4 * k : 4 * k + 4]
+        s, x, y, z = _unit(starts[4 * k : 4 * k + 4])
         a, b, c = values[3 * k : 3 * k + 3]
         rates += [
             _half([], [(x, a), (y, b), (z, c)]),
@@ -63,6 +63,17 @@ def rate_starts(
             _half([(s, c), (x, b)], [(y, a)]),
         ]
     return rates
+
+
+def _unit(e: list[FlatExpression]) -> list[FlatExpression]:
+    """e/|e|: the rotation is that of the unit quaternion, and omega belongs to the rotation."""
+    if all(isinstance(part, flat.Number) for part in e):
+        length = math.hypot(*(part.value for part in e if isinstance(part, flat.Number)))
+        if length in (0.0, 1.0):
+            return e
+        return [flat.Number(part.value / length) for part in e if isinstance(part, flat.Number)]
+    size = flat.Function("sqrt", (balanced_sum([flat.Binary("*", part, part) for part in e]),))
+    return [part if part == flat.ZERO else flat.Binary("/", part, size) for part in e]
 
 
 Products = list[tuple[FlatExpression, FlatExpression]]

@@ -123,4 +123,9 @@ ROWS: dict[str, Row] = {
     "E0344": error(
         "`each` does not fit {what}: there is one only", label="`each` without an array", help="delete `each`"
     ),
+    "E0345": error(
+        "the rates of `{name}` are given twice, as `omega` and as `der`",
+        label="given again here",
+        help="keep one of the two",
+    ),
 }
