@@ -90,13 +90,15 @@ def derive(flat: FlatModel, derivation: Derivation = "graph") -> Program:
 
 def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Compilation | None:
     """Flat model to program, with ranks, degrees of freedom and redundant rows; None after errors."""
-    from lagdsl.mechanics.invariants import report_proofs
     from lagdsl.mechanics.structure import analyze
 
     structure = analyze(flat, derive(flat, derivation), sink)
     if sink.has_errors:
         return None
-    report_proofs(flat, sink)
+    if flat.invariants:
+        from lagdsl.mechanics.invariants import report_proofs
+
+        report_proofs(flat, sink)
     return Compilation(flat=flat, program=structure.program, structure=structure, diagnostics=sink.diagnostics)
 
 

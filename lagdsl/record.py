@@ -1,8 +1,8 @@
 """Immutable records: dataclasses that are made five times as fast, for a command that checks ten lines makes hundreds.
 
-`dataclass(frozen=True)` compiles six functions for every class, which was a quarter of the start-up time of `lag check`.
-A record compiles `__init__` alone; comparison, hash and text are shared functions over the fields. That a record is
-never changed is checked by mypy, not at run time.
+`dataclass(frozen=True)` compiles six functions for every class, a quarter of the start-up time of `lag check` once. A
+record compiles `__init__` alone; comparison, hash and text are shared functions over the fields. That a record is never
+changed is checked by mypy, not at run time.
 """
 
 from __future__ import annotations

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-import traceback
 from collections.abc import Sequence
 from contextlib import suppress
 from importlib import import_module
@@ -110,6 +109,8 @@ def _complain(text: str) -> None:
 
 
 def _internal_error(error: Exception) -> int:
+    import traceback
+
     place = traceback.extract_tb(error.__traceback__)[-1]
     click.echo(f"internal error: {type(error).__name__}: {error} ({place.filename}:{place.lineno})", err=True)
     click.echo("This is a fault of lagdsl, not of your model. Please report it with the model text.", err=True)

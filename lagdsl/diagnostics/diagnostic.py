@@ -1,8 +1,8 @@
 """What a stage says about a model: product of the diagnostics floor."""
 
-from dataclasses import dataclass
 from enum import StrEnum
 
+from lagdsl.record import record
 from lagdsl.source import Span
 
 
@@ -14,7 +14,7 @@ class Severity(StrEnum):
     NOTE = "note"
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Label:
     """A place and what it has to do with the matter."""
 
@@ -22,7 +22,7 @@ class Label:
     text: str = ""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Diagnostic:
     """One fact about a model text.
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics import vectors
 from lagdsl.mechanics.frames import Pose, Put, Shift
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.vectors import Axes, Vector
+from lagdsl.record import record
 from lagdsl.semantics.flat_model import FlatModel, RigidBody
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Spin:
     """Turning of a rigid body in its own axes: angular velocity, and angular momentum about the mass centre."""
 
@@ -21,7 +20,7 @@ class Spin:
     momentum: Vector
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Carrier:
     """A mass [kg] and its centre's position [m] in world components; point masses have no spin.
 

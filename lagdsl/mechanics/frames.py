@@ -6,17 +6,17 @@ ed.), sections 4.2 to 4.9; quaternions are homogeneous, scalar first: the rotati
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
 from lagdsl.mechanics.vectors import Axes, Vector, add, cross, scale, subtract, to_world
+from lagdsl.record import record
 
 Quaternion: TypeAlias = tuple[int, int, int, int]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Turn:
     """About own axis 0, 1 or 2 by an angle with this cosine and sine; `direction` is the axis in the world."""
 
@@ -27,7 +27,7 @@ class Turn:
     direction: Vector
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class TurnAbout:
     """About a unit vector `axis` in own components by an angle; `direction` is the axis in the world."""
 
@@ -37,7 +37,7 @@ class TurnAbout:
     direction: Vector
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class TurnQuaternion:
     """By a quaternion; `columns` is its matrix, `axes` the world axes after it."""
 
@@ -46,7 +46,7 @@ class TurnQuaternion:
     axes: Axes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class SetTo:
     """Axes given in the world, whatever the parent does; `before` are those that the origin's velocity is known in."""
 
@@ -54,14 +54,14 @@ class SetTo:
     before: Axes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Shift:
     """The origin moved by an offset in own components."""
 
     offset: Vector
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Put:
     """The origin at a position of the world; `axes` are those of that moment."""
 
@@ -69,7 +69,7 @@ class Put:
     axes: Axes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Loosened:
     """The origin moved by a small displacement that vanishes, but not its `rate` (world components)."""
 
@@ -77,7 +77,7 @@ class Loosened:
     axes: Axes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Released:
     """Turned by a small rotation `angle` (world components) that vanishes, but not its `rate`; `axes` after it."""
 
@@ -90,7 +90,7 @@ Rotation: TypeAlias = "Turn | TurnAbout | TurnQuaternion | SetTo | Released"
 Motion: TypeAlias = "Rotation | Shift | Put | Loosened"
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Pose:
     """Where a frame is, and what moved it since its parent: enough for its velocities."""
 

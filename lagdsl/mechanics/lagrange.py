@@ -9,18 +9,17 @@ energies: velocity-dependent and non-quadratic Lagrangians take the same path.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from lagdsl.graph.differentiate import adjoints, symmetric_jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.lagrangian import Energies, energies
 from lagdsl.mechanics.loads import VirtualWork, generalized_forces, virtual_work
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.symbols import Directions
+from lagdsl.record import record
 from lagdsl.semantics.flat_model import FlatModel
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Terms:
     """Parts of Lagrange's equations, one entry per direction: `push` is dL/dq, `drag` dD/dqd, `load` Q."""
 
@@ -30,7 +29,7 @@ class Terms:
     load: list[int]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Dynamics:
     """A model's energies, loads and the parts of its equations."""
 

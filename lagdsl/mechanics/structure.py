@@ -5,7 +5,7 @@ Ranks are found numerically at three general points of the constraint set, the s
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.structure_constraints import (
@@ -21,10 +21,11 @@ from lagdsl.mechanics.structure_inertia import report_massless
 from lagdsl.mechanics.structure_points import Functions, geometry, probes
 from lagdsl.mechanics.structure_rates import report_integrable, report_nonlinear
 from lagdsl.program.program import Program
+from lagdsl.record import record
 from lagdsl.semantics.flat_model import FlatModel
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Structure:
     """What the constraints leave free. `program` is the analyzed one with `Layout.redundant` filled.
 
@@ -65,7 +66,7 @@ def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
     )
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Examination:
     """The numeric findings."""
 

@@ -3,8 +3,6 @@ other?"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
@@ -12,6 +10,7 @@ from lagdsl.mechanics.rank import Floats, independent_rows, minimum_norm
 from lagdsl.mechanics.structure_display import quantity_text
 from lagdsl.mechanics.structure_newton import Descent
 from lagdsl.mechanics.structure_points import HOLDS, Geometry, Probe, random_points
+from lagdsl.record import record
 from lagdsl.semantics.flat_model import Constraint, FlatModel
 from lagdsl.units.dimension import BASE_UNITS
 
@@ -19,7 +18,7 @@ _TRIES = 24
 _MOST_SHOWN = 6
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Located:
     """A declared constraint and the indices of its rows."""
 
@@ -119,7 +118,7 @@ def unit_suffix(constraint: Constraint) -> str:
 # ---- do they repeat each other? -------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Dependence:
     """Flags over all declared rows: dependent on others, and identically zero (a part of the dependent ones)."""
 

@@ -3,7 +3,7 @@ bounds."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from random import Random
 from typing import Protocol
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_newton import Descent, descend
 from lagdsl.program.program import Layout
+from lagdsl.record import record
 from lagdsl.semantics.flat_model import Coordinate, FlatModel
 
 _SEED = 20011
@@ -46,7 +47,7 @@ def natural_sizes(coordinates: tuple[Coordinate, ...], start: Floats) -> Floats:
     return sizes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Geometry:
     """The constraints of a model as functions of q alone; everything else is held at its start."""
 
@@ -116,24 +117,30 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None) -> 
 
 def random_points(coordinates: tuple[Coordinate, ...], start: Floats, sizes: Floats, count: int) -> list[Floats]:
     """`count` points about the start, ever wider apart; the same for every run."""
-    generator = np.random.default_rng(_SEED)
+    generator = Random(_SEED)
     lower = np.array([-np.inf if c.minimum is None else c.minimum for c in coordinates])
     upper = np.array([np.inf if c.maximum is None else c.maximum for c in coordinates])
     points = []
     for index in range(count):
         width = 0.4 * 1.2 ** min(index, 12)
-        point = start + width * sizes * generator.standard_normal(len(coordinates))
+        point = start + width * sizes * _normal(generator, len(coordinates))
         points.append(np.clip(point, lower, upper))
     return points
 
 
 def random_rates(coordinates: tuple[Coordinate, ...], sizes: Floats, count: int) -> list[Floats]:
     """`count` sets of rates of natural size per second."""
-    generator = np.random.default_rng(_SEED + 1)
-    return [sizes * generator.standard_normal(len(coordinates)) for _ in range(count)]
+    generator = Random(_SEED + 1)
+    return [sizes * _normal(generator, len(coordinates)) for _ in range(count)]
 
 
-@dataclass(frozen=True, slots=True)
+def _normal(generator: Random, count: int) -> Floats:
+    """Normally distributed numbers. Python's generator does: NumPy's takes longer to load than a small model to
+    check."""
+    return np.array([generator.gauss(0.0, 1.0) for _ in range(count)])
+
+
+@record()
 class Probe:
     """A general point of the constraint set with rates of natural size: J there, its rows scaled to size one, and M."""
 

@@ -6,14 +6,14 @@ its meaning; a backend is right if it computes the same numbers. No SymPy, no so
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import prod
 
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Slot:
     """One entry of an argument or result array: its name in results and its coherent SI unit; where it was declared."""
 
@@ -22,7 +22,7 @@ class Slot:
     place: str | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Layout:
     """Names by index. `parameters` are the independent ones, with their default values beside them.
 
@@ -63,7 +63,7 @@ class Layout:
                 raise AssertionError("release symbols never reach a program")
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Block:
     """One result array of a function: `elements` are node ids in row-major order of `shape`."""
 
@@ -75,7 +75,7 @@ class Block:
         assert len(self.elements) == prod(self.shape), self.name
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Function:
     """`arguments` in the order of the signature; every symbol a result depends on belongs to one of them."""
 
@@ -85,7 +85,7 @@ class Function:
     doc: str = ""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Program:
     """One complete model as functions. Which functions there are is said in `lagdsl/program/functions.py`."""
 

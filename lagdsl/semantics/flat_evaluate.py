@@ -9,12 +9,13 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.record import record
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_rotation import quaternion_rotation, rotation, rotation_about
@@ -31,7 +32,7 @@ class NotEvaluable(Exception):  # noqa: N818 named after what it says
     """The expression needs what the mechanics provides, or a derivative that is not known here."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Values:
     """Numbers of a moment: of coordinates, states, inputs and `time`, their rates, second derivatives of coordinates.
 

@@ -7,16 +7,16 @@ Names and units of the types are those of Modelica.Units.SI (Modelica Standard L
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Literal
 
+from lagdsl.record import record
 from lagdsl.units.dimension import Dimension
 from lagdsl.units.parse import parse_unit
 
 BaseType = Literal["Real", "Integer", "Boolean", "String"]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class PreludeType:
     """A type by its name. `unit` is coherent SI, `display_unit` what a report shows, `shape` () for a scalar."""
 
@@ -32,7 +32,7 @@ class PreludeType:
         return parse_unit(self.unit).dimension
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class PreludeConstant:
     """A constant with its coherent SI unit. `doc` says what it is and where the value comes from."""
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+from lagdsl.record import record
 from lagdsl.semantics.prelude import BaseType
 from lagdsl.semantics.values import Value
 from lagdsl.source import Span
@@ -40,7 +41,7 @@ Indices: TypeAlias = "tuple[int, ...]"
 LABELS = ("energy", "load", "constraint", "body", "invariant")
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class TypeInfo:
     """`dimension` is None for a plain `Real`, which a binding may determine. `modifiers` come from type definitions."""
 

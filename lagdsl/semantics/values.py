@@ -7,10 +7,10 @@ the motion it depends (order). A dimension is one for all components of a vector
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import IntEnum
 from typing import Literal, TypeAlias
 
+from lagdsl.record import record
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import FrameStep, Variability
@@ -34,7 +34,7 @@ class Order(IntEnum):
 _RANK = {variability: rank for rank, variability in enumerate(Variability)}
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Scalar:
     expression: FlatExpression
     dimension: AnyDimension
@@ -43,7 +43,7 @@ class Scalar:
     kind: Kind = "Real"
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Vector:
     """Geometric: three world components. A point is one with the dimension of a length."""
 
@@ -53,7 +53,7 @@ class Vector:
     order: Order = Order.CONFIGURATION
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Array:
     """Scalars in row-major order."""
 
@@ -65,7 +65,7 @@ class Array:
     kind: Kind = "Real"
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class FrameValue:
     """The named frame, moved on by `steps` (none: the frame itself)."""
 
@@ -75,19 +75,19 @@ class FrameValue:
     order: Order = Order.CONFIGURATION
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Text:
     value: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Reaction:
     """`reaction(F)`: the wrench that carries the frame; read its `.force` or `.torque`."""
 
     frame: str
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Poison:
     """The value of what was already reported: everything fits it, nothing more is said."""
 

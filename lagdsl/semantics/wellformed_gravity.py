@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.record import record
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence
@@ -49,7 +48,7 @@ def _heavy(flat: fm.FlatModel) -> list[fm.Item]:
 # ---- the comparison of a hand-written potential with the automatic terms ---------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class _Weight:
     """-m g.r of one mass or body at the probed moments, up to a constant."""
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.record import record
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence
@@ -27,7 +26,7 @@ def check_inertias(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
         checks.body(body)
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class _Checks:
     flat: fm.FlatModel
     dependence: Dependence
