@@ -177,7 +177,7 @@ def test_the_jacobian_is_exact(name: str, make: object) -> None:
         exact = np.array([_derivative_along(program, state, d) for d in directions.T]).T
         error = np.abs(ours @ directions - exact)
         scale = np.max(np.abs(ours), axis=1, keepdims=True, initial=0.0)
-        scale = np.maximum(scale, 1e-6 * np.max(scale))  # rows that vanish
+        scale = np.maximum(scale, 1e-4 * np.max(scale))  # rows that vanish
         assert np.all(error <= 1e-10 * scale), np.max(error / np.maximum(scale, 1e-30))
 
 
