@@ -182,6 +182,8 @@ def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Va
     """Product of numbers, scaling, scalar product of vectors, matrix product."""
     dimension, variability, order = product(one.dimension, two.dimension), latest(one, two), highest(one, two)
     match one, two:
+        case Scalar(), Scalar() if is_zero(one) or is_zero(two):
+            return one if is_zero(one) else two  # of any dimension still, as a sum over nothing is
         case Scalar(), Scalar():
             expression = _integer("*", one, two) or flat.Binary("*", one.expression, two.expression)
             return Scalar(expression, dimension, variability, order, _kind(one, two))

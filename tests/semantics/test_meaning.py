@@ -81,6 +81,7 @@ X, Y = 0.7, -1.3
         ("(if true then 1 else undeclared)", 1.0),
         ("(if 1 > 2 then undeclared elseif 2 > 1 then 5 else undeclared)", 5.0),
         ("sum(x for i in 1:0) + product(x for i in 1:0)", 1.0),
+        ("((1 N/m)*sum((1 m)^2 for i in 1:0)*2 + 3 J)/(1 J)", 3.0),
         ("(4 m2)^(1/2)/(1 m) + (4 m2)^0.5/(1 m) + (8 m3)^(-1/3)*(1 m)", 4.5),
         ("(if x > 0 then 0 else {1, 2})*{1, 1}", 0.0),
         ("({x, y} - 0)*{1, 1} + (0 - {x, y})*{1, 0}", Y),
