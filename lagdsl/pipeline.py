@@ -124,9 +124,13 @@ def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnost
         flat = front(file, sink, model=model)
         compilation = middle(flat, sink) if flat is not None else None
         if compilation is not None:
+            from lagdsl.simulate.first_instant import check_first_instant
             from lagdsl.simulate.initialize import initial_state
 
-            initial_state(compilation.flat, engine_of(compilation.program), sink=sink)
+            engine = engine_of(compilation.program)
+            initial = initial_state(compilation.flat, engine, sink=sink)
+            if not sink.has_errors:
+                check_first_instant(compilation.flat, engine, initial, sink)
     except CompilationFailed as failure:
         return findings(sink, failure), None
     return sink.diagnostics, None if sink.has_errors else compilation

@@ -245,6 +245,9 @@ def divided(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Value
     if not isinstance(two, Scalar):
         ctx.sink.report("E0312", _right(node).span, expected="a scalar divisor", found=kind_of(two))
         return POISON
+    if two.expression == flat.ZERO:
+        ctx.sink.report("E0323", _right(node).span, reason="division by zero")
+        return POISON
     dimension, variability, order = quotient(one.dimension, two.dimension), latest(one, two), highest(one, two)
     match one:
         case Scalar():
