@@ -7,10 +7,8 @@ from typing import Literal
 
 import click
 
-from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import Format, flat_or_leave, takes_model
 from lagdsl.cli.output import require_writable, write_text
-from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import front
 
 Form = Literal["text", "markdown", "latex", "html"]
 
@@ -24,12 +22,7 @@ Form = Literal["text", "markdown", "latex", "html"]
 def command(file: Path, model: str | None, style: Format, form: Form, output: Path | None) -> None:
     """Show how the equations of motion of FILE come about, step by step."""
     require_writable(output)
-    source = read_or_leave(file, style)
-    sink = Sink()
-    flat = front(source, sink, model=model)
-    if flat is None:
-        leave_with_errors(sink.diagnostics, style)
-    tell(sink.diagnostics, style)
+    flat = flat_or_leave(file, model, style)
 
     from lagdsl.report.derivation import render
     from lagdsl.textbook.recipe import recipe

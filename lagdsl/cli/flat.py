@@ -6,10 +6,8 @@ from pathlib import Path
 
 import click
 
-from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.model_file import Format, flat_or_leave, takes_model
 from lagdsl.cli.output import require_writable, write_text
-from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import front
 from lagdsl.semantics.flat_text import flat_text
 
 
@@ -19,10 +17,5 @@ from lagdsl.semantics.flat_text import flat_text
 def command(file: Path, model: str | None, style: Format, output: Path | None) -> None:
     """Show the flat model of FILE: the lists q, L, D, Q, constraints, then states, definitions, outputs."""
     require_writable(output)
-    source = read_or_leave(file, style)
-    sink = Sink()
-    flat = front(source, sink, model=model)
-    if flat is None:
-        leave_with_errors(sink.diagnostics, style)
-    tell(sink.diagnostics, style)
+    flat = flat_or_leave(file, model, style)
     write_text(flat_text(flat), output)

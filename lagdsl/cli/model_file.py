@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, Literal, NoReturn, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, NoReturn, TypeAlias, TypeVar
 
 import click
 
@@ -14,6 +14,9 @@ from lagdsl.cli.status import ERRORS, USAGE
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.semantics.library import read_source
 from lagdsl.source import SourceFile
+
+if TYPE_CHECKING:
+    from lagdsl.semantics.flat_model import FlatModel
 
 Format: TypeAlias = Literal["text", "json"]
 _Command = TypeVar("_Command", bound=Callable[..., Any])
@@ -45,6 +48,19 @@ def read_or_leave(file: Path, style: Format, *, to_output: bool = False) -> Sour
         tell(sink.diagnostics, style, to_output=to_output)
         click.get_current_context().exit(USAGE)
     return source
+
+
+def flat_or_leave(file: Path, model: str | None, style: Format) -> FlatModel:
+    """The flat model of FILE, its warnings told; leaves where it is wrong."""
+    from lagdsl.pipeline import front
+
+    source = read_or_leave(file, style)
+    sink = Sink()
+    flat = front(source, sink, model=model)
+    if flat is None:
+        leave_with_errors(sink.diagnostics, style)
+    tell(sink.diagnostics, style)
+    return flat
 
 
 def tell(diagnostics: Sequence[Diagnostic], style: Format, *, to_output: bool = False) -> None:

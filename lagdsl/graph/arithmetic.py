@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from lagdsl.graph.operation import Op
+from lagdsl.graph.operation import ELEMENTARY_NAMES, Op
 
 Value = Any  # np.float64, array of float or complex, or mpmath.mpf: whatever the table below computes with
 Table = dict[Op, Callable[..., Value]]
@@ -81,25 +81,8 @@ def precise() -> Table:
     """The same on mpmath numbers, at mpmath's working precision."""
     import mpmath  # type: ignore[import-untyped]
 
-    functions = {
-        Op.SIN: "sin",
-        Op.COS: "cos",
-        Op.TAN: "tan",
-        Op.ASIN: "asin",
-        Op.ACOS: "acos",
-        Op.ATAN: "atan",
-        Op.SINH: "sinh",
-        Op.COSH: "cosh",
-        Op.TANH: "tanh",
-        Op.EXP: "exp",
-        Op.LOG: "log",
-        Op.SQRT: "sqrt",
-        Op.SIGN: "sign",
-        Op.FLOOR: "floor",
-        Op.CEIL: "ceil",
-        Op.ATAN2: "atan2",
-    }
-    return {op: getattr(mpmath, name) for op, name in functions.items()} | {
+    return {op: getattr(mpmath, name) for op, name in ELEMENTARY_NAMES.items()} | {
+        Op.SIGN: mpmath.sign,
         Op.NEGATE: lambda x: -x,
         Op.ABS: abs,
         Op.NOT: lambda x: mpmath.mpf(x == 0),

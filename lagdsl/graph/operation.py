@@ -98,3 +98,33 @@ ARGUMENT_NAMES: dict[Group, str] = {
     Group.DIRECTION_LAMBDA: "dlam",
     Group.DIRECTION_P: "dp",
 }
+
+# The direction along which the symbols of a group move.
+DIRECTION_OF = {
+    Group.Q: Group.DIRECTION_Q,
+    Group.QD: Group.DIRECTION_QD,
+    Group.Z: Group.DIRECTION_Z,
+    Group.U: Group.DIRECTION_U,
+    Group.P: Group.DIRECTION_P,
+    Group.QDD: Group.DIRECTION_QDD,
+    Group.LAMBDA: Group.DIRECTION_LAMBDA,
+}
+
+# Elementary functions by the name that C, mpmath and our own tables of functions have for them.
+ELEMENTARY_NAMES = {
+    Op.SIN: "sin",
+    Op.COS: "cos",
+    Op.TAN: "tan",
+    Op.ASIN: "asin",
+    Op.ACOS: "acos",
+    Op.ATAN: "atan",
+    Op.SINH: "sinh",
+    Op.COSH: "cosh",
+    Op.TANH: "tanh",
+    Op.EXP: "exp",
+    Op.LOG: "log",
+    Op.SQRT: "sqrt",
+    Op.FLOOR: "floor",
+    Op.CEIL: "ceil",
+    Op.ATAN2: "atan2",
+}

@@ -13,7 +13,7 @@ from sympy import Expr, ImmutableDenseMatrix, Symbol
 
 from lagdsl.graph.differentiate import Tangent
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Group, Op
+from lagdsl.graph.operation import DIRECTION_OF, Group, Op
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.program import Block, Function, Program
@@ -22,15 +22,6 @@ from lagdsl.textbook.equations import EquationsOfMotion
 from lagdsl.textbook.symbols import Symbols
 from lagdsl.textbook.to_graph import ToGraph
 
-_DIRECTION = {
-    Group.Q: Group.DIRECTION_Q,
-    Group.QD: Group.DIRECTION_QD,
-    Group.Z: Group.DIRECTION_Z,
-    Group.U: Group.DIRECTION_U,
-    Group.P: Group.DIRECTION_P,
-    Group.QDD: Group.DIRECTION_QDD,
-    Group.LAMBDA: Group.DIRECTION_LAMBDA,
-}
 _AT_GIVEN_SOLUTION = (Group.Q, Group.QD, Group.Z, Group.U, Group.P)
 
 
@@ -54,7 +45,7 @@ def lower(equations: EquationsOfMotion, flat: FlatModel) -> Program:
     blocks = _Blocks(to_graph, equations)
     shared = _dynamics(blocks)
     tangent = _tangent(graph, _AT_GIVEN_SOLUTION)
-    solved_tangent = _tangent(graph, tuple(_DIRECTION))
+    solved_tangent = _tangent(graph, tuple(DIRECTION_OF))
     n, c = len(equations.q), len(equations.symbols.lam)
     mass, jacobian = _block("M", (n, n), shared.mass), _block("J", (c, n), shared.jacobian)
     zd = blocks.column("zd", equations.state_derivatives.values())
@@ -149,7 +140,7 @@ def _tangent(graph: Graph, groups: tuple[Group, ...]) -> Callable[[Iterable[int]
 
     def seed(symbol: int) -> int:
         assert graph.op[symbol] is Op.SYMBOL
-        return graph.symbol(_DIRECTION[graph.group(symbol)], graph.b[symbol])
+        return graph.symbol(DIRECTION_OF[graph.group(symbol)], graph.b[symbol])
 
     return Tangent(graph, groups, seed).of_all
 

@@ -8,30 +8,16 @@ from dataclasses import dataclass
 from lagdsl.backends.c.literal import number
 from lagdsl.backends.expression import ExpressionPrinter
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import ARGUMENT_NAMES, Group, Op
+from lagdsl.graph.operation import ARGUMENT_NAMES, ELEMENTARY_NAMES, Group, Op
 from lagdsl.program.passes.chunk import Chunks, chunk
 from lagdsl.program.passes.schedule import schedule
 
 FUNCTIONS: dict[Op, str] = {
-    Op.SIN: "sin",
-    Op.COS: "cos",
-    Op.TAN: "tan",
-    Op.ASIN: "asin",
-    Op.ACOS: "acos",
-    Op.ATAN: "atan",
-    Op.SINH: "sinh",
-    Op.COSH: "cosh",
-    Op.TANH: "tanh",
-    Op.EXP: "exp",
-    Op.LOG: "log",
-    Op.SQRT: "sqrt",
+    **ELEMENTARY_NAMES,
     Op.ABS: "fabs",
     Op.SIGN: "lag_sign",
-    Op.FLOOR: "floor",
-    Op.CEIL: "ceil",
     Op.NOT: "lag_not",
     Op.POWER: "pow",
-    Op.ATAN2: "atan2",
     Op.MOD: "lag_mod",
     Op.MIN: "lag_min",
     Op.MAX: "lag_max",

@@ -5,32 +5,18 @@ from __future__ import annotations
 import math
 
 from lagdsl.backends.expression import ExpressionPrinter
-from lagdsl.graph.operation import ARGUMENT_NAMES, Op
+from lagdsl.graph.operation import ARGUMENT_NAMES, ELEMENTARY_NAMES, Op
 from lagdsl.program.passes.schedule import schedule
 from lagdsl.program.program import Function, Program
 
 # Names in the table of elementary functions that a body is given as its first argument.
 ELEMENTARY: dict[Op, str] = {
-    Op.SIN: "sin",
-    Op.COS: "cos",
-    Op.TAN: "tan",
-    Op.ASIN: "asin",
-    Op.ACOS: "acos",
-    Op.ATAN: "atan",
-    Op.SINH: "sinh",
-    Op.COSH: "cosh",
-    Op.TANH: "tanh",
-    Op.EXP: "exp",
-    Op.LOG: "log",
-    Op.SQRT: "sqrt",
+    **ELEMENTARY_NAMES,
     Op.ABS: "absolute",
     Op.SIGN: "sign",
-    Op.FLOOR: "floor",
-    Op.CEIL: "ceil",
     Op.NOT: "negation",
     Op.DIVIDE: "divide",
     Op.POWER: "power",
-    Op.ATAN2: "atan2",
     Op.MOD: "modulo",
     Op.MIN: "minimum",
     Op.MAX: "maximum",
