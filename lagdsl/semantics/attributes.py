@@ -48,7 +48,7 @@ class Attribute:
 def attributes(ctx: Context, symbol: Symbol) -> dict[str, Attribute]:
     """The attributes of a declared quantity by name (`der.start` for a nested one); what does not fit is reported."""
     found: dict[str, Attribute] = {}
-    if symbol.kind == "unknown":
+    if symbol.kind == "unknown" or _is_free(ctx, symbol):
         return found
     if symbol.info is not None:
         for modifier, scope in symbol.info.modifiers:
@@ -107,9 +107,6 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
         names = list(dict.fromkeys(each.partition(".")[0] for each in allowed))
     if name in LATER:
         ctx.sink.report("E0311", span, what=f"`{name}`", hint=f"{LATER[name]} comes with components")
-    elif name == "fixed" and symbol.kind == "parameter" and _is_false(modifier.value):
-        later = "parameters found from the start of the motion come later; give it a value"
-        ctx.sink.report("E0311", span, what="a free parameter", hint=later)
     elif name in KNOWN and not prefix:
         ctx.sink.report("E0213", span, name=name, what=symbol.title)
     else:
@@ -118,6 +115,19 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
         hint = f"did you mean `{meant}`?" if meant is not None else None
         listed = ", ".join(names) if names else "none"
         ctx.sink.report("E0202", span, name=name, type=type_name, attributes=listed, help=hint)
+
+
+def _is_free(ctx: Context, symbol: Symbol) -> bool:
+    """E0311 for a parameter that is to be found from the start of the motion; nothing more is said about it."""
+    if symbol.kind != "parameter" or symbol.declarator is None:
+        return False
+    for modifier in symbol.declarator.modifiers:
+        if isinstance(modifier, nodes.Modifier) and modifier.name.parts == ("fixed",) and _is_false(modifier.value):
+            later = "parameters found from the start of the motion come later; give it a value"
+            ctx.sink.report("E0311", modifier.name.span, what="a free parameter", hint=later)
+            symbol.kind = "unknown"
+            return True
+    return False
 
 
 def _is_false(node: nodes.Expression | None) -> bool:

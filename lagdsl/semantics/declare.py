@@ -13,6 +13,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.modification import modify
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import (
+    LABELS,
     Binding,
     ClassSymbol,
     Entry,
@@ -25,7 +26,7 @@ from lagdsl.semantics.scope import (
     lookup,
 )
 from lagdsl.semantics.types import resolve_type, with_unit
-from lagdsl.semantics.values import Scalar
+from lagdsl.semantics.values import POISON, Scalar
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
@@ -63,12 +64,16 @@ def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bo
     """Put a name into a scope; E0204 where it is taken, E0207 where it may not be hidden."""
     if name in ("time", "world"):
         ctx.sink.report("E0207", span, name=name)
+        scope.entries.setdefault(name, POISON)
         return False
     other = scope.entries.get(name)
     if other is not None:
         first, second, place = _title(other), _title(entry), _place(other)
         labels = (Label(place, f"first as {first}"),) if place is not None else ()
         ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second)
+        label = isinstance(entry, Symbol) and entry.kind in LABELS
+        if isinstance(other, Symbol) and other.kind not in LABELS and not label and first != second:
+            other.kind = "unknown"  # which of the two a text means nobody knows
         return False
     if name in prelude.CONSTANTS or name in prelude.TYPES:
         what = "constant" if name in prelude.CONSTANTS else "type"

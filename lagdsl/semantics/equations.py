@@ -32,7 +32,7 @@ def attach(ctx: Context, scope: Scope, item: nodes.Equation) -> None:
     _report(ctx, scope, item, defined[0][2] if defined else None)
 
 
-def _derivative_of(node: nodes.Expression) -> nodes.Expression | None:
+def _derivative_of(node: nodes.Node) -> nodes.Expression | None:
     match node:
         case nodes.Call(function=nodes.Reference(name="der"), arguments=(argument,)) if not isinstance(
             argument, nodes.Named
@@ -53,11 +53,17 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
     found = _symbol(scope, target) if target is not None else None
     if target is not None and found is not None and found.kind != "unknown":
         ctx.sink.report("E0321", target.span, Label(found.span, f"{found.title}"), name=found.short, kind=found.title)
+        if found.kind in _DEFINED and not found.bindings:
+            found.kind = "unknown"
         return
     if symbol is not None and symbol.kind == "unknown":
         return
     for node in (*descendants(item.left), *descendants(item.right)):
         unsolved = _symbol(scope, node) if isinstance(node, nodes.Reference) else None
+        rate = _derivative_of(node)
+        state = _symbol(scope, rate) if rate is not None else None
+        if state is not None and state.kind == "state" and not state.derivatives:
+            state.kind = "unknown"
         if unsolved is not None and unsolved.kind in _DEFINED and not unsolved.bindings:
             # It was meant to get its value here: nothing more is said about it.
             unsolved.kind = "unknown"
