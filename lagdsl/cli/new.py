@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from shlex import quote
 
 import click
 
@@ -37,13 +38,13 @@ def command(name: str) -> None:
         raise click.UsageError(f"{path} exists already; choose another name") from error
     except OSError as error:
         raise Unwritable(path, error) from error
-    click.echo(f"wrote {path}; next: lag run {path}")
+    click.echo(f"wrote {path}; next: lag run {quote(str(path))}")
 
 
 def _model_name(stem: str) -> str:
     """`my-first model` becomes `MyFirstModel`."""
     words = re.findall(r"[A-Za-z0-9_]+", stem)
     name = "".join(word[:1].upper() + word[1:] for word in words)
-    if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
+    if stem.startswith(".") or not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
         raise click.UsageError(f"`{stem}` makes no model name; it must begin with a letter")
     return name

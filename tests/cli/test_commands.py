@@ -150,6 +150,13 @@ class TestNew:
         assert invoke("check", "my-first.lag").exit_code == 0
         assert invoke("fmt", "--check", "my-first.lag").exit_code == 0
 
+    def test_a_name_with_a_space_can_be_pasted(
+        self, invoke: Invoke, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.chdir(tmp_path)
+        assert invoke("new", "my first").stdout.endswith("lag run 'my first.lag'\n")
+        assert "model MyFirst " in (tmp_path / "my first.lag").read_text()
+
     def test_it_never_overwrites(self, invoke: Invoke, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.chdir(tmp_path)
         (tmp_path / "a.lag").write_text("mine")
@@ -158,7 +165,7 @@ class TestNew:
         assert "exists" in result.stderr
         assert (tmp_path / "a.lag").read_text() == "mine"
 
-    @pytest.mark.parametrize("name", ["9lives", "nowhere/model", "°"])
+    @pytest.mark.parametrize("name", ["9lives", "nowhere/model", "°", "", ".lag"])
     def test_names_that_are_none(
         self, invoke: Invoke, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
     ) -> None:
