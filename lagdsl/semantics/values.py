@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntEnum
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, final
 
 from lagdsl.record import record
 from lagdsl.semantics import flat_expression as flat
@@ -34,6 +34,7 @@ class Order(IntEnum):
 _RANK = {variability: rank for rank, variability in enumerate(Variability)}
 
 
+@final
 @record()
 class Scalar:
     expression: FlatExpression
@@ -43,6 +44,7 @@ class Scalar:
     kind: Kind = "Real"
 
 
+@final
 @record()
 class Vector:
     """Geometric: three world components. A point is one with the dimension of a length."""
