@@ -151,6 +151,9 @@ class Lexer:
         match = _STRANGE.match(text, start)
         assert match is not None
         end = self.position = match.end()
+        if text[start] == "#":  # a comment as other languages write it: one fault, whatever it says
+            line_end = text.find("\n", end)
+            self.position = line_end if line_end >= 0 else len(text)
         self.fault_at = start
         spelled = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text[start : min(end, start + 20)])
         self.sink.report("E0108", self.span(start, end), character=spelled, help=character_help(text[start:end]))

@@ -7,9 +7,13 @@ from lagdsl.diagnostics.catalog.syntax import unit_help
 from lagdsl.source import Span
 
 
-def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str) -> None:
-    """Report `unit` at `span`, with the unit that was meant if it resembles one, else with the product."""
-    sink.report("E0105", span, help=unit_help(_suggestion(unit), number, unit), unit=unit)
+def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str, *, called: bool = False) -> None:
+    """Report `unit` at `span`, with the unit that was meant if it resembles one, else with the product.
+
+    With `called` a bracket follows: a function was meant.
+    """
+    suggestion = None if called else _suggestion(unit)
+    sink.report("E0105", span, help=unit_help(suggestion, number, unit), unit=unit)
 
 
 def _suggestion(unit: str) -> str | None:

@@ -13,14 +13,18 @@ _UNIT_LIKE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(?:[./^][A-Za-z0-9_^-]+)*")
 
 
 def unit_after_number(session: Session, token: Token) -> bool:
-    """A word on the line of a number that stands before it: `5 Nm`. Read on as if it were a unit."""
+    """A word on the line of a number that stands before it: `5 Nm`. Read on as if it were a unit; `2 f(x)` is a product."""
     before, text = session.previous, session.file.text
     if before.terminal != NUMBER or token.terminal != IDENT or text[before.end : token.start].strip(" \t"):
         return False
     match = _UNIT_LIKE.match(text, token.start)
     assert match is not None
-    report_unknown_unit(session.sink, Span(session.file, *match.span()), before.text, match[0])
-    session.lexer.rewind(match.end())
+    called = text[match.end() : match.end() + 1] == "("
+    report_unknown_unit(session.sink, Span(session.file, *match.span()), before.text, match[0], called=called)
+    if called and session.insert("*"):
+        session.lexer.rewind(token.start)
+    else:
+        session.lexer.rewind(match.end())
     return True
 
 

@@ -67,7 +67,7 @@ def misspelt_keyword(session: Session, token: Token) -> bool:
     height = session.machine.boundary()
     if first.terminal != IDENT or first.text in tables.WORDS or height == 0:
         return False
-    if not first.text[0].islower() and token.text not in _PLACES:
+    if not first.text[0].islower() and token.text not in _PLACES and token.terminal not in (NUMBER, QUANTITY):
         return False
     meant = _meant_keyword(session, first, [*statement[1:], token][:position])
     if meant is None:
