@@ -13,7 +13,7 @@ _UNIT_LIKE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(?:[./^][A-Za-z0-9_^-]+)*")
 
 
 def unit_after_number(session: Session, token: Token) -> bool:
-    """A word on the line of a number that stands before it: `5 Nm`. Read on as if it were a unit; `2 f(x)` is a product."""
+    """A word on the line of a number before it: `5 Nm`. Read on as if it were a unit; `2 f(x)` is a product."""
     before, text = session.previous, session.file.text
     if before.terminal != NUMBER or token.terminal != IDENT or text[before.end : token.start].strip(" \t"):
         return False
