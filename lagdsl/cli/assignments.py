@@ -129,8 +129,10 @@ def _fitting(name: str, dimension: Dimension, unit: str, given: _Literal) -> flo
 
 
 def _unknown(flat: FlatModel, name: str, known: Sequence[str]) -> str:
-    if any(getattr(item, "name", None) == name for item in flat.named):
+    if any(getattr(item, "name", None) == name for item in (*flat.named, *flat.outputs)):
         return f"`{name}` is computed from others in {flat.name}; set what it depends on"
+    if any(item.name == name for item in flat.inputs):
+        return f"`{name}` is an input of {flat.name}; give it as a column of a table with --input"
     if f"{name}.start" in known:
         return f"`{name}` moves; set its start value with --set '{name}.start=...'"
     first = name.removesuffix(".start") + "["

@@ -92,6 +92,11 @@ class TestSet:
         assert invoke("run", car, "--stop", "0.1", "--set", "active=false").exit_code == 0
         assert invoke("run", car, "--stop", "0.1", "--set", "active=1").exit_code == 2
 
+    def test_what_cannot_be_set_is_told_with_the_way_out(self, invoke: Invoke, root: Path) -> None:
+        cart, crank = root / "models" / "cart_double_pendulum.lag", root / "models" / "slider_crank.lag"
+        assert "with --input" in " ".join(invoke("run", cart, "--set", "u=1").stderr.split())
+        assert "`speed` is computed from others" in " ".join(invoke("run", crank, "--set", "speed=1").stderr.split())
+
     def test_an_array_is_set_by_its_elements(self, invoke: Invoke, root: Path, tmp_path: Path) -> None:
         chain, out = root / "models" / "chain.lag", tmp_path / "out.csv"
         result = invoke("run", chain, "--stop", "0.1", "--set", "q[2].start=10 deg", "-o", out)
