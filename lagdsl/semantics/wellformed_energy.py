@@ -1,4 +1,4 @@
-"""E0502, E0504, E0512, W0514: the form of hand-written energies."""
+"""E0502, E0504, E0512, W0514, W0518: the form of hand-written energies."""
 
 from __future__ import annotations
 
@@ -33,6 +33,31 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
             sink.report("E0504", place(term))
         else:
             _check_effect(term, orders, sink)
+    if not sink.has_errors:
+        _check_sign(flat, sink)
+
+
+def _check_sign(flat: fm.FlatModel, sink: Sink) -> None:
+    """W0518 where the kinetic energy written by hand is the whole of it and its quadratic part is negative for some
+    rates: no mechanism is like that, a sign is wrong."""
+    terms = [term for term in flat.energies if term.kind == "kinetic"]
+    if not terms or flat.masses or flat.bodies or any(term.kind == "lagrangian" for term in flat.energies):
+        return
+    for moment in probes(flat, _POINTS):
+        parts = []
+        for term in terms:
+            try:
+                forth, back, rest = (
+                    evaluate(flat, term.value, Values(variables=moment.variables, rates=_scaled(moment.rates, factor)))
+                    for factor in (1.0, -1.0, 0.0)
+                )
+            except NotEvaluable:
+                return
+            parts.append((forth + back) / 2.0 - rest)
+        if sum(parts) < -1e-9 * max(map(abs, parts)):
+            worst = min(zip(parts, terms, strict=True), key=lambda pair: pair[0])[1]
+            sink.report("W0518", place(worst))
+            return
 
 
 def _check_effect(term: fm.EnergyTerm, orders: Orders, sink: Sink) -> None:

@@ -86,4 +86,9 @@ ROWS: dict[str, Row] = {
         label="declared here",
         help="correct `min`, `max` or `nominal`, or leave them out",
     ),
+    "W0518": warning(
+        "the kinetic energy is negative for some rates",
+        label="enters with a minus",
+        help="check the sign: a kinetic energy is 1/2*m*v*v; what has another sign belongs into `potential`",
+    ),
 }
