@@ -39,6 +39,7 @@ class _Literal:
     value: float
     dimension: Dimension | None
     boolean: bool = False
+    counts_turns: bool = False  # a literal in Hz
 
 
 def split(assignments: Sequence[str]) -> dict[str, str]:
@@ -48,6 +49,8 @@ def split(assignments: Sequence[str]) -> dict[str, str]:
         name, equals, value = assignment.partition("=")
         if not equals or not name.strip() or not value.strip():
             raise click.UsageError(f"{assignment}: expected name=value, as in --set 'm=2 kg'")
+        if name.strip() in pairs:
+            raise click.UsageError(f"`{name.strip()}` is set twice")
         pairs[name.strip()] = value.strip()
     return pairs
 
@@ -95,9 +98,11 @@ def literal(name: str, text: str) -> _Literal:
             return _Literal(text, sign * float(digits), None)
         case nodes.Quantity(number=digits, unit=unit):
             definition = parse_unit(unit)
-            return _Literal(text, sign * si_value(digits, definition), definition.dimension)
-        case nodes.Boolean(value=value):
-            return _Literal(text, float(value), DIMENSIONLESS, boolean=True)
+            counts_turns = unit in ("Hz", "kHz", "MHz")
+            value = sign * si_value(digits, definition)
+            return _Literal(text, value, definition.dimension, counts_turns=counts_turns)
+        case nodes.Boolean(value=truth):
+            return _Literal(text, float(truth), DIMENSIONLESS, boolean=True)
     for fault in sink.diagnostics:
         if fault.code in ("E0105", "E0116"):  # no unit, no number of double precision
             raise click.UsageError(f"{where}: {fault.message}; {fault.help}")
@@ -125,6 +130,8 @@ def _fitting(name: str, dimension: Dimension, unit: str, given: _Literal) -> flo
             f"{name}={_short(given.text)}: `{name}` is {describe(dimension)} [{unit}], "
             f"this is {describe(given.dimension)}"
         )
+    if given.counts_turns and unit == "rad/s":
+        raise click.UsageError(f"{name}={_short(given.text)}: Hz counts turns; write `rev/s` or `rad/s`")
     return given.value
 
 

@@ -80,6 +80,16 @@ class TestSet:
         assert result.exit_code == 0, result.stderr
         assert _read(out)["der(theta)"][0] == pytest.approx(-np.pi / 3)
 
+    def test_hertz_are_no_angular_velocity(self, invoke: Invoke, pendulum: Path) -> None:
+        result = invoke("run", pendulum, "--set", "der(theta).start=2 Hz")
+        assert result.exit_code == 2
+        assert "Hz counts turns" in " ".join(result.stderr.split())
+
+    def test_a_name_is_set_once(self, invoke: Invoke, pendulum: Path) -> None:
+        result = invoke("run", pendulum, "--set", "l=1", "--set", "l=2")
+        assert result.exit_code == 2
+        assert "`l` is set twice" in result.stderr
+
     def test_structural_parameters_recompile(self, invoke: Invoke, root: Path, tmp_path: Path) -> None:
         out = tmp_path / "out.csv"
         chain = root / "models" / "chain.lag"
