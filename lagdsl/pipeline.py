@@ -95,10 +95,14 @@ def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Com
     structure = analyze(flat, derive(flat, derivation), sink)
     if sink.has_errors:
         return None
-    if flat.invariants:
+    if flat.invariants or flat.loads:
+        from lagdsl.mechanics.derive import form_equations
+        from lagdsl.mechanics.idle_loads import report_idle_loads
         from lagdsl.mechanics.invariants import report_proofs
 
-        report_proofs(flat, sink)
+        equations = form_equations(flat)
+        report_idle_loads(equations, sink)
+        report_proofs(equations, sink)
     return Compilation(flat=flat, program=structure.program, structure=structure, diagnostics=sink.diagnostics)
 
 

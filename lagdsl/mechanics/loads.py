@@ -44,7 +44,7 @@ def virtual_work(lowering: Lowering, flat: FlatModel) -> VirtualWork:
     work = VirtualWork(lowering.graph)
     for load in flat.loads:
         lowering.place = load.spans
-        forces = _add_load(lowering, load, work)
+        forces = add_load(lowering, load, work)
         refuse_accelerations(lowering.graph, forces, load.spans, "this load")
     return work
 
@@ -60,7 +60,7 @@ def generalized_forces(work: VirtualWork, directions: Directions) -> list[int]:
     ]
 
 
-def _add_load(lowering: Lowering, load: Load, work: VirtualWork) -> tuple[int, ...]:
+def add_load(lowering: Lowering, load: Load, work: VirtualWork) -> tuple[int, ...]:
     """Add the virtual work of one load; gives the nodes of its force."""
     graph = lowering.graph
     match load:

@@ -91,4 +91,9 @@ ROWS: dict[str, Row] = {
         label="enters with a minus",
         help="check the sign: a kinetic energy is 1/2*m*v*v; what has another sign belongs into `potential`",
     ),
+    "N0519": note(
+        "this load does no work on any admissible motion",
+        label="enters no equation of motion",
+        help="that is right for a force that a guide or a rod takes up; `lag derive` shows F.dr/dq for each load",
+    ),
 }
