@@ -13,11 +13,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from lagdsl.diagnostics import CompilationFailed, Diagnostic, Sink
+from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.semantics.flatten import flatten
 from lagdsl.semantics.library import read_source
+from lagdsl.semantics.selection import complete_models
 from lagdsl.semantics.wellformed import check as check_physics
 from lagdsl.source import SourceFile
+from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse
 
 if TYPE_CHECKING:
@@ -60,10 +62,22 @@ def front(
     file: SourceFile, sink: Sink, *, model: str | None = None, structural: Mapping[str, float] | None = None
 ) -> FlatModel | None:
     """Text to a flat model that passed every check made before deriving; None after errors."""
+    unit = tree(file, sink)
+    return None if unit is None else elaborate(unit, sink, model=model, structural=structural)
+
+
+def tree(file: SourceFile, sink: Sink) -> nodes.Unit | None:
+    """Text to tree; None after errors."""
     with _deep_recursion():
         unit = parse(file, sink)
-        if unit is None or sink.has_errors:
-            return None
+    return None if sink.has_errors else unit
+
+
+def elaborate(
+    unit: nodes.Unit, sink: Sink, *, model: str | None = None, structural: Mapping[str, float] | None = None
+) -> FlatModel | None:
+    """Tree to a flat model that passed every check made before deriving; None after errors."""
+    with _deep_recursion():
         flat = flatten(unit, sink, model=model, structural=structural or {})
         if flat is None or sink.has_errors:
             return None
@@ -122,10 +136,17 @@ def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
 
 
 def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:
-    """Everything that can be found before the first time step, the initial state included."""
+    """Everything that can be found before the first time step, the initial state included.
+
+    Without `model` the faults of the file's other models are told, too: those that show before deriving.
+    """
     sink = Sink()
+    unit = tree(file, sink)
+    if unit is None:
+        return sink.diagnostics, None
+    compilation = None
     try:
-        flat = front(file, sink, model=model)
+        flat = elaborate(unit, sink, model=model)
         compilation = middle(flat, sink) if flat is not None else None
         if compilation is not None:
             from lagdsl.simulate.first_instant import check_first_instant
@@ -135,9 +156,14 @@ def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnost
             initial = initial_state(compilation.flat, engine, sink=sink)
             if not sink.has_errors:
                 check_first_instant(compilation.flat, engine, initial, sink)
+        found = sink.diagnostics
     except CompilationFailed as failure:
-        return findings(sink, failure), None
-    return sink.diagnostics, None if sink.has_errors else compilation
+        found = findings(sink, failure)
+    for name in complete_models(unit)[:-1] if model is None else ():
+        other = Sink()
+        elaborate(unit, other, model=name)
+        found = tuple(dict.fromkeys([*found, *other.diagnostics]))
+    return found, None if any(d.severity is Severity.ERROR for d in found) else compilation
 
 
 def findings(sink: Sink, failure: CompilationFailed) -> tuple[Diagnostic, ...]:

@@ -67,6 +67,19 @@ def select(ctx: Context, unit: nodes.Unit, scope: Scope, name: str | None) -> Cl
     return None
 
 
+def complete_models(unit: nodes.Unit) -> tuple[str, ...]:
+    """Names of the file's top-level models that are not partial and that nothing else uses; the default one is last."""
+    used = _used(unit)
+    return tuple(
+        item.name
+        for item in unit.items
+        if isinstance(item, nodes.Class)
+        and item.kind in MODELS
+        and "partial" not in item.prefixes
+        and item.name not in used
+    )
+
+
 def _classes(scope: Scope, prefix: str) -> Iterator[tuple[str, ClassSymbol]]:
     for name, entry in scope.entries.items():
         if isinstance(entry, ClassSymbol):

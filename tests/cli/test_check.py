@@ -90,3 +90,13 @@ def test_a_text_without_a_model_is_an_error(invoke: Invoke, tmp_path: Path, cont
 def test_line_ends_and_a_byte_order_mark_do_not_matter(invoke: Invoke, pendulum: Path) -> None:
     pendulum.write_bytes(b"\xef\xbb\xbf" + pendulum.read_bytes().replace(b"\n", b"\r\n"))
     assert invoke("check", pendulum).exit_code == 0
+
+
+def test_faults_of_the_other_models_of_a_file_are_told(invoke: Invoke, tmp_path: Path) -> None:
+    sound = "model {}\n  coordinate Length x;\n  gravity = 0;\n  mass 1 kg at {{{}, 0}};\nend;\n"
+    file = tmp_path / "two.lag"
+    file.write_text(sound.format("A", "xx") + sound.format("B", "x"))
+    result = invoke("check", str(file))
+    assert result.exit_code == 1
+    assert "error[E0201]: unknown name `xx`" in result.stderr
+    assert invoke("check", "-m", "B", str(file)).exit_code == 0
