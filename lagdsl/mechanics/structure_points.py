@@ -3,7 +3,6 @@ bounds."""
 
 from __future__ import annotations
 
-from random import Random
 from typing import Protocol
 
 import numpy as np
@@ -117,27 +116,21 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None) -> 
 
 def random_points(coordinates: tuple[Coordinate, ...], start: Floats, sizes: Floats, count: int) -> list[Floats]:
     """`count` points about the start, ever wider apart; the same for every run."""
-    generator = Random(_SEED)
+    generator = np.random.default_rng(_SEED)
     lower = np.array([-np.inf if c.minimum is None else c.minimum for c in coordinates])
     upper = np.array([np.inf if c.maximum is None else c.maximum for c in coordinates])
     points = []
     for index in range(count):
         width = 0.4 * 1.2 ** min(index, 12)
-        point = start + width * sizes * _normal(generator, len(coordinates))
+        point = start + width * sizes * generator.standard_normal(len(coordinates))
         points.append(np.clip(point, lower, upper))
     return points
 
 
 def random_rates(coordinates: tuple[Coordinate, ...], sizes: Floats, count: int) -> list[Floats]:
     """`count` sets of rates of natural size per second."""
-    generator = Random(_SEED + 1)
-    return [sizes * _normal(generator, len(coordinates)) for _ in range(count)]
-
-
-def _normal(generator: Random, count: int) -> Floats:
-    """Normally distributed numbers. Python's generator does: NumPy's takes longer to load than a small model to
-    check."""
-    return np.array([generator.gauss(0.0, 1.0) for _ in range(count)])
+    generator = np.random.default_rng(_SEED + 1)
+    return [sizes * generator.standard_normal(len(coordinates)) for _ in range(count)]
 
 
 @record()
