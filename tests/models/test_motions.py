@@ -20,7 +20,7 @@ CONSERVED = 1e-9
 
 @cache
 def _model(name: str) -> lagdsl.Model:
-    return lagdsl.compile(path_of(name))
+    return lagdsl.compile(path_of(name), engine="c")  # the same numbers as NumPy, several times as fast
 
 
 @cache
