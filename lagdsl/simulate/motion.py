@@ -139,7 +139,10 @@ class Motion:
             for time in times[self._next : inside].tolist():
                 y = np.asarray(dense(time))
                 better = self._projection(time, y)
-                self._recorder.add(time, y if better is None else better)
+                row = y if better is None else better
+                if self._flat.assertions:
+                    self._check(time, row)
+                self._recorder.add(time, row)
         if projected is not stepper.y:
             self._method.correct(stepper, self._system, projected)
         stepper.atol = self._accuracy.after(projected)

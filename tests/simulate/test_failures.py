@@ -212,6 +212,12 @@ def test_failed_assertion_stops_with_its_message() -> None:
     assert failed.state["a"] <= -0.5
 
 
+def test_rows_inside_a_step_are_held_to_assertions_too() -> None:
+    engine = Damped(flat_model([coordinate("a", 1.0)], assertions=["the arm hits the table"]))
+    angles = failure(engine, interval=1e-3).trajectory["a"]
+    assert angles[-1] <= -0.5 and np.all(angles[:-1] > -0.5)
+
+
 def test_assertion_false_at_the_start() -> None:
     engine = Damped(flat_model([coordinate("a", -1.0)], assertions=["no"]))
     assert failure(engine).time == 0.0
