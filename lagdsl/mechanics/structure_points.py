@@ -13,11 +13,13 @@ from lagdsl.program.program import Layout
 from lagdsl.record import record
 from lagdsl.semantics.flat_model import Coordinate, FlatModel
 
-_SEED = 20011
+SEED = 20011
 # Residuals, as a part of the row's natural size, below which a constraint counts as met; generous, because a
 # constraint that only touches (two circles that meet in one point) is approached linearly.
 HOLDS = 1e-7
 _ROUNDING = 1e-12
+# So many points that the largest of a row's lengths hardly depends on which they are.
+_SIZED_AT = 8
 
 
 class Functions(Protocol):
@@ -97,8 +99,9 @@ class Geometry:
         return Descent(point=found.point * self.sizes, residual=found.residual * self.row_sizes[rows], size=found.size)
 
 
-def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None) -> Geometry:
-    """The constraints of `flat` at its start time and start values."""
+def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, seed: int = SEED) -> Geometry:
+    """The constraints of `flat` at its start time and start values; rows are as large as their derivatives come out at
+    the largest, at the start and at points about it."""
     layout = functions.layout
     parameters = np.array(layout.defaults, dtype=np.float64) if p is None else p
     t = flat.experiment.start_time
@@ -106,7 +109,7 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None) -> 
     sizes = natural_sizes(flat.coordinates, q)
     plain = Geometry(functions, t, q, qd, z, u, np.zeros(len(layout.discretes)), parameters, sizes, np.ones(0))
     row_sizes = np.zeros(len(layout.constraints))
-    for point in random_points(flat.coordinates, q, sizes, 3):
+    for point in [q, *random_points(flat.coordinates, q, sizes, _SIZED_AT, seed)] if layout.constraints else []:
         lengths = np.linalg.norm(plain.velocity(point, qd)[1] * sizes, axis=1)
         row_sizes = np.maximum(row_sizes, np.where(np.isfinite(lengths), lengths, 0.0))
     # Rows that are zero but for round-off have no size of their own.
@@ -114,9 +117,11 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None) -> 
     return Geometry(functions, t, q, qd, z, u, plain.w, parameters, sizes, row_sizes)
 
 
-def random_points(coordinates: tuple[Coordinate, ...], start: Floats, sizes: Floats, count: int) -> list[Floats]:
+def random_points(
+    coordinates: tuple[Coordinate, ...], start: Floats, sizes: Floats, count: int, seed: int = SEED
+) -> list[Floats]:
     """`count` points about the start, ever wider apart; the same for every run."""
-    generator = np.random.default_rng(_SEED)
+    generator = np.random.default_rng(seed)
     lower = np.array([-np.inf if c.minimum is None else c.minimum for c in coordinates])
     upper = np.array([np.inf if c.maximum is None else c.maximum for c in coordinates])
     points = []
@@ -127,9 +132,9 @@ def random_points(coordinates: tuple[Coordinate, ...], start: Floats, sizes: Flo
     return points
 
 
-def random_rates(coordinates: tuple[Coordinate, ...], sizes: Floats, count: int) -> list[Floats]:
+def random_rates(coordinates: tuple[Coordinate, ...], sizes: Floats, count: int, seed: int = SEED) -> list[Floats]:
     """`count` sets of rates of natural size per second."""
-    generator = np.random.default_rng(_SEED + 1)
+    generator = np.random.default_rng(seed + 1)
     return [sizes * generator.standard_normal(len(coordinates)) for _ in range(count)]
 
 

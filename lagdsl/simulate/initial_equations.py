@@ -72,7 +72,7 @@ def joint_state(task: Problem, sink: Sink) -> tuple[Floats, Floats, Floats]:
         return joint.residual(y) / scale, joint.jacobian(y) / scale[:, None]
 
     best = descend(equations, np.zeros(len(joint.free)), target=1e-11)
-    for other in random_points(task.flat.coordinates, task.space.q, task.space.sizes, _TRIES):
+    for other in random_points(task.flat.coordinates, task.space.q, task.space.sizes, _TRIES, task.seed):
         if best.size <= HOLDS:
             break
         beginning = np.zeros(len(joint.starts))

@@ -7,10 +7,9 @@ import numpy as np
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.mechanics.rank import Floats, rank
 from lagdsl.mechanics.structure_constraints import configuration, located, unit_suffix
-from lagdsl.mechanics.structure_newton import Descent, Equations, descend
 from lagdsl.mechanics.structure_points import HOLDS, random_points
 from lagdsl.simulate.initial_problem import Problem
-from lagdsl.simulate.nearest import nearest
+from lagdsl.simulate.nearest import search
 
 _TRIES = 24
 
@@ -33,32 +32,19 @@ def positions(task: Problem, sink: Sink) -> Floats:
         scale = space.row_sizes[rows]
         return phi[rows] / scale, (jacobian[rows] * widths / scale[:, None])[:, free]
 
-    found = _feasible(task, equations, free)
+    others = [
+        ((other - space.q) / widths)[free]
+        for other in random_points(task.flat.coordinates, space.q, space.sizes, _TRIES, task.seed)
+    ]
+    found = search(equations, len(free), others, holds=HOLDS)
     if found.size > HOLDS:
         _report(task, placed(found.point), rows, free, sink)
-        return placed(found.point)
-    return placed(nearest(equations, found.point, holds=max(1e-12, found.size)))
+    return placed(found.point)
 
 
 def _already_there(task: Problem, rows: list[int]) -> bool:
     phi = task.space.position(task.space.q)[0]
     return bool(np.all(np.abs(phi[rows]) <= 1e-15 * task.space.row_sizes[rows]))
-
-
-def _feasible(task: Problem, equations: Equations, free: np.ndarray) -> Descent:
-    """Any point of the constraint set: from the starts if that works, else the nearest that other beginnings lead
-    to."""
-    best = descend(equations, np.zeros(len(free)))
-    if best.size <= HOLDS:
-        return best
-    space = task.space
-    for other in random_points(task.flat.coordinates, space.q, space.sizes, _TRIES):
-        found = descend(equations, ((other - space.q) / task.widths)[free])
-        both_hold = found.size <= HOLDS and best.size <= HOLDS
-        closer = float(np.linalg.norm(found.point)) < float(np.linalg.norm(best.point))
-        if (both_hold and closer) or (found.size < best.size and not best.size <= HOLDS):
-            best = found
-    return best
 
 
 def _report(task: Problem, q: Floats, rows: list[int], free: np.ndarray, sink: Sink) -> None:
@@ -68,7 +54,7 @@ def _report(task: Problem, q: Floats, rows: list[int], free: np.ndarray, sink: S
     # Ranks of general positions: where a search stalls, the mechanism is stretched out and loses rank.
     samples = [
         space.position(point)[1][rows] * space.sizes / space.row_sizes[rows, None]
-        for point in random_points(task.flat.coordinates, space.q, space.sizes, 3)
+        for point in random_points(task.flat.coordinates, space.q, space.sizes, 3, task.seed)
     ]
     excess = min(rank(sample) - rank(sample[:, free]) for sample in samples)
     if excess > 0:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_points import Geometry, geometry
+from lagdsl.mechanics.structure_points import SEED, Geometry, geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_model import FlatModel
 
@@ -24,7 +24,7 @@ EXPLICIT_WEIGHT = 100.0
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
     """Starts of coordinates and rates as arrays in layout order; `space` holds the constraints and the start
-    values."""
+    values. `seed` chooses the further beginnings of searches; results must not depend on it."""
 
     flat: FlatModel
     engine: Engine
@@ -33,6 +33,7 @@ class Problem:
     fixed: Flags
     rate_explicit: Flags
     rate_fixed: Flags
+    seed: int
 
     @property
     def widths(self) -> Floats:
@@ -49,10 +50,11 @@ def problem(
     u: Floats | None,
     start: Mapping[str, float],
     sink: Sink,
+    seed: int = SEED,
 ) -> Problem:
     """Starts from the model and from `start` (coordinate, `der(coordinate)` or state, in SI units); these count as
     explicit."""
-    space = geometry(flat, engine, p)
+    space = geometry(flat, engine, p, seed)
     if t0 is not None:
         space = replace(space, t=t0)
     if u is not None:
@@ -81,4 +83,5 @@ def problem(
         fixed=np.array([c.fixed for c in flat.coordinates], dtype=bool),
         rate_explicit=rate_explicit,
         rate_fixed=np.array([c.rate_fixed for c in flat.coordinates], dtype=bool),
+        seed=seed,
     )
