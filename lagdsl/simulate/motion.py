@@ -15,6 +15,7 @@ from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.accuracy import Accuracy
+from lagdsl.simulate.departure import depart
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.integrators import METHODS, Method
@@ -83,6 +84,8 @@ class Motion:
         self._begin(t, y)
         for end in [*stops, float(times[-1])]:
             self._system.enter(end)
+            if self._ranks.inside:
+                t, y = self._leave_singular_position(t, y, end)
             y = self._segment(t, y, end)
             t = end
         return self._finish()
@@ -115,6 +118,16 @@ class Motion:
             stepper = self._reconsider(stepper, step, end)
         return np.asarray(stepper.y)
 
+    def _leave_singular_position(self, t: float, y: Floats, end: float) -> tuple[float, Floats]:
+        """The state at which integration begins."""
+        exact = Projection(self._system, self._space, 0.0)
+        found = depart(self._system, exact, self._space.sizes, t, y, end)
+        if found is None:
+            return t, y
+        self._record_inside(found.t + found.length, lambda: found.at)
+        self._reached(found.t + found.length, found.y)
+        return found.t + found.length, found.y
+
     def _stepper(self, t: float, y: Floats, end: float, first_step: float | None) -> Any:
         if not np.all(np.isfinite(self._system(t, y))):
             self._fail_without_acceleration(t, y)
@@ -129,29 +142,35 @@ class Motion:
 
     def _accept(self, stepper: Any, projected: Floats) -> None:
         """Record the rows inside the step, put the projected state in place, look at what must stay true."""
-        t = float(stepper.t)
+        self._record_inside(float(stepper.t), stepper.dense_output)
+        if projected is not stepper.y:
+            self._method.correct(stepper, self._system, projected)
+        stepper.atol = self._accuracy.after(projected)
+        self._reached(float(stepper.t), projected)
+
+    def _record_inside(self, t: float, dense: Callable[[], Callable[[float], Floats]]) -> None:
+        """Record the requested times before `t`; `dense()` gives the states since the last accepted one."""
         times = self._task.times
-        inside = self._next
-        while inside < len(times) and times[inside] < t:
-            inside += 1
-        if inside > self._next:
-            dense = stepper.dense_output()
-            for time in times[self._next : inside].tolist():
-                y = np.asarray(dense(time))
+        first = self._next
+        while self._next < len(times) and times[self._next] < t:
+            self._next += 1
+        if self._next > first:
+            state = dense()
+            for time in times[first : self._next].tolist():
+                y = np.asarray(state(time))
                 better = self._projection(time, y)
                 row = y if better is None else better
                 if self._flat.assertions:
                     self._check(time, row)
                 self._recorder.add(time, row)
-        if projected is not stepper.y:
-            self._method.correct(stepper, self._system, projected)
-        stepper.atol = self._accuracy.after(projected)
-        self._check(t, projected)
-        self._look_at_rank(t, projected)
-        if inside < len(times) and times[inside] == t:
-            self._recorder.add(t, projected)
-            inside += 1
-        self._next = inside
+
+    def _reached(self, t: float, y: Floats) -> None:
+        """Look at what must stay true, record the state if its time was asked for."""
+        self._check(t, y)
+        self._look_at_rank(t, y)
+        if self._next < len(self._task.times) and self._task.times[self._next] == t:
+            self._recorder.add(t, y)
+            self._next += 1
         self._tell(t)
 
     def _tell(self, t: float) -> None:

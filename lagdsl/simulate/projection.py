@@ -16,17 +16,18 @@ from lagdsl.simulate.right_hand_side import RightHandSide
 _ITERATIONS = 12
 # Rows that turn dependent on the constraint set only are independent by round-off beside it.
 _RANK = 1e-8
+_ROUNDING = 1e-14
 
 
 class Projection:
-    """Projects states of one simulation. `tolerance` is the residual, in natural sizes of the rows, that needs no
-    correction."""
+    """Projects states of one simulation. `tolerance` is the residual that needs no correction: in SI units of the row,
+    and as a part of its natural size where that is smaller than one; round-off of large rows passes."""
 
     def __init__(self, system: RightHandSide, space: Geometry, tolerance: float) -> None:
         self.system = system
         self.sizes = space.sizes
         self.row_sizes = space.row_sizes
-        self.tolerance = max(tolerance, 1e-14)
+        self._limits = np.maximum(tolerance * np.minimum(self.row_sizes, 1.0), _ROUNDING * self.row_sizes)
         self.rows = space.position_rows
         self.count = 0
         self.active = len(space.row_sizes) > 0
@@ -72,9 +73,8 @@ class Projection:
         previous = np.inf
         for _ in range(_ITERATIONS):
             phi, jacobian = evaluate("position_constraint", t, point, qd, *rest)
-            scaled = phi[self.rows] / self.row_sizes[self.rows]
-            size = float(np.max(np.abs(scaled), initial=0.0))
-            if size <= self.tolerance:
+            size = float(np.max(np.abs(phi[self.rows]) / self._limits[self.rows], initial=0.0))
+            if size <= 1.0:
                 return point
             if not size < np.inf or size > 1e3 * previous:
                 return None
@@ -82,19 +82,18 @@ class Projection:
             if mass is None:
                 mass = evaluate("mass_matrix", t, point, qd, *rest)[0]
             rows = jacobian[self.rows] / self.row_sizes[self.rows, None]
-            point = point - self._smallest(mass, rows, scaled)
+            point = point - self._smallest(mass, rows, phi[self.rows] / self.row_sizes[self.rows])
         # Round-off, or a singular position where convergence is slow: good enough if close.
-        return point if previous <= 1e3 * self.tolerance else None
+        return point if previous <= 1e3 else None
 
     def _rates(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats) -> Floats:
         evaluate, rest = self.system.engine.evaluate, (z, u, self.system.w, self.system.p)
         residual, jacobian = evaluate("velocity_constraint", t, q, qd, *rest)
-        scaled = residual / self.row_sizes
         pace = max(1.0, float(np.max(np.abs(qd) / self.sizes, initial=0.0)))
-        if not float(np.max(np.abs(scaled), initial=0.0)) > self.tolerance * pace:
+        if not float(np.max(np.abs(residual) / self._limits, initial=0.0)) > pace:
             return qd
         mass = evaluate("mass_matrix", t, q, qd, *rest)[0]
-        return np.asarray(qd - self._smallest(mass, jacobian / self.row_sizes[:, None], scaled))
+        return np.asarray(qd - self._smallest(mass, jacobian / self.row_sizes[:, None], residual / self.row_sizes))
 
     def _smallest(self, mass: Floats, rows: Floats, right: Floats) -> Floats:
         """Minimise dx' M dx subject to rows dx = right, in least squares where the rows contradict each other."""

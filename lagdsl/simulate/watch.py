@@ -108,20 +108,20 @@ class Watch:
 
 
 class RankWatch:
-    """Notices when the constraints lose rank on the way (ruling 23)."""
+    """Notices when the constraints lose rank on the way (ruling 23); `inside` while they have lost it."""
 
     def __init__(self, space: Geometry, general: int) -> None:
         self._space = space
         self._general = general
-        self._inside = False
+        self.inside = False
 
     def singular(self, jacobian: Floats) -> int | None:
         """The rank, if it has just fallen below that of general positions."""
         if not self._general:
             return None
         now = rank(jacobian * self._space.sizes / self._space.row_sizes[:, None], 1e-7)
-        entered = now < self._general and not self._inside
-        self._inside = now < self._general
+        entered = now < self._general and not self.inside
+        self.inside = now < self._general
         return now if entered else None
 
     def weakest(self, jacobian: Floats) -> int:
