@@ -17,7 +17,7 @@ CLOSING = {"(": ")", "[": "]", "{": "}"}
 BLOCKS = ("for", "if", "when")
 CLASS_KIND = TERMINAL["CLASS_KIND"]
 SEMICOLON = TERMINAL["SEMICOLON"]
-_LONGEST_LOOK = 400  # tokens; a look ahead tells what a statement was meant to be, no more
+LONGEST_LOOK = 400  # tokens; a look ahead tells what a statement was meant to be, no more
 _BRANCHES = ("elseif", "elsewhen")
 _HEADERS = {"for": "for i in i loop", "if": "if true then", "when": "when true then"}
 
@@ -73,7 +73,7 @@ class Session:
         """Tokens from `position` to the end of the statement, without the `;`; reports nothing."""
         lexer = Lexer(self.file, Sink())
         lexer.position = position
-        for _ in range(_LONGEST_LOOK):
+        for _ in range(LONGEST_LOOK):
             token = lexer.next()
             if token.terminal in (END_OF_TEXT, SEMICOLON):
                 return

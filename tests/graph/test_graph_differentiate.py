@@ -53,7 +53,8 @@ def test_both_modes_equal_complex_steps(tree, values) -> None:
         for (slope, size), known in zip(
             evaluate_with_size(graph, nodes, {Group.Q: np.array(values)}), expected, strict=True
         ):
-            if math.isfinite(known) and math.isfinite(size) and math.isfinite(slope):
+            # a slope of 1e100 is a root at zero, where there is none: the complex step takes it 1e-200 away
+            if abs(known) < 1e100 and math.isfinite(size) and math.isfinite(slope):
                 assert abs(slope - known) <= 1e-11 * max(1.0, size)
 
 

@@ -102,6 +102,12 @@ CASES = [
     ("E0120", model("  Real x;\n  ⟦end for⟧;\n  Real y;"), None),
     ("E0120", model("  Real x;\n  ⟦end for⟧\n  Real y;"), None),
     ("E0120", model("  for i in 1:3 loop\n    Real x;\n  ⟦end if⟧;"), None),
+    ("E0120", model("  for i in 1:3 loop\n    Real x;\n  ⟦end if⟧;\n  Real y;\n  end for;"), None),
+    (
+        "E0120",
+        model("  for i in 1:3 loop\n    Real x;\n  ⟦end if⟧;\n  for i in 1:3 loop\n    Real y;\n  end for;"),
+        None,
+    ),
     ("E0120", "model M\nend M;\n⟦end⟧ M;\n", None),
     # names
     ("E0115", model("  parameter Real ⟦end⟧ = 3;"), "end_"),

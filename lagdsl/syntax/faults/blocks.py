@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from lagdsl.diagnostics import Label
+from lagdsl.diagnostics import Label, Sink
 from lagdsl.source import Span
 from lagdsl.syntax.automaton import END_OF_TEXT, TERMINAL
 from lagdsl.syntax.expected import expected, found
-from lagdsl.syntax.lexer import IDENT, Token
-from lagdsl.syntax.session import BLOCKS, CLASS_KIND, SEMICOLON, Session
+from lagdsl.syntax.lexer import IDENT, Lexer, Token
+from lagdsl.syntax.session import BLOCKS, CLASS_KIND, LONGEST_LOOK, SEMICOLON, Session
 
 
 def missing_class_name(session: Session, token: Token) -> bool:
@@ -56,6 +56,8 @@ def end_of_block(session: Session, token: Token) -> bool:
         session.sink.report(
             "E0120", _ending(session, token), Label(session.span(block), "this is open"), found=token.text
         )
+        if _has_own_end(session, block, token):
+            return _leave_out(session, token)
         return session.insert(block.text)
     _report_open(session, block, session.previous)
     end = session.previous.start
@@ -86,6 +88,26 @@ def _end_of_nothing(session: Session, token: Token) -> bool:
     if token.text not in BLOCKS:
         return False
     session.sink.report("E0120", _ending(session, token), found=token.text)
+    return _leave_out(session, token)
+
+
+def _has_own_end(session: Session, block: Token, token: Token) -> bool:
+    """Whether `block` is ended further on, so that the `end` before `token` is one too many and not a wrong one."""
+    lexer = Lexer(session.file, Sink())
+    lexer.position = token.end
+    previous = token
+    for _ in range(LONGEST_LOOK):
+        ahead = lexer.next()
+        if previous.text == "end":
+            return ahead.text == block.text
+        if ahead.terminal == END_OF_TEXT or (ahead.text == block.text and session.starts_line(ahead)):
+            return False
+        previous = ahead
+    return False
+
+
+def _leave_out(session: Session, token: Token) -> bool:
+    """Forget an `end` whose word is `token`, with its semicolon."""
     session.machine.cut(len(session.machine.states) - 1)
     session.machine.cut(session.machine.boundary())
     session.previous = token
