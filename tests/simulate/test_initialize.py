@@ -11,7 +11,10 @@ from simulate.hand import FourBar, Hand, TwiceTied, constraint, coordinate, flat
 
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.semantics.flat_expression import Number
+from lagdsl.simulate.initial_positions import positions
+from lagdsl.simulate.initial_problem import problem
 from lagdsl.simulate.initialize import InitialState, initial_state
+from lagdsl.simulate.nearest import nearest
 
 
 def start(engine: Hand, **more: Any) -> tuple[InitialState, list[str]]:
@@ -87,6 +90,29 @@ def test_nearest_point_where_the_curve_bends_more_than_the_distance() -> None:
     scan = x**2 + 100.0 * (np.sin(3.0 * x) + 2.0) ** 2
     reached = found.q[0] ** 2 + 100.0 * (found.q[1] + 2.0) ** 2
     assert reached <= scan.min() * (1.0 + 1e-8)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3, 5, 8, 13])
+def test_nearest_point_does_not_depend_on_the_further_beginnings(seed: int) -> None:
+    """Followed from (0, -2) the wave is reached at its nearest trough; from (1.2, -3), high above the crest between
+    two troughs, the nearest of several is found by search."""
+    x = np.linspace(-6.0, 6.0, 300_001)
+    for start_x, start_y in ((0.0, -2.0), (1.2, -3.0)):
+        coordinates = [length("x", start_x, nominal=1.0), length("y", start_y, nominal=1.0)]
+        engine = Wave(flat_model(coordinates, [constraint("wave")]))
+        task = problem(engine.flat, engine, np.zeros(0), t0=None, u=None, start={}, sink=Sink(), seed=seed)
+        reached = float(np.sum(((positions(task, Sink()) - [start_x, start_y]) / task.widths) ** 2))
+        scan = ((x - start_x) / task.widths[0]) ** 2 + ((np.sin(3.0 * x) - start_y) / task.widths[1]) ** 2
+        assert reached <= scan.min() * (1.0 + 1e-8)
+
+
+def test_a_farthest_point_is_no_nearest_one() -> None:
+    """On the circle of radius 2 about (1, 0), (3, 0) is stationary too: Newton's method leaves it."""
+
+    def circle(y):  # type: ignore[no-untyped-def]
+        return np.array([(y[0] - 1.0) ** 2 + y[1] ** 2 - 4.0]), np.array([[2.0 * (y[0] - 1.0), 2.0 * y[1]]])
+
+    assert nearest(circle, np.array([3.0, 0.0]), holds=1e-12) == pytest.approx([-1.0, 0.0], abs=1e-9)
 
 
 def test_start_overrides_count_as_explicit() -> None:

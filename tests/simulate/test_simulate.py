@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from scipy.special import ellipj, ellipk
 from simulate.hand import FourBar, Hand, Pendulum, TwiceTied, constraint, coordinate, flat_model, four_bar, length
 
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.mechanics.structure_points import geometry
+from lagdsl.simulate.departure import depart
+from lagdsl.simulate.initialize import initial_state
 from lagdsl.simulate.integrators import METHODS
+from lagdsl.simulate.projection import Projection
+from lagdsl.simulate.right_hand_side import RightHandSide
+from lagdsl.simulate.signals import signals
 from lagdsl.simulate.simulate import SOLVERS, grid, simulate
 from lagdsl.simulate.trajectory import Trajectory
 
@@ -211,6 +219,37 @@ def test_parallelogram_started_flat_at_rest_falls_and_keeps_its_energy() -> None
     assert np.max(np.abs(motion.energy - motion.energy[0])) < 1e-8
     assert np.max(motion.position_residual) < 1e-11
     assert motion["A"][-1] < -1.0
+
+
+@pytest.mark.parametrize("seed", [1, 2, 6])
+def test_parallelogram_departs_from_rest_on_the_parallel_branch(seed: int) -> None:
+    """The branch nearest to the free accelerations, whatever points the sizes of rows are taken from; compared with the
+    pendulum it then is."""
+    engine = parallelogram(g=9.81)
+    system = RightHandSide(engine, signals(engine.flat, np.zeros(0), {}, (0.0, 1.0), Sink()), np.zeros(0), np.zeros(0))
+    space = geometry(engine.flat, engine, seed=seed)
+    found = depart(system, Projection(system, space, 0.0), space.sizes, 0.0, np.zeros(6), 1.0)
+    assert found is not None
+    inertia = (engine.m1 / 3 + engine.m2 + engine.m3 / 3) * engine.a**2
+    weight = (engine.m1 / 2 + engine.m2 + engine.m3 / 2) * engine.g * engine.a
+    fall = solve_ivp(
+        lambda t, y: [y[1], -weight * np.cos(y[0]) / inertia], (0.0, found.length), [0.0, 0.0], rtol=1e-12, atol=1e-15
+    )
+    angle, rate = fall.y[:, -1]
+    assert found.y == pytest.approx([angle, 0.0, angle, rate, 0.0, rate], abs=1e-9)
+
+
+@pytest.mark.parametrize("size", [0.01, 1.0, 50.0])
+def test_projection_meets_the_residual_in_units_of_the_rows(size: float) -> None:
+    engine = four_bar()
+    system = RightHandSide(engine, signals(engine.flat, np.zeros(0), {}, (0.0, 1.0), Sink()), np.zeros(0), np.zeros(0))
+    space = geometry(engine.flat, engine)
+    projection = Projection(system, replace(space, row_sizes=size * space.row_sizes), 1e-9)
+    closed = initial_state(engine.flat, engine, sink=Sink()).q
+    for off in (3e-9, 1e-7, 1e-4):
+        moved = projection(0.0, np.concatenate([closed + np.array([0.0, off, 0.0]), np.zeros(3)]))
+        assert moved is not None
+        assert np.max(np.abs(engine.phi(0.0, moved[:3]))) <= 1e-9
 
 
 def test_knife_edge_keeps_its_heading_rule() -> None:
