@@ -17,6 +17,7 @@ SEED = 20011
 # Residuals, as a part of the row's natural size, below which a constraint counts as met; generous, because a
 # constraint that only touches (two circles that meet in one point) is approached linearly.
 HOLDS = 1e-7
+_EXACT = 1e-10
 _ROUNDING = 1e-12
 # So many points that the largest of a row's lengths hardly depends on which they are.
 _SIZED_AT = 8
@@ -140,32 +141,40 @@ def random_rates(coordinates: tuple[Coordinate, ...], sizes: Floats, count: int,
 
 @record()
 class Probe:
-    """A general point of the constraint set with rates of natural size: J there, its rows scaled to size one, and M."""
+    """A general point of the constraint set with rates of natural size: J there, its rows scaled to size one, M, and
+    how far off the position rows are, as a part of their sizes."""
 
     q: Floats
     rows: Floats
     mass: Floats
+    residual: float
 
 
-def probes(flat: FlatModel, space: Geometry, rows: list[int], *, wanted: int = 3, tries: int = 24) -> list[Probe]:
+def probes(
+    flat: FlatModel, space: Geometry, rows: list[int], *, wanted: int = 3, tries: int = 24, seed: int = SEED
+) -> list[Probe]:
     """Up to `wanted` general points at which the position rows hold and the functions are finite.
+
+    Rows that depend on each other on the constraint set only look independent beside it by as much as the residual, so
+    points where the rows hold by and large are taken only if there are no others.
 
     Where the functions exist near the start only (roots, logarithms) the points are drawn closer and closer to it; the
     start itself is the last resort.
     """
     found: list[Probe] = []
+    rough: list[Probe] = []
     scale = 1.0
-    candidates = random_points(flat.coordinates, space.q, space.sizes, tries)
-    for candidate, rates in zip(candidates, random_rates(flat.coordinates, space.sizes, tries), strict=True):
+    candidates = random_points(flat.coordinates, space.q, space.sizes, tries, seed)
+    for candidate, rates in zip(candidates, random_rates(flat.coordinates, space.sizes, tries, seed), strict=True):
         probe = _probe(space, space.q + scale * (candidate - space.q), rates, rows)
         if probe is not None:
-            found.append(probe)
+            (found if probe.residual <= _EXACT else rough).append(probe)
         else:
             scale *= 0.7
         if len(found) == wanted:
             return found
     last = _probe(space, space.q, space.qd, rows)
-    return found or ([last] if last is not None else [])
+    return found or rough[:wanted] or ([last] if last is not None else [])
 
 
 def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int]) -> Probe | None:
@@ -175,4 +184,6 @@ def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int]) -> Pr
         return None
     scaled = space.velocity(result.point, space.qd)[1] * space.sizes / space.row_sizes[:, None]
     mass = space.mass(result.point, rates)
-    return Probe(result.point, scaled, mass) if np.all(np.isfinite(scaled)) and np.all(np.isfinite(mass)) else None
+    if not np.all(np.isfinite(scaled)) or not np.all(np.isfinite(mass)):
+        return None
+    return Probe(result.point, scaled, mass, result.size)

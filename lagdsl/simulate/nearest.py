@@ -42,8 +42,9 @@ def search(equations: Equations, size: int, others: Sequence[Floats], *, holds: 
     distance = _distance(best)
     if distance > 0.0 and _bends(equations, best.point):
         beginnings = [
-            distance * (index + 1) / len(others) * other / (float(np.linalg.norm(other)) or 1.0)
+            sign * distance * (index + 1) / len(others) * other / (float(np.linalg.norm(other)) or 1.0)
             for index, other in enumerate(others)
+            for sign in (1.0, -1.0)
         ]
         best = _best(equations, best, [descend(equations, beginning) for beginning in beginnings], holds)
     return best
