@@ -42,8 +42,10 @@ def end_of_text(session: Session, token: Token) -> bool:
 def end_of_block(session: Session, token: Token) -> bool:
     """An `end` of another kind than the innermost block has, or where no block is open."""
     if token.text == "end" and session.machine.boundary() and session.open_block() is None:
-        ahead = [t.text for t in session.look_ahead(token.end)][:1]
-        session.sink.report("E0120", session.span(token), found=" ".join(ahead), help=None)
+        if ("E0120", 0) not in session.told:  # once a class is closed too early, every `end` after it is one too many
+            session.told.add(("E0120", 0))
+            ahead = [t.text for t in session.look_ahead(token.end)][:1]
+            session.sink.report("E0120", session.span(token), found=" ".join(ahead), help=None)
         session.panic(token)
         return True
     if session.previous.text != "end" or session.previous.terminal != TERMINAL["END"]:
@@ -95,12 +97,16 @@ def _has_own_end(session: Session, block: Token, token: Token) -> bool:
     """Whether `block` is ended further on, so that the `end` before `token` is one too many and not a wrong one."""
     lexer = Lexer(session.file, Sink())
     lexer.position = token.end
-    previous = token
+    previous, depth = token, 0
     for _ in range(LONGEST_LOOK):
         ahead = lexer.next()
         if previous.text == "end":
-            return ahead.text == block.text
-        if ahead.terminal == END_OF_TEXT or (ahead.text == block.text and session.starts_line(ahead)):
+            if not depth:
+                return ahead.text == block.text
+            depth -= 1
+        elif ahead.text in BLOCKS and session.starts_line(ahead):
+            depth += 1
+        if ahead.terminal == END_OF_TEXT:
             return False
         previous = ahead
     return False
