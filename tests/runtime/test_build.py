@@ -81,10 +81,13 @@ def test_threads_may_build_the_same_at_once() -> None:
     assert len(set(found)) == 1
 
 
-def test_the_compiler_of_the_environment_comes_first(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("CC", "clang -g")
+def test_the_compiler_of_the_environment_comes_first(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    own = tmp_path / "own-compiler"
+    own.write_text('#!/bin/sh\nexec cc "$@"\n')
+    own.chmod(0o755)
+    monkeypatch.setenv("CC", f"{own} -g")
     found = find_compiler()
-    assert Path(found.command[0]).name == "clang"
+    assert Path(found.command[0]).name == "own-compiler"
     assert found.command[1:] == ("-g",)
 
 
