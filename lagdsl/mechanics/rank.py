@@ -16,12 +16,6 @@ Floats = NDArray[np.float64]
 RANK_TOLERANCE = 1e-9
 
 
-def unit_rows(matrix: Floats) -> Floats:
-    """The matrix with every row that is not zero at length one."""
-    lengths = np.linalg.norm(matrix, axis=1, keepdims=True)
-    return np.asarray(matrix / np.where(lengths > 0.0, lengths, 1.0))
-
-
 def rank(matrix: Floats, tolerance: float = RANK_TOLERANCE) -> int:
     """Number of singular values above `tolerance` times the largest."""
     if not matrix.size:

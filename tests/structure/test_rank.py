@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagdsl.mechanics.rank import augmented_mass, independent_rows, minimum_norm, null_space, rank, unit_rows
+from lagdsl.mechanics.rank import augmented_mass, independent_rows, minimum_norm, null_space, rank
 from lagdsl.mechanics.structure_newton import descend
 
 
@@ -58,10 +58,6 @@ def test_empty_matrices() -> None:
     assert np.array_equal(minimum_norm(np.zeros((2, 3)), np.ones(2)), np.zeros(3))
     assert np.array_equal(augmented_mass(np.eye(2), np.zeros((0, 2))), np.eye(2))
     assert np.array_equal(augmented_mass(np.eye(2), np.zeros((1, 2))), np.eye(2))
-
-
-def test_unit_rows_leave_zero_rows() -> None:
-    assert np.array_equal(unit_rows(np.array([[3.0, 4.0], [0.0, 0.0]])), np.array([[0.6, 0.8], [0.0, 0.0]]))
 
 
 def test_damping_shortens() -> None:
