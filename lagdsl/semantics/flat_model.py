@@ -112,9 +112,28 @@ class Definition(Quantity):
 
 @record(kw_only=True)
 class Output(Quantity):
-    """A result column; `value` may use what the mechanics provides."""
+    """A result column; `value` may use what the mechanics provides.
+
+    `joint` names the cut joint whose coordinate this is: computed from the motion of its frames, listed after the
+    outputs of the user. `turning`: it is an angle known up to whole turns, which recording makes continuous.
+    """
 
     value: FlatExpression
+    joint: str | None = None
+    turning: bool = False
+
+
+@record(kw_only=True)
+class Joint(Item):
+    """A component with kinematics that may move: `coordinates` are its own, by qualified name. `cut`: it closes a loop by
+    constraints, and its coordinates, unless they were kept, are outputs."""
+
+    name: str
+    kind: str
+    frame_a: str
+    frame_b: str
+    coordinates: tuple[str, ...]
+    cut: bool = False
 
 
 # ---- geometry --------------------------------------------------------------------------------------------------------
@@ -256,10 +275,21 @@ Load: TypeAlias = "PointForce | FrameTorque | GeneralizedForce"
 
 
 @record(kw_only=True)
+class Closure:
+    """Why a constraint closes a loop: the joint that was cut (None: a plain `connect`), and the names of the components
+    around the loop in order, that joint included. `span` is the `connect` that closes it."""
+
+    joint: str | None
+    loop: tuple[str, ...]
+    span: Span = field(compare=False, repr=False)
+
+
+@record(kw_only=True)
 class Constraint(Item):
     """Rows `residual = left - right = 0` in source order. `level` position: of q and t; velocity: linear in the rates.
 
-    `normalisation` marks the unit-length row that a quaternion brings along.
+    `normalisation` marks the unit-length row that a quaternion brings along. `closure` is given where the compiler wrote
+    the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
     """
 
     name: str
@@ -268,6 +298,8 @@ class Constraint(Item):
     dimension: Dimension
     level: Literal["position", "velocity"]
     normalisation: bool = False
+    closure: Closure | None = None
+    node: bool = False
 
 
 @record(kw_only=True)
@@ -339,3 +371,4 @@ class FlatModel:
     initial_equations: tuple[InitialEquation, ...]
     drawings: tuple[Drawing, ...]
     experiment: Experiment
+    joints: tuple[Joint, ...] = ()

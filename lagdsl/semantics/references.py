@@ -12,7 +12,18 @@ from lagdsl.semantics.builtin import BUILTINS
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.naming import an, kind_of
-from lagdsl.semantics.scope import ClassSymbol, Entry, FunctionSymbol, Scope, Symbol, TypeSymbol, lookup, visible
+from lagdsl.semantics.scope import (
+    ClassSymbol,
+    Entry,
+    FunctionSymbol,
+    Instance,
+    InstanceArray,
+    Scope,
+    Symbol,
+    TypeSymbol,
+    lookup,
+    visible,
+)
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Scalar, Value, Vector, components
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import TIME
@@ -43,6 +54,9 @@ def _value(ctx: Context, entry: Entry, node: nodes.Expression) -> Value:
             return POISON
         case ClassSymbol():
             ctx.sink.report("E0219", node.span, name=node.span.text, what="a class")
+            return POISON
+        case Instance() | InstanceArray():
+            ctx.sink.report("E0219", node.span, name=node.span.text, what="a component")
             return POISON
         case _:
             return entry

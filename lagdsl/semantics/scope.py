@@ -127,7 +127,32 @@ class ClassSymbol:
     inner: Scope | None = None
 
 
-Entry: TypeAlias = "Symbol | FunctionSymbol | TypeSymbol | ClassSymbol | Value"
+@dataclass(eq=False, slots=True)
+class Instance:
+    """A component: one instance of a class, with its names in a scope of its own (prefix `arm.`, `wheel[2].`).
+
+    `kind` is the keyword of its class; `protected` are the names that may not be reached from outside.
+    """
+
+    name: str
+    span: Span
+    definition: ClassSymbol
+    scope: Scope
+    kind: str
+    protected: set[str] = field(default_factory=set)
+
+
+@dataclass(eq=False, slots=True)
+class InstanceArray:
+    """An array of components by their 1-based indices."""
+
+    name: str
+    span: Span
+    shape: tuple[int, ...]
+    elements: dict[Indices, Instance] = field(default_factory=dict)
+
+
+Entry: TypeAlias = "Symbol | Instance | InstanceArray | FunctionSymbol | TypeSymbol | ClassSymbol | Value"
 ScopeKind: TypeAlias = Literal["file", "class", "local"]
 
 
