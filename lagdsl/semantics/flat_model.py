@@ -125,8 +125,10 @@ class Output(Quantity):
 
 @record(kw_only=True)
 class Joint(Item):
-    """A component with kinematics that may move: `coordinates` are its own, by qualified name. `cut`: it closes a loop by
-    constraints, and its coordinates, unless they were kept, are outputs."""
+    """A component with kinematics that may move: `coordinates` are its own, by qualified name.
+
+    `cut`: it closes a loop by constraints, and its coordinates, unless they were kept, are outputs.
+    """
 
     name: str
     kind: str
@@ -288,8 +290,8 @@ class Closure:
 class Constraint(Item):
     """Rows `residual = left - right = 0` in source order. `level` position: of q and t; velocity: linear in the rates.
 
-    `normalisation` marks the unit-length row that a quaternion brings along. `closure` is given where the compiler wrote
-    the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
+    `normalisation` marks the unit-length row that a quaternion brings along. `closure` is given where the compiler
+    wrote the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
     """
 
     name: str
