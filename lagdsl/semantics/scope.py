@@ -1,15 +1,16 @@
 """Scopes and symbols: who is meant by a name.
 
 Lookup goes outward: loop indices and function arguments, the class, enclosing classes and the file (constants, types,
-functions only), the prelude. A scope carries the prefix of qualified names and the stack of spans of the instance it
+functions only); then the imports of these, named ones before wildcards; the prelude is asked by the caller. A package that
+is a folder finds a name in its files when it is asked for it. A scope carries the prefix of qualified names and the stack of spans of the instance it
 belongs to, so that instances of classes can nest.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import Literal, Protocol, TypeAlias
 
 from lagdsl.record import record
 from lagdsl.semantics.prelude import BaseType
@@ -156,9 +157,30 @@ Entry: TypeAlias = "Symbol | Instance | InstanceArray | FunctionSymbol | TypeSym
 ScopeKind: TypeAlias = Literal["file", "class", "local"]
 
 
+class Files(Protocol):
+    """Names that stand in files of their own, read when they are first asked for; `span` is where that is."""
+
+    def find(self, name: str, span: Span | None) -> Entry | None: ...
+
+    def names(self) -> Iterable[str]: ...
+
+
+class Imports(Protocol):
+    """The imports of one scope."""
+
+    def named(self, name: str, span: Span | None) -> Entry | None: ...
+
+    def wildcard(self, name: str, span: Span | None) -> Entry | None: ...
+
+    def names(self) -> Iterable[str]: ...
+
+
 @dataclass(eq=False, slots=True)
 class Scope:
-    """`path` are the indices of the loops around, for labels; `title` names the scope in diagnostics."""
+    """`path` are the indices of the loops around, for labels; `title` names the scope in diagnostics.
+
+    `files` are the names of a package that stand in files, `root` those that an import in this scope may begin with.
+    """
 
     kind: ScopeKind
     title: str
@@ -167,6 +189,22 @@ class Scope:
     spans: tuple[Span, ...] = ()
     path: Indices = ()
     entries: dict[str, Entry] = field(default_factory=dict)
+    imports: Imports | None = None
+    files: Files | None = None
+    root: Files | None = None
+
+    def find(self, name: str, span: Span | None = None) -> Entry | None:
+        """The entry of this scope itself: declared, or in a file of the package."""
+        entry = self.entries.get(name)
+        if entry is None and self.files is not None:
+            entry = self.files.find(name, span)
+        return entry
+
+    def names(self) -> Iterator[str]:
+        """The names that `find` knows, without reading their files."""
+        yield from self.entries
+        if self.files is not None:
+            yield from self.files.names()
 
     def qualify(self, name: str) -> str:
         return f"{self.prefix}{name}"
@@ -191,14 +229,25 @@ class Scope:
         return next(scope for scope in self.chain() if scope.kind != "local")
 
 
-def lookup(scope: Scope, name: str) -> Entry | None:
-    """The entry that `name` means in `scope`, without the prelude."""
+def lookup(scope: Scope, name: str, span: Span | None = None) -> Entry | None:
+    """The entry that `name` means in `scope`, without the prelude; `span` is the place that asks."""
     own = True
     for step in scope.chain():
-        entry = step.entries.get(name)
+        entry = step.find(name, span)
         if entry is not None and (own or not isinstance(entry, Symbol) or entry.kind in ("constant", "structural")):
             return entry
         own = own and step.kind == "local"
+    return _imported(scope, name, span)
+
+
+def _imported(scope: Scope, name: str, span: Span | None) -> Entry | None:
+    around = [step.imports for step in scope.chain() if step.imports is not None]
+    for imports in around:
+        if (entry := imports.named(name, span)) is not None:
+            return entry
+    for imports in around:
+        if (entry := imports.wildcard(name, span)) is not None:
+            return entry
     return None
 
 
@@ -212,3 +261,12 @@ def visible(scope: Scope) -> Iterator[tuple[str, Entry]]:
                 entry = lookup(scope, name)
                 if entry is not None:
                     yield name, entry
+
+
+def reachable(scope: Scope) -> Iterator[str]:
+    """Names of packages and classes that a text in `scope` could mean and that may stand in files not read yet."""
+    for step in scope.chain():
+        if step.files is not None:
+            yield from step.files.names()
+        if step.imports is not None:
+            yield from step.imports.names()
