@@ -1,4 +1,4 @@
-"""Every models/*.lag, compiled by both routes, and random states of it."""
+"""Every models/*.lag and models/library/*.lag (`library/name`), compiled by both routes, and random states of it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,11 @@ from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.source import SourceFile
 
 ROOT = Path(__file__).parents[2]
-MODELS = sorted(path.stem for path in (ROOT / "models").glob("*.lag"))
+MODELS = sorted(
+    path.relative_to(ROOT / "models").with_suffix("").as_posix()
+    for pattern in ("*.lag", "library/*.lag")
+    for path in (ROOT / "models").glob(pattern)
+)
 STATES = 50
 Arrays = dict[Group, Any]
 
@@ -31,7 +35,7 @@ def path_of(name: str) -> Path:
 
 @cache
 def expectations(name: str) -> dict[str, Any]:
-    path = Path(__file__).with_name(f"{name}.toml")
+    path = Path(__file__).parent / f"{name}.toml"
     return tomllib.loads(path.read_text(encoding="utf-8"))
 
 
