@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from typing import TypeAlias, get_args
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import arrays, equations, prefixes, prelude
+from lagdsl.semantics import arrays, equations
 from lagdsl.semantics.conditions import condition_of
+from lagdsl.semantics.contents import Contents, Placed
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.declarations import declared, enter, type_text
 from lagdsl.semantics.modification import modify
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import (
-    LABELS,
     Binding,
     ClassSymbol,
-    Entry,
     FunctionSymbol,
+    Instance,
     LabelInstance,
     Scope,
     Symbol,
@@ -25,8 +25,7 @@ from lagdsl.semantics.scope import (
     TypeSymbol,
     lookup,
 )
-from lagdsl.semantics.types import resolve_type, with_unit
-from lagdsl.semantics.values import POISON, Scalar
+from lagdsl.semantics.values import Scalar
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
@@ -40,80 +39,13 @@ _LABEL_KINDS: dict[type, SymbolKind] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Placed:
-    """An item to elaborate with the scope it stands in and, if it has a label, its symbol."""
-
-    node: nodes.Item
-    scope: Scope
-    symbol: Symbol | None = None
-
-
-@dataclass(slots=True)
-class Contents:
-    """What a class holds."""
-
-    symbols: list[Symbol] = field(default_factory=list)
-    items: list[Placed] = field(default_factory=list)
-    initial: list[Placed] = field(default_factory=list)
-    functions: list[FunctionSymbol] = field(default_factory=list)
-    annotations: list[nodes.Annotation] = field(default_factory=list)
-
-
-def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bool:
-    """Put a name into a scope; E0204 where it is taken, E0207 where it may not be hidden."""
-    if name in ("time", "world"):
-        ctx.sink.report("E0207", span, name=name)
-        scope.entries.setdefault(name, POISON)
-        return False
-    other = scope.entries.get(name)
-    if other is not None:
-        first, second, place = _title(other), _title(entry), _place(other)
-        labels = (Label(place, f"first as {first}"),) if place is not None else ()
-        ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second)
-        label = isinstance(entry, Symbol) and entry.kind in LABELS
-        if isinstance(other, Symbol) and other.kind not in LABELS and not label and first != second:
-            other.kind = "unknown"  # which of the two a text means nobody knows
-        return False
-    if name in prelude.CONSTANTS or name in prelude.TYPES:
-        what = "constant" if name in prelude.CONSTANTS else "type"
-        ctx.sink.report("N0205", span, name=name, what=what)
-    scope.entries[name] = entry
-    return True
-
-
-def _title(entry: Entry) -> str:
-    match entry:
-        case Symbol():
-            return entry.title
-        case FunctionSymbol():
-            return "function"
-        case TypeSymbol():
-            return "type"
-        case ClassSymbol():
-            return getattr(entry.node, "kind", "class")
-        case _:
-            return "name"
-
-
-def _place(entry: Entry) -> Span | None:
-    match entry:
-        case Symbol():
-            return entry.span
-        case ClassSymbol(node=nodes.Class() as node):
-            return node.name_span
-        case FunctionSymbol() | TypeSymbol() | ClassSymbol():
-            return entry.node.span
-        case _:
-            return None
-
-
 class Declarer:
-    """Collects one class; `scope` is its scope."""
+    """Collects one class."""
 
-    def __init__(self, ctx: Context, scope: Scope) -> None:
+    def __init__(self, ctx: Context, instance: Instance) -> None:
         self.ctx = ctx
-        self.scope = scope
+        self.instance = instance
+        self.scope = instance.scope
         self.contents = Contents()
 
     def collect(self, node: nodes.Class, modifiers: list[tuple[nodes.Modifier, Scope]]) -> Contents:
@@ -148,59 +80,10 @@ class Declarer:
                 enter(self.ctx, scope, item.name, ClassSymbol(item, scope), item.name_span)
             case nodes.ShortClass():
                 enter(self.ctx, scope, item.name, ClassSymbol(item, scope), item.span)
-            case nodes.Component():
-                for declarator in item.declarators:
-                    self._component(item, declarator, scope)
-            case nodes.Coordinate():
-                for declarator in item.declarators:
-                    self._quantity(
-                        "coordinate", f"coordinate {_text(item.type_name)}", item.type_name, declarator, scope
-                    )
-            case nodes.Geometry():
-                for declarator in item.declarators:
-                    kind: SymbolKind = "point" if item.keyword == "point" else "frame"
-                    self._symbol(kind, item.keyword, declarator, scope)
+            case nodes.Component() | nodes.Coordinate() | nodes.Geometry():
+                self.contents.symbols += declared(self.ctx, scope, item)
             case _:
                 pass
-
-    def _component(self, item: nodes.Component, declarator: nodes.Declarator, scope: Scope) -> None:
-        kind = prefixes.kind_of_component(self.ctx, item)
-        words = " ".join((*item.prefixes, _text(item.type_name)))
-        if kind is None:
-            symbol = self._symbol("unknown", words, declarator, scope, checked=False)
-        else:
-            symbol = self._quantity(kind, words, item.type_name, declarator, scope)
-        if symbol is not None:
-            symbol.final = "final" in item.prefixes
-
-    def _quantity(
-        self, kind: SymbolKind, title: str, type_name: nodes.Name, declarator: nodes.Declarator, scope: Scope
-    ) -> Symbol | None:
-        symbol = self._symbol(kind, title, declarator, scope)
-        if symbol is None:
-            return None
-        symbol.info = resolve_type(self.ctx, type_name, scope)
-        if symbol.info is not None:
-            symbol.info = with_unit(self.ctx, symbol.info, declarator.modifiers)
-        if symbol.info is None or not prefixes.type_fits(self.ctx, kind, symbol.info, type_name.span):
-            symbol.kind = "unknown"
-        return symbol
-
-    def _symbol(
-        self, kind: SymbolKind, title: str, declarator: nodes.Declarator, scope: Scope, *, checked: bool = True
-    ) -> Symbol | None:
-        symbol = Symbol(scope.qualify(declarator.name), kind, declarator.name_span, scope, title, declarator)
-        if not enter(self.ctx, scope, declarator.name, symbol, declarator.name_span):
-            return None
-        self.ctx.names.add(symbol.name)
-        if declarator.condition is not None and checked:
-            hint = "put it into a structural `if` item"
-            self.ctx.sink.report("E0311", declarator.condition.span, what="a conditional declaration", hint=hint)
-        if declarator.value is not None:
-            key = None if declarator.subscripts or kind not in ("point", "frame") else ()
-            symbol.bindings[key] = Binding(declarator.value, scope, declarator.name_span)
-        self.contents.symbols.append(symbol)
-        return symbol
 
     # ---- loops and conditions ----------------------------------------------------------------------------------------
 
@@ -215,7 +98,7 @@ class Declarer:
             case nodes.If():
                 self._if(item, scope, section)
             case nodes.Equation() | nodes.CallEquation() if section == "initial equation":
-                self.contents.initial.append(Placed(item, scope))
+                self.contents.initial.append(Placed(item, scope, self.instance))
             case nodes.Equation():
                 equations.attach(self.ctx, scope, item)
             case nodes.Geometry() | nodes.Component() if scope.kind == "local":
@@ -228,7 +111,7 @@ class Declarer:
             case nodes.Energy() | nodes.Load() | nodes.Constraint() | nodes.RigidBody() | nodes.Invariant():
                 self._labelled(item, scope)
             case nodes.Gravity() | nodes.PointMass() | nodes.Draw() | nodes.CallEquation():
-                self.contents.items.append(Placed(item, scope))
+                self.contents.items.append(Placed(item, scope, self.instance))
             case nodes.Import() | nodes.Extends() | nodes.Contact() | nodes.Connect() | nodes.When():
                 what, hint = _LATER[type(item)]
                 self.ctx.sink.report("E0311", _head(item), what=what, hint=hint)
@@ -274,7 +157,9 @@ class Declarer:
                 self.ctx.sink.report("E0340", declarator.name_span, name=declarator.name)
                 continue
             word = (
-                item.keyword if isinstance(item, nodes.Geometry) else " ".join((*item.prefixes, _text(item.type_name)))
+                item.keyword
+                if isinstance(item, nodes.Geometry)
+                else " ".join((*item.prefixes, type_text(item.type_name)))
             )
             if entry.title != word and entry.kind != "unknown":
                 label = Label(entry.span, f"declared as {entry.title}")
@@ -292,13 +177,13 @@ class Declarer:
     def _labelled(self, item: Labelled, scope: Scope) -> None:
         """A label is a name of the class; inside loops it is an array over their indices."""
         if item.label is None:
-            self.contents.items.append(Placed(item, scope))
+            self.contents.items.append(Placed(item, scope, self.instance))
             return
         kind = _LABEL_KINDS[type(item)]
         owner = scope.owner
         entry = owner.entries.get(item.label)
         if isinstance(item, nodes.Invariant) and isinstance(entry, Symbol) and entry.kind == "output":
-            self.contents.items.append(Placed(item, scope))
+            self.contents.items.append(Placed(item, scope, self.instance))
             return
         symbol = entry if isinstance(entry, Symbol) and entry.kind == kind else None
         if symbol is None or scope.path in symbol.labels or not scope.path:
@@ -309,7 +194,7 @@ class Declarer:
             self.ctx.names.add(symbol.name)
         name = element_name(symbol.name, scope.path)
         symbol.labels[scope.path] = LabelInstance(item, scope, name)
-        self.contents.items.append(Placed(item, scope, symbol))
+        self.contents.items.append(Placed(item, scope, self.instance, symbol))
 
 
 _DECLARED: TypeAlias = (
@@ -354,7 +239,3 @@ def _keyword(item: Labelled) -> str:
             return "body"
         case nodes.Invariant():
             return "invariant"
-
-
-def _text(name: nodes.Name) -> str:
-    return ".".join(name.parts)

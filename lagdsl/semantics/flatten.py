@@ -11,9 +11,11 @@ from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import annotations as notes
 from lagdsl.semantics import quantities
+from lagdsl.semantics.assembly.assemble import assemble
 from lagdsl.semantics.attributes import attributes
+from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.declare import Contents, Declarer
+from lagdsl.semantics.declare import Declarer
 from lagdsl.semantics.definitions import Definitions, every
 from lagdsl.semantics.expressions import elaborate
 from lagdsl.semantics.flat_dependence import Dependence
@@ -22,7 +24,7 @@ from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
 from lagdsl.semantics.modification import expand_short
 from lagdsl.semantics.rates import check_inputs, check_linear
-from lagdsl.semantics.scope import Scope
+from lagdsl.semantics.scope import Instance, Scope
 from lagdsl.semantics.selection import file_scope, functions_of, inherits, select
 from lagdsl.semantics.usage import warn_unused
 from lagdsl.syntax import nodes
@@ -78,8 +80,12 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
     ctx.incomplete = ctx.incomplete or inherits(node)
     scope = Scope("class", f"`{node.name}`", chosen.scope)
-    contents = Declarer(ctx, scope).collect(node, modifiers)
-    flat = replace(_model(ctx, node, scope, contents), name=chosen.node.name, doc=chosen.node.doc or node.doc)
+    root = Instance("", node.name_span, chosen, scope, node.kind)
+    contents = Declarer(ctx, root).collect(node, modifiers)
+    joints = assemble(ctx, root, contents)
+    flat = replace(
+        _model(ctx, node, scope, contents), joints=joints, name=chosen.node.name, doc=chosen.node.doc or node.doc
+    )
     for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)
     return None if ctx.sink.has_errors else _checked(ctx, flat, contents)

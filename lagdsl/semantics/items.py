@@ -13,8 +13,8 @@ from lagdsl.semantics.arithmetic import Operand, boolean
 from lagdsl.semantics.bodies import rigid_body
 from lagdsl.semantics.conditions import condition_of, switched
 from lagdsl.semantics.constants import structural_number
+from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.declare import Placed
 from lagdsl.semantics.dimensions import require
 from lagdsl.semantics.geometry import as_direction, as_point
 from lagdsl.semantics.naming import arguments_text, kind_of, name_span

@@ -2,7 +2,18 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics.values import AnyDimension, Array, FrameValue, Poison, Reaction, Scalar, Text, Value, Vector
+from lagdsl.semantics.values import (
+    AnyDimension,
+    Array,
+    Component,
+    FrameValue,
+    Poison,
+    Reaction,
+    Scalar,
+    Text,
+    Value,
+    Vector,
+)
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS
@@ -38,6 +49,8 @@ def kind_of(value: Value) -> str:
             return "a String"
         case Reaction():
             return "a reaction: read its `.force` or `.torque`"
+        case Component():
+            return "a component"
         case Poison():
             return "nothing"
 

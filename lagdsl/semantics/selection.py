@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.declare import Declarer, enter
+from lagdsl.semantics.declarations import declared, enter
 from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope, TypeSymbol
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
@@ -41,7 +41,7 @@ def _declare(ctx: Context, scope: Scope, item: nodes.Item) -> None:
             ctx.sink.report("E0311", item.span, what="`import`", hint=hint)
             ctx.incomplete = True
         case nodes.Component() if "constant" in item.prefixes:
-            Declarer(ctx, scope).declare(item, scope)
+            declared(ctx, scope, item)
         case _:
             hint = "packages hold types, constants and functions"
             ctx.sink.report("E0311", item.span, what="this item in a package", hint=hint)

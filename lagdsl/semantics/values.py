@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntEnum
-from typing import Literal, TypeAlias, final
+from typing import TYPE_CHECKING, Literal, TypeAlias, final
 
 from lagdsl.record import record
 from lagdsl.semantics import flat_expression as flat
@@ -16,6 +16,9 @@ from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import FrameStep, Variability
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import LENGTH
+
+if TYPE_CHECKING:
+    from lagdsl.semantics.scope import Instance, InstanceArray
 
 Kind: TypeAlias = Literal["Real", "Integer", "Boolean"]
 AnyDimension: TypeAlias = "Dimension | None"
@@ -90,13 +93,20 @@ class Reaction:
 
 
 @record()
+class Component:
+    """A component or an array of them: read its members."""
+
+    instance: Instance | InstanceArray
+
+
+@record()
 class Poison:
     """The value of what was already reported: everything fits it, nothing more is said."""
 
 
 POISON = Poison()
 Numeric: TypeAlias = "Scalar | Vector | Array"
-Value: TypeAlias = "Scalar | Vector | Array | FrameValue | Text | Reaction | Poison"
+Value: TypeAlias = "Scalar | Vector | Array | FrameValue | Text | Reaction | Component | Poison"
 
 
 def rank(variability: Variability) -> int:

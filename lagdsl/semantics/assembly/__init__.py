@@ -1,0 +1,1 @@
+"""Kinematic assembly: ports get their frames, loops are closed."""
