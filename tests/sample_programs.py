@@ -68,6 +68,9 @@ def program(sample: Sample) -> Program:
         "start": blocks((start, (n,)), ([zero] * n, (n,)), ([zero] * nz, (nz,)), ([g.one] * nu, (nu,))),
         "position_constraint": blocks((sample.phi, (m,)), (flat_rows, (m, n))),
         "velocity_constraint": blocks((rate, (m,)), (flat_rows, (m, n))),
+        "constraint_tangent": blocks(
+            (_directional(g, sample.phi, DIRECTIONS), (m,)), (_directional(g, rate, DIRECTIONS), (m,))
+        ),
         "mass_matrix": blocks((flat_mass, (n, n))),
         "dynamics": blocks((flat_mass, (n, n)), (sample.force, (n,)), (flat_rows, (m, n)), (gamma, (m,))),
         "inverse_dynamics": blocks((tau, (n,))),

@@ -87,6 +87,10 @@ def _equations(derivation: Derivation) -> dict[str, list[Block]]:
     return {
         "position_constraint": [_vector("phi", phi), jacobian],
         "velocity_constraint": [_vector("residual", velocity), jacobian],
+        "constraint_tangent": [
+            _vector("dphi", directional(graph, phi, STATE_GROUPS)),
+            _vector("drate", directional(graph, velocity, STATE_GROUPS)),
+        ],
         "mass_matrix": [mass],
         "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)],
         "inverse_dynamics": [_vector("tau", tau)],

@@ -23,6 +23,7 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | power | t q qd z u w p | load: Q . qd, dissipated: dD/dqd . qd (each shape (nq), per coordinate) |
 | monitor | t q qd z u w p qdd lam | invariant (ni), scale (ni): largest absolute term of each, assertion (na) |
 | initial_equation | t q qd z u w p qdd lam | residual (ne) of the initial equations |
+| constraint_tangent | t q qd z u w p dq dqd dz du dp | dphi (nc), and d(J qd + b) (nc), along a direction |
 
 `w` is empty until events are there. Directions `dp` hold one entry per independent parameter.
 """
@@ -52,4 +53,5 @@ SIGNATURES: dict[str, tuple[Group, ...]] = {
     "power": STATE,
     "monitor": SOLVED,
     "initial_equation": SOLVED,
+    "constraint_tangent": (*STATE, *DIRECTIONS),
 }

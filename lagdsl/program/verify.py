@@ -14,6 +14,7 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "start": ((_N,), (_N,), ("nz",), ("nu",)),
     "position_constraint": ((_ROWS,), (_ROWS, _N)),
     "velocity_constraint": ((_ROWS,), (_ROWS, _N)),
+    "constraint_tangent": ((_ROWS,), (_ROWS,)),
     "mass_matrix": ((_N, _N),),
     "dynamics": ((_N, _N), (_N,), (_ROWS, _N), (_ROWS,)),
     "inverse_dynamics": ((_N,),),

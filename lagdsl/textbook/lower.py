@@ -48,13 +48,16 @@ def lower(equations: EquationsOfMotion, flat: FlatModel) -> Program:
     solved_tangent = _tangent(graph, tuple(DIRECTION_OF))
     n, c = len(equations.q), len(equations.symbols.lam)
     mass, jacobian = _block("M", (n, n), shared.mass), _block("J", (c, n), shared.jacobian)
+    phi = blocks.column("phi", equations.constraint)
+    rates = blocks.column("residual", equations.velocity_constraint)
     zd = blocks.column("zd", equations.state_derivatives.values())
     y = blocks.column("y", equations.outputs.values())
     energies = equations.energies
     results: dict[str, tuple[Block, ...]] = {
         "start": _start(blocks, equations),
-        "position_constraint": (blocks.column("phi", equations.constraint), jacobian),
-        "velocity_constraint": (blocks.column("residual", equations.velocity_constraint), jacobian),
+        "position_constraint": (phi, jacobian),
+        "velocity_constraint": (rates, jacobian),
+        "constraint_tangent": (_vector("dphi", tangent(phi.elements)), _vector("drate", tangent(rates.elements))),
         "mass_matrix": (mass,),
         "dynamics": (mass, _vector("f", shared.forcing), jacobian, _vector("gamma", shared.gamma)),
         "inverse_dynamics": (_vector("tau", shared.tau),),

@@ -80,6 +80,7 @@ def as_outputs(graph: Graph, roots: list[int], name: str = "Random") -> Program:
         "residual": [(n,), (0,)], "residual_tangent": [(n,), (0,)], "state_derivative": [(0,)],
         "state_derivative_tangent": [(0,)], "output_tangent": [(len(roots),)], "energies": [(), (), (), ()],
         "momenta": [(n,)], "power": [(n,), (n,)], "monitor": [(0,), (0,), (0,)], "initial_equation": [(0,)],
+        "constraint_tangent": [(0,), (0,)],
     }  # fmt: skip
     output = (Block(name="y", shape=(len(roots),), elements=tuple(roots)),)
     functions = tuple(

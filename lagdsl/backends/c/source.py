@@ -18,6 +18,7 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "start": ("q0", "qd0", "z0", "u0"),
     "position_constraint": ("phi", "jacobian"),
     "velocity_constraint": ("residual", "jacobian"),
+    "constraint_tangent": ("phi", "residual"),
     "mass_matrix": ("mass",),
     "dynamics": ("mass", "force", "jacobian", "gamma"),
     "inverse_dynamics": ("force",),

@@ -44,6 +44,8 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return model->monitor(at, r, r + model->ni, r + 2 * model->ni);
     case LAG_INITIAL_EQUATION:
         return model->initial_equation(at, r);
+    case LAG_CONSTRAINT_TANGENT:
+        return model->constraint_tangent(at, r, r + m);
     }
     return LAG_MISSING;
 }

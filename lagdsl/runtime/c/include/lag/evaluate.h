@@ -22,7 +22,8 @@ typedef enum lag_function {
     LAG_MOMENTA,
     LAG_POWER,
     LAG_MONITOR,
-    LAG_INITIAL_EQUATION
+    LAG_INITIAL_EQUATION,
+    LAG_CONSTRAINT_TANGENT
 } lag_function;
 
 /* prepare() for the parameters and the workspace of `at`. */

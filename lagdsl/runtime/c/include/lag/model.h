@@ -134,6 +134,9 @@ typedef struct lag_model {
     /* where M and J can be nonzero */
     const lag_pattern *mass_pattern;
     const lag_pattern *jacobian_pattern;
+
+    /* t q qd z u w p, dq dqd dz du dp -> dphi (nc), d(J qd + b) (nc) */
+    lag_status (*constraint_tangent)(const lag_arguments *at, double *phi, double *residual);
 } lag_model;
 
 #endif
