@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from lagdsl.graph.evaluate import evaluate
+from lagdsl.graph.tape import Tape
 from lagdsl.mechanics.rank import Floats
 from lagdsl.program.program import Layout, Program
 
@@ -16,6 +16,7 @@ class ProgramFunctions:
     """`evaluate` as an engine has it, for one state at a time."""
 
     program: Program
+    _tapes: dict[str, Tape] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def layout(self) -> Layout:
@@ -24,12 +25,16 @@ class ProgramFunctions:
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of `function`; what is not a number comes out as nan or inf."""
         definition = self.program.function(function)
-        symbols = {
-            group: argument.tolist() if isinstance(argument, np.ndarray) else argument
-            for group, argument in zip(definition.arguments, arguments, strict=True)
-        }
-        roots = [node for block in definition.results for node in block.elements]
-        values = np.array([float(value) for value in evaluate(self.program.graph, roots, symbols)])
+        tape = self._tapes.get(function)
+        if tape is None:
+            roots = [node for block in definition.results for node in block.elements]
+            tape = self._tapes[function] = Tape(self.program.graph, roots)
+        values = tape(
+            {
+                group: argument.tolist() if isinstance(argument, np.ndarray) else float(argument)
+                for group, argument in zip(definition.arguments, arguments, strict=True)
+            }
+        )
         blocks, first = [], 0
         for block in definition.results:
             blocks.append(values[first : first + len(block.elements)].reshape(block.shape))

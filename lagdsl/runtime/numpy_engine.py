@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.backends.python.body import ELEMENTARY, body, body_name
 from lagdsl.backends.python.emit import motion_sizes, shapes, signature
@@ -17,7 +18,7 @@ from lagdsl.backends.python.support.motion import differentiate_motion, solve_mo
 from lagdsl.backends.python.support.vectorize import apply, split
 from lagdsl.graph.fold import SCALAR
 from lagdsl.graph.operation import Op
-from lagdsl.program.program import Program
+from lagdsl.program.program import Block, Program
 from lagdsl.runtime.engine import Floats, SingularSystem
 
 # What bodies call on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat
@@ -41,6 +42,7 @@ class NumpyEngine:
         self._program = program
         self._sizes = motion_sizes(program)
         self._bodies: dict[str, Callable[..., Sequence[float]]] = {}
+        self._varied: dict[str, tuple[NDArray[np.intp], Floats]] = {}
         self._functions = {f.name: f for f in program.functions}
         self._signature = {f.name: signature(program, f) for f in program.functions}
         self._shapes = {f.name: shapes(f) for f in program.functions}
@@ -60,7 +62,7 @@ class NumpyEngine:
             values = self._body(function)(_ON_NUMBERS, *(_plain(argument) for argument in arguments))
         except (ArithmeticError, ValueError):  # not a finite number somewhere: NumPy goes on where Python stops
             return self.evaluate_many(function, *arguments)
-        return split(np.array(values, dtype=np.float64), self._shapes[function])
+        return self._whole(function, np.array(values, dtype=np.float64))
 
     def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz). Raises SingularSystem."""
@@ -68,7 +70,10 @@ class NumpyEngine:
 
     def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
         """Result blocks, each of shape (leading axes of the arguments, own shape)."""
-        return apply(function, self._body(function), self._signature[function], self._shapes[function], arguments)
+        body = self._body(function)
+        count = len(self._varied[function][0])
+        (values,) = apply(function, body, self._signature[function], ((count,),), arguments)
+        return self._whole(function, values)
 
     def solve_many(self, *state: ArrayLike) -> tuple[Floats, ...]:
         """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
@@ -85,14 +90,29 @@ class NumpyEngine:
             raise SingularSystem(singular.coordinate) from None
 
     def _body(self, function: str) -> Callable[..., Sequence[float]]:
-        """The compiled body. Its text is our own: names of the user stand in no body."""
+        """The compiled body: it returns the elements that are no constants. Its text is our own: names of the user
+        stand in no body."""
         known = self._bodies.get(function)
         if known is None:
+            graph, definition = self._program.graph, self._functions[function]
+            elements = [node for block in definition.results for node in block.elements]
+            varied = [index for index, node in enumerate(elements) if not graph.is_constant(node)]
+            template = np.array([graph.value[node] if graph.is_constant(node) else 0.0 for node in elements])
+            self._varied[function] = np.array(varied, dtype=np.intp), template
+            kept = Block(name="varied", shape=(len(varied),), elements=tuple(elements[index] for index in varied))
             namespace: dict[str, Any] = {"inf": math.inf}
-            text = body(self._program, self._functions[function])
+            text = body(self._program, replace(definition, results=(kept,)))
             exec(compile(text, f"<generated {function}>", "exec"), namespace)
             known = self._bodies[function] = namespace[body_name(function)]
         return known
+
+    def _whole(self, function: str, values: Floats) -> tuple[Floats, ...]:
+        """The result blocks: `values` (..., varied elements) among the constant ones."""
+        varied, template = self._varied[function]
+        flat = np.empty((*values.shape[:-1], len(template)))
+        flat[...] = template
+        flat[..., varied] = values
+        return split(flat, self._shapes[function])
 
 
 def _plain(argument: Floats | float) -> list[float] | float:
