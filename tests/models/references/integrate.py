@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import solve_ivp
+from scipy.linalg import expm
 
 Floats = NDArray[np.float64]
 
@@ -27,3 +28,9 @@ def solve(
     )
     assert solution.success, solution.message
     return np.asarray(solution.y)
+
+
+def linear(a: ArrayLike, start: Sequence[float], t: Floats) -> Floats:
+    """Rows of the solution of x' = a x, x(t[0]) = start, by the matrix exponential; shape (len(start), len(t))."""
+    matrix = np.asarray(a, dtype=float)
+    return np.array([expm(matrix * (time - t[0])) @ np.asarray(start, dtype=float) for time in t]).T

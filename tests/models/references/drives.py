@@ -1,0 +1,140 @@
+"""Shafts and slides: gears, elastic shafts, friction."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from scipy.linalg import eigh
+
+from models.references.integrate import Floats, linear, solve
+
+Parameters = Mapping[str, float]
+
+
+def gear_train(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Everything reduced to the motor's shaft: inertias by the square of the ratio, torques by the ratio."""
+    first, total = p["first.ratio"], p["first.ratio"] * p["second.ratio"]
+    inertia = p["motor.J"] + p["shaft.J"] / first**2 + p["drum.J"] / total**2
+    rate = (2 + 10 / total) / inertia
+    turned = rate * t**2 / 2
+    return {"motor.phi": turned, "drum.phi": turned / total, "teeth": p["motor.J"] * rate - 2 + 0 * t}
+
+
+def planetary_gear(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Ring held: sun = (1 + ratio) carrier; one inertia, one brake."""
+    n = 1 + p["gear.ratio"]
+    inertia, damping = p["sun.J"] + p["carrier.J"] / n**2, p["brake.c"] / n**2
+    fading = np.exp(-damping / inertia * t)
+    w = (1 - fading) / damping
+    mesh = p["sun.J"] * fading / inertia - 1
+    return {"der(gear.sun)": w, "der(gear.carrier)": w / n, "held": -p["gear.ratio"] * mesh}
+
+
+def torsional_train(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Damping in proportion to stiffness: every mode fades alone."""
+    k1, k2 = p["front.k"], p["rear.k"]
+    stiffness = np.array([[k1, -k1, 0], [-k1, k1 + k2, -k2], [0, -k2, k2]])
+    inertia = np.diag([p["engine.J"], p["clutch.J"], p["propeller.J"]])
+    squares, shapes = eigh(stiffness, inertia)
+    amounts = shapes.T @ inertia @ [np.radians(2), 0, 0]
+    x = amounts[0] * np.outer(shapes[:, 0], np.ones_like(t))  # the train as a whole does not turn back
+    for i in (1, 2):
+        d = squares[i] * p["front.c"] / k1 / 2
+        w = np.sqrt(squares[i] - d**2)
+        x = x + amounts[i] * np.outer(shapes[:, i], np.exp(-d * t) * (np.cos(w * t) + d / w * np.sin(w * t)))
+    return {"engine.phi": x[0], "clutch.phi": x[1], "propeller.phi": x[2]}
+
+
+def turned_shaft(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """J phi'' = -k (phi - psi - rest) - c (phi' - psi'), psi = amplitude sin(omega t)."""
+    k, c, J, omega = p["shaft.k"], p["oil.c"], p["flywheel.J"], p["omega"]
+    a = np.array(
+        [
+            [0, 1, 0, 0, 0],
+            [-k / J, -c / J, k / J, c / J, k / J],
+            [0, 0, 0, 1, 0],
+            [0, 0, -(omega**2), 0, 0],
+            [0, 0, 0, 0, 0],
+        ]
+    )
+    x = linear(a, [0, 0, 0, p["amplitude"] * omega, p["shaft.rest"]], t)
+    return {"shaft.phi_b": x[0], "effort": -k * (x[0] - x[2] - x[4]) - c * (x[1] - x[3])}
+
+
+def _stopped(v: float, scale: float, rate: float, t: Floats) -> Floats:
+    """v' = -rate tanh(v/scale): sinh(v/scale) fades like an exponential."""
+    return np.asarray(scale * np.arcsinh(np.sinh(v / scale) * np.exp(-rate / scale * t)))
+
+
+def clutch_engagement(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """The slip fades as in `_stopped`, the angular momentum stays."""
+    a, b = p["engine.J"], p["wheels.J"]
+    slip = _stopped(100, p["clutch.w_0"], 30 * (1 / a + 1 / b), t)
+    mean = a * 100 / (a + b)
+    return {"der(engine.phi)": mean + b / (a + b) * slip, "der(wheels.phi)": mean - a / (a + b) * slip}
+
+
+def stopping_by_friction(p: Parameters, t: Floats) -> dict[str, Floats]:
+    return {
+        "der(block.s)": _stopped(p["v_i"], p["floor.v_0"], p["floor.f_c"] / p["block.m"], t),
+        "der(shaft.phi)": _stopped(p["w_i"], p["pads.w_0"], p["pads.tau_c"] / p["shaft.J"], t),
+    }
+
+
+def _stribeck(v: float, slow: float, fast: float, curve: float, scale: float, viscous: float) -> float:
+    return float((fast + (slow - fast) * np.exp(-((v / curve) ** 2))) * np.tanh(v / scale) + viscous * v)
+
+
+def stribeck_bearing(p: Parameters, t: Floats) -> dict[str, Floats]:
+    law = [p[f"bearing.{name}"] for name in ("tau_b", "tau_c", "w_s", "w_0", "c")]
+    x = solve(lambda _, x: [x[1], (3 - _stribeck(x[1], *law)) / p["shaft.J"]], [0, 0], t)
+    return {"shaft.phi": x[0], "der(shaft.phi)": x[1], "friction": np.array([_stribeck(w, *law) for w in x[1]])}
+
+
+def stick_slip(p: Parameters, t: Floats) -> dict[str, Floats]:
+    law = [p[f"belt.{name}"] for name in ("f_b", "f_c", "v_s", "v_0", "c")]
+
+    def rates(_: float, x: Floats) -> list[float]:
+        return [x[1], (-p["spring.k"] * x[0] - _stribeck(x[1] - 0.15, *law)) / p["block.m"]]
+
+    x = solve(rates, [0.04, 0], t)
+    return {"block.s": x[0]}
+
+
+def rack_drive(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """(m + J/r^2) s'' = tau/r - c s' - k s, from rest."""
+    r, c, k = p["rack.r"], p["guide.c"], p["spring.k"]
+    m = p["carriage.m"] + p["pinion.J"] / r**2
+    d, end = c / (2 * m), 1.5 / r / k
+    w = np.sqrt(k / m - d**2)
+    fading = np.exp(-d * t)
+    s = end * (1 - fading * (np.cos(w * t) + d / w * np.sin(w * t)))
+    speed = end * fading * (w + d**2 / w) * np.sin(w * t)
+    acceleration = (1.5 / r - c * speed - k * s) / m
+    return {"rack.s": s, "pinion.phi": s / r, "teeth": 1.5 / r - p["pinion.J"] / r**2 * acceleration}
+
+
+def lever_and_masses(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """The lever carries the left mass along with the square of its ratio."""
+    ratio, k, c, free = p["lever.ratio"], p["spring.k"], p["damper.c"], p["free.m"]
+    m = p["right.m"] + ratio**2 * p["left.m"]
+    row = np.array([-k, k, -c, c, -6])
+    a = np.vstack([[0, 0, 1, 0, 0], [0, 0, 0, 1, 0], row / m, -row / free, np.zeros(5)])
+    x = linear(a, [0, 0, 0, 0, 1], t)
+    return {"right.s": x[0], "free.s": x[1], "left.s": ratio * x[0], "pivot": p["left.m"] * ratio * (row @ x) / m}
+
+
+def driven_shafts(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """First-order lags behind a sine and a cosine."""
+    c, J, w = p["coupling.c"], p["wheel.J"], p["omega"]
+    a = c / J
+    wheel = 3 * a * (a * np.sin(w * t) - w * np.cos(w * t) + w * np.exp(-a * t)) / (a**2 + w**2)
+    wheel = wheel - 0.5 / c * -np.expm1(-a * t)
+    b = p["drag.c"] / p["carriage.m"]
+    cart = 0.2 * b * (b * np.cos(w * t) + w * np.sin(w * t) - b * np.exp(-b * t)) / (b**2 + w**2)
+    cart = cart + 1.5 / p["drag.c"] * -np.expm1(-b * t)
+    return {
+        "der(coupling.phi_b)": wheel,
+        "der(counter.phi)": 0.5 / p["counter.J"] * t,
+        "der(drag.s_b)": cart,
+        "effort": c * (3 * np.sin(w * t) - wheel),
+    }
