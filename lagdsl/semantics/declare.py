@@ -11,6 +11,7 @@ from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.contents import Contents, Placed
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import declared, enter, type_text
+from lagdsl.semantics.imports import check_imports, declare_imports
 from lagdsl.semantics.modification import modify
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import (
@@ -51,6 +52,9 @@ class Declarer:
     def collect(self, node: nodes.Class, modifiers: list[tuple[nodes.Modifier, Scope]]) -> Contents:
         """All of the class: names first, then modifiers from outside, then loops and conditions in order."""
         listed = [(node.items, "items"), *((section.items, section.keyword) for section in node.sections)]
+        for items, _ in listed:
+            declare_imports(self.ctx.sink, self.scope, items)
+        check_imports(self.scope)
         for items, _ in listed:
             for item in items:
                 self.declare(item, self.scope)
@@ -112,10 +116,10 @@ class Declarer:
                 self._labelled(item, scope)
             case nodes.Gravity() | nodes.PointMass() | nodes.Draw() | nodes.CallEquation():
                 self.contents.items.append(Placed(item, scope, self.instance))
-            case nodes.Import() | nodes.Extends() | nodes.Contact() | nodes.Connect() | nodes.When():
+            case nodes.Extends() | nodes.Contact() | nodes.Connect() | nodes.When():
                 what, hint = _LATER[type(item)]
                 self.ctx.sink.report("E0311", _head(item), what=what, hint=hint)
-            case nodes.Class() if scope is self.scope:
+            case nodes.Class() | nodes.Import() if scope is self.scope:
                 pass
             case _:
                 assert isinstance(item, get_args(_DECLARED)), item
@@ -207,7 +211,6 @@ _DECLARED: TypeAlias = (
     | nodes.Geometry
 )
 _LATER: dict[type, tuple[str, str]] = {
-    nodes.Import: ("`import`", "libraries come with components; quantities and constants need no import"),
     nodes.Extends: ("`extends`", "inheritance comes with components; write the mechanism in one class for now"),
     nodes.Contact: ("`contact`", "contacts come with events"),
     nodes.Connect: ("`connect`", "components and `connect` come with a later release"),

@@ -27,6 +27,7 @@ from lagdsl.semantics.rates import check_inputs, check_linear
 from lagdsl.semantics.scope import Instance, Scope
 from lagdsl.semantics.selection import file_scope, functions_of, inherits, select
 from lagdsl.semantics.usage import warn_unused
+from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 
 _DEEPEST = 100_000
@@ -49,14 +50,17 @@ def flatten(
             flat = _flatten(ctx, unit, model)
         except RecursionError:
             found.report("E0326", unit.items[0].span, what="a chain of definitions", most="some thousand links")
-    for diagnostic in sorted(found.diagnostics, key=_position):
+    for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
         sink.add(diagnostic)
     return flat if not sink.has_errors else None
 
 
-def _position(diagnostic: Diagnostic) -> int:
-    """Diagnostics are found in the order of need and told in the order of the text."""
-    return diagnostic.labels[0].span.start if diagnostic.labels else -1
+def _position(diagnostic: Diagnostic, file: SourceFile) -> tuple[bool, str, int]:
+    """Diagnostics are found in the order of need and told in the order of the text, those in other files after them."""
+    if not diagnostic.labels:
+        return False, "", -1
+    span = diagnostic.labels[0].span
+    return span.file is not file, span.file.name if span.file is not file else "", span.start
 
 
 @contextmanager

@@ -1,12 +1,15 @@
-"""Reads model texts from files."""
+"""Reads model texts from files; those of libraries once per process."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
-from lagdsl.diagnostics import Sink
-from lagdsl.source import SourceFile
+from lagdsl.diagnostics import Diagnostic, Label, Sink
+from lagdsl.source import SourceFile, Span
+from lagdsl.syntax import nodes
 from lagdsl.syntax.limits import MAX_CHARACTERS
+from lagdsl.syntax.parser import parse
 
 _MAX_BYTES = 4 * MAX_CHARACTERS  # a character of UTF-8 takes at most four
 
@@ -17,7 +20,10 @@ def read_source(path: Path, sink: Sink) -> SourceFile | None:
     What keeps a file from being a model text is reported to `sink`, and None returned: a name that is none, a
     directory, no permission, too large (no more than the limit is read), not UTF-8, the character NUL.
     """
-    name = str(path)
+    return _read(path, str(path), sink)
+
+
+def _read(path: Path, name: str, sink: Sink) -> SourceFile | None:
     content = _content(path, name, sink)
     if content is None:
         return None
@@ -49,3 +55,70 @@ def _content(path: Path, name: str, sink: Sink) -> bytes | None:
         reason = fault.strerror if isinstance(fault, OSError) and fault.strerror else str(fault)
         sink.report("E0134", None, name=name, reason=reason)
     return None
+
+
+# Trees by path, with time and size of the file when it was read and what was found in it.
+_TREES: dict[tuple[str, str], tuple[tuple[int, int], nodes.Unit | None, tuple[Diagnostic, ...]]] = {}
+
+
+def item_of(
+    sink: Sink, path: Path, shown: str, name: tuple[str, ...], is_folder: bool, span: Span | None
+) -> tuple[nodes.Unit, nodes.Item] | None:
+    """The file `path` of a library and the class, function or type of the full name `name` that it must hold alone.
+
+    None after errors: those of the file itself, E0253 where it holds something else, E0254 where it is of another
+    package. `span` is the place that needs it.
+    """
+    unit, found = _tree(path, shown)
+    because = () if span is None else (Label(span, f"needs `{'.'.join(name)}`"),)
+    for diagnostic in found:
+        sink.add(replace(diagnostic, labels=(*diagnostic.labels, *because)))
+    if unit is None:
+        return None
+    items = [item for item in unit.items if not isinstance(item, nodes.Import)]
+    wrong = next((item for item in items if not _is_named(item, name[-1], is_folder)), None)
+    if wrong is not None or len(items) != 1:
+        place = item_head(wrong or items[-1]) if items else unit.span
+        sink.report("E0253", place, *because, file=shown, name=name[-1], what="package" if is_folder else "class")
+        return None
+    around = unit.within.parts if unit.within is not None else ()
+    if around != name[:-1]:
+        place = unit.within.span if unit.within is not None else item_head(items[0])
+        sink.report("E0254", place, *because, file=shown, expected=_within(name[:-1]))
+        return None
+    return unit, items[0]
+
+
+def _tree(path: Path, shown: str) -> tuple[nodes.Unit | None, tuple[Diagnostic, ...]]:
+    """The tree of a library file, parsed again only when the file has changed, and what was found in it."""
+    try:
+        status = path.stat()
+        state = (status.st_mtime_ns, status.st_size)
+    except OSError:
+        state = (0, 0)
+    known = _TREES.get((str(path), shown))
+    if known is None or known[0] != state:
+        sink = Sink()
+        file = _read(path, shown, sink)
+        unit = parse(file, sink) if file is not None else None
+        known = _TREES[str(path), shown] = (state, unit, sink.diagnostics)
+    return known[1], known[2]
+
+
+def _is_named(item: nodes.Item, name: str, package: bool) -> bool:
+    if package:
+        return isinstance(item, nodes.Class) and item.kind == "package" and item.name == name
+    named = (nodes.Class, nodes.ShortClass, nodes.TypeDefinition, nodes.Function)
+    return isinstance(item, named) and item.name == name
+
+
+def item_head(item: nodes.Item) -> Span:
+    """The name of a class; else the first line of an item."""
+    if isinstance(item, nodes.Class):
+        return item.name_span
+    length = len(item.span.text.partition("\n")[0])
+    return Span(item.span.file, item.span.start, item.span.start + length)
+
+
+def _within(parts: tuple[str, ...]) -> str:
+    return f"must begin with `within {'.'.join(parts)};`" if parts else "is of the top level: no `within`"

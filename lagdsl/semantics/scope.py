@@ -1,9 +1,9 @@
 """Scopes and symbols: who is meant by a name.
 
 Lookup goes outward: loop indices and function arguments, the class, enclosing classes and the file (constants, types,
-functions only); then the imports of these, named ones before wildcards; the prelude is asked by the caller. A package that
-is a folder finds a name in its files when it is asked for it. A scope carries the prefix of qualified names and the stack of spans of the instance it
-belongs to, so that instances of classes can nest.
+functions only); then the imports of these, named ones before wildcards; the prelude is asked by the caller. A package
+that is a folder finds a name in its files when it is asked for it. A scope carries the prefix of qualified names and
+the stack of spans of the instance it belongs to, so that instances of classes can nest.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Literal, Protocol, TypeAlias
 
 from lagdsl.record import record
 from lagdsl.semantics.prelude import BaseType
-from lagdsl.semantics.values import Value
+from lagdsl.semantics.values import Poison, Value
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
@@ -77,7 +77,11 @@ class LabelInstance:
 
 @dataclass(eq=False, slots=True)
 class Symbol:
-    """A declared name, before and while it gets its value. `cells` are the values made so far, by index."""
+    """A declared name, before and while it gets its value.
+
+    `cells` are the values made so far, by index. `overrides` are modifiers from outside, outer ones last; `sealed` is
+    the place of the `final` one, after which none is allowed.
+    """
 
     name: str
     kind: SymbolKind
@@ -87,9 +91,10 @@ class Symbol:
     declarator: nodes.Declarator | None = None
     info: TypeInfo | None = None
     final: bool = False
+    sealed: Span | None = None
     bindings: dict[Indices | None, Binding] = field(default_factory=dict)
     derivatives: dict[Indices | None, Binding] = field(default_factory=dict)
-    overrides: list[tuple[nodes.Modifier, Scope]] = field(default_factory=list)
+    overrides: list[tuple[tuple[nodes.AnyModifier, ...], Scope]] = field(default_factory=list)
     labels: dict[Indices, LabelInstance] = field(default_factory=dict)
     shape: tuple[int, ...] | None = None
     cells: dict[Indices, Value] = field(default_factory=dict)
@@ -132,7 +137,9 @@ class ClassSymbol:
 class Instance:
     """A component: one instance of a class, with its names in a scope of its own (prefix `arm.`, `wheel[2].`).
 
-    `kind` is the keyword of its class; `protected` are the names that may not be reached from outside.
+    `kind` is the keyword of its class; `protected` are the names that may not be reached from outside. `members` are
+    its quantities and components in the order of the text. A component whose condition is false is not `present`;
+    `conditions` of parameters switch what it contributes.
     """
 
     name: str
@@ -141,6 +148,9 @@ class Instance:
     scope: Scope
     kind: str
     protected: set[str] = field(default_factory=set)
+    members: list[Symbol | Instance | InstanceArray] = field(default_factory=list)
+    present: bool = True
+    conditions: tuple[Scalar, ...] = ()
 
 
 @dataclass(eq=False, slots=True)
@@ -163,6 +173,13 @@ class Files(Protocol):
     def find(self, name: str, span: Span | None) -> Entry | None: ...
 
     def names(self) -> Iterable[str]: ...
+
+
+class Root(Files, Protocol):
+    """The names that an import may begin with."""
+
+    def places(self, name: str) -> tuple[str, ...]:
+        """Where `name` was looked for, in words."""
 
 
 class Imports(Protocol):
@@ -191,7 +208,7 @@ class Scope:
     entries: dict[str, Entry] = field(default_factory=dict)
     imports: Imports | None = None
     files: Files | None = None
-    root: Files | None = None
+    root: Root | None = None
 
     def find(self, name: str, span: Span | None = None) -> Entry | None:
         """The entry of this scope itself: declared, or in a file of the package."""
@@ -238,6 +255,16 @@ def lookup(scope: Scope, name: str, span: Span | None = None) -> Entry | None:
             return entry
         own = own and step.kind == "local"
     return _imported(scope, name, span)
+
+
+def lookup_path(scope: Scope, parts: tuple[str, ...], span: Span | None = None) -> Entry | None:
+    """The entry of a dotted name: the first part as `lookup`, the others in the package before them."""
+    entry = lookup(scope, parts[0], span)
+    for part in parts[1:]:
+        if not isinstance(entry, ClassSymbol) or entry.inner is None:
+            return entry if isinstance(entry, Poison) else None
+        entry = entry.inner.find(part, span)
+    return entry
 
 
 def _imported(scope: Scope, name: str, span: Span | None) -> Entry | None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import declared, enter
+from lagdsl.semantics.imports import check_imports, declare_imports
+from lagdsl.semantics.library import item_head
+from lagdsl.semantics.packages import Library
 from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope, TypeSymbol
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
@@ -16,10 +19,40 @@ MODELS = ("model", "block")
 
 def file_scope(ctx: Context, unit: nodes.Unit) -> Scope:
     """The names a file declares at its top level; packages hold theirs in a scope of their own."""
+    library = Library(
+        ctx.sink,
+        lambda scope, node: _fill(ctx, scope, node),
+        lambda scope, items: declare_imports(ctx.sink, scope, items),
+    )
     scope = Scope("file", "this file")
-    for item in unit.items:
-        _declare(ctx, scope, item)
+    library.place(scope, unit)
+    _declare_all(ctx, scope, unit.items)
+    check_imports(scope)
+    if unit.within is not None and scope.parent is not None:
+        for name, entry in scope.entries.items():
+            scope.parent.entries.setdefault(name, entry)  # the package knows this text of the class, not another one
     return scope
+
+
+def _fill(ctx: Context, scope: Scope, package: nodes.Class) -> None:
+    """Declare what a package holds; a name that stands in a file, too, is E0259."""
+    _declare_all(ctx, scope, [*package.items, *(item for section in package.sections for item in section.items)])
+    files = set(scope.files.names()) if scope.files is not None else set()
+    for item in package.items:
+        name = getattr(item, "name", None)
+        if isinstance(name, str) and name in files:
+            ctx.sink.report("E0259", item_head(item), name=name)
+
+
+def _declare_all(ctx: Context, scope: Scope, items: Sequence[nodes.Item]) -> None:
+    """Classes, types and imports before constants, which need them, so that the order in the text is free."""
+    declare_imports(ctx.sink, scope, items)
+    for item in items:
+        if not isinstance(item, nodes.Component):
+            _declare(ctx, scope, item)
+    for item in items:
+        if isinstance(item, nodes.Component):
+            _declare(ctx, scope, item)
 
 
 def _declare(ctx: Context, scope: Scope, item: nodes.Item) -> None:
@@ -27,23 +60,21 @@ def _declare(ctx: Context, scope: Scope, item: nodes.Item) -> None:
         case nodes.Class():
             symbol = ClassSymbol(item, scope)
             if enter(ctx, scope, item.name, symbol, item.name_span) and item.kind == "package":
-                symbol.inner = Scope("file", f"package `{item.name}`", scope, f"{scope.prefix}{item.name}.")
-                for inner in [*item.items, *(each for section in item.sections for each in section.items)]:
-                    _declare(ctx, symbol.inner, inner)
+                name = f"{scope.prefix}{item.name}"
+                symbol.inner = Scope("file", f"package `{name}`", scope, f"{name}.")
+                _fill(ctx, symbol.inner, item)
         case nodes.ShortClass():
             enter(ctx, scope, item.name, ClassSymbol(item, scope), item.span)
         case nodes.TypeDefinition():
             enter(ctx, scope, item.name, TypeSymbol(item, scope), item.span)
         case nodes.Function():
             enter(ctx, scope, item.name, FunctionSymbol(item, scope), item.span)
-        case nodes.Import():
-            hint = "libraries come with components; quantities and constants need no import"
-            ctx.sink.report("E0311", item.span, what="`import`", hint=hint)
-            ctx.incomplete = True
+        case nodes.Import() | nodes.Annotation():
+            pass
         case nodes.Component() if "constant" in item.prefixes:
             declared(ctx, scope, item)
         case _:
-            hint = "packages hold types, constants and functions"
+            hint = "packages hold classes, types, constants and functions"
             ctx.sink.report("E0311", item.span, what="this item in a package", hint=hint)
 
 
@@ -115,6 +146,6 @@ def functions_of(scope: Scope) -> Iterator[FunctionSymbol]:
 
 
 def inherits(node: nodes.Class) -> bool:
-    """Whether names may come from elsewhere: `extends` and `import` are not followed yet."""
+    """Whether names may come from elsewhere: `extends` is not followed yet."""
     items = [*node.items, *(item for section in node.sections for item in section.items)]
-    return any(isinstance(item, nodes.Extends | nodes.Import) for item in items)
+    return any(isinstance(item, nodes.Extends) for item in items)

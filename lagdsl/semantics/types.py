@@ -8,7 +8,8 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import prelude
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.naming import an
-from lagdsl.semantics.scope import ClassSymbol, Scope, TypeInfo, TypeSymbol, lookup, visible
+from lagdsl.semantics.scope import ClassSymbol, Scope, TypeInfo, TypeSymbol, lookup_path, reachable, visible
+from lagdsl.semantics.values import Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS
@@ -41,22 +42,21 @@ STATEMENTS = (
 
 def resolve_type(ctx: Context, name: nodes.Name, scope: Scope, depth: int = 0) -> TypeInfo | None:
     """The type that `name` means, or None after a diagnostic."""
-    entry = lookup(scope, name.parts[0])
-    for part in name.parts[1:]:
-        entry = entry.inner.entries.get(part) if isinstance(entry, ClassSymbol) and entry.inner is not None else None
+    entry = lookup_path(scope, name.parts, name.span)
     text = ".".join(name.parts)
     match entry:
         case TypeSymbol() if depth < 50:
             return _defined(ctx, entry, depth)
         case TypeSymbol():
             ctx.sink.report("E0305", name.span, path=f"type `{text}` is defined by itself")
-        case ClassSymbol() if len(name.parts) == 1 or entry.inner is None:
-            what = f"a component of class `{text}`"
-            ctx.sink.report("E0311", name.span, what=what, hint="write the mechanism in one class for now")
+        case ClassSymbol() if entry.inner is None:
+            ctx.sink.report("E0233", name.span, name=text)
         case None if text in prelude.TYPES:
             return _prelude(ctx, prelude.TYPES[text])
+        case Poison():
+            pass
         case _:
-            _unknown(ctx, name, scope)
+            report_unknown_type(ctx, name, scope)
     return None
 
 
@@ -140,16 +140,32 @@ def _unknown_unit(ctx: Context, fault: UnknownUnit, span: Span) -> None:
     ctx.sink.report("E0413", span, unit=fault.text, help=meant)
 
 
-def _unknown(ctx: Context, name: nodes.Name, scope: Scope) -> None:
+def report_unknown_type(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     text = ".".join(name.parts)
     if ctx.incomplete:
         return
-    if name.parts[0] in ("Modelica", "SI", "Lag"):
+    if name.parts[0] in ("Modelica", "SI"):
         known = f"quantities are known by their plain name: `{name.parts[-1]}`"
         ctx.sink.report("E0311", name.span, what=f"the library name `{text}`", hint=known)
         return
+    if len(name.parts) > 1 and _not_in_package(ctx, name, scope):
+        return
     types = [found for found, entry in visible(scope) if isinstance(entry, TypeSymbol | ClassSymbol)]
-    meant = nearest(text, [*types, *prelude.TYPES, *STATEMENTS])
+    meant = nearest(text, [*types, *reachable(scope), *prelude.TYPES, *STATEMENTS])
     what = "the statement " if meant in STATEMENTS else ""
     hint = f"did you mean {what}`{meant}`?" if meant else None
     ctx.sink.report("E0208", name.span, name=text, help=hint)
+
+
+def _not_in_package(ctx: Context, name: nodes.Name, scope: Scope) -> bool:
+    """E0210 where the name begins with a package that does not hold what follows."""
+    for length in range(len(name.parts) - 1, 0, -1):
+        around = lookup_path(scope, name.parts[:length], name.span)
+        if isinstance(around, ClassSymbol) and around.inner is not None:
+            part = name.parts[length]
+            meant = nearest(part, around.inner.names())
+            hint = f"did you mean `{meant}`?" if meant else None
+            what = f"package `{'.'.join(name.parts[:length])}`"
+            ctx.sink.report("E0210", name.span, name=part, what=what, help=hint)
+            return True
+    return False

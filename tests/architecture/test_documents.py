@@ -12,7 +12,6 @@ import lagdsl
 PAGES = ("README.md", "docs/language.md", "docs/mechanics.md")
 LATER = {
     "extends": "extends A;",
-    "import": "import Lag.Planar.*;",
     "connect": "connect(world, world);",
     "contact": "contact floor: x >= 0 with restitution = 0.5;",
     "when": "equation when x > 1 m then reinit(der(x), 0); end when;",

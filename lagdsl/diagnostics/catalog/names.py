@@ -5,6 +5,9 @@ from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 ROWS: dict[str, Row] = {
     "E0201": error("unknown name `{name}`", label="not declared in {scope}"),
     "E0202": error("unknown modifier `{name}` for `{type}`; the attributes are {attributes}", label="not an attribute"),
+    "E0203": error(
+        "`{name}` is ambiguous: it is imported from {imports}", label="which one is meant?", secondary="has one, too"
+    ),
     "E0204": error("`{name}` is declared twice, as {first} and as {second}", label="declared again here"),
     "N0205": note("`{name}` hides the built-in {what} of that name"),
     "W0206": warning(
@@ -42,4 +45,22 @@ ROWS: dict[str, Row] = {
     "E0222": error("the model has no structural parameter `{name}`"),
     "E0223": error("{model} has no `{name}`", label="cannot be modified"),
     "E0224": error("`{name}` cannot be given another value from outside", label="fixed where it is declared"),
+    "E0250": error("there is no package or class `{name}`", label="not found"),
+    "E0252": error(
+        "`{name}` is no package", label="has no names to import", help="import the class itself, without what follows"
+    ),
+    "E0253": error(
+        "`{file}` must hold the {what} `{name}` and nothing else",
+        label="not of that name",
+        help="each class of a package that is a folder has a file of its own, named as the class",
+    ),
+    "E0254": error("`{file}` {expected}", label="not where the file lies"),
+    "E0255": error("there is no package `{name}` around this file", label="not found"),
+    "W0257": warning("import of `{name}` is never used", label="no name in this {scope} needs it", help="delete it"),
+    "E0258": error(
+        "`{name}` is imported twice",
+        label="imported again",
+        help="give one of the two a name of its own: `import X = ...;`",
+    ),
+    "E0259": error("`{name}` stands in the package twice", label="declared here", help="delete one of the two"),
 }
