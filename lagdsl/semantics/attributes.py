@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import NoValue, evaluate
@@ -56,10 +57,18 @@ def attributes(ctx: Context, symbol: Symbol) -> dict[str, Attribute]:
     own: dict[str, Attribute] = {}
     for modifier in symbol.declarator.modifiers if symbol.declarator is not None else ():
         _read(ctx, symbol, modifier, symbol.scope, "", own, inherited=False)
-    outer: dict[str, Attribute] = {}
-    for modifier, scope in symbol.overrides:
-        _read(ctx, symbol, modifier, scope, "", outer, inherited=False)
-    return {**found, **own, **outer}
+    merged = {**found, **own}
+    for modifiers, scope in symbol.overrides:
+        outer: dict[str, Attribute] = {}
+        for modifier in modifiers:
+            _read(ctx, symbol, modifier, scope, "", outer, inherited=False)
+        for name, attribute in outer.items():
+            if name in merged and "final" in merged[name].node.prefixes:
+                label = Label(merged[name].node.span, "given as `final` here")
+                ctx.sink.report("E0224", attribute.node.span, label, name=f"{symbol.short}.{name}")
+            else:
+                merged[name] = attribute
+    return merged
 
 
 def _read(

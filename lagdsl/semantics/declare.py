@@ -1,244 +1,205 @@
-"""From the items of a class to symbols and a list of items to elaborate: loops and structural `if` expanded."""
+"""The names of a class and of all its components: instances nest, modifiers are applied from outside in."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TypeAlias, get_args
+from collections.abc import Iterator
+from itertools import product as cartesian
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import arrays, equations
 from lagdsl.semantics.conditions import condition_of
-from lagdsl.semantics.contents import Contents, Placed
+from lagdsl.semantics.constants import structural_integer
+from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.declarations import declared, enter, type_text
-from lagdsl.semantics.imports import check_imports, declare_imports
-from lagdsl.semantics.modification import modify
+from lagdsl.semantics.declarations import declared, enter
+from lagdsl.semantics.inheritance import Body, Part, body_of, enter_class, expand_short
+from lagdsl.semantics.limits import another_turn
+from lagdsl.semantics.modification import Changes, Given, check_duplicates, for_element, modify, report_unknown
 from lagdsl.semantics.naming import element_name
-from lagdsl.semantics.scope import (
-    Binding,
-    ClassSymbol,
-    FunctionSymbol,
-    Instance,
-    LabelInstance,
-    Scope,
-    Symbol,
-    SymbolKind,
-    TypeSymbol,
-    lookup,
-)
-from lagdsl.semantics.values import Scalar
-from lagdsl.source import Span
+from lagdsl.semantics.scope import ClassSymbol, Indices, Instance, InstanceArray, Scope, Symbol, lookup_path
+from lagdsl.semantics.values import POISON, Scalar
 from lagdsl.syntax import nodes
 
-Labelled: TypeAlias = nodes.Energy | nodes.Load | nodes.Constraint | nodes.RigidBody | nodes.Invariant
-_LABEL_KINDS: dict[type, SymbolKind] = {
-    nodes.Energy: "energy",
-    nodes.Load: "load",
-    nodes.Constraint: "constraint",
-    nodes.RigidBody: "body",
-    nodes.Invariant: "invariant",
-}
+DECLARATIONS = (nodes.Component, nodes.Coordinate, nodes.Geometry)
 
 
 class Declarer:
-    """Collects one class."""
+    """One instance of a class: its body, and those of its components by name."""
 
-    def __init__(self, ctx: Context, instance: Instance) -> None:
+    def __init__(
+        self, ctx: Context, contents: Contents, instance: Instance, given: list[Given], line: tuple[nodes.Class, ...]
+    ) -> None:
+        """`given` are the modifiers from outside, innermost first; `line` the classes of the instances around."""
+        node = instance.definition.node
+        assert isinstance(node, nodes.Class)
         self.ctx = ctx
+        self.contents = contents
         self.instance = instance
         self.scope = instance.scope
-        self.contents = Contents()
+        self.changes = Changes()
+        self.body: Body = body_of(ctx, node, self.scope, self.changes)
+        self.changes.add([*self.body.given, *given])
+        self.line = (*line, *self.body.line)
+        self.children: dict[str, list[Declarer]] = {}
+        self.declare(self.body.parts)
 
-    def collect(self, node: nodes.Class, modifiers: list[tuple[nodes.Modifier, Scope]]) -> Contents:
-        """All of the class: names first, then modifiers from outside, then loops and conditions in order."""
-        listed = [(node.items, "items"), *((section.items, section.keyword) for section in node.sections)]
-        for items, _ in listed:
-            declare_imports(self.ctx.sink, self.scope, items)
-        check_imports(self.scope)
-        for items, _ in listed:
-            for item in items:
-                self.declare(item, self.scope)
-        modify(self.ctx, self.scope, modifiers)
-        for section in node.sections:
-            if section.keyword in ("kinematics", "closure"):
-                hint = "joints come with components"
-                span = Span(section.span.file, section.span.start, section.span.start + len(section.keyword))
-                self.ctx.sink.report("E0311", span, what=f"a `{section.keyword}` section", hint=hint)
-        for items, keyword in listed:
-            if keyword not in ("kinematics", "closure"):
-                self._expand(items, self.scope, keyword)
-        return self.contents
+    def enter_classes(self, parts: list[Part]) -> None:
+        """The classes in a branch of a structural `if`."""
+        for part in parts:
+            enter_class(self.ctx, part, self.changes)
 
-    # ---- names -------------------------------------------------------------------------------------------------------
-
-    def declare(self, item: nodes.Item, scope: Scope) -> None:
-        """Enter the names that an item declares outside of loops."""
-        match item:
-            case nodes.Function():
-                function = FunctionSymbol(item, scope)
-                if enter(self.ctx, scope, item.name, function, item.span):
-                    self.contents.functions.append(function)
-            case nodes.TypeDefinition():
-                enter(self.ctx, scope, item.name, TypeSymbol(item, scope), item.span)
-            case nodes.Class():
-                enter(self.ctx, scope, item.name, ClassSymbol(item, scope), item.name_span)
-            case nodes.ShortClass():
-                enter(self.ctx, scope, item.name, ClassSymbol(item, scope), item.span)
-            case nodes.Component() | nodes.Coordinate() | nodes.Geometry():
-                self.contents.symbols += declared(self.ctx, scope, item)
-            case _:
-                pass
-
-    # ---- loops and conditions ----------------------------------------------------------------------------------------
-
-    def _expand(self, items: Iterable[nodes.Item], scope: Scope, section: str) -> None:
-        for item in items:
-            self._item(item, scope, section)
-
-    def _item(self, item: nodes.Item, scope: Scope, section: str) -> None:
-        match item:
-            case nodes.For():
-                self._for(item, scope, section)
-            case nodes.If():
-                self._if(item, scope, section)
-            case nodes.Equation() | nodes.CallEquation() if section == "initial equation":
-                self.contents.initial.append(Placed(item, scope, self.instance))
-            case nodes.Equation():
-                equations.attach(self.ctx, scope, item)
-            case nodes.Geometry() | nodes.Component() if scope.kind == "local":
-                self._elements(item, scope)
-            case nodes.Coordinate() if scope.kind == "local":
-                span = item.declarators[0].name_span
-                self.ctx.sink.report("E0340", span, name=item.declarators[0].name)
-            case nodes.Annotation():
-                self.contents.annotations.append(item)
-            case nodes.Energy() | nodes.Load() | nodes.Constraint() | nodes.RigidBody() | nodes.Invariant():
-                self._labelled(item, scope)
-            case nodes.Gravity() | nodes.PointMass() | nodes.Draw() | nodes.CallEquation():
-                self.contents.items.append(Placed(item, scope, self.instance))
-            case nodes.Extends() | nodes.Contact() | nodes.Connect() | nodes.When():
-                what, hint = _LATER[type(item)]
-                self.ctx.sink.report("E0311", _head(item), what=what, hint=hint)
-            case nodes.Class() | nodes.Import() if scope is self.scope:
-                pass
-            case _:
-                assert isinstance(item, get_args(_DECLARED)), item
-
-    def _for(self, item: nodes.For, scope: Scope, section: str) -> None:
-        for iterator in item.iterators:
-            if iterator.name in ("time", "world"):
-                self.ctx.sink.report("E0207", iterator.span, name=iterator.name)
-                return
-        for turn in arrays.turns(self.ctx, scope, item.iterators) or ():
-            self._expand(item.body, turn, section)
-
-    def _if(self, item: nodes.If, scope: Scope, section: str) -> None:
-        """Only the branch taken is read."""
-        for branch in item.branches:
-            condition = condition_of(self.ctx, scope, branch.condition)
-            if isinstance(condition, Scalar):
-                self.ctx.sink.report("E0330", branch.condition.span, what="an `if` around items")
-                return
-            if condition is None:
-                return
-            if condition:
-                self._branch(branch.body, scope, section)
-                return
-        if item.otherwise is not None:
-            self._branch(item.otherwise, scope, section)
-
-    def _branch(self, items: tuple[nodes.Item, ...], scope: Scope, section: str) -> None:
-        if scope.kind == "class":
-            for item in items:
-                self.declare(item, scope)
-        self._expand(items, scope, section)
-
-    def _elements(self, item: nodes.Geometry | nodes.Component, scope: Scope) -> None:
-        """`point P[i] = ...;` in a loop: one element of an array declared outside."""
-        for declarator in item.declarators:
-            entry = lookup(scope, declarator.name)
-            if not isinstance(entry, Symbol) or not declarator.subscripts or declarator.value is None:
-                self.ctx.sink.report("E0340", declarator.name_span, name=declarator.name)
+    def declare(self, parts: list[Part]) -> None:
+        """Enter the names: quantities first, then components, whose sizes and conditions may need these."""
+        components: list[tuple[Part, nodes.Declarator, ClassSymbol]] = []
+        members = self.instance.members
+        before = len(members)
+        order: dict[int, int] = {}
+        for part in parts:
+            item = part.item
+            if not isinstance(item, DECLARATIONS):
                 continue
-            word = (
-                item.keyword
-                if isinstance(item, nodes.Geometry)
-                else " ".join((*item.prefixes, type_text(item.type_name)))
-            )
-            if entry.title != word and entry.kind != "unknown":
-                label = Label(entry.span, f"declared as {entry.title}")
+            order.update({id(declarator.name_span): len(order) + k for k, declarator in enumerate(item.declarators)})
+            symbol = component_class(item, part.scope)
+            if symbol is None:
+                self._quantities(part, item)
+            else:
+                assert isinstance(item, nodes.Component)
+                components += [(part, declarator, symbol) for declarator in item.declarators]
+        for part, declarator, symbol in components:
+            self._component(part, declarator, symbol)
+        members[before:] = sorted(members[before:], key=lambda member: order[id(member.span)])
+
+    def _quantities(self, part: Part, item: nodes.Component | nodes.Coordinate | nodes.Geometry) -> None:
+        for symbol in declared(self.ctx, part.scope, item):
+            modify(self.ctx, symbol, self.changes.take(symbol.short))
+            self._keep(part, symbol.short, symbol)
+
+    def _keep(self, part: Part, name: str, member: Symbol | Instance | InstanceArray) -> None:
+        self.instance.members.append(member)
+        if part.protected:
+            self.instance.protected.add(name)
+
+    # ---- components --------------------------------------------------------------------------------------------------
+
+    def _component(self, part: Part, declarator: nodes.Declarator, symbol: ClassSymbol) -> None:
+        ctx, scope = self.ctx, part.scope
+        check_duplicates(ctx, declarator.modifiers)
+        given = [(modifier, scope) for modifier in declarator.modifiers]
+        given += self._from_outside(declarator)
+        expanded = expand_short(ctx, symbol)
+        if expanded is None or not self._may_stand(declarator, expanded[0]):
+            scope.entries.setdefault(declarator.name, POISON)
+            return
+        condition = condition_of(ctx, scope, declarator.condition)
+        shape = self._shape(declarator, scope)
+        if condition is None or shape is None:
+            scope.entries.setdefault(declarator.name, POISON)
+            return
+        inner = [*expanded[1], *given]
+        name = scope.qualify(declarator.name)
+        if not shape:
+            made = self._instance(declarator, scope, name, expanded[0], condition)
+            if enter(ctx, scope, declarator.name, made, declarator.name_span):
+                self._keep(part, declarator.name, made)
+                self._fill(declarator, made, inner)
+            return
+        array = InstanceArray(name, declarator.name_span, shape)
+        if not enter(ctx, scope, declarator.name, array, declarator.name_span):
+            return
+        self._keep(part, declarator.name, array)
+        for indices in cartesian(*(range(1, extent + 1) for extent in shape)):
+            if not another_turn(ctx, declarator.name_span):
+                return
+            element = self._instance(declarator, scope, element_name(name, indices), expanded[0], condition)
+            array.elements[indices] = element
+            self._fill(declarator, element, [*expanded[1], *(for_element(each, indices) for each in given)])
+
+    def _from_outside(self, declarator: nodes.Declarator) -> Iterator[Given]:
+        """What the modifiers of the component say about its members."""
+        for modifier, scope in self.changes.take(declarator.name):
+            if not isinstance(modifier, nodes.Modifier):
+                self.ctx.sink.report("E0311", modifier.span, what="`redeclare`", hint="modify the component instead")
+                continue
+            if modifier.value is not None or modifier.subscripts:
                 self.ctx.sink.report(
-                    "E0204", declarator.name_span, label, name=declarator.name, first=entry.title, second=word
+                    "E0227", modifier.span, Label(declarator.name_span, "declared here"), name=declarator.name
                 )
-                continue
-            self.bind_element(entry, declarator.subscripts, Binding(declarator.value, scope, declarator.name_span))
+            yield from ((nested, scope) for nested in modifier.modifiers)
 
-    def bind_element(self, symbol: Symbol, subscripts: tuple[nodes.Subscript, ...], binding: Binding) -> None:
-        indices = equations.element_indices(self.ctx, binding.scope, symbol, subscripts, binding.span)
-        if indices is not None:
-            equations.bind(self.ctx, symbol, indices, binding)
+    def _may_stand(self, declarator: nodes.Declarator, symbol: ClassSymbol) -> bool:
+        """E0225 for a component that contains itself, E0231 for a partial class, E0227 for a value."""
+        node = symbol.node
+        if any(node is around for around in self.line):
+            names = [around.name for around in self.line]
+            path = " holds ".join(f"`{name}`" for name in [*names[names.index(node.name) :], node.name])
+            self.ctx.sink.report("E0225", declarator.name_span, name=declarator.name, path=path)
+            return False
+        if "partial" in node.prefixes:
+            assert isinstance(node, nodes.Class)
+            label = Label(node.name_span, "declared as partial")
+            self.ctx.sink.report("E0231", declarator.name_span, label, name=node.name)
+            return False
+        if declarator.value is not None:
+            self.ctx.sink.report("E0227", declarator.value.span, name=declarator.name)
+        return True
 
-    def _labelled(self, item: Labelled, scope: Scope) -> None:
-        """A label is a name of the class; inside loops it is an array over their indices."""
-        if item.label is None:
-            self.contents.items.append(Placed(item, scope, self.instance))
+    def _shape(self, declarator: nodes.Declarator, scope: Scope) -> Indices | None:
+        extents: list[int] = []
+        for subscript in declarator.subscripts:
+            if isinstance(subscript, nodes.All | nodes.Range):
+                self.ctx.sink.report("E0312", subscript.span, expected="a number of components", found="a range")
+                return None
+            value = self.ctx.elaborate(self.ctx, scope, subscript, False)
+            extent = structural_integer(self.ctx, value, subscript, "E0301", name=subscript.span.text)
+            if extent is not None and extent < 1:
+                what = f"the size of `{declarator.name}`"
+                self.ctx.sink.report("E0334", subscript.span, what=what, expected="positive", found=str(extent))
+                return None
+            if extent is None:
+                return None
+            extents.append(extent)
+        return tuple(extents)
+
+    def _instance(
+        self, declarator: nodes.Declarator, scope: Scope, name: str, symbol: ClassSymbol, condition: Scalar | bool
+    ) -> Instance:
+        node = symbol.node
+        spans = (declarator.name_span, *scope.spans)
+        inner = Scope("class", f"`{node.name}`", symbol.scope, f"{name}.", spans)
+        made = Instance(name, declarator.name_span, symbol, inner, node.kind)
+        made.present = condition is not False and self.instance.present
+        switch = (condition,) if isinstance(condition, Scalar) else ()
+        made.conditions = (*self.instance.conditions, *switch)
+        return made
+
+    def _fill(self, declarator: nodes.Declarator, made: Instance, given: list[Given]) -> None:
+        self.ctx.names.add(made.name)
+        if not made.present:
             return
-        kind = _LABEL_KINDS[type(item)]
-        owner = scope.owner
-        entry = owner.entries.get(item.label)
-        if isinstance(item, nodes.Invariant) and isinstance(entry, Symbol) and entry.kind == "output":
-            self.contents.items.append(Placed(item, scope, self.instance))
-            return
-        symbol = entry if isinstance(entry, Symbol) and entry.kind == kind else None
-        if symbol is None or scope.path in symbol.labels or not scope.path:
-            title = f"{_keyword(item)} {item.label}" if kind != "energy" else f"{_keyword(item)} energy"
-            symbol = Symbol(owner.qualify(item.label), kind, label_span(item), owner, title)
-            if not enter(self.ctx, owner, item.label, symbol, symbol.span):
-                return
-            self.ctx.names.add(symbol.name)
-        name = element_name(symbol.name, scope.path)
-        symbol.labels[scope.path] = LabelInstance(item, scope, name)
-        self.contents.items.append(Placed(item, scope, self.instance, symbol))
+        self.contents.instances.append(made)
+        child = Declarer(self.ctx, self.contents, made, given, self.line)
+        self.children.setdefault(declarator.name, []).append(child)
+
+    def finish(self) -> None:
+        """E0223 for the modifiers that nothing took."""
+        names = [name for name, entry in self.scope.entries.items() if isinstance(entry, Symbol | Instance)]
+        report_unknown(self.ctx, self.changes, names, self.scope.title)
 
 
-_DECLARED: TypeAlias = (
-    nodes.Function
-    | nodes.TypeDefinition
-    | nodes.Class
-    | nodes.ShortClass
-    | nodes.Component
-    | nodes.Coordinate
-    | nodes.Geometry
-)
-_LATER: dict[type, tuple[str, str]] = {
-    nodes.Extends: ("`extends`", "inheritance comes with components; write the mechanism in one class for now"),
-    nodes.Contact: ("`contact`", "contacts come with events"),
-    nodes.Connect: ("`connect`", "components and `connect` come with a later release"),
-    nodes.When: ("`when`", "events come with a later release"),
-}
+def component_class(item: nodes.Item, scope: Scope) -> ClassSymbol | None:
+    """The class of a component; None for quantities, points and frames."""
+    if not isinstance(item, nodes.Component):
+        return None
+    entry = lookup_path(scope, item.type_name.parts, item.type_name.span)
+    return entry if isinstance(entry, ClassSymbol) and entry.inner is None else None
 
 
-def _head(item: nodes.Item) -> Span:
-    """The keyword at the start of an item."""
-    first = item.span.text.split("(")[0].split()
-    return Span(item.span.file, item.span.start, item.span.start + len(first[0])) if first else item.span
-
-
-def label_span(item: Labelled) -> Span:
-    """The label in the text of the item: the first word after the keyword."""
-    assert item.label is not None
-    offset = item.span.text.find(item.label, len(_keyword(item)))
-    start = item.span.start + max(offset, 0)
-    return Span(item.span.file, start, start + len(item.label)) if offset >= 0 else item.span
-
-
-def _keyword(item: Labelled) -> str:
-    match item:
-        case nodes.Energy() | nodes.Load():
-            return item.keyword
-        case nodes.Constraint():
-            return "constraint"
-        case nodes.RigidBody():
-            return "body"
-        case nodes.Invariant():
-            return "invariant"
+def symbols_of(instance: Instance) -> Iterator[Symbol]:
+    """The quantities of an instance and of its components, depth first in the order of the text."""
+    for member in instance.members:
+        if isinstance(member, Symbol):
+            yield member
+        elif isinstance(member, Instance):
+            yield from symbols_of(member)
+        else:
+            for element in member.elements.values():
+                yield from symbols_of(element)

@@ -149,7 +149,7 @@ class Definitions:
         found = symbol.cells.get(indices)
         if found is not None:
             return found
-        if symbol.kind in ("coordinate", "state", "input"):
+        if symbol.kind in ("coordinate", "state", "input") and not symbol.is_name:
             value: Value = self._variable(symbol, indices)
             symbol.cells[indices] = value
             return value
@@ -210,7 +210,7 @@ class Definitions:
         match symbol.kind:
             case "constant" | "structural" | "parameter":
                 parameters.make(self.ctx, symbol, self.shape(symbol) or (), key)
-            case "algebraic" | "output":
+            case "algebraic" | "output" | "input":
                 self._define(symbol, indices, key)
             case "point":
                 symbol.cells[indices] = self._point(symbol, indices)
@@ -254,7 +254,8 @@ class Definitions:
         """The reference to a definition; outputs and what needs the solved motion are read as their expression."""
         dimension = value.dimension if value.dimension is not None else DIMENSIONLESS
         value = replace(value, dimension=dimension)
-        if symbol.kind == "output" or value.order >= Order.ACCELERATION:
+        unused_port = symbol.kind == "input" and value.expression == flat.ZERO
+        if symbol.kind == "output" or value.order >= Order.ACCELERATION or unused_port:
             return value
         fields = quantity_fields(symbol, indices, sign_of(self.ctx, symbol), dimension)
         variability = max(value.variability, Variability.PARAMETER, key=rank)

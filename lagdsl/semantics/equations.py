@@ -6,7 +6,8 @@ from lagdsl.diagnostics import Label
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.naming import element_name
-from lagdsl.semantics.scope import Binding, Indices, Scope, Symbol, lookup
+from lagdsl.semantics.paths import designated
+from lagdsl.semantics.scope import Binding, Indices, Scope, Symbol
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
@@ -19,11 +20,11 @@ def attach(ctx: Context, scope: Scope, item: nodes.Equation) -> None:
     sides = ((item.left, item.right), (item.right, item.left))
     for side, other in sides:
         target = _derivative_of(side)
-        symbol = _symbol(scope, target) if target is not None else None
+        symbol = _symbol(ctx, scope, target) if target is not None else None
         if target is not None and symbol is not None and symbol.kind == "state":
             _bind(ctx, scope, symbol, target, Binding(other, scope, side.span), derivative=True)
             return
-    defined = [(side, other, symbol) for side, other in sides if (symbol := _symbol(scope, side)) is not None]
+    defined = [(side, other, symbol) for side, other in sides if (symbol := _symbol(ctx, scope, side)) is not None]
     fitting = [entry for entry in defined if entry[2].kind in _DEFINED]
     free = [entry for entry in fitting if not entry[2].bindings or isinstance(entry[0], nodes.Index)]
     for side, other, symbol in free[:1] or fitting[:1]:
@@ -42,15 +43,15 @@ def _derivative_of(node: nodes.Node) -> nodes.Expression | None:
             return None
 
 
-def _symbol(scope: Scope, node: nodes.Expression) -> Symbol | None:
+def _symbol(ctx: Context, scope: Scope, node: nodes.Expression) -> Symbol | None:
     target = node.target if isinstance(node, nodes.Index) else node
-    entry = lookup(scope, target.name) if isinstance(target, nodes.Reference) else None
+    entry = designated(ctx, scope, target) if isinstance(target, nodes.Reference | nodes.Member) else None
     return entry if isinstance(entry, Symbol) else None
 
 
 def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | None) -> None:
     target = _derivative_of(item.left) or _derivative_of(item.right)
-    found = _symbol(scope, target) if target is not None else None
+    found = _symbol(ctx, scope, target) if target is not None else None
     if target is not None and found is not None and found.kind != "unknown":
         ctx.sink.report("E0321", target.span, Label(found.span, f"{found.title}"), name=found.short, kind=found.title)
         if found.kind in _DEFINED and not found.bindings:
@@ -59,9 +60,9 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
     if symbol is not None and symbol.kind == "unknown":
         return
     for node in (*descendants(item.left), *descendants(item.right)):
-        unsolved = _symbol(scope, node) if isinstance(node, nodes.Reference) else None
+        unsolved = _symbol(ctx, scope, node) if isinstance(node, nodes.Reference) else None
         rate = _derivative_of(node)
-        state = _symbol(scope, rate) if rate is not None else None
+        state = _symbol(ctx, scope, rate) if rate is not None else None
         if state is not None and state.kind == "state" and not state.derivatives:
             state.kind = "unknown"
         if unsolved is not None and unsolved.kind in _DEFINED and not unsolved.bindings:

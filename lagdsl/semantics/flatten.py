@@ -15,17 +15,17 @@ from lagdsl.semantics.assembly.assemble import assemble
 from lagdsl.semantics.attributes import attributes
 from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.declare import Declarer
 from lagdsl.semantics.definitions import Definitions, every
+from lagdsl.semantics.expand import collect
 from lagdsl.semantics.expressions import elaborate
 from lagdsl.semantics.flat_dependence import Dependence
 from lagdsl.semantics.flat_model import Coordinate, FlatModel, Input, Output, State
+from lagdsl.semantics.inheritance import expand_short
 from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
-from lagdsl.semantics.modification import expand_short
 from lagdsl.semantics.rates import check_inputs, check_linear
 from lagdsl.semantics.scope import Instance, Scope
-from lagdsl.semantics.selection import file_scope, functions_of, inherits, select
+from lagdsl.semantics.selection import file_scope, functions_of, select
 from lagdsl.semantics.usage import warn_unused
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
@@ -80,12 +80,13 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     expanded = expand_short(ctx, chosen) if chosen is not None else None
     if chosen is None or expanded is None:
         return None
-    node, modifiers = expanded
+    symbol, modifiers = expanded
+    node = symbol.node
+    assert isinstance(node, nodes.Class)
     ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
-    ctx.incomplete = ctx.incomplete or inherits(node)
-    scope = Scope("class", f"`{node.name}`", chosen.scope)
-    root = Instance("", node.name_span, chosen, scope, node.kind)
-    contents = Declarer(ctx, root).collect(node, modifiers)
+    scope = Scope("class", f"`{node.name}`", symbol.scope)
+    root = Instance("", node.name_span, symbol, scope, node.kind)
+    contents = collect(ctx, root, modifiers)
     joints = assemble(ctx, root, contents)
     flat = replace(
         _model(ctx, node, scope, contents), joints=joints, name=chosen.node.name, doc=chosen.node.doc or node.doc
@@ -108,7 +109,7 @@ def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) ->
             coordinates += quantities.coordinates(ctx, symbol)
         elif symbol.kind == "state":
             states += quantities.states(ctx, symbol)
-        elif symbol.kind == "input":
+        elif symbol.kind == "input" and not symbol.is_name:
             inputs += quantities.inputs(ctx, symbol)
     physics = Physics()
     for placed in contents.items:

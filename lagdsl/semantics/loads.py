@@ -19,7 +19,41 @@ from lagdsl.units.naming import describe, unit_text
 
 
 def load(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> flat_model.Load | None:
-    """The load, or None after a diagnostic."""
+    """The load; None after a diagnostic, or for one of a component whose value is the zero of an input left unbound."""
+    made = _load(ctx, scope, node, symbol)
+    return None if made is not None and scope.spans and _is_nothing(_expression(made)) else made
+
+
+def _expression(made: flat_model.Load) -> flat.FlatExpression:
+    match made:
+        case flat_model.PointForce():
+            return made.force
+        case flat_model.FrameTorque():
+            return made.torque
+        case flat_model.GeneralizedForce():
+            return made.value
+
+
+def _is_nothing(value: flat.FlatExpression) -> bool:
+    """Whether literal zeros make it zero."""
+    match value:
+        case flat.Number(number):
+            return number == 0.0
+        case flat.Vector(x, y, z):
+            return _is_nothing(x) and _is_nothing(y) and _is_nothing(z)
+        case flat.Unary("-", inner):
+            return _is_nothing(inner)
+        case flat.Binary("*", left, right):
+            return _is_nothing(left) or _is_nothing(right)
+        case flat.Binary("+" | "-", left, right):
+            return _is_nothing(left) and _is_nothing(right)
+        case flat.Binary("/", left, _):
+            return _is_nothing(left)
+        case _:
+            return False
+
+
+def _load(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> flat_model.Load | None:
     if node.at is not None:
         if node.keyword == "torque":
             ctx.sink.report("E0416", node.at.span)

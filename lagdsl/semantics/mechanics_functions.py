@@ -23,6 +23,7 @@ from lagdsl.semantics.geometry import (
     time_derivative,
 )
 from lagdsl.semantics.naming import arguments_text, kind_of, name_span
+from lagdsl.semantics.paths import designated
 from lagdsl.semantics.scope import Indices, Scope, Symbol, lookup
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Reaction, Scalar, Value, Vector, as_vector
 from lagdsl.syntax import nodes
@@ -148,9 +149,7 @@ def _energy(kind: Literal["total", "kinetic", "potential", "jacobi"]) -> Special
 def named_element(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Symbol, Indices] | None:
     """The symbol and indices that `name` or `name[i, j]` stands for; None if it is no such thing."""
     target = node.target if isinstance(node, nodes.Index) else node
-    if not isinstance(target, nodes.Reference):
-        return None
-    symbol = lookup(scope, target.name)
+    symbol = designated(ctx, scope, target)
     if not isinstance(symbol, Symbol):
         return None
     if not isinstance(node, nodes.Index):

@@ -1,65 +1,132 @@
-"""Modifiers from outside: `model S = Pendulum(l = 2 m, theta(start = 10 deg));`."""
+"""Modifiers from outside: `Arm a(l = 2 m, q(start = 10 deg));`, `model S = Arm(l = 2 m);`, `extends Arm(l = 2 m);`."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Binding, ClassSymbol, Scope, Symbol, lookup
+from lagdsl.semantics.scope import Binding, Scope, Symbol
 from lagdsl.syntax import nodes
 
-_REBOUND = ("parameter", "structural", "input", "algebraic", "output")
+Given: TypeAlias = "tuple[nodes.AnyModifier, Scope]"
+
+_REBOUND = ("parameter", "structural", "input", "algebraic", "output", "point", "frame", "coordinate")
 
 
-def expand_short(ctx: Context, symbol: ClassSymbol) -> tuple[nodes.Class, list[tuple[nodes.Modifier, Scope]]] | None:
-    """The class behind a short definition and the modifiers on the way, outermost last; None after a diagnostic."""
-    found: list[tuple[nodes.Modifier, Scope]] = []
-    seen: list[str] = []
-    while isinstance(symbol.node, nodes.ShortClass):
-        node = symbol.node
-        if node.subscripts:
-            ctx.sink.report("E0311", node.span, what="an array of models", hint="arrays of components come later")
-            return None
-        if node.name in seen:
-            ctx.sink.report("E0305", node.span, path=f"model `{node.name}` is defined by itself")
-            return None
-        seen.append(node.name)
-        given: set[str] = set()
-        for modifier in node.modifiers:
-            name = ".".join(modifier.name.parts) if isinstance(modifier, nodes.Modifier) else modifier.name
-            if name in given:
-                ctx.sink.report("E0212", modifier.span, name=name)
-            given.add(name)
-            if isinstance(modifier, nodes.Modifier):
-                found.insert(0, (modifier, symbol.scope))
-            else:
-                ctx.sink.report("E0311", modifier.span, what="`redeclare`", hint="it comes with components")
-        base = lookup(symbol.scope, node.base.parts[0])
-        if not isinstance(base, ClassSymbol) or len(node.base.parts) > 1:
-            ctx.sink.report("E0208", node.base.span, name=".".join(node.base.parts), help=None)
-            return None
-        symbol = base
-    return symbol.node, found
+@dataclass(slots=True)
+class Changes:
+    """Modifiers of one instance by the name they go to, the innermost first: outer ones win."""
+
+    by_name: dict[str, list[Given]] = field(default_factory=dict)
+
+    def add(self, given: Iterable[Given]) -> None:
+        for modifier, scope in given:
+            self.by_name.setdefault(target(modifier), []).append((_unfolded(modifier), scope))
+
+    def take(self, name: str) -> list[Given]:
+        """The modifiers of `name`, which is thereby known."""
+        return self.by_name.pop(name, [])
 
 
-def modify(ctx: Context, scope: Scope, modifiers: list[tuple[nodes.Modifier, Scope]]) -> None:
-    """Apply modifiers to the symbols of a class before anything is evaluated; later ones win."""
-    for modifier, outer in modifiers:
-        name = ".".join(modifier.name.parts)
-        symbol = scope.entries.get(name)
-        if not isinstance(symbol, Symbol) or symbol.declarator is None:
-            names = [known for known, entry in scope.entries.items() if isinstance(entry, Symbol) and entry.declarator]
-            meant = nearest(name, names)
-            hint = f"did you mean `{meant}`?" if meant else None
-            ctx.sink.report("E0223", modifier.name.span, name=name, model=scope.title, help=hint)
+def target(modifier: nodes.AnyModifier) -> str:
+    """The name of the class that the modifier goes to: `q` of `q.start = 1`."""
+    return modifier.name.parts[0] if isinstance(modifier, nodes.Modifier) else modifier.name
+
+
+def _unfolded(modifier: nodes.AnyModifier) -> nodes.AnyModifier:
+    """`a.b = 1` as `a(b = 1)`."""
+    if not isinstance(modifier, nodes.Modifier) or len(modifier.name.parts) == 1:
+        return modifier
+    first, rest = modifier.name.parts[:1], modifier.name.parts[1:]
+    own = tuple(prefix for prefix in modifier.prefixes if prefix != "each")
+    inner = replace(modifier, name=replace(modifier.name, parts=rest), prefixes=own)
+    outer = tuple(prefix for prefix in modifier.prefixes if prefix == "each")
+    name = replace(modifier.name, parts=first)
+    return nodes.Modifier(
+        span=modifier.span, prefixes=outer, name=name, subscripts=(), modifiers=(_unfolded(inner),), value=None
+    )
+
+
+def check_duplicates(ctx: Context, modifiers: Iterable[nodes.AnyModifier]) -> None:
+    """E0212 where one list names the same thing twice."""
+    seen: set[str] = set()
+    for modifier in modifiers:
+        name = ".".join(modifier.name.parts) if isinstance(modifier, nodes.Modifier) else modifier.name
+        if name in seen and not (isinstance(modifier, nodes.Modifier) and modifier.subscripts):
+            ctx.sink.report("E0212", modifier.span, name=name)
+        seen.add(name)
+
+
+def modify(ctx: Context, symbol: Symbol, given: Iterable[Given]) -> None:
+    """Apply the modifiers of one quantity, point or frame, before anything is evaluated."""
+    for modifier, outer in given:
+        if not isinstance(modifier, nodes.Modifier):
+            ctx.sink.report("E0311", modifier.span, what="`redeclare` of a quantity", hint="give it another value")
             continue
-        for nested in modifier.modifiers:
-            if isinstance(nested, nodes.Modifier):
-                symbol.overrides.append((nested, outer))
-        if modifier.value is None:
+        if symbol.sealed is not None:
+            label = Label(symbol.sealed, "given as `final` here")
+            ctx.sink.report("E0224", modifier.span, label, name=symbol.short)
             continue
-        if symbol.final or symbol.kind not in _REBOUND:
-            label = Label(symbol.span, f"declared as {symbol.title}")
-            ctx.sink.report("E0224", modifier.span, label, name=name)
-            continue
-        symbol.bindings = {None: Binding(modifier.value, outer, modifier.span)}
+        if modifier.modifiers:
+            symbol.overrides.append((modifier.modifiers, outer))
+        if modifier.value is not None:
+            _rebind(ctx, symbol, modifier, modifier.value, outer)
+        if "final" in modifier.prefixes:
+            symbol.sealed = modifier.name.span
+            symbol.final = True
+
+
+def _rebind(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, value: nodes.Expression, outer: Scope) -> None:
+    if symbol.kind == "unknown":
+        return
+    if (symbol.final and symbol.sealed is None) or symbol.kind not in _REBOUND:
+        label = Label(symbol.span, f"declared as {symbol.title}")
+        ctx.sink.report("E0224", modifier.span, label, name=symbol.short)
+        return
+    array = symbol.declarator is not None and symbol.declarator.subscripts
+    key = () if symbol.kind in ("point", "frame") and not array else None
+    symbol.bindings = {key: Binding(value, outer, modifier.span)}
+
+
+def report_unknown(ctx: Context, changes: Changes, names: Iterable[str], title: str) -> None:
+    """E0223 for modifiers of what the class does not have."""
+    known = list(names)
+    for name, given in changes.by_name.items():
+        meant = nearest(name, known)
+        hint = f"did you mean `{meant}`?" if meant else None
+        for modifier, _ in given:
+            span = modifier.name.span if isinstance(modifier, nodes.Modifier) else modifier.span
+            ctx.sink.report("E0223", span, name=name, model=title, help=hint)
+
+
+# ---- arrays ----------------------------------------------------------------------------------------------------------
+
+
+def for_element(given: Given, indices: tuple[int, ...]) -> Given:
+    """What a modifier of an array of components says to one element: values are split unless `each` stands there."""
+    modifier, scope = given
+    return _split(modifier, indices), scope
+
+
+def _split(modifier: nodes.AnyModifier, indices: tuple[int, ...]) -> nodes.AnyModifier:
+    if not isinstance(modifier, nodes.Modifier):
+        return modifier
+    if "each" in modifier.prefixes:
+        return replace(modifier, prefixes=tuple(prefix for prefix in modifier.prefixes if prefix != "each"))
+    inner = tuple(_split(nested, indices) for nested in modifier.modifiers)
+    value = None if modifier.value is None else _element(modifier.value, indices)
+    return replace(modifier, modifiers=inner, value=value)
+
+
+def _element(value: nodes.Expression, indices: tuple[int, ...]) -> nodes.Expression:
+    """`value[indices]`, taken apart here where the text lists its elements."""
+    while indices and isinstance(value, nodes.Array) and 1 <= indices[0] <= len(value.elements):
+        value, indices = value.elements[indices[0] - 1], indices[1:]
+    if not indices:
+        return value
+    subscripts = tuple(nodes.Number(span=value.span, text=str(index)) for index in indices)
+    return nodes.Index(span=value.span, target=value, subscripts=subscripts)

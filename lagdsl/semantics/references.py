@@ -12,6 +12,7 @@ from lagdsl.semantics.builtin import BUILTINS
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.naming import an, kind_of
+from lagdsl.semantics.paths import designated
 from lagdsl.semantics.scope import (
     ClassSymbol,
     Entry,
@@ -24,7 +25,7 @@ from lagdsl.semantics.scope import (
     lookup,
     visible,
 )
-from lagdsl.semantics.values import POISON, Array, Order, Poison, Scalar, Value, Vector, components
+from lagdsl.semantics.values import POISON, Array, Component, Order, Poison, Scalar, Value, Vector, components
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import TIME
 from lagdsl.units.parse import UnknownUnit, parse_unit
@@ -55,9 +56,12 @@ def _value(ctx: Context, entry: Entry, node: nodes.Expression) -> Value:
         case ClassSymbol():
             ctx.sink.report("E0219", node.span, name=node.span.text, what="a class")
             return POISON
-        case Instance() | InstanceArray():
-            ctx.sink.report("E0219", node.span, name=node.span.text, what="a component")
+        case Instance() if not entry.present:
+            label = Label(entry.span, "declared here")
+            ctx.sink.report("E0230", node.span, label, name=entry.name)
             return POISON
+        case Instance() | InstanceArray():
+            return Component(entry)
         case _:
             return entry
 
@@ -120,9 +124,9 @@ def _after_unit(node: nodes.Reference) -> bool:
 
 
 def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:
-    package = package_entry(scope, node)
-    if package is not None:
-        return _value(ctx, package, node)
+    entry = designated(ctx, scope, node)
+    if entry is not None:
+        return _value(ctx, entry, node)
     if not_in_package(ctx, scope, node):
         return POISON
     return geometry.member(ctx, node, ctx.elaborate(ctx, scope, node.target, False))
@@ -154,15 +158,19 @@ def not_in_package(ctx: Context, scope: Scope, node: nodes.Member) -> bool:
 
 def index(ctx: Context, scope: Scope, node: nodes.Index) -> Value:
     """`a[i]`, `a[2:3]`, `P[k]`: one element of a declared array is read without its neighbours."""
-    if isinstance(node.target, nodes.Reference):
-        symbol = lookup(scope, node.target.name)
-        if isinstance(symbol, Symbol):
-            symbol.used = True
-            shape = ctx.resolver.shape(symbol)
-            if shape is None:
-                return POISON
-            if shape:
-                return _element(ctx, scope, node, symbol, shape)
+    entry = designated(ctx, scope, node)
+    if entry is not None:
+        return _value(ctx, entry, node)
+    symbol = designated(ctx, scope, node.target)
+    if isinstance(symbol, Poison):
+        return POISON
+    if isinstance(symbol, Symbol):
+        symbol.used = True
+        shape = ctx.resolver.shape(symbol)
+        if shape is None:
+            return POISON
+        if shape:
+            return _element(ctx, scope, node, symbol, shape)
     return _indexed(ctx, scope, node, ctx.elaborate(ctx, scope, node.target, False))
 
 

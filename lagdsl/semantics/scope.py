@@ -14,7 +14,7 @@ from typing import Literal, Protocol, TypeAlias
 
 from lagdsl.record import record
 from lagdsl.semantics.prelude import BaseType
-from lagdsl.semantics.values import Poison, Value
+from lagdsl.semantics.values import Poison, Scalar, Value
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
@@ -105,6 +105,13 @@ class Symbol:
         """What kind of thing it is, for diagnostics."""
         return {"structural": "structural parameter", "algebraic": "variable", "unknown": "name"}.get(
             self.kind, self.kind
+        )
+
+    @property
+    def is_name(self) -> bool:
+        """Whether it stands for its binding: a variable, or an input of a component that is bound or has a default."""
+        return self.kind in ("algebraic", "output") or (
+            self.kind == "input" and bool(self.scope.spans) and bool(self.bindings)
         )
 
     @property

@@ -49,15 +49,14 @@ def resolve_type(ctx: Context, name: nodes.Name, scope: Scope, depth: int = 0) -
             return _defined(ctx, entry, depth)
         case TypeSymbol():
             ctx.sink.report("E0305", name.span, path=f"type `{text}` is defined by itself")
-        case ClassSymbol() if len(name.parts) == 1 or entry.inner is None:
-            what = f"a component of class `{text}`"
-            ctx.sink.report("E0311", name.span, what=what, hint="write the mechanism in one class for now")
+        case ClassSymbol() if entry.inner is None:
+            ctx.sink.report("E0233", name.span, name=text)
         case None if text in prelude.TYPES:
             return _prelude(ctx, prelude.TYPES[text])
         case Poison():
             pass
         case _:
-            _unknown(ctx, name, scope)
+            report_unknown_type(ctx, name, scope)
     return None
 
 
@@ -141,7 +140,7 @@ def _unknown_unit(ctx: Context, fault: UnknownUnit, span: Span) -> None:
     ctx.sink.report("E0413", span, unit=fault.text, help=meant)
 
 
-def _unknown(ctx: Context, name: nodes.Name, scope: Scope) -> None:
+def report_unknown_type(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     text = ".".join(name.parts)
     if ctx.incomplete:
         return

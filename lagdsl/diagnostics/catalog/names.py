@@ -45,6 +45,25 @@ ROWS: dict[str, Row] = {
     "E0222": error("the model has no structural parameter `{name}`"),
     "E0223": error("{model} has no `{name}`", label="cannot be modified"),
     "E0224": error("`{name}` cannot be given another value from outside", label="fixed where it is declared"),
+    "E0225": error(
+        "component `{name}` would hold itself without end: {path}", label="a component of a class that it is part of"
+    ),
+    "E0226": error("a class cannot extend itself: {path}", label="closes the circle", help="delete one of the `extends`"),
+    "E0227": error(
+        "component `{name}` cannot be given a value",
+        label="a component is no quantity",
+        help="modify its members: `{name}(member = ...)`",
+    ),
+    "E0228": error("{what} is an array of components", label="of which one?"),
+    "E0229": error("`{name}` is protected in {what}", label="not to be seen from outside"),
+    "E0230": error("component `{name}` is not there: its condition is false", label="used here"),
+    "E0231": error(
+        "`{name}` is a partial class; it cannot be a component",
+        label="incomplete on purpose",
+        help="use a class that extends it",
+    ),
+    "E0232": error("`extends` must stand at the top of a class", label="what is inherited cannot depend on conditions"),
+    "E0233": error("`{name}` is a class, not the type of a quantity", label="a quantity has one value"),
     "E0250": error("there is no package or class `{name}`", label="not found"),
     "E0252": error(
         "`{name}` is no package", label="has no names to import", help="import the class itself, without what follows"

@@ -1,0 +1,144 @@
+"""A class with all that it inherits: short definitions and `extends` followed, sections merged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from lagdsl.diagnostics import Label
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.declarations import enter
+from lagdsl.semantics.imports import check_imports, declare_imports
+from lagdsl.semantics.modification import Changes, Given, check_duplicates
+from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope, TypeSymbol, lookup_path
+from lagdsl.semantics.types import report_unknown_type
+from lagdsl.syntax import nodes
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One item of a class or of a base; `scope` shares the entries of the instance but sees what its class sees."""
+
+    item: nodes.Item
+    scope: Scope
+    section: str
+    protected: bool
+
+
+@dataclass(slots=True)
+class Body:
+    """`given` are the modifiers of `extends`, innermost first; `line` the class and its bases."""
+
+    parts: list[Part] = field(default_factory=list)
+    given: list[Given] = field(default_factory=list)
+    line: list[nodes.Class] = field(default_factory=list)
+
+
+def class_at(ctx: Context, scope: Scope, name: nodes.Name) -> ClassSymbol | None:
+    """The class that `name` means in `scope`, or None after E0208."""
+    entry = lookup_path(scope, name.parts, name.span)
+    if isinstance(entry, ClassSymbol) and entry.inner is None:
+        return entry
+    report_unknown_type(ctx, name, scope)
+    return None
+
+
+def expand_short(ctx: Context, symbol: ClassSymbol) -> tuple[ClassSymbol, list[Given]] | None:
+    """The class behind a short definition and the modifiers on the way, innermost first; None after a diagnostic."""
+    found: list[Given] = []
+    seen: list[nodes.ShortClass] = []
+    while isinstance(symbol.node, nodes.ShortClass):
+        node = symbol.node
+        if node.subscripts:
+            hint = "give the size where the component is declared"
+            ctx.sink.report("E0311", node.span, what="an array of models", hint=hint)
+            return None
+        if any(node is other for other in seen):
+            ctx.sink.report("E0305", node.span, path=f"model `{node.name}` is defined by itself")
+            return None
+        seen.append(node)
+        check_duplicates(ctx, node.modifiers)
+        found[:0] = [(modifier, symbol.scope) for modifier in node.modifiers]
+        base = class_at(ctx, symbol.scope, node.base)
+        if base is None:
+            return None
+        symbol = base
+    return symbol, found
+
+
+def body_of(ctx: Context, node: nodes.Class, scope: Scope, changes: Changes) -> Body:
+    """All parts of the class in order, a base's where its `extends` stands; names of classes are entered."""
+    body = Body()
+    _collect(ctx, node, scope, changes, body, protected=False, below=())
+    return body
+
+
+def _collect(
+    ctx: Context,
+    node: nodes.Class,
+    scope: Scope,
+    changes: Changes,
+    body: Body,
+    *,
+    protected: bool,
+    below: tuple[nodes.Class, ...],
+) -> None:
+    body.line.append(node)
+    own = [Part(item, scope, keyword, protected or keyword == "protected") for item, keyword in items_of(node)]
+    declare_imports(ctx.sink, scope, [part.item for part in own])
+    check_imports(scope)
+    for part in own:
+        enter_class(ctx, part, changes)
+    for part in own:
+        if isinstance(part.item, nodes.Extends):
+            _extend(ctx, part.item, part, changes, body, (*below, node))
+        else:
+            body.parts.append(part)
+
+
+def items_of(node: nodes.Class) -> Iterator[tuple[nodes.Item, str]]:
+    """The items of a class with the keyword of their section."""
+    for item in node.items:
+        yield item, "public"
+    for section in node.sections:
+        for item in section.items:
+            yield item, section.keyword
+
+
+def enter_class(ctx: Context, part: Part, changes: Changes) -> None:
+    item, scope = part.item, part.scope
+    match item:
+        case nodes.Function():
+            enter(ctx, scope, item.name, FunctionSymbol(item, scope), item.span)
+        case nodes.TypeDefinition():
+            enter(ctx, scope, item.name, TypeSymbol(item, scope), item.span)
+        case nodes.Class():
+            enter(ctx, scope, item.name, ClassSymbol(item, scope), item.name_span)
+        case nodes.ShortClass():
+            enter(ctx, scope, item.name, ClassSymbol(item, scope), item.span)
+        case _:
+            pass
+
+
+def _extend(
+    ctx: Context, item: nodes.Extends, part: Part, changes: Changes, body: Body, below: tuple[nodes.Class, ...]
+) -> None:
+    symbol = class_at(ctx, part.scope, item.base)
+    expanded = expand_short(ctx, symbol) if symbol is not None else None
+    if expanded is None:
+        ctx.incomplete = True
+        return
+    base, given = expanded
+    assert isinstance(base.node, nodes.Class)
+    if any(base.node is other for other in below):
+        names = [each.name for each in below[[each is base.node for each in below].index(True) :]] + [base.node.name]
+        path = " extends ".join(f"`{name}`" for name in names)
+        labels = [Label(each.name_span, f"`{each.name}` is declared here") for each in below]
+        ctx.sink.report("E0226", item.span, *labels, path=path)
+        return
+    check_duplicates(ctx, item.modifiers)
+    if not any(base.node is other for other in body.line):
+        scope = part.scope
+        view = Scope("class", f"`{base.node.name}`", base.scope, scope.prefix, scope.spans, entries=scope.entries)
+        _collect(ctx, base.node, view, changes, body, protected=part.protected, below=below)
+    body.given += [*given, *((modifier, part.scope) for modifier in item.modifiers)]
