@@ -34,49 +34,60 @@ def null_space(matrix: Floats, tolerance: float = RANK_TOLERANCE) -> Floats:
     return np.ascontiguousarray(rows[count:].T)
 
 
-def minimum_norm(matrix: Floats, right: Floats, tolerance: float = RANK_TOLERANCE, damping: float = 0.0) -> Floats:
-    """The least-squares solution of smallest norm; `damping` (relative to the largest singular value) shortens it."""
-    if not matrix.size:
-        return np.zeros(matrix.shape[1])
-    left, values, rows = np.linalg.svd(matrix, full_matrices=False)
-    if values[0] == 0.0:
-        return np.zeros(matrix.shape[1])
-    kept = values > tolerance * values[0]
-    values = values[kept]
-    inverse = values / (values**2 + (damping * values[0]) ** 2)
-    return np.asarray(rows[kept].T @ (inverse * (left[:, kept].T @ right)))
+def minimum_norm(matrix: Floats, right: Floats, tolerance: float = RANK_TOLERANCE) -> Floats:
+    """The least-squares solution of smallest norm."""
+    return np.asarray(minimum_norms(matrix[None], right[None], tolerance)[0])
 
 
-def independent_rows(samples: list[Floats], order: list[int], tolerance: float = 1e-8) -> list[bool]:
-    """Which rows are kept when rows are taken in `order` and one is left out if it depends on those kept at every
-    sample.
+def minimum_norms(
+    matrices: Floats, rights: Floats, tolerance: float = RANK_TOLERANCE, damping: Floats | float = 0.0
+) -> Floats:
+    """The least-squares solutions (k, n) of smallest norm for matrices (k, m, n) and right-hand sides (k, m).
 
-    `samples` are the same matrix at several points; dependence is the relative distance of a row from the span of
-    the others.
+    `damping` (k,), relative to the largest singular value, shortens them.
     """
-    rows = samples[0].shape[0] if samples else 0
-    kept = [False] * rows
-    bases: list[list[Floats]] = [[] for _ in samples]
-    largest = [float(np.max(np.linalg.norm(sample, axis=1), initial=0.0)) for sample in samples]
+    count, _, n = matrices.shape
+    if not matrices.size:
+        return np.zeros((count, n))
+    left, values, rows = np.linalg.svd(matrices, full_matrices=False)
+    largest = values[:, :1]
+    kept = values > tolerance * largest
+    shift = (np.broadcast_to(damping, (count,))[:, None] * largest) ** 2
+    inverse = np.where(kept, values, 0.0) / np.where(kept, values**2 + shift, 1.0)
+    projected = np.einsum("kij,ki->kj", left, rights)
+    return np.asarray(np.einsum("kij,ki->kj", rows, inverse * projected))
+
+
+def independent_rows(matrix: Floats, order: list[int], count: int) -> list[bool]:
+    """Which rows are kept when rows are taken in `order` and one is left out if it depends on those kept: `count` of
+    them.
+
+    With the right number known, by singular values, no tolerance of its own decides: it is lowered until so many rows
+    are found.
+    """
+    tolerance = 1e-6
+    while True:
+        kept = _independent(matrix, order, tolerance, count)
+        if sum(kept) >= count or tolerance < 1e-13:
+            return kept
+        tolerance *= 0.1
+
+
+def _independent(matrix: Floats, order: list[int], tolerance: float, count: int) -> list[bool]:
+    kept = [False] * len(matrix)
+    basis = np.zeros((0, matrix.shape[1]))
+    lengths = np.linalg.norm(matrix, axis=1)
+    least = 1e-12 * float(np.max(lengths, initial=0.0))
     for row in order:
-        rests: list[Floats | None] = []
-        for sample, basis, size in zip(samples, bases, largest, strict=True):
-            vector = sample[row]
-            length = float(np.linalg.norm(vector))
-            remainder = _without(_without(vector, basis), basis)
-            independent = length > 1e-12 * size and float(np.linalg.norm(remainder)) > tolerance * length
-            rests.append(remainder if independent else None)
-        kept[row] = any(rest is not None for rest in rests)
-        for rest, basis in zip(rests, bases, strict=True):
-            if rest is not None:
-                basis.append(rest / np.linalg.norm(rest))
+        if lengths[row] <= least or len(basis) == count:
+            continue
+        rest = matrix[row] - basis.T @ (basis @ matrix[row])
+        rest = rest - basis.T @ (basis @ rest)
+        length = float(np.linalg.norm(rest))
+        if length > tolerance * lengths[row]:
+            kept[row] = True
+            basis = np.vstack([basis, rest / length])
     return kept
-
-
-def _without(vector: Floats, basis: list[Floats]) -> Floats:
-    for direction in basis:
-        vector = vector - direction * float(direction @ vector)
-    return vector
 
 
 def augmented_mass(mass: Floats, jacobian: Floats) -> Floats:

@@ -8,14 +8,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.structure_constraints import (
-    Dependence,
-    dependence,
-    report_dependence,
-    report_impossible,
-    report_inconsistent_rates,
-)
+from lagdsl.mechanics.structure_constraints import report_impossible, report_inconsistent_rates
 from lagdsl.mechanics.structure_count import Count, count, count_text
+from lagdsl.mechanics.structure_dependence import Dependence, dependence, report_dependence
 from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.mechanics.structure_inertia import report_massless
 from lagdsl.mechanics.structure_points import Functions, geometry, probes

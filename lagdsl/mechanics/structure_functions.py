@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -21,6 +21,23 @@ class ProgramFunctions:
     @property
     def layout(self) -> Layout:
         return self.program.layout
+
+    def restricted(self, rows: list[int]) -> ProgramFunctions:
+        """The same with all other rows of the position constraints, and of J there, zero."""
+        program, kept = self.program, set(rows)
+        zero = program.graph.zero
+        definition = program.function("position_constraint")
+        count = max(len(program.layout.constraints), 1)
+        blocks = []
+        for block in definition.results:
+            width = len(block.elements) // count
+            elements = tuple(
+                node if index // max(width, 1) in kept else zero for index, node in enumerate(block.elements)
+            )
+            blocks.append(replace(block, elements=elements))
+        changed = replace(definition, results=tuple(blocks))
+        functions = tuple(changed if f is definition else f for f in program.functions)
+        return ProgramFunctions(replace(program, functions=functions))
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of `function`; what is not a number comes out as nan or inf."""

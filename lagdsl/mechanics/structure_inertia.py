@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.rank import Floats, null_space
-from lagdsl.mechanics.structure_points import Geometry, Probe
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_points import Geometry, Probe, free_directions
 from lagdsl.semantics.flat_model import FlatModel
 
 # Smallest inertia in a direction the constraints leave free, relative to the largest, that still counts as inertia.
@@ -38,7 +38,7 @@ def _massless_shares(space: Geometry, point: Probe) -> Floats:
     diagonal = np.sqrt(np.abs(np.diag(point.mass)))
     largest = float(np.max(diagonal))
     scale = np.where(diagonal > 1e-9 * largest, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), space.sizes)
-    free = null_space(point.rows * (scale / space.sizes))
+    free = free_directions(point.rows * (scale / space.sizes), space.parts(list(range(len(point.rows)))))
     values, directions = np.linalg.eigh(free.T @ ((point.mass * scale[:, None]) * scale) @ free)
     top = float(np.max(np.abs(values), initial=0.0))
     empty = free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free

@@ -1,7 +1,7 @@
-"""Damped Gauss-Newton for a handful of equations with more, fewer or dependent rows: the one root finder of the
-house.
+"""Damped Gauss-Newton for equations with more, fewer or dependent rows: the one root finder of the house.
 
-Levenberg's damping with steps of minimum norm, so that dependent rows and singular positions pass.
+Levenberg's damping with steps of minimum norm, so that dependent rows and singular positions pass. Independent parts
+of the equations are damped, accepted and finished each for itself.
 Source: Nocedal and Wright, Numerical Optimization, 2nd ed., section 10.3.
 """
 
@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lagdsl.mechanics.rank import Floats, minimum_norm
+from lagdsl.mechanics.partition import Partition, entries, whole
+from lagdsl.mechanics.rank import Floats, minimum_norms
 
 Equations = Callable[[Floats], tuple[Floats, Floats]]
 
@@ -30,36 +31,61 @@ class Descent:
     size: float
 
 
-def descend(equations: Equations, start: Floats, *, target: float = 1e-13, iterations: int = 100) -> Descent:
+def descend(
+    equations: Equations,
+    start: Floats,
+    *,
+    target: float = 1e-13,
+    iterations: int = 100,
+    partition: Partition | None = None,
+) -> Descent:
     """Reduce |residual| from `start` until it is below `target`, stalls or `iterations` are used up.
 
     `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one. Once below `target` it
     goes on as long as whole steps still halve the residual, so the result is as exact as the arithmetic allows.
+    `partition` says which of them are independent.
     """
     point = start
     residual, jacobian = equations(point)
-    size = _norm(residual)
-    damping = 0.0
+    split = partition or whole(len(residual), len(point))
+    sizes = split.sizes(residual)
+    damping = np.zeros(split.count)
+    active = np.zeros(split.count, dtype=np.bool_)
+    for parts in split.parts:
+        active[parts.labels] = True
     for _ in range(iterations):
-        if size == 0.0 or not np.isfinite(size) or not np.all(np.isfinite(jacobian)):
+        active &= (sizes > 0.0) & np.isfinite(sizes)
+        step = _step(split, residual, jacobian, damping, active)
+        if not np.any(active):
             break
-        trial = point - minimum_norm(jacobian, residual, damping=damping)
+        trial = split.mixed(active, point - step, point)
         new_residual, new_jacobian = equations(trial)
-        new_size = _norm(new_residual)
-        if new_size < size:
-            settled = size <= target and new_size > 0.5 * size
-            stalled = damping == 0.0 and new_size > (1.0 - 1e-9) * size
-            point, residual, jacobian, size = trial, new_residual, new_jacobian, new_size
-            damping = damping / 3.0 if damping > _SMALLEST_DAMPING else 0.0
-            if settled or stalled:
-                break
-        elif size <= target or damping > _LARGEST_DAMPING:
-            break
-        else:
-            damping = max(4.0 * damping, _SMALLEST_DAMPING)
-    return Descent(point=point, residual=residual, size=size)
-
-
-def _norm(residual: Floats) -> float:
+        new_sizes = split.sizes(new_residual)
+        better = active & (new_sizes < sizes)
+        settled = (sizes <= target) & (new_sizes > 0.5 * sizes)
+        stalled = (damping == 0.0) & (new_sizes > (1.0 - 1e-9) * sizes)
+        hopeless = ~better & ((sizes <= target) | (damping > _LARGEST_DAMPING))
+        active &= ~hopeless & ~(better & (settled | stalled))
+        point = split.mixed(better, trial, point)
+        rows = better[split.row_labels]
+        residual = np.where(rows, new_residual, residual)
+        jacobian = np.where(rows[:, None], new_jacobian, jacobian)
+        sizes = np.where(better, new_sizes, sizes)
+        relaxed = np.where(damping > _SMALLEST_DAMPING, damping / 3.0, 0.0)
+        damping = np.where(better, relaxed, np.maximum(4.0 * damping, _SMALLEST_DAMPING))
     size = float(np.linalg.norm(residual))
-    return size if np.isfinite(size) else np.inf
+    return Descent(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
+
+
+def _step(split: Partition, residual: Floats, jacobian: Floats, damping: Floats, active: np.ndarray) -> Floats:
+    """Steps of the active parts; one whose Jacobian is no number becomes inactive."""
+    step = np.zeros(jacobian.shape[1])
+    for parts in split.parts:
+        if not np.any(active[parts.labels]):
+            continue
+        blocks = entries(jacobian, parts)
+        active[parts.labels] &= np.all(np.isfinite(blocks), axis=(1, 2))
+        live = active[parts.labels]
+        rows, columns = parts.rows[live], parts.columns[live]
+        step[columns] = minimum_norms(blocks[live], residual[rows], damping=damping[parts.labels[live]])
+    return step

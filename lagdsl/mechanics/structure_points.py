@@ -3,11 +3,14 @@ bounds."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 
-from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.partition import Flags, Partition, entries, partition
+from lagdsl.mechanics.rank import RANK_TOLERANCE, Floats, minimum_norms, null_space
+from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.mechanics.structure_newton import Descent, descend
 from lagdsl.program.program import Layout
 from lagdsl.record import record
@@ -18,7 +21,12 @@ SEED = 20011
 # constraint that only touches (two circles that meet in one point) is approached linearly.
 HOLDS = 1e-7
 _EXACT = 1e-10
+_RESIDUAL_FACTOR = 1e3
+# Rows are scaled to size one; a part whose largest singular value is below this has no content but round-off.
+_ROW = 1e-3
 _ROUNDING = 1e-12
+# An entry of J that is smaller, as a part of its row, at every point looked at is none.
+_ABSENT = 1e-13
 # So many points that the largest of a row's lengths hardly depends on which they are.
 _SIZED_AT = 8
 
@@ -51,7 +59,10 @@ def natural_sizes(coordinates: tuple[Coordinate, ...], start: Floats) -> Floats:
 
 @record()
 class Geometry:
-    """The constraints of a model as functions of q alone; everything else is held at its start."""
+    """The constraints of a model as functions of q alone; everything else is held at its start.
+
+    `pattern` (nc, nq) tells which entries of J are not zero everywhere.
+    """
 
     functions: Functions
     t: float
@@ -63,6 +74,7 @@ class Geometry:
     p: Floats
     sizes: Floats
     row_sizes: Floats
+    pattern: Flags
 
     @property
     def position_rows(self) -> list[int]:
@@ -96,8 +108,18 @@ class Geometry:
             phi, jacobian = self.position(x * self.sizes)
             return phi[rows] / self.row_sizes[rows], jacobian[rows] * self.sizes / self.row_sizes[rows, None]
 
-        found = descend(equations, q / self.sizes)
+        found = descend(equations, q / self.sizes, partition=self.parts(rows))
         return Descent(point=found.point * self.sizes, residual=found.residual * self.row_sizes[rows], size=found.size)
+
+    def only(self, rows: list[int]) -> Geometry:
+        """The same where nothing but these position rows is asked for: cheap if they are few."""
+        if isinstance(self.functions, ProgramFunctions):
+            return replace(self, functions=self.functions.restricted(rows))
+        return self
+
+    def parts(self, rows: list[int]) -> Partition:
+        """The independent parts of these rows."""
+        return partition(self.pattern[rows])
 
 
 def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, seed: int = SEED) -> Geometry:
@@ -108,14 +130,20 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
     t = flat.experiment.start_time
     q, qd, z, u = functions.evaluate("start", t, parameters)
     sizes = natural_sizes(flat.coordinates, q)
-    plain = Geometry(functions, t, q, qd, z, u, np.zeros(len(layout.discretes)), parameters, sizes, np.ones(0))
+    every = np.ones((len(layout.constraints), len(q)), dtype=np.bool_)
+    plain = Geometry(functions, t, q, qd, z, u, np.zeros(len(layout.discretes)), parameters, sizes, np.ones(0), every)
     row_sizes = np.zeros(len(layout.constraints))
+    largest = np.zeros_like(every, dtype=np.float64)
     for point in [q, *random_points(flat.coordinates, q, sizes, _SIZED_AT, seed)] if layout.constraints else []:
-        lengths = np.linalg.norm(plain.velocity(point, qd)[1] * sizes, axis=1)
+        scaled = plain.velocity(point, qd)[1] * sizes
+        lengths = np.linalg.norm(scaled, axis=1)
         row_sizes = np.maximum(row_sizes, np.where(np.isfinite(lengths), lengths, 0.0))
+        largest = np.maximum(largest, np.where(np.isfinite(scaled), np.abs(scaled), np.inf))
     # Rows that are zero but for round-off have no size of their own.
-    row_sizes = np.where(row_sizes > _ROUNDING * np.max(row_sizes, initial=0.0), row_sizes, 1.0)
-    return Geometry(functions, t, q, qd, z, u, plain.w, parameters, sizes, row_sizes)
+    rounding = _ROUNDING * np.max(row_sizes, initial=0.0)
+    pattern = largest > np.maximum(_ABSENT * row_sizes[:, None], rounding)
+    row_sizes = np.where(row_sizes > rounding, row_sizes, 1.0)
+    return Geometry(functions, t, q, qd, z, u, plain.w, parameters, sizes, row_sizes, pattern)
 
 
 def random_points(
@@ -123,13 +151,11 @@ def random_points(
 ) -> list[Floats]:
     """`count` points about the start, ever wider apart; the same for every run."""
     generator = np.random.default_rng(seed)
-    lower = np.array([-np.inf if c.minimum is None else c.minimum for c in coordinates])
-    upper = np.array([np.inf if c.maximum is None else c.maximum for c in coordinates])
     points = []
     for index in range(count):
         width = 0.4 * 1.2 ** min(index, 12)
         point = start + width * sizes * generator.standard_normal(len(coordinates))
-        points.append(np.clip(point, lower, upper))
+        points.append(_inside(coordinates, point))
     return points
 
 
@@ -155,26 +181,53 @@ def probes(
 ) -> list[Probe]:
     """Up to `wanted` general points at which the position rows hold and the functions are finite.
 
-    Rows that depend on each other on the constraint set only look independent beside it by as much as the residual, so
-    points where the rows hold by and large are taken only if there are no others.
+    They lie on the branch of the constraint set on which the motion starts, found by walking along it: ranks may differ
+    between branches (an overconstrained linkage is mobile on one and rigid on the other), and from a singular start the
+    walk leads onto a branch that passes through it. Rows that depend on each other on the constraint set only look
+    independent beside it by as much as the residual, so points where the rows hold by and large are taken only if there
+    are no others.
 
-    Where the functions exist near the start only (roots, logarithms) the points are drawn closer and closer to it; the
-    start itself is the last resort.
+    Where the functions exist near the start only (roots, logarithms) the steps become shorter and shorter; the start
+    itself is the last resort.
     """
     found: list[Probe] = []
     rough: list[Probe] = []
+    base = space.project(space.q, rows)
+    here = base.point if base.size <= HOLDS else space.q
     scale = 1.0
-    candidates = random_points(flat.coordinates, space.q, space.sizes, tries, seed)
-    for candidate, rates in zip(candidates, random_rates(flat.coordinates, space.sizes, tries, seed), strict=True):
-        probe = _probe(space, space.q + scale * (candidate - space.q), rates, rows)
-        if probe is not None:
-            (found if probe.residual <= _EXACT else rough).append(probe)
+    directions = random_points(flat.coordinates, space.q, space.sizes, tries, seed)
+    for direction, rates in zip(directions, random_rates(flat.coordinates, space.sizes, tries, seed), strict=True):
+        step = _tangent(space, here, rows, (direction - space.q) / space.sizes) * space.sizes
+        probe = _probe(space, _inside(flat.coordinates, here + scale * step), rates, rows)
+        if probe is None:
+            scale *= 0.6
         else:
-            scale *= 0.7
+            (found if probe.residual <= _EXACT else rough).append(probe)
+            here = probe.q
         if len(found) == wanted:
             return found
     last = _probe(space, space.q, space.qd, rows)
     return found or rough[:wanted] or ([last] if last is not None else [])
+
+
+def _tangent(space: Geometry, q: Floats, rows: list[int], direction: Floats) -> Floats:
+    """The part of `direction` that the position rows leave free at q; all in natural sizes."""
+    jacobian = space.position(q)[1][rows] * space.sizes / space.row_sizes[rows, None]
+    if not np.all(np.isfinite(jacobian)):
+        return direction
+    result = direction.copy()
+    for parts in space.parts(rows).parts:
+        for block, columns in zip(entries(jacobian, parts), parts.columns, strict=True):
+            free = null_space(block, 1e-6)
+            result[columns] = free @ (free.T @ direction[columns])
+    return result
+
+
+def _inside(coordinates: tuple[Coordinate, ...], q: Floats) -> Floats:
+    """q within the bounds of the coordinates."""
+    lower = np.array([-np.inf if c.minimum is None else c.minimum for c in coordinates])
+    upper = np.array([np.inf if c.maximum is None else c.maximum for c in coordinates])
+    return np.clip(q, lower, upper)
 
 
 def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int]) -> Probe | None:
@@ -187,3 +240,40 @@ def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int]) -> Pr
     if not np.all(np.isfinite(scaled)) or not np.all(np.isfinite(mass)):
         return None
     return Probe(result.point, scaled, mass, result.size)
+
+
+def part_ranks(space: Geometry, probe: Probe, rows: list[int], split: Partition) -> Floats:
+    """Rank of each independent part of the rows at a probed point.
+
+    J is known there to the residual times the bend of the rows, so singular values below a thousand residuals are
+    none.
+    """
+    tolerance = max(RANK_TOLERANCE, _RESIDUAL_FACTOR * probe.residual)
+    ranks = np.zeros(split.count)
+    for parts in split.parts:
+        values = np.linalg.svd(entries(probe.rows[rows], parts), compute_uv=False)
+        ranks[parts.labels] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
+    return ranks
+
+
+def solved(matrix: Floats, right: Floats, split: Partition) -> Floats:
+    """The least-squares solution of smallest norm, part by part."""
+    result = np.zeros(matrix.shape[1])
+    for parts in split.parts:
+        result[parts.columns] = minimum_norms(entries(matrix, parts), right[parts.rows])
+    return result
+
+
+def free_directions(matrix: Floats, split: Partition) -> Floats:
+    """Orthonormal columns that span the null space, part by part; columns without rows are free."""
+    n = matrix.shape[1]
+    bound = np.zeros(n, dtype=np.bool_)
+    found: list[Floats] = []
+    for parts in split.parts:
+        for block, columns in zip(entries(matrix, parts), parts.columns, strict=True):
+            bound[columns] = True
+            inner = null_space(block)
+            wide = np.zeros((n, inner.shape[1]))
+            wide[columns] = inner
+            found.append(wide)
+    return np.hstack([np.eye(n)[:, ~bound], *found])

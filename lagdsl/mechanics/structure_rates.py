@@ -6,7 +6,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats, null_space
-from lagdsl.mechanics.structure_constraints import located
+from lagdsl.mechanics.structure_names import located, place
 from lagdsl.mechanics.structure_points import Geometry, Probe, random_rates
 from lagdsl.semantics.flat_model import FlatModel
 
@@ -23,8 +23,7 @@ def report_nonlinear(flat: FlatModel, space: Geometry, points: list[Probe], sink
         curved = np.abs(at[0] - at[1] - at[2] + at[3]) > 1e-9 * size
         for item in located(flat):
             if item.constraint.level == "velocity" and any(curved[row] for row in item.rows):
-                span = item.constraint.spans[0] if item.constraint.spans else None
-                sink.report("E0604", span, name=item.constraint.name)
+                sink.report("E0604", place(item.constraint), name=item.constraint.name)
                 found = True
     return found
 
@@ -38,11 +37,11 @@ def report_integrable(
     Tested in (q, t) at the probed points, derivatives by central differences.
     """
     for item in located(flat):
-        if item.constraint.level != "velocity":
+        if item.constraint.level != "velocity" or item.constraint.node:  # Kirchhoff's law is known to be
             continue
         rows = [row for row in item.rows if not redundant[row]]
         if rows and points and all(_closed(space, point.q, row) for point in points for row in rows):
-            sink.report("N0606", item.constraint.spans[0] if item.constraint.spans else None, name=item.constraint.name)
+            sink.report("N0606", place(item.constraint), name=item.constraint.name)
 
 
 def _closed(space: Geometry, q: Floats, row: int) -> bool:

@@ -6,7 +6,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.mechanics.rank import Floats, rank
-from lagdsl.mechanics.structure_constraints import configuration, located, unit_suffix
+from lagdsl.mechanics.structure_names import configuration, located, unit_suffix
 from lagdsl.mechanics.structure_points import HOLDS, random_points
 from lagdsl.simulate.initial_problem import Problem
 from lagdsl.simulate.nearest import search

@@ -7,7 +7,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.mechanics.rank import Floats, minimum_norm, null_space, rank
-from lagdsl.mechanics.structure_constraints import located, unit_suffix
+from lagdsl.mechanics.structure_names import located, unit_suffix
 from lagdsl.mechanics.structure_newton import descend
 from lagdsl.mechanics.structure_points import HOLDS
 from lagdsl.simulate.initial_problem import Problem

@@ -10,7 +10,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_constraints import located
+from lagdsl.mechanics.structure_names import located
 from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_model import FlatModel

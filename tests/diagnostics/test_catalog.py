@@ -5,12 +5,12 @@ import string
 import pytest
 
 from lagdsl.diagnostics import CompilationFailed, Label, Sink
-from lagdsl.diagnostics.catalog import ROWS, constraints, dimensions, initial, names, physics, runtime, syntax, values
+from lagdsl.diagnostics.catalog import ROWS, assembly, constraints, dimensions, initial, names, physics, runtime, syntax, values
 from lagdsl.source import SourceFile, Span
 
 FAMILIES = {
-    "01": syntax, "02": names, "03": values, "04": dimensions, "05": physics, "06": constraints, "08": initial,
-    "09": runtime,
+    "01": syntax, "02": names, "03": values, "04": dimensions, "05": physics, "06": constraints, "07": assembly,
+    "08": initial, "09": runtime,
 }  # fmt: skip
 FILE = SourceFile("a.lag", "one two three")
 HERE, THERE = Span(FILE, 0, 3), Span(FILE, 4, 7)

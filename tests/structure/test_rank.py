@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagdsl.mechanics.rank import augmented_mass, independent_rows, minimum_norm, null_space, rank
+from lagdsl.mechanics.rank import augmented_mass, independent_rows, minimum_norm, minimum_norms, null_space, rank
 from lagdsl.mechanics.structure_newton import descend
 
 
@@ -37,17 +37,23 @@ def test_rank_null_space_and_pseudo_inverse_agree(sample: tuple[np.ndarray, int]
 @given(low_rank())
 def test_as_many_rows_are_kept_as_the_rank_says(sample: tuple[np.ndarray, int]) -> None:
     matrix, expected = sample
-    kept = independent_rows([matrix], list(range(matrix.shape[0])))
+    kept = independent_rows(matrix, list(range(matrix.shape[0])), expected)
     assert sum(kept) == expected
     assert rank(matrix[kept]) == expected
 
 
-def test_a_row_independent_at_one_point_is_kept() -> None:
+def test_rows_are_kept_in_the_order_given() -> None:
     same, other = np.array([[1.0, 0.0], [2.0, 0.0]]), np.array([[1.0, 0.0], [2.0, 1.0]])
-    assert independent_rows([same, same], [0, 1]) == [True, False]
-    assert independent_rows([same, other], [0, 1]) == [True, True]
-    assert independent_rows([same], [1, 0]) == [False, True]
-    assert independent_rows([], []) == []
+    assert independent_rows(same, [0, 1], 1) == [True, False]
+    assert independent_rows(same, [1, 0], 1) == [False, True]
+    assert independent_rows(other, [0, 1], 2) == [True, True]
+    assert independent_rows(other, [0, 1], 1) == [True, False]
+    assert independent_rows(np.zeros((0, 2)), [], 0) == []
+
+
+def test_well_conditioned_rows_are_preferred() -> None:
+    matrix = np.array([[1.0, 0.0], [1.0, 1e-8], [0.0, 1.0]])
+    assert independent_rows(matrix, [0, 1, 2], 2) == [True, False, True]
 
 
 def test_empty_matrices() -> None:
@@ -62,9 +68,8 @@ def test_empty_matrices() -> None:
 
 def test_damping_shortens() -> None:
     matrix = np.diag([1.0, 1e-3])
-    assert np.linalg.norm(minimum_norm(matrix, np.ones(2), damping=0.1)) < np.linalg.norm(
-        np.linalg.solve(matrix, np.ones(2))
-    )
+    (damped,) = minimum_norms(matrix[None], np.ones((1, 2)), damping=0.1)
+    assert np.linalg.norm(damped) < np.linalg.norm(np.linalg.solve(matrix, np.ones(2)))
 
 
 def test_singular_mass_becomes_positive_definite_with_its_constraint() -> None:

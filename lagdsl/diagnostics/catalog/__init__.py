@@ -1,6 +1,17 @@
 """Every diagnostic by its code: one module per family, first letter = severity, next two digits = family."""
 
-from lagdsl.diagnostics.catalog import constraints, dimensions, initial, names, physics, runtime, syntax, values
+from lagdsl.diagnostics.catalog import (
+    analysis,
+    assembly,
+    constraints,
+    dimensions,
+    initial,
+    names,
+    physics,
+    runtime,
+    syntax,
+    values,
+)
 from lagdsl.diagnostics.catalog.row import Row
 
 ROWS: dict[str, Row] = {
@@ -10,7 +21,9 @@ ROWS: dict[str, Row] = {
     **dimensions.ROWS,
     **physics.ROWS,
     **constraints.ROWS,
+    **assembly.ROWS,
     **initial.ROWS,
+    **analysis.ROWS,
     **runtime.ROWS,
 }
 

@@ -4,12 +4,12 @@ from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
 ROWS: dict[str, Row] = {
     "E0602": error(
-        "constraint `{name}` can never hold",
+        "{subject} can never {verb}",
         "no values of the coordinates satisfy this",
         "check the lengths and positions that enter it",
     ),
     "E0603": error(
-        "constraint `{name}` contradicts {others}",
+        "{subject} contradicts {others}",
         "each holds alone, together they cannot",
         "drop one of them, or change what it demands",
     ),

@@ -1,0 +1,37 @@
+"""Family 08, linearization: modes, thresholds and equilibria."""
+
+from lagdsl.diagnostics.catalog.row import Row, error, warning
+
+ROWS: dict[str, Row] = {
+    "E0850": error(
+        "the constraints lose rank at this point: there is no linearization",
+        None,
+        "choose a state beside it, e.g. with --set; of the independent rows {names} fewer are independent here",
+    ),
+    "E0851": error(
+        "no linearization at this point: `{name}` has no inertia there",
+        "the accelerations are not determined",
+        "choose coordinates that are regular in this position",
+    ),
+    "E0852": error(
+        "no equilibrium found: {left}",
+        None,
+        "free more coordinates or inputs, or give starts closer to the equilibrium you mean",
+    ),
+    "E0853": error(
+        "`{name}` cannot be {what}",
+        None,
+        "there are {known}",
+    ),
+    "W0854": warning(
+        "this point is neither an equilibrium nor part of a steady motion: {rates}",
+        None,
+        "the eigenvalues describe the neighborhood for an instant only; find an equilibrium with `lag trim`",
+    ),
+    "E0855": error(
+        "no linearization at this point: {name} has no finite derivative there",
+        None,
+        "a root of zero, a division by zero or the norm of a vector of length zero; use a smooth form, "
+        "e.g. sqrt(v*v + eps^2)",
+    ),
+}
