@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Protocol
@@ -11,7 +11,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.semantics import flat_model
 from lagdsl.semantics.scope import Indices, Scope, Symbol
 from lagdsl.semantics.values import AnyDimension, Value
-from lagdsl.source import Span
+from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
@@ -24,6 +24,8 @@ class Resolver(Protocol):
 
     def whole(self, symbol: Symbol, span: Span) -> Value: ...
 
+    def part(self, symbol: Symbol, chosen: Sequence[int | tuple[int, ...]], span: Span) -> Value: ...
+
     def element(self, symbol: Symbol, indices: Indices, span: Span) -> Value: ...
 
     def constraint(self, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None: ...
@@ -33,6 +35,7 @@ class Resolver(Protocol):
 class Context:
     """Mutable state of one flattening; every product is collected here in the order in which it is complete.
 
+    `home` is the file of the model: advice is not given about texts of libraries.
     `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
     `named` is therefore sorted: what a definition uses was complete before it.
     """
@@ -40,6 +43,7 @@ class Context:
     sink: Sink
     resolver: Resolver
     elaborate: Callable[[Context, Scope, nodes.Expression, bool], Value]
+    home: SourceFile | None = None
     units: bool = True
     overrides: Mapping[str, float] = field(default_factory=dict)
     parameters: list[flat_model.Parameter] = field(default_factory=list)

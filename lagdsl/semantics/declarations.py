@@ -32,18 +32,36 @@ def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bo
         return False
     other = scope.entries.get(name)
     if other is not None:
-        first, second, place = _title(other), _title(entry), _place(other)
-        labels = (Label(place, f"first as {first}"),) if place is not None else ()
-        ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second)
-        label = isinstance(entry, Symbol) and entry.kind in LABELS
-        if isinstance(other, Symbol) and other.kind not in LABELS and not label and first != second:
-            other.kind = "unknown"  # which of the two a text means nobody knows
+        if not _same(other, entry):
+            _report_twice(ctx, name, other, entry, span)
         return False
-    if name in prelude.CONSTANTS or name in prelude.TYPES:
+    if span.file is ctx.home and (name in prelude.CONSTANTS or name in prelude.TYPES):
         what = "constant" if name in prelude.CONSTANTS else "type"
         ctx.sink.report("N0205", span, name=name, what=what)
     scope.entries[name] = entry
     return True
+
+
+def _same(one: Entry, two: Entry) -> bool:
+    """Whether two classes that meet by `extends` declare the name in the same words."""
+    match one, two:
+        case (Symbol(), Symbol()):
+            return one.scope is not two.scope and one.title == two.title and one.declarator == two.declarator
+        case (FunctionSymbol() | TypeSymbol() | ClassSymbol(), FunctionSymbol() | TypeSymbol() | ClassSymbol()):
+            return one.scope is not two.scope and one.node == two.node
+        case _:
+            return False
+
+
+def _report_twice(ctx: Context, name: str, other: Entry, entry: Entry, span: Span) -> None:
+    first, second, place = _title(other), _title(entry), _place(other)
+    if place is not None and place.file is span.file and place.start > span.start:
+        first, second, place, span = second, first, span, place
+    labels = (Label(place, f"first as {first}"),) if place is not None else ()
+    ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second)
+    label = isinstance(entry, Symbol) and entry.kind in LABELS
+    if isinstance(other, Symbol) and other.kind not in LABELS and not label and first != second:
+        other.kind = "unknown"  # which of the two a text means nobody knows
 
 
 def _title(entry: Entry) -> str:
@@ -105,6 +123,7 @@ def _component(ctx: Context, scope: Scope, item: nodes.Component, declarator: no
         symbol = _quantity(ctx, scope, kind, words, item.type_name, declarator)
     if symbol is not None:
         symbol.final = "final" in item.prefixes
+        symbol.flow = "flow" in item.prefixes
     return symbol
 
 

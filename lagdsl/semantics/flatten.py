@@ -26,7 +26,7 @@ from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
 from lagdsl.semantics.rates import check_inputs, check_linear
 from lagdsl.semantics.scope import Instance, Scope
 from lagdsl.semantics.selection import file_scope, functions_of, select
-from lagdsl.semantics.usage import warn_unused
+from lagdsl.semantics.usage import warn_unused, warn_unused_imports
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 
@@ -42,7 +42,7 @@ def flatten(
     """
     definitions = Definitions()
     found = Sink()
-    ctx = Context(found, definitions, elaborate, overrides=structural or {})
+    ctx = Context(found, definitions, elaborate, unit.span.file, overrides=structural or {})
     definitions.ctx = ctx
     flat = None
     with _deep_recursion():
@@ -93,7 +93,10 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     )
     for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)
-    return None if ctx.sink.has_errors else _checked(ctx, flat, contents)
+    if ctx.sink.has_errors:
+        return None
+    warn_unused_imports(ctx, outer, unit)
+    return _checked(ctx, flat, contents)
 
 
 def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) -> FlatModel:

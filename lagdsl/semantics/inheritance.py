@@ -86,7 +86,8 @@ def _collect(
     body.line.append(node)
     own = [Part(item, scope, keyword, protected or keyword == "protected") for item, keyword in items_of(node)]
     declare_imports(ctx.sink, scope, [part.item for part in own])
-    check_imports(scope)
+    if node.span.file is ctx.home:
+        check_imports(scope)
     for part in own:
         enter_class(ctx, part, changes)
     for part in own:

@@ -22,13 +22,13 @@ _KINDS: dict[tuple[str, ...], SymbolKind] = {
     ("state",): "state",
     ("final",): "algebraic",
     ("final", "output"): "output",
+    ("flow",): "algebraic",
 }
 _LATER = {
     "discrete": "discrete variables come with events",
     "replaceable": "replaceable parts come with components",
     "redeclare": "redeclaration comes with components",
-    "flow": "connectors come with components",
-    "stream": "connectors come with components",
+    "stream": "streams are not part of mechanics",
 }
 
 

@@ -80,7 +80,7 @@ class Symbol:
     """A declared name, before and while it gets its value.
 
     `cells` are the values made so far, by index. `overrides` are modifiers from outside, outer ones last; `sealed` is
-    the place of the `final` one, after which none is allowed.
+    the place of the `final` one, after which none is allowed. `flow`: the values of connected ones sum up to zero.
     """
 
     name: str
@@ -91,6 +91,7 @@ class Symbol:
     declarator: nodes.Declarator | None = None
     info: TypeInfo | None = None
     final: bool = False
+    flow: bool = False
     sealed: Span | None = None
     bindings: dict[Indices | None, Binding] = field(default_factory=dict)
     derivatives: dict[Indices | None, Binding] = field(default_factory=dict)
