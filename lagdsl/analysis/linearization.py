@@ -1,0 +1,53 @@
+"""What `linearize` returns: matrices with names and units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from lagdsl.analysis.linearize import Named, holonomic_rows, reduce, state_names
+from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.steady import Steadiness, steadiness
+from lagdsl.diagnostics import Sink
+from lagdsl.mechanics.rank import Floats
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Linearization:
+    """d(dx)/dt = A dx + B du, dy = C dx + D du about a point, SI units; x is the minimal state.
+
+    A (nx, nx), B (nx, nu), C (ny, nx), D (ny, nu); rows and columns are named by `states`, `inputs`, `outputs`. `rate`
+    (nx,) is dx/dt at the point itself, which is zero at an equilibrium.
+    """
+
+    model: str
+    point: Point
+    states: tuple[Named, ...]
+    inputs: tuple[Named, ...]
+    outputs: tuple[Named, ...]
+    A: Floats
+    B: Floats
+    C: Floats
+    D: Floats
+    rate: Floats
+    steadiness: Steadiness
+
+
+def linearize_at(subject: Subject, point: Point, sink: Sink) -> Linearization | None:
+    """Exact; None after E0850, E0851 or E0855."""
+    at = reduce(subject, point, holonomic_rows(subject), sink)
+    if at is None:
+        return None
+    layout = subject.engine.layout
+    return Linearization(
+        model=subject.flat.name,
+        point=point,
+        states=state_names(subject, at.partition),
+        inputs=tuple(Named(slot.name, slot.unit) for slot in layout.inputs),
+        outputs=tuple(Named(slot.name, slot.unit) for slot in layout.outputs),
+        A=at.a,
+        B=at.b,
+        C=at.c,
+        D=at.d,
+        rate=at.value,
+        steadiness=steadiness(subject, at),
+    )

@@ -1,0 +1,139 @@
+"""Modes of the linearized motion: eigenvalues, frequencies, damping, shapes, and what they say about stability."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from lagdsl.analysis.eigen import Complexes, eigen
+from lagdsl.analysis.integrable import integrable_rows
+from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, state_names
+from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.steady import Steadiness, steadiness
+from lagdsl.diagnostics import Sink
+from lagdsl.mechanics.rank import Floats
+
+# Real parts below this part of the eigenvalue's magnitude count as zero: twice the digits of a double eigenvalue.
+AXIS = 1e-7
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Modes:
+    """`eigenvalues` (n,) [1/s], the zeros last; a row of `shapes` (n, ns) is one mode over `places`.
+
+    `places` are all coordinates and first-order states; the largest entry of a shape is 1, others are relative to it in
+    SI units, complex numbers telling amplitude and phase. `vectors` (nx, n) are eigenvectors of the minimal state.
+    `dropped` counts zeros that were left out, one for each integrable row of velocity level.
+    """
+
+    model: str
+    point: Point
+    states: tuple[Named, ...]
+    places: tuple[Named, ...]
+    eigenvalues: Complexes
+    vectors: Complexes
+    shapes: Complexes
+    steadiness: Steadiness
+    dropped: int
+    integrable: tuple[str, ...]
+
+    @property
+    def frequencies(self) -> Floats:
+        """Natural frequencies |s|/(2 pi) [Hz] (n,); 0 for modes that do not oscillate."""
+        size = np.abs(self.eigenvalues)
+        return np.where(np.abs(self.eigenvalues.imag) > AXIS * size, size / (2.0 * np.pi), 0.0)
+
+    @property
+    def damping(self) -> Floats:
+        """Damping ratios -Re(s)/|s| (n,); nan for s = 0."""
+        size = np.abs(self.eigenvalues)
+        return np.where(size > 0.0, -self.eigenvalues.real / np.where(size > 0.0, size, 1.0), np.nan)
+
+    @property
+    def time_constants(self) -> Floats:
+        """-1/Re(s) [s] (n,), in which a mode falls to 1/e, negative where it grows; inf on the imaginary axis."""
+        real = np.where(np.abs(self.eigenvalues.real) > AXIS * np.abs(self.eigenvalues), self.eigenvalues.real, 0.0)
+        return np.where(real != 0.0, -1.0 / np.where(real != 0.0, real, 1.0), np.inf)
+
+    @property
+    def unstable(self) -> int:
+        """Number of eigenvalues with positive real part."""
+        return int(np.count_nonzero(self.eigenvalues.real > AXIS * np.abs(self.eigenvalues)))
+
+    @property
+    def stability(self) -> str:
+        """One sentence about the linearized motion."""
+        return statement(self)
+
+
+def modes_at(subject: Subject, point: Point, sink: Sink) -> Modes | None:
+    """Modes about `point`; None after errors. W0854 where the point is neither equilibrium nor steady motion."""
+    rows = holonomic_rows(subject)
+    plain = reduce(subject, point, rows, sink)
+    if plain is None:
+        return None
+    integrable = integrable_rows(subject, point)
+    at = plain if not integrable else reduce(subject, point, [*rows, *integrable], sink)
+    if at is None:
+        return None
+    found = steadiness(subject, plain)
+    if found.kind == "neither":
+        first = ", ".join(f"{name} = {value:.3g}" for name, value in found.unbalanced[:3])
+        sink.report("W0854", None, rates=first)
+    values, vectors = eigen(at.a)
+    layout = subject.engine.layout
+    return Modes(
+        model=subject.flat.name,
+        point=point,
+        states=state_names(subject, at.partition),
+        places=tuple(Named(slot.name, slot.unit) for slot in (*layout.coordinates, *layout.states)),
+        eigenvalues=values,
+        vectors=_normalized(vectors),
+        shapes=_normalized(_displacements(at, vectors)).T,
+        steadiness=found,
+        dropped=len(plain.value) - len(at.value),
+        integrable=tuple(layout.constraints[row].name for row in integrable),
+    )
+
+
+def _displacements(at: Reduced, vectors: Complexes) -> Complexes:
+    """Of all coordinates and states (ns, n), dependent ones included."""
+    states = len(at.value)
+    moved = np.hstack([at.along.q[:states], at.along.z[:states]])
+    return np.asarray(moved.T @ vectors)
+
+
+def _normalized(vectors: Complexes) -> Complexes:
+    """Columns whose largest entry is 1; of equal ones the first."""
+    result = vectors.copy()
+    for column in range(result.shape[1]):
+        size = np.abs(result[:, column])
+        largest = float(np.max(size, initial=0.0))
+        if largest > 0.0:
+            first = int(np.argmax(size >= (1.0 - 1e-9) * largest))
+            result[:, column] /= result[first, column]
+            result[first, column] = 1.0
+    return result
+
+
+def statement(modes: Modes) -> str:
+    """Lyapunov's theorem on the first approximation, in plain words."""
+    values = modes.eigenvalues
+    subject = modes.steadiness.kind
+    zeros = int(np.count_nonzero(values == 0.0))
+    marginal = int(np.count_nonzero(np.abs(values.real) <= AXIS * np.abs(values))) - zeros
+    if modes.steadiness.kind == "neither":
+        return "no statement: the point is neither an equilibrium nor part of a steady motion"
+    if modes.unstable:
+        growing = values[values.real > AXIS * np.abs(values)]
+        oscillating = int(np.count_nonzero(np.abs(growing.imag) > AXIS * np.abs(growing)))
+        how = "oscillating" if oscillating == len(growing) else "monotonic" if not oscillating else "both kinds of"
+        return f"unstable {subject}: {len(growing)} of {len(values)} real parts are positive ({how} growth)"
+    if not len(values):
+        return f"{subject} without any freedom"
+    if not marginal and not zeros:
+        return f"asymptotically stable {subject}: all real parts are negative"
+    parts = [f"{marginal} on the imaginary axis"] if marginal else []
+    parts += [f"{zeros} zero"] if zeros else []
+    return f"no growing mode about this {subject}: {' and '.join(parts)}; the linear equations decide no more"

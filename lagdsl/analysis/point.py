@@ -1,0 +1,149 @@
+"""The state that a model is linearized at, and what the program says there, derivatives along directions included."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.support.linear import factorize
+from lagdsl.diagnostics import Sink
+from lagdsl.mechanics.rank import Floats
+from lagdsl.program.program import Program
+from lagdsl.runtime.broadcast import BatchEngine
+from lagdsl.runtime.engine import SingularSystem
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.simulate.initialize import initial_state
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """A compiled model and what computes it."""
+
+    flat: FlatModel
+    program: Program
+    engine: BatchEngine
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Point:
+    """A state, inputs and parameters in the order of the layout, SI units."""
+
+    t: float
+    q: Floats
+    qd: Floats
+    z: Floats
+    u: Floats
+    w: Floats
+    p: Floats
+
+    @property
+    def arguments(self) -> tuple[float, Floats, Floats, Floats, Floats, Floats, Floats]:
+        return (self.t, self.q, self.qd, self.z, self.u, self.w, self.p)
+
+
+def point_of(
+    subject: Subject,
+    *,
+    t: float | None = None,
+    start: Mapping[str, float] | None = None,
+    u: Floats | None = None,
+    p: Floats | None = None,
+    given: bool = False,
+    sink: Sink | None = None,
+) -> Point:
+    """The consistent state nearest to the starts; `start` replaces some by name, `theta` or `der(theta)`.
+
+    `given`: the state is chosen by the caller, and initial equations are left out. Raises CompilationFailed.
+    """
+    flat = replace(subject.flat, initial_equations=()) if given else subject.flat
+    layout = subject.engine.layout
+    parameters = np.array(layout.defaults, dtype=np.float64) if p is None else p
+    own = Sink()
+    state = initial_state(flat, subject.engine, parameters, t0=t, u=u, start=start, sink=own)
+    if sink is not None:
+        for diagnostic in own.diagnostics:
+            sink.add(diagnostic)
+    own.raise_if_errors()
+    defaults = subject.engine.evaluate("start", state.t, parameters)[3]
+    inputs = defaults if u is None else u
+    w = np.zeros(len(layout.discretes))
+    return Point(t=state.t, q=state.q, qd=state.qd, z=state.z, u=inputs, w=w, p=parameters)
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """What happens at a point: accelerations, multipliers, rates of states, outputs."""
+
+    point: Point
+    qdd: Floats
+    lam: Floats
+    zd: Floats
+    y: Floats
+
+
+def flow(subject: Subject, point: Point, sink: Sink) -> Flow | None:
+    """The solved motion at `point`; E0851 where it is not determined, E0855 where it is not finite."""
+    engine = subject.engine
+    try:
+        qdd, lam = engine.solve(*point.arguments)
+    except SingularSystem as singular:
+        slot = engine.layout.coordinates[singular.coordinate]
+        sink.report("E0851", subject.flat.coordinates[singular.coordinate].spans[0], name=slot.name)
+        return None
+    (zd,) = engine.evaluate("state_derivative", *point.arguments, qdd, lam)
+    (y,) = engine.evaluate("output", *point.arguments, qdd, lam)
+    return Flow(point, qdd, lam, zd, y)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Directions:
+    """`count` directions in the space of states and inputs, one per row: (count, nq), (count, nq), (count, nz) ..."""
+
+    q: Floats
+    qd: Floats
+    z: Floats
+    u: Floats
+
+    @property
+    def count(self) -> int:
+        return len(self.q)
+
+    def arguments(self, parameters: int) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+        return (self.q, self.qd, self.z, self.u, np.zeros((self.count, parameters)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Changes:
+    """Derivatives of the flow along directions, one per row."""
+
+    qdd: Floats
+    lam: Floats
+    zd: Floats
+    y: Floats
+
+
+def constraint_changes(subject: Subject, point: Point, along: Directions) -> tuple[Floats, Floats]:
+    """Derivatives of phi and of J qd + b along directions, both (count, nc)."""
+    found = subject.engine.evaluate_many("constraint_tangent", *point.arguments, *along.arguments(len(point.p)))
+    return found[0], found[1]
+
+
+def changes(subject: Subject, at: Flow, along: Directions) -> Changes:
+    """Exact derivatives of accelerations, multipliers, rates of states and outputs.
+
+    With r = M qdd - f - J'lam = 0 and s = J qdd - gamma = 0, differentiated by the model at fixed qdd and lam:
+    M dqdd - J'dlam = -dr and J dqdd = -ds. The part of dr that holds lam is the stiffness of the constraint forces.
+    """
+    engine, point = subject.engine, at.point
+    directions = along.arguments(len(point.p))
+    solved = (*point.arguments, at.qdd, at.lam)
+    motion, rows = engine.evaluate_many("residual_tangent", *solved, *directions)
+    mass, _, jacobian, _ = engine.evaluate("dynamics", *point.arguments)
+    factors, _ = factorize(mass, jacobian, motion_sizes(subject.program).rank)
+    dqdd, dlam = (np.ascontiguousarray(part.T) for part in factors.solve(-motion.T, -rows.T))
+    (zd,) = engine.evaluate_many("state_derivative_tangent", *solved, *directions, dqdd, dlam)
+    (y,) = engine.evaluate_many("output_tangent", *solved, *directions, dqdd, dlam)
+    return Changes(qdd=dqdd, lam=dlam, zd=zd, y=y)

@@ -1,0 +1,189 @@
+"""Equilibria and steady motions: a state at which nothing accelerates, with inputs free where asked for.
+
+Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
+constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
+method, damped, with exact derivatives; where there are more unknowns than equations, the nearest solution.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from lagdsl.analysis.linearize import Named, holonomic_rows, reduce
+from lagdsl.analysis.partition import partition
+from lagdsl.analysis.point import Changes, Directions, Point, Subject, changes, constraint_changes, flow
+from lagdsl.analysis.steady import Steadiness, first_order_sizes, steadiness
+from lagdsl.diagnostics import Sink
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_names import configuration
+from lagdsl.mechanics.structure_newton import Descent, descend
+from lagdsl.mechanics.structure_points import natural_sizes, random_points
+from lagdsl.units.naming import rate_text
+
+_TRIES = 24
+_HOLDS = 1e-9
+_MOST_TOLD = 4
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Equilibrium:
+    """`point` with its inputs; `unknowns` are the names that were free, `residual` the largest acceleration left, as a
+    part of what a natural displacement causes."""
+
+    model: str
+    point: Point
+    unknowns: tuple[str, ...]
+    residual: float
+    steadiness: Steadiness
+
+
+@dataclass(frozen=True, slots=True)
+class _Task:
+    """Unknowns as weighted distances from `start`, in the order q, qd, z, u; `rates` accelerate by nothing."""
+
+    subject: Subject
+    start: Point
+    free: tuple[int, ...]
+    widths: Floats
+    rates: tuple[int, ...]
+
+    def point(self, x: Floats) -> Point:
+        whole = np.concatenate([self.start.q, self.start.qd, self.start.z, self.start.u])
+        whole[list(self.free)] += self.widths[list(self.free)] * x
+        n, nz = len(self.start.q), len(self.start.z)
+        q, qd, z, u = np.split(whole, [n, 2 * n, 2 * n + nz])
+        return replace(self.start, q=q, qd=qd, z=z, u=u)
+
+    def equations(self, x: Floats) -> tuple[Floats, Floats]:
+        """Constraints, accelerations and rates of states, in SI units, and their Jacobian."""
+        subject, point, rows = self.subject, self.point(x), holonomic_rows(self.subject)
+        here = flow(subject, point, Sink())
+        count = len(rows) + len(subject.engine.layout.constraints) + len(self.rates) + len(point.z)
+        if here is None:
+            return np.full(count, np.nan), np.full((count, len(x)), np.nan)
+        phi = subject.engine.evaluate("position_constraint", *point.arguments)[0][rows]
+        drift = subject.engine.evaluate("velocity_constraint", *point.arguments)[0]
+        along = self._directions()
+        moved, drifted = constraint_changes(subject, point, along)
+        found = changes(subject, here, along) if along.count else _nothing(point)
+        values = np.concatenate([phi, drift, here.qdd[list(self.rates)], here.zd])
+        jacobian = np.hstack([moved[:, rows], drifted, found.qdd[:, list(self.rates)], found.zd]).T
+        return values, jacobian
+
+    def _directions(self) -> Directions:
+        n, nz, nu = len(self.start.q), len(self.start.z), len(self.start.u)
+        unit = (np.eye(len(self.widths)) * self.widths)[list(self.free)]
+        q, qd, z, u = np.split(unit, [n, 2 * n, 2 * n + nz], axis=1)
+        assert u.shape[1] == nu
+        return Directions(q=q, qd=qd, z=z, u=u)
+
+
+def _nothing(point: Point) -> Changes:
+    n = len(point.q)
+    return Changes(qdd=np.zeros((0, n)), lam=np.zeros((0, 0)), zd=np.zeros((0, len(point.z))), y=np.zeros((0, 0)))
+
+
+def all_names(subject: Subject) -> list[str]:
+    """What can be free or held: coordinates, rates, states, inputs."""
+    layout = subject.engine.layout
+    coordinates = [slot.name for slot in layout.coordinates]
+    rates = [f"der({name})" for name in coordinates]
+    return [*coordinates, *rates, *(s.name for s in layout.states), *(s.name for s in layout.inputs)]
+
+
+def trim_at(
+    subject: Subject, start: Point, *, free: Sequence[str] = (), hold: Sequence[str] = (), sink: Sink
+) -> Equilibrium | None:
+    """The equilibrium or steady motion nearest to `start`; None after E0850 to E0853."""
+    names = all_names(subject)
+    for name in (*free, *hold):
+        if name not in names:
+            what = "freed" if name in free else "held"
+            sink.report("E0853", None, name=name, what=what, known=", ".join(names))
+    if sink.has_errors:
+        return None
+    task = _task(subject, start, [names.index(n) for n in free], [names.index(n) for n in hold], sink)
+    if task is None:
+        return None
+    with np.errstate(all="ignore"):
+        found, scale = _search(task)
+    point = task.point(found.point)
+    if not found.size <= _HOLDS:
+        _report(task, found, scale, sink)
+        return None
+    at = reduce(subject, point, holonomic_rows(subject), sink)
+    if at is None:
+        return None
+    return Equilibrium(
+        model=subject.flat.name,
+        point=point,
+        unknowns=tuple(names[i] for i in task.free if i in _asked(task, names, free)),
+        residual=found.size,
+        steadiness=steadiness(subject, at),
+    )
+
+
+def _asked(task: _Task, names: Sequence[str], free: Sequence[str]) -> set[int]:
+    """Unknowns to tell of: not the rates that merely follow."""
+    n = len(task.start.q)
+    return {i for i in task.free if not n <= i < 2 * n or names[i] in free}
+
+
+def _task(subject: Subject, start: Point, free: Sequence[int], hold: Sequence[int], sink: Sink) -> _Task | None:
+    flat, n = subject.flat, len(start.q)
+    chosen = partition(subject, start, holonomic_rows(subject), sink)
+    if chosen is None:
+        return None
+    following = [n + j for j in range(n) if j not in set(chosen.rate)] if len(chosen.jacobian) else []
+    default = [j for j, c in enumerate(flat.coordinates) if not c.fixed]
+    default += [2 * n + j for j, s in enumerate(flat.states) if not s.fixed]
+    unknown = sorted((set(default) | set(following) | set(free)) - set(hold))
+    at_rest = not np.any(start.qd) and not any(n <= j < 2 * n for j in free)
+    sizes = natural_sizes(flat.coordinates, start.q)
+    states = first_order_sizes(subject, start)
+    inputs = np.maximum(np.abs(start.u), 1.0)
+    widths = np.concatenate([sizes, sizes, states, inputs])
+    return _Task(subject, start, tuple(unknown), widths, tuple(range(n)) if at_rest else chosen.rate)
+
+
+def _search(task: _Task) -> tuple[Descent, Floats]:
+    """The best of several beginnings, and what its residuals are parts of."""
+    start, flat = task.start, task.subject.flat
+    lengths = np.linalg.norm(task.equations(np.zeros(len(task.free)))[1], axis=1)
+    scale = np.where(np.isfinite(lengths) & (lengths > 1e-12 * np.max(lengths, initial=0.0)), lengths, 1.0)
+
+    def equations(x: Floats) -> tuple[Floats, Floats]:
+        residual, jacobian = task.equations(x)
+        return residual / scale, jacobian / scale[:, None]
+
+    best = descend(equations, np.zeros(len(task.free)), target=1e-12)
+    n = len(start.q)
+    for other in random_points(flat.coordinates, start.q, task.widths[:n], _TRIES):
+        if best.size <= _HOLDS:
+            break
+        beginning = [(other[i] - start.q[i]) / task.widths[i] if i < n else 0.0 for i in task.free]
+        found = descend(equations, np.array(beginning), target=1e-12)
+        best = found if found.size < best.size else best
+    return best, scale
+
+
+def _report(task: _Task, found: Descent, scale: Floats, sink: Sink) -> None:
+    """E0852 with what is left for each coordinate, largest first, and where."""
+    layout, flat = task.subject.engine.layout, task.subject.flat
+    rows = [layout.constraints[i] for i in holonomic_rows(task.subject)]
+    named = [Named(slot.name, slot.unit) for slot in rows]
+    named += [Named(f"rate of {slot.name}", slot.unit) for slot in layout.constraints]
+    for j in task.rates:
+        c = flat.coordinates[j]
+        named.append(Named(f"der(der({c.name}))", rate_text(c.dimension, c.unit).replace("/s", "/s2")))
+    named += [Named(f"der({s.name})", rate_text(s.dimension, s.unit)) for s in flat.states]
+    order = sorted(range(len(named)), key=lambda i: -abs(found.residual[i]))[:_MOST_TOLD]
+    order = [i for i in order if abs(found.residual[i]) > _HOLDS]
+    told = [f"{named[i].name} = {found.residual[i] * scale[i]:.4g} {named[i].unit}".rstrip() for i in order]
+    left = f"{told[0]} remains" if told and np.isfinite(found.size) else "the accelerations are not finite"
+    closest = configuration(flat, task.point(found.point).q)
+    notes = (f"left over: {', '.join(told)}", f"closest configuration: {closest}")
+    sink.report("E0852", None, notes=notes, left=left)
