@@ -24,7 +24,7 @@ from lagdsl.semantics.geometry import (
 )
 from lagdsl.semantics.naming import arguments_text, kind_of, name_span
 from lagdsl.semantics.paths import designated
-from lagdsl.semantics.scope import Indices, Scope, Symbol, lookup
+from lagdsl.semantics.scope import Indices, Scope, Symbol
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Reaction, Scalar, Value, Vector, as_vector
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
@@ -255,10 +255,10 @@ def _labelled(
 ) -> tuple[Symbol, Indices] | None:
     """The label of a constraint or body in an argument; a label in a loop may stand without indices for all."""
     target = node.target if isinstance(node, nodes.Index) else node
-    entry = lookup(scope, target.name) if isinstance(target, nodes.Reference) else None
+    entry = designated(ctx, scope, target) if isinstance(target, nodes.Reference | nodes.Member) else None
     if isinstance(entry, Symbol) and entry.kind == kind:
         entry.used = True
-        if isinstance(node, nodes.Reference):
+        if not isinstance(node, nodes.Index):
             return entry, ()
         return named_element(ctx, scope, node)
     if isinstance(target, nodes.Reference) and entry is None:
