@@ -25,7 +25,7 @@ ALLOWED: dict[str, tuple[str, ...]] = {
     "output": _SHOWN,
     "algebraic": _SHOWN,
     "state": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN),
-    "coordinate": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN, "der.start", "der.fixed"),
+    "coordinate": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN, "der.start", "der.fixed", "prefer"),
     "point": (),
     "frame": (),
 }

@@ -46,12 +46,23 @@ def structural_condition(ctx: Context, scope: Scope, node: nodes.Expression | No
 
 
 def switched(ctx: Context, scope: Scope, node: nodes.Expression | None, value: SwitchedT) -> SwitchedT | None:
-    """The value where the condition holds, else zero. A structural condition is true here: false items are dropped."""
+    """The value where the condition and those of the components around hold, else zero.
+
+    A structural condition is true here: false items are dropped.
+    """
     condition = condition_of(ctx, scope, node)
     if condition is None:
         return None
-    if not isinstance(condition, Scalar):
-        return value
+    instance = scope.owner.instance
+    switches = [each for each, _ in instance.conditions] if instance is not None else []
+    if isinstance(condition, Scalar):
+        switches.append(condition)
+    for switch in reversed(switches):
+        value = _under(switch, value)
+    return value
+
+
+def _under(condition: Scalar, value: SwitchedT) -> SwitchedT:
     zero: FlatExpression = flat.ZERO if isinstance(value, Scalar) else flat.ZERO_VECTOR
     expression = flat.Conditional(condition.expression, value.expression, zero)
     variability = latest(value, condition)

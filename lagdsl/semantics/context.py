@@ -9,7 +9,7 @@ from typing import Protocol
 
 from lagdsl.diagnostics import Sink
 from lagdsl.semantics import flat_model
-from lagdsl.semantics.scope import Indices, Scope, Symbol
+from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
 from lagdsl.semantics.values import AnyDimension, Value
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
@@ -29,6 +29,18 @@ class Resolver(Protocol):
     def element(self, symbol: Symbol, indices: Indices, span: Span) -> Value: ...
 
     def constraint(self, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None: ...
+
+
+class Places(Protocol):
+    """What the kinematic assembly knows of frames, coordinates and components."""
+
+    def frame(self, symbol: Symbol, indices: Indices) -> Value | None: ...
+
+    def is_open(self, symbol: Symbol, indices: Indices) -> bool: ...
+
+    def is_computed(self, symbol: Symbol) -> bool: ...
+
+    def reaction(self, instance: Instance, span: Span) -> Value: ...
 
 
 @dataclass(eq=False, slots=True)
@@ -51,6 +63,7 @@ class Context:
     constraints: list[flat_model.Constraint] = field(default_factory=list)
     names: set[str] = field(default_factory=set)
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
+    scopes: list[Scope] = field(default_factory=list)
     relation: Span | None = None
     quiet: bool = False
     unlabelled: int = 0
@@ -60,6 +73,7 @@ class Context:
     calls: int = 0
     exceeded: set[str] = field(default_factory=set)
     reported: set[str] = field(default_factory=set)
+    assembly: Places | None = None
 
     def dimension(self, dimension: Dimension) -> Dimension:
         """The dimension as the class counts: 1 for all under `annotation(units = "none")`."""
@@ -67,6 +81,15 @@ class Context:
 
     def rate(self, dimension: AnyDimension) -> AnyDimension:
         return dimension / self.dimension(TIME) if dimension is not None else None
+
+    @contextmanager
+    def inside(self, scope: Scope) -> Iterator[None]:
+        """What is reported meanwhile about the text of a class belongs to this instance of it."""
+        self.scopes.append(scope)
+        try:
+            yield
+        finally:
+            self.scopes.pop()
 
     @contextmanager
     def without_relations(self, quiet: bool = True) -> Iterator[None]:

@@ -17,6 +17,7 @@ from lagdsl.semantics.modification import Changes, Given, check_duplicates, for_
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import ClassSymbol, Indices, Instance, InstanceArray, Scope, Symbol, lookup_path
 from lagdsl.semantics.values import POISON, Scalar
+from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
 DECLARATIONS = (nodes.Component, nodes.Coordinate, nodes.Geometry)
@@ -36,11 +37,13 @@ class Declarer:
         self.instance = instance
         self.scope = instance.scope
         self.changes = Changes()
-        self.body: Body = body_of(ctx, node, self.scope, self.changes)
+        with ctx.inside(self.scope):
+            self.body: Body = body_of(ctx, node, self.scope, self.changes)
         self.changes.add([*self.body.given, *given])
         self.line = (*line, *self.body.line)
         self.children: dict[str, list[Declarer]] = {}
-        self.declare(self.body.parts)
+        with ctx.inside(self.scope):
+            self.declare(self.body.parts)
 
     def enter_classes(self, parts: list[Part]) -> None:
         """The classes in a branch of a structural `if`."""
@@ -162,13 +165,11 @@ class Declarer:
     def _instance(
         self, declarator: nodes.Declarator, scope: Scope, name: str, symbol: ClassSymbol, condition: Scalar | bool
     ) -> Instance:
-        node = symbol.node
-        spans = (declarator.name_span, *scope.spans)
-        inner = Scope("class", f"`{node.name}`", symbol.scope, f"{name}.", spans)
-        made = Instance(name, declarator.name_span, symbol, inner, node.kind)
-        made.present = condition is not False and self.instance.present
-        switch = (condition,) if isinstance(condition, Scalar) else ()
-        made.conditions = (*self.instance.conditions, *switch)
+        made = instance_of(symbol, name, declarator.name_span, scope)
+        made.present = condition is not False
+        made.conditions = self.instance.conditions
+        if isinstance(condition, Scalar) and declarator.condition is not None:
+            made.conditions += ((condition, declarator.condition.span),)
         return made
 
     def _fill(self, declarator: nodes.Declarator, made: Instance, given: list[Given]) -> None:
@@ -183,6 +184,16 @@ class Declarer:
         """E0223 for the modifiers that nothing took."""
         names = [name for name, entry in self.scope.entries.items() if isinstance(entry, Symbol | Instance)]
         report_unknown(self.ctx, self.changes, names, self.scope.title)
+
+
+def instance_of(symbol: ClassSymbol, name: str, span: Span, around: Scope | None) -> Instance:
+    """An instance of a class without its contents; `around` is the scope it is declared in."""
+    node = symbol.node
+    prefix, spans = (f"{name}.", (span, *around.spans)) if around is not None else ("", ())
+    scope = Scope("class", f"`{node.name}`", symbol.scope, prefix, spans, text=node.span)
+    made = Instance(name, span, symbol, scope, node.kind, around=around)
+    scope.instance = made
+    return made
 
 
 def component_class(item: nodes.Item, scope: Scope) -> ClassSymbol | None:

@@ -62,11 +62,12 @@ class Expander:
 
     def expand(self, parts: list[Part]) -> None:
         """All items of the instance, then what is left of its modifiers."""
-        for part in parts:
-            self._item(part)
-        self.declarer.finish()
+        with self.ctx.inside(self.instance.scope):
+            for part in parts:
+                self._item(part)
+            self.declarer.finish()
 
-    def _item(self, part: Part) -> None:
+    def _item(self, part: Part) -> None:  # noqa: C901, PLR0912 one case for each item
         item, scope = part.item, part.scope
         match item:
             case nodes.For():

@@ -139,7 +139,20 @@ def _extend(
         return
     check_duplicates(ctx, item.modifiers)
     if not any(base.node is other for other in body.line):
-        scope = part.scope
-        view = Scope("class", f"`{base.node.name}`", base.scope, scope.prefix, scope.spans, entries=scope.entries)
+        view = _view(base, base.node, part.scope)
         _collect(ctx, base.node, view, changes, body, protected=part.protected, below=below)
     body.given += [*given, *((modifier, part.scope) for modifier in item.modifiers)]
+
+
+def _view(base: ClassSymbol, node: nodes.Class, scope: Scope) -> Scope:
+    """The names of the instance as the text of a base sees them."""
+    return Scope(
+        "class",
+        f"`{node.name}`",
+        base.scope,
+        scope.prefix,
+        scope.spans,
+        entries=scope.entries,
+        text=node.span,
+        instance=scope.instance,
+    )

@@ -147,7 +147,8 @@ class Instance:
 
     `kind` is the keyword of its class; `protected` are the names that may not be reached from outside. `members` are
     its quantities and components in the order of the text. A component whose condition is false is not `present`;
-    `conditions` of parameters switch what it contributes.
+    `conditions` of parameters, its own and those of the components around, switch what it contributes. `around` is the
+    scope in which it is declared, None for the model itself.
     """
 
     name: str
@@ -158,7 +159,8 @@ class Instance:
     protected: set[str] = field(default_factory=set)
     members: list[Symbol | Instance | InstanceArray] = field(default_factory=list)
     present: bool = True
-    conditions: tuple[Scalar, ...] = ()
+    conditions: tuple[tuple[Scalar, Span], ...] = ()
+    around: Scope | None = None
 
 
 @dataclass(eq=False, slots=True)
@@ -205,6 +207,7 @@ class Scope:
     """`path` are the indices of the loops around, for labels; `title` names the scope in diagnostics.
 
     `files` are the names of a package that stand in files, `root` those that an import in this scope may begin with.
+    The scope of a class knows the place of its `text` and the `instance` that it is of.
     """
 
     kind: ScopeKind
@@ -217,6 +220,8 @@ class Scope:
     imports: Imports | None = None
     files: Files | None = None
     root: Root | None = None
+    text: Span | None = None
+    instance: Instance | None = None
 
     def find(self, name: str, span: Span | None = None) -> Entry | None:
         """The entry of this scope itself: declared, or in a file of the package."""
@@ -259,10 +264,17 @@ def lookup(scope: Scope, name: str, span: Span | None = None) -> Entry | None:
     own = True
     for step in scope.chain():
         entry = step.find(name, span)
-        if entry is not None and (own or not isinstance(entry, Symbol) or entry.kind in ("constant", "structural")):
+        if entry is not None and (own or _is_constant(entry)):
             return entry
         own = own and step.kind == "local"
     return _imported(scope, name, span)
+
+
+def _is_constant(entry: Entry) -> bool:
+    """Whether classes inside see it: constants, types, functions and classes."""
+    if isinstance(entry, Symbol):
+        return entry.kind in ("constant", "structural")
+    return not isinstance(entry, Instance | InstanceArray)
 
 
 def lookup_path(scope: Scope, parts: tuple[str, ...], span: Span | None = None) -> Entry | None:

@@ -1,0 +1,59 @@
+"""Diagnostics inside components: a fault in the text of a class is told once, with the components that lead there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from lagdsl.diagnostics import Diagnostic, Label, Sink
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.scope import Instance, Scope
+from lagdsl.source import Span
+
+
+class InstanceSink(Sink):
+    """Adds the declarations of the components, innermost first, to what is said about the text of their class."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.ctx: Context | None = None
+        self._told: set[tuple[str, str, int, int]] = set()
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """The same code at the same place of a class is kept for the first instance only."""
+        if self.ctx is not None and diagnostic.labels:
+            span = diagnostic.labels[0].span
+            places = list(_places(_instance_at(self.ctx, span)))
+            if places:
+                key = (diagnostic.code, span.file.name, span.start, span.end)
+                if key in self._told:
+                    return
+                self._told.add(key)
+                known = [label.span for label in diagnostic.labels]
+                new = tuple(label for label in places if label.span not in known)
+                diagnostic = replace(diagnostic, labels=(*diagnostic.labels, *new))
+        super().add(diagnostic)
+
+
+def _instance_at(ctx: Context, span: Span) -> Instance | None:
+    """The instance being worked on whose text holds the place."""
+    for scope in (*(symbol.scope for symbol, _ in reversed(ctx.active)), *reversed(ctx.scopes)):
+        step: Scope | None = scope
+        while step is not None:
+            owner = next((each for each in step.chain() if each.instance is not None), None)
+            if owner is None or owner.instance is None:
+                break
+            if owner.text is not None and _holds(owner.text, span):
+                return owner.instance
+            step = owner.instance.around
+    return None
+
+
+def _holds(text: Span, span: Span) -> bool:
+    return text.file is span.file and text.start <= span.start and span.end <= text.end
+
+
+def _places(instance: Instance | None) -> Iterator[Label]:
+    while instance is not None and instance.around is not None:
+        yield Label(instance.span, f"in component `{instance.name}`")
+        instance = instance.around.owner.instance
