@@ -5,7 +5,7 @@ What a value uses is complete before the value itself; the order of completion i
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from itertools import pairwise
@@ -122,8 +122,18 @@ class Definitions:
             return POISON
         if not shape:
             return self.element(symbol, (), span)
-        cells = [self.element(symbol, indices, span) for indices in every(shape)]
-        return self._array(symbol, cells, shape, span)
+        return self.part(symbol, (), span)
+
+    def part(self, symbol: Symbol, chosen: Sequence[int | tuple[int, ...]], span: Span) -> Value:
+        """A slice, one number or several for each leading subscript; no other element is made.
+
+        So a row may be defined by the row before.
+        """
+        shape = self.shape(symbol) or ()
+        full = [*chosen, *(tuple(range(1, extent + 1)) for extent in shape[len(chosen) :])]
+        ways = [(found,) if isinstance(found, int) else found for found in full]
+        cells = [self.element(symbol, indices, span) for indices in cartesian(*ways)]
+        return self._array(symbol, cells, tuple(len(found) for found in full if not isinstance(found, int)), span)
 
     def _array(self, symbol: Symbol, cells: list[Value], shape: tuple[int, ...], span: Span) -> Value:
         scalars: list[Scalar] = []
@@ -152,6 +162,8 @@ class Definitions:
         if symbol.kind in ("coordinate", "state", "input") and not symbol.is_name:
             value: Value = self._variable(symbol, indices)
             symbol.cells[indices] = value
+            if symbol.kind == "coordinate" and self.ctx.assembly is not None:
+                self.ctx.assembly.is_computed(symbol)  # its definition comes before what reads it
             return value
         key = self._key(symbol, indices)
         with self._entered(symbol, key, span) as free:
@@ -159,14 +171,20 @@ class Definitions:
                 return POISON
             with self.ctx.without_relations(False):
                 self._make(symbol, indices, key)
-        if indices not in symbol.cells and key is None:
-            self._poison(symbol)
+        if indices not in symbol.cells:
+            if key is None:
+                self._poison(symbol)
+            else:
+                for rest in every((self.shape(symbol) or ())[len(key) :]):
+                    symbol.cells.setdefault((*key, *rest), POISON)
         return symbol.cells.setdefault(indices, POISON)
 
     def _key(self, symbol: Symbol, indices: Indices) -> Indices | None:
-        """What is made at once: the element, or (None) the whole array from its one binding."""
-        own = indices in symbol.bindings or symbol.kind in LABELS
-        return indices if own or not indices else None
+        """What is made at once: the element, the row that one binding gives, or (None) the whole array from its one."""
+        if not indices or symbol.kind in LABELS:
+            return indices
+        leading = (indices[:length] for length in range(len(indices), 0, -1))
+        return next((key for key in leading if key in symbol.bindings), None)
 
     def _variable(self, symbol: Symbol, indices: Indices) -> Value:
         if symbol.kind == "unknown" or symbol.info is None:
@@ -240,14 +258,15 @@ class Definitions:
             self._missing(symbol, indices)
         if binding is None or shape is None or symbol.info is None:
             return
-        part = () if key else shape
+        part = shape[len(key or ()) :]
         expected = Expected(f"`{symbol.short}`", symbol.info.dimension, part, symbol.info.base, symbol.info.unit)
         value = bound(self.ctx, binding.scope, binding.node, expected)
         if isinstance(value, Scalar):
             symbol.cells[indices] = self._named(symbol, indices, value)
         elif isinstance(value, Array):
-            for position, each in enumerate(every(shape)):
+            for position, rest in enumerate(every(part)):
                 cell = Scalar(value.elements[position], value.dimension, value.variability, value.order, value.kind)
+                each = (*(key or ()), *rest)
                 symbol.cells[each] = self._named(symbol, each, cell)
 
     def _named(self, symbol: Symbol, indices: Indices, value: Scalar) -> Scalar:
@@ -300,8 +319,10 @@ class Definitions:
         binding = symbol.bindings.get(indices)
         name = element_name(symbol.name, indices)
         if binding is None:
-            self._missing(symbol, indices)
-            return POISON
+            placed = self.ctx.assembly.frame(symbol, indices) if self.ctx.assembly is not None else None
+            if placed is None:
+                self._missing(symbol, indices)
+            return placed if placed is not None else POISON
         value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, False)
         if not isinstance(value, FrameValue):
             if not isinstance(value, Poison):

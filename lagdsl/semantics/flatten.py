@@ -12,20 +12,23 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import annotations as notes
 from lagdsl.semantics import quantities
 from lagdsl.semantics.assembly.assemble import assemble
+from lagdsl.semantics.assembly.assembly import Assembly
 from lagdsl.semantics.attributes import attributes
 from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.declare import instance_of
 from lagdsl.semantics.definitions import Definitions, every
 from lagdsl.semantics.expand import collect
 from lagdsl.semantics.expressions import elaborate
 from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_model import Coordinate, FlatModel, Input, Output, State
+from lagdsl.semantics.flat_model import Coordinate, FlatModel, Input, Output, Parameter, State
 from lagdsl.semantics.inheritance import expand_short
 from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
 from lagdsl.semantics.rates import check_inputs, check_linear
-from lagdsl.semantics.scope import Instance, Scope
+from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.selection import file_scope, functions_of, select
+from lagdsl.semantics.stack import InstanceSink
 from lagdsl.semantics.usage import warn_unused, warn_unused_imports
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
@@ -41,9 +44,9 @@ def flatten(
     `structural` gives structural parameters other values, in SI units. None after errors, which are in `sink`.
     """
     definitions = Definitions()
-    found = Sink()
+    found = InstanceSink()
     ctx = Context(found, definitions, elaborate, unit.span.file, overrides=structural or {})
-    definitions.ctx = ctx
+    definitions.ctx = found.ctx = ctx
     flat = None
     with _deep_recursion():
         try:
@@ -84,12 +87,11 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     node = symbol.node
     assert isinstance(node, nodes.Class)
     ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
-    scope = Scope("class", f"`{node.name}`", symbol.scope)
-    root = Instance("", node.name_span, symbol, scope, node.kind)
+    root = instance_of(symbol, "", node.name_span, None)
     contents = collect(ctx, root, modifiers)
-    joints = assemble(ctx, root, contents)
+    assembly = assemble(ctx, root, contents)
     flat = replace(
-        _model(ctx, node, scope, contents), joints=joints, name=chosen.node.name, doc=chosen.node.doc or node.doc
+        _model(ctx, node, root.scope, contents, assembly), name=chosen.node.name, doc=chosen.node.doc or node.doc
     )
     for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)
@@ -99,35 +101,40 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     return _checked(ctx, flat, contents)
 
 
-def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) -> FlatModel:
+def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents, assembly: Assembly) -> FlatModel:
     """Elaborate all of the class, in source order; what is needed earlier comes earlier."""
     coordinates: list[Coordinate] = []
     states: list[State] = []
     inputs: list[Input] = []
     for symbol in contents.symbols:
-        attributes(ctx, symbol)
-        for indices in every(ctx.resolver.shape(symbol) or ()):
-            ctx.resolver.element(symbol, indices, symbol.span)
-        if symbol.kind == "coordinate":
-            coordinates += quantities.coordinates(ctx, symbol)
-        elif symbol.kind == "state":
-            states += quantities.states(ctx, symbol)
-        elif symbol.kind == "input" and not symbol.is_name:
-            inputs += quantities.inputs(ctx, symbol)
+        with ctx.inside(symbol.scope):
+            attributes(ctx, symbol)
+            for indices in every(ctx.resolver.shape(symbol) or ()):
+                if not assembly.is_open(symbol, indices):
+                    ctx.resolver.element(symbol, indices, symbol.span)
+            if symbol.kind == "coordinate" and not assembly.is_computed(symbol):
+                coordinates += quantities.coordinates(ctx, symbol)
+            elif symbol.kind == "state":
+                states += quantities.states(ctx, symbol)
+            elif symbol.kind == "input" and not symbol.is_name:
+                inputs += quantities.inputs(ctx, symbol)
     physics = Physics()
     for placed in contents.items:
-        elaborate_item(ctx, physics, placed)
+        with ctx.inside(placed.scope):
+            elaborate_item(ctx, physics, placed)
+    assembly.close()
     for placed in contents.initial:
-        initial_equation(ctx, physics, placed)
+        with ctx.inside(placed.scope):
+            initial_equation(ctx, physics, placed)
     outputs: list[Output] = []
     for symbol in contents.symbols:
         if symbol.kind == "output":
-            outputs += quantities.outputs(ctx, symbol)
+            with ctx.inside(symbol.scope):
+                outputs += quantities.outputs(ctx, symbol)
     return FlatModel(
         name=node.name,
         doc=node.doc,
-        # Found in the order of need, listed in the order of the text.
-        parameters=tuple(sorted(ctx.parameters, key=lambda parameter: parameter.spans[0].start)),
+        parameters=_in_order(ctx, contents),
         coordinates=tuple(coordinates),
         states=tuple(states),
         inputs=tuple(inputs),
@@ -139,13 +146,30 @@ def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents) ->
         gravity_span=physics.gravity_node.span if physics.gravity_node is not None else None,
         loads=tuple(physics.loads),
         constraints=tuple(ctx.constraints),
-        outputs=tuple(outputs),
+        outputs=(*outputs, *assembly.outputs()),
         invariants=tuple(physics.invariants),
         assertions=tuple(physics.assertions),
         initial_equations=tuple(physics.initial),
         drawings=tuple(physics.drawings),
         experiment=notes.experiment(ctx, scope, contents.annotations),
+        joints=assembly.joints(),
     )
+
+
+def _in_order(ctx: Context, contents: Contents) -> tuple[Parameter, ...]:
+    """The parameters, found in the order of need, in the order of the text; constants of the file where they stand."""
+    places = {symbol.name: place for place, symbol in enumerate(contents.symbols)}
+    first = min((symbol.span.start for symbol in contents.symbols if symbol.span.file is ctx.home), default=0)
+
+    def place(parameter: Parameter) -> tuple[int, int]:
+        span = parameter.spans[0]
+        name = parameter.name
+        found = places.get(name, places.get(name[: name.rindex("[")] if name.endswith("]") else name))
+        if found is not None:
+            return 0, found
+        return (-1 if span.file is not ctx.home or span.start < first else 1), span.start
+
+    return tuple(sorted(ctx.parameters, key=place))
 
 
 def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | None:

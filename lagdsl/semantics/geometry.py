@@ -54,9 +54,7 @@ def member(ctx: Context, node: nodes.Member, target: Value) -> Value:
             return frame_member(ctx, target, node.name, node.span)
         case Reaction() if node.name in ("force", "torque"):
             dimension = ctx.dimension(FORCE if node.name == "force" else FORCE * LENGTH)
-            kind = "force" if node.name == "force" else "torque"
-            value = flat.FrameReaction(target.frame, "force" if kind == "force" else "torque")
-            return Vector(value, dimension, Variability.CONTINUOUS, Order.SOLUTION)
+            return Vector(_wrench(target, node.name), dimension, Variability.CONTINUOUS, Order.SOLUTION)
         case Vector() | Array(shape=(2 | 3,)) if node.name in AXES:
             vector = as_vector(target)
             assert vector is not None
@@ -64,6 +62,18 @@ def member(ctx: Context, node: nodes.Member, target: Value) -> Value:
             return Scalar(part, vector.dimension, vector.variability, vector.order)
         case _:
             return _no_member(ctx, node, target)
+
+
+def _wrench(reaction: Reaction, name: str) -> FlatExpression:
+    """The force, or the torque: about another point it is larger by (r - r') x F."""
+    force: FlatExpression = flat.FrameReaction(reaction.frame, "force")
+    value = force
+    if name == "torque":
+        value = flat.FrameReaction(reaction.frame, "torque")
+        if reaction.about is not None:
+            arm = flat.Binary("-", flat.FrameOrigin(reaction.frame), flat.FrameOrigin(reaction.about))
+            value = flat.Binary("+", value, flat.Cross(arm, force))
+    return flat.Unary("-", value) if reaction.opposite else value
 
 
 def _no_member(ctx: Context, node: nodes.Member, target: Value) -> Value:

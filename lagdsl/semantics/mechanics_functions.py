@@ -24,8 +24,19 @@ from lagdsl.semantics.geometry import (
 )
 from lagdsl.semantics.naming import arguments_text, kind_of, name_span
 from lagdsl.semantics.paths import designated
-from lagdsl.semantics.scope import Indices, Scope, Symbol
-from lagdsl.semantics.values import POISON, Array, Order, Poison, Reaction, Scalar, Value, Vector, as_vector
+from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
+from lagdsl.semantics.values import (
+    POISON,
+    Array,
+    Component,
+    Order,
+    Poison,
+    Reaction,
+    Scalar,
+    Value,
+    Vector,
+    as_vector,
+)
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, FORCE, TIME, VELOCITY
@@ -184,7 +195,7 @@ def _what(found: tuple[Symbol, Indices] | None, value: Value) -> str:
 
 
 def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
-    """`reaction(F)` of a frame, `reaction(P, along = e)` of a point."""
+    """`reaction(F)` of a frame, `reaction(J)` of a component, `reaction(P, along = e)` of a point."""
     arguments = _positional(ctx, node, 1, 1, ("along",))
     if arguments is None:
         return POISON
@@ -193,6 +204,8 @@ def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     along = _named(node, "along")
     if isinstance(value, Poison):
         return POISON
+    if along is None and isinstance(value, Component) and isinstance(value.instance, Instance):
+        return ctx.assembly.reaction(value.instance, target.span) if ctx.assembly is not None else POISON
     if along is None:
         frame = as_frame(ctx, target, value)
         if frame is None:

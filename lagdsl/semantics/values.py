@@ -87,9 +87,14 @@ class Text:
 
 @record()
 class Reaction:
-    """`reaction(F)`: the wrench that carries the frame; read its `.force` or `.torque`."""
+    """`reaction(F)`: the wrench that carries the frame; read its `.force` or `.torque`.
+
+    `opposite`: the reaction to it; `about`: with the torque about the origin of another frame.
+    """
 
     frame: str
+    opposite: bool = False
+    about: str | None = None
 
 
 @record()

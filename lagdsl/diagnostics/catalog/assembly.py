@@ -1,10 +1,61 @@
 """Family 07: how components are joined."""
 
-from lagdsl.diagnostics.catalog.row import Row, note
+from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
 ROWS: dict[str, Row] = {
+    "E0700": error(
+        "this equation places no frame",
+        "neither side is a frame to be placed",
+        "a kinematics section holds equations like `frame_b = frame_a.rotz(q);`",
+    ),
     "N0701": note(
         "{count} of the {total} closure equations of {joint} are redundant and are left out of the solve",
         "this closes the loop {loop}",
+    ),
+    "E0701": error(
+        "{what} cannot be connected here",
+        "no frame, no component with frames",
+        "`connect` joins frames with frames, coordinates with coordinates, and connectors with connectors of one class",
+    ),
+    "E0702": error(
+        "`{name}` is not connected to `world`",
+        "no joint leads here from the world",
+        "connect it; a body that moves freely needs a joint of six coordinates, `FreeMotion`, between it and `world`",
+    ),
+    "E0703": error(
+        "`{name}` has one port and cannot stand in the middle of a `connect`",
+        "nothing leads on from its `{port}`",
+        "end the list here, or name the frame that the next one joins, too",
+    ),
+    "E0704": error(
+        "`{name}` has no `{port}`: which of its frames is meant?",
+        "several frames",
+        "name the frame: {ports}",
+    ),
+    "E0705": error(
+        "`{name}.{port}` is joined already: which frame of `{name}` is meant here?",
+        "ambiguous",
+        "name the frame, as in `{name}.{port}`",
+    ),
+    "E0706": error(
+        "this kinematics cannot be followed backward",
+        "the frame that it starts from would have to be known before",
+        "turn the component around in the `connect`, or give its kinematics by `move` and turns alone",
+    ),
+    "E0707": error(
+        "a closure holds for positions, this equation contains rates or forces",
+        "no geometric condition",
+        "what holds for rates is a `constraint` of the class",
+    ),
+    "E0708": error("`prefer` is `always` or `never`, not `{found}`", "no such choice"),
+    "W0709": warning(
+        "this `connect` joins what was one already",
+        "without effect",
+        "delete it, or name the frames that are meant",
+    ),
+    "E0710": error(
+        "the reaction of `{name}` is not one wrench",
+        "which of its frames is meant?",
+        "name the frame: {ports}",
     ),
 }

@@ -1,0 +1,116 @@
+"""What the assembly found out, as the rest of the floor asks for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from lagdsl.diagnostics import Label
+from lagdsl.semantics.assembly.chains import ports_of
+from lagdsl.semantics.assembly.closures import Closures
+from lagdsl.semantics.assembly.islands import report
+from lagdsl.semantics.assembly.net import Link, Net
+from lagdsl.semantics.assembly.routes import Routes
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.definitions import every
+from lagdsl.semantics.flat_model import Joint, Output
+from lagdsl.semantics.naming import element_name
+from lagdsl.semantics.scope import Indices, Instance, Symbol
+from lagdsl.semantics.values import POISON, Poison, Reaction, Value
+from lagdsl.source import Span
+
+
+class Assembly:
+    """Answers for frames without a binding, coordinates of joints, and reactions."""
+
+    def __init__(
+        self, ctx: Context, net: Net, routes: Routes, closures: Closures, instances: Sequence[Instance]
+    ) -> None:
+        self._ctx, self._net, self._routes, self._closures = ctx, net, routes, closures
+        self._instances = {instance.scope.prefix: instance for instance in instances}
+        self._cuts = {cut.link.number: cut for cut in closures.cuts}
+        self._reported: set[str] = set()
+
+    def is_open(self, symbol: Symbol, indices: Indices) -> bool:
+        """Whether this is a port of a component that nothing gives a place: no fault as long as nothing needs it."""
+        if symbol.kind != "frame" or symbol.scope.prefix not in self._instances:
+            return False
+        number = self._net.find(symbol, indices)
+        bound = indices in symbol.bindings or indices in symbol.cells
+        return not bound and (number is None or not self._routes.reached(number))
+
+    def frame(self, symbol: Symbol, indices: Indices) -> Value | None:
+        """The place of a frame without a binding; None for one of the model itself that nothing gives a place."""
+        number = self._net.find(symbol, indices)
+        if number is not None and self._routes.reached(number):
+            return self._routes.make(number)
+        instance = self._instances.get(symbol.scope.prefix)
+        if instance is None:
+            return None
+        if instance.name not in self._reported:
+            self._reported.add(instance.name)
+            report(self._ctx, [instance])
+        return POISON
+
+    def is_computed(self, symbol: Symbol) -> bool:
+        """Whether the coordinate follows from others: its joint closes a loop."""
+        return self._closures.is_computed(symbol)
+
+    def outputs(self) -> list[Output]:
+        """Computed coordinates of cut joints."""
+        return [output for cut in self._closures.cuts for output in cut.outputs]
+
+    def close(self) -> None:
+        """Add the constraints that close loops."""
+        self._closures.finish()
+
+    def joints(self) -> tuple[Joint, ...]:
+        """The links with coordinates, in the order of the text."""
+        return tuple(self._joint(link) for link in self._net.links if link.own and self._known(link))
+
+    def _known(self, link: Link) -> bool:
+        return self._routes.reached(link.base) and self._routes.reached(link.child)
+
+    def _joint(self, link: Link) -> Joint:
+        names = [
+            element_name(symbol.name, indices)
+            for symbol in link.own
+            for indices in every(self._ctx.resolver.shape(symbol) or ())
+        ]
+        return Joint(
+            spans=(link.instance.span, *link.instance.scope.spans),
+            name=link.instance.name,
+            kind=link.instance.definition.node.name,
+            frame_a=self._net.ports[link.base].name,
+            frame_b=self._net.ports[link.child].name,
+            coordinates=tuple(names),
+            cut=link.number in self._cuts,
+        )
+
+    # ---- reactions ---------------------------------------------------------------------------------------------------
+
+    def reaction(self, instance: Instance, span: Span) -> Reaction | Poison:
+        """The wrench exerted by the side of frame_a on the side of frame_b, at the origin of frame_b (section 6.2)."""
+        links = self._net.joints_of.get(instance, [])
+        ports = ports_of(instance)
+        if not links and len(ports) == 1:
+            return self._of_port(instance, next(iter(ports.values())))
+        if len(links) != 1 or not self._known(links[0]):
+            names = ", ".join(f"`{instance.name}.{name}`" for name in ports)
+            self._ctx.sink.report("E0710", span, Label(instance.span, "declared here"), name=instance.name, ports=names)
+            return POISON
+        link = links[0]
+        base, child = self._routes.value(link.base), self._routes.value(link.child)
+        if isinstance(base, Poison) or isinstance(child, Poison):
+            return POISON
+        cut = self._cuts.get(link.number)
+        if cut is not None:
+            self._closures.open(cut)
+            return Reaction(cut.hidden, opposite=True)
+        if self._routes.is_backward(link):
+            return Reaction(self._net.ports[link.base].name, opposite=True, about=self._net.ports[link.child].name)
+        return Reaction(self._net.ports[link.child].name)
+
+    def _of_port(self, instance: Instance, symbol: Symbol) -> Reaction | Poison:
+        value = self._ctx.resolver.element(symbol, (), instance.span)
+        return POISON if isinstance(value, Poison) else Reaction(element_name(symbol.name, ()))
+

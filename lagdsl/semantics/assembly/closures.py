@@ -1,0 +1,247 @@
+"""Links that close a loop: constraints, and what becomes of their coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from lagdsl.record import record
+from lagdsl.semantics import constraints, flat_model, quantities
+from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics.assembly.computed import Formula, NoFormula, Solver
+from lagdsl.semantics.assembly.linear import variables
+from lagdsl.semantics.assembly.net import Link, Net, Port
+from lagdsl.semantics.assembly.pose import displacement, misalignment
+from lagdsl.semantics.assembly.routes import Routes
+from lagdsl.semantics.contents import Placed
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.semantics.flat_model import Closure, Constraint, Definition, Frame, FrameStep, Output, Variability
+from lagdsl.semantics.quantity_fields import QuantityFields
+from lagdsl.semantics.scope import Symbol
+from lagdsl.semantics.values import FrameValue, Order, Scalar
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
+from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
+
+
+@record()
+class _Place:
+    """What the rows of one closure have in common. `span` is the `connect` that closes the loop."""
+
+    name: str
+    joint: str | None
+    loop: tuple[str, ...]
+    span: Span
+    spans: tuple[Span, ...]
+
+
+@dataclass(eq=False, slots=True)
+class Cut:
+    """A link that closes a loop. `computed`: its coordinates are to follow from the frames, by `equations`. `hidden` is
+    the frame that stands for the end of the link in all that closes it, so that it can be released alone."""
+
+    link: Link
+    loop: tuple[str, ...]
+    span: Span
+    equations: tuple[Placed, ...]
+    computed: bool
+    hidden: str = ""
+    started: bool = False
+    outputs: list[Output] = field(default_factory=list)
+
+    @property
+    def place(self) -> _Place:
+        joint, binding = self.link.instance.name, self.link.binding
+        return _Place(f"closure({joint})", joint, self.loop, self.span, (binding.span, *binding.scope.spans))
+
+
+@dataclass(frozen=True, slots=True)
+class Tied:
+    """A port with a place of its own, joined to frames that have theirs: both must be one."""
+
+    port: int
+    loop: tuple[str, ...]
+    span: Span
+
+
+class Closures:
+    """Closes loops, on demand: who reads a coordinate of a cut joint needs its definition first."""
+
+    def __init__(self, ctx: Context, net: Net, routes: Routes, cuts: Sequence[Cut], ties: Sequence[Tied]) -> None:
+        self._ctx, self._net, self._routes = ctx, net, routes
+        self.cuts, self._ties = tuple(cuts), tuple(ties)
+        self._of = {symbol: cut for cut in cuts if cut.computed for symbol in cut.link.own}
+
+    def is_computed(self, symbol: Symbol) -> bool:
+        """Whether the coordinate follows from others; closes its loop to find out."""
+        cut = self._of.get(symbol)
+        if cut is None:
+            return False
+        self.open(cut)
+        return cut.computed
+
+    def open(self, cut: Cut) -> None:
+        """Make the hidden frame of the closure and, where there are formulas, the coordinates."""
+        if cut.started:
+            return
+        cut.started = True
+        end = self._routes.value(cut.link.child)
+        base = self._routes.value(cut.link.base)
+        if not isinstance(end, FrameValue) or not isinstance(base, FrameValue):
+            cut.computed = False
+            return
+        cut.hidden = self._frame(cut.place, end.name, end.steps, "end")
+        if cut.computed:
+            self._compute(cut, base.name)
+
+    def _compute(self, cut: Cut, base: str) -> None:
+        """Formulas for the coordinates; where there are none they are kept and tied by the pose."""
+        ctx = self._ctx
+        known = self._coordinates(cut)
+        starts = {item.name: item.start for item in known}
+        by_name = {item.name: item for item in known}
+        mark = len(ctx.named)
+        value = ctx.elaborate(ctx, cut.link.binding.scope, cut.link.binding.node, False)
+        behind = [item for item in ctx.named[mark:] if not isinstance(item, Definition) or _needs(item, starts)]
+        mark = len(ctx.named)
+
+        def frame(parent: str, steps: tuple[FrameStep, ...]) -> str:
+            return self._frame(cut.place, parent, steps, "frame") if steps else parent
+
+        def found(formula: Formula) -> None:
+            item = by_name[formula.name]
+            fields = _fields(item)
+            ctx.named.append(Definition(**fields, value=formula.value, variability=Variability.CONTINUOUS))
+            joint = cut.link.instance.name
+            value = flat.Variable(item.name)
+            cut.outputs.append(Output(**fields, value=value, joint=joint, turning=formula.turning))
+
+        try:
+            if behind or not isinstance(value, FrameValue) or value.name != base:
+                raise NoFormula
+            Solver(base, cut.hidden, starts, frame, found).solve(value.steps)
+        except NoFormula:
+            del ctx.named[mark:]
+            cut.outputs.clear()
+            cut.computed = False
+        order = {name: k for k, name in enumerate(starts)}
+        cut.outputs.sort(key=lambda output: order[output.name])
+
+    def _coordinates(self, cut: Cut) -> list[flat_model.Coordinate]:
+        """As they would be listed; the constraints that come with them (unit quaternions) are not wanted here."""
+        mark = len(self._ctx.constraints)
+        found = [item for symbol in cut.link.own for item in quantities.coordinates(self._ctx, symbol)]
+        del self._ctx.constraints[mark:]
+        return found
+
+    # ---- constraints -------------------------------------------------------------------------------------------------
+
+    def finish(self) -> None:
+        """Add the constraints of all loops, in the order of the text."""
+        for cut in self.cuts:
+            self._close(cut)
+        for tied in self._ties:
+            self._tie(tied)
+
+    def _tie(self, tied: Tied) -> None:
+        """Both places of a port must be one."""
+        port = self._net.ports[tied.port]
+        first = self._routes.value(self._routes.arrivals[self._net.root(tied.port)].port)
+        second = self._routes.value(tied.port)
+        if isinstance(first, FrameValue) and isinstance(second, FrameValue):
+            scope = (port.symbol or port.binding).scope  # type: ignore[union-attr]
+            place = _Place(f"closure({port.name})", None, tied.loop, tied.span, (tied.span, *scope.spans))
+            start = self._frame(place, first.name, first.steps, "start") if first.steps else first.name
+            end = self._frame(place, second.name, second.steps, "end")
+            self._pose(place, start, end)
+
+    def _close(self, cut: Cut) -> None:
+        """Add the constraints of one cut."""
+        self.open(cut)
+        if not cut.hidden:
+            return
+        if cut.computed:
+            self._own(cut)
+            return
+        value = self._ctx.elaborate(self._ctx, cut.link.binding.scope, cut.link.binding.node, False)
+        if isinstance(value, FrameValue):
+            start = self._frame(cut.place, value.name, value.steps, "start")
+            self._pose(cut.place, start, cut.hidden)
+
+    def _pose(self, place: _Place, start: str, end: str) -> None:
+        self._rows(place, displacement(start, end), self._ctx.dimension(LENGTH), 0)
+        self._rows(place, misalignment(start, end), DIMENSIONLESS, 3)
+
+    def _own(self, cut: Cut) -> None:
+        """The equations of the closure section, the end of the link read as the hidden frame."""
+        port = self._net.ports[cut.link.child]
+        count = 0
+        with _Read(port, cut.hidden):
+            for placed in cut.equations:
+                assert isinstance(placed.node, nodes.Equation)
+                residual = constraints.difference(self._ctx, placed.scope, placed.node)
+                if residual is None:
+                    continue
+                if residual.order > Order.CONFIGURATION:
+                    self._ctx.sink.report("E0707", placed.node.span)
+                    continue
+                parts = (residual.expression,) if isinstance(residual, Scalar) else residual.elements
+                place = replace(cut.place, spans=(placed.node.span, *placed.scope.spans))
+                self._rows(place, parts, residual.dimension or DIMENSIONLESS, count)
+                count += len(parts)
+
+    def _rows(
+        self, place: _Place, residuals: tuple[FlatExpression, ...], dimension: Dimension, before: int
+    ) -> None:
+        rows = tuple(f"{place.name}[{before + k}]" for k in range(1, len(residuals) + 1))
+        self._ctx.constraints.append(
+            Constraint(
+                spans=place.spans,
+                name=place.name,
+                rows=rows,
+                residuals=residuals,
+                dimension=dimension,
+                level="position",
+                closure=Closure(joint=place.joint, loop=place.loop, span=place.span),
+            )
+        )
+
+    def _frame(self, place: _Place, parent: str, steps: tuple[FrameStep, ...], what: str) -> str:
+        name = self._ctx.unique(f"{place.name}.{what}")
+        self._ctx.named.append(Frame(spans=place.spans, name=name, parent=parent, steps=steps))
+        return name
+
+
+class _Read:
+    """Reads a port as another frame while texts of the closure are elaborated."""
+
+    def __init__(self, port: Port, name: str) -> None:
+        self._port, self._name = port, name
+
+    def __enter__(self) -> None:
+        assert self._port.symbol is not None
+        self._before = self._port.symbol.cells[self._port.indices]
+        self._port.symbol.cells[self._port.indices] = FrameValue(self._name)
+
+    def __exit__(self, *_: object) -> None:
+        assert self._port.symbol is not None
+        self._port.symbol.cells[self._port.indices] = self._before
+
+
+def _needs(item: Definition, names: dict[str, FlatExpression]) -> bool:
+    return any(name in names for name in variables((item.value,)))
+
+
+def _fields(item: flat_model.Coordinate) -> QuantityFields:
+    return QuantityFields(
+        spans=item.spans,
+        name=item.name,
+        dimension=item.dimension,
+        unit=item.unit,
+        display_unit=item.display_unit,
+        doc=item.doc,
+        type_name=item.type_name,
+        symbol=item.symbol,
+    )

@@ -1,0 +1,59 @@
+"""Components that no way leads to from the world."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from lagdsl.diagnostics import Label
+from lagdsl.semantics.assembly.net import Net
+from lagdsl.semantics.assembly.routes import Routes
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.scope import Instance
+from lagdsl.semantics.values import POISON
+
+
+def report_islands(ctx: Context, net: Net, routes: Routes, instances: Sequence[Instance]) -> None:
+    """E0702 for each group of components with kinematics that hangs together and is not reached."""
+    names = {instance.scope.prefix: instance for instance in instances}
+    groups = _groups(net, routes)
+    for ports in groups:
+        found: dict[Instance, None] = {}
+        for number in ports:
+            symbol = net.ports[number].symbol
+            if symbol is not None and symbol.scope.prefix in names:
+                found[names[symbol.scope.prefix]] = None
+        report(ctx, list(found))
+        for number in ports:
+            port = net.ports[number]
+            if port.symbol is not None and port.indices not in port.symbol.bindings:
+                port.symbol.cells[port.indices] = POISON
+
+
+def report(ctx: Context, found: list[Instance]) -> None:
+    """E0702, the first component named, the others as labels."""
+    first = found[0]
+    labels = [Label(instance.span, "hangs on it, too") for instance in found[1:4]]
+    ctx.sink.report("E0702", first.span, *labels, name=first.name, kind=first.definition.node.name)
+
+
+def _groups(net: Net, routes: Routes) -> list[list[int]]:
+    """Ports of links that are not reached, by what hangs together."""
+    parents = list(range(len(net.ports)))
+
+    def root(port: int) -> int:
+        while parents[port] != port:
+            parents[port] = parents[parents[port]]
+            port = parents[port]
+        return port
+
+    loose = [link for link in net.links if not routes.reached(link.base) or not routes.reached(link.child)]
+    for link in loose:
+        a, b = root(net.root(link.base)), root(net.root(link.child))
+        parents[max(a, b)] = min(a, b)
+    wanted = {root(net.root(link.base)) for link in loose}
+    groups: dict[int, list[int]] = {}
+    for number in range(len(net.ports)):
+        group = root(net.root(number))
+        if group in wanted and not routes.reached(number):
+            groups.setdefault(group, []).append(number)
+    return list(groups.values())

@@ -1,0 +1,40 @@
+"""Kinematics sections: `frame_b = frame_a.rotz(q);` becomes a link between two ports."""
+
+from __future__ import annotations
+
+from lagdsl.semantics.assembly.net import WORLD, Net
+from lagdsl.semantics.assembly.paths import Element, World, base_of, target_of
+from lagdsl.semantics.contents import Placed
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.scope import Binding, Scope
+from lagdsl.syntax import nodes
+
+
+def link(ctx: Context, net: Net, placed: Placed) -> None:
+    """Add the equation to the net, or report that it gives no frame its place."""
+    item = placed.node
+    assert isinstance(item, nodes.Equation)
+    for side, other in ((item.left, item.right), (item.right, item.left)):
+        child = port_of(ctx, net, placed.scope, side)
+        base = base_of(ctx, placed.scope, other)
+        found = port_of(ctx, net, placed.scope, base) if base is not None else None
+        if child not in (None, WORLD) and found is not None:
+            assert child is not None
+            net.link(found, child, Binding(other, placed.scope, item.span), placed.instance)
+            return
+    before = len(ctx.sink.diagnostics)
+    for side in (item.left, item.right):
+        ctx.elaborate(ctx, placed.scope, side, False)
+    if len(ctx.sink.diagnostics) == before:
+        ctx.sink.report("E0700", item.span)
+
+
+def port_of(ctx: Context, net: Net, scope: Scope, node: nodes.Expression) -> int | None:
+    """The port that a plain name stands for."""
+    match target_of(ctx, scope, node):
+        case World():
+            return WORLD
+        case Element(symbol=symbol, indices=indices) if symbol.kind == "frame" and indices is not None:
+            return net.port(symbol, indices)
+        case _:
+            return None

@@ -1,0 +1,108 @@
+"""What a dotted name stands for, before anything has a value: symbols, components, the world."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+from lagdsl.diagnostics import Sink
+from lagdsl.record import record
+from lagdsl.semantics.arrays import subscript_indices
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.geometry import METHODS
+from lagdsl.semantics.scope import Entry, Indices, Instance, InstanceArray, Scope, Symbol, lookup
+from lagdsl.semantics.values import FrameValue
+from lagdsl.syntax import nodes
+
+
+@record()
+class World:
+    pass
+
+
+@record()
+class Element:
+    """A declared name, or one element of it; `indices` None: all of it."""
+
+    symbol: Symbol
+    indices: Indices | None
+
+
+Target: TypeAlias = "World | Element | Instance | InstanceArray"
+
+
+def target_of(ctx: Context, scope: Scope, node: nodes.Expression) -> Target | None:
+    """What the text names; None if it names none of these. Says nothing."""
+    match node:
+        case nodes.Parenthesized():
+            return target_of(ctx, scope, node.inner)
+        case nodes.Reference():
+            entry = lookup(scope, node.name)
+            return World() if entry is None and node.name == "world" else _target(ctx, entry)
+        case nodes.Member():
+            around = target_of(ctx, scope, node.target)
+            if isinstance(around, Instance):
+                return _target(ctx, around.scope.entries.get(node.name))
+        case nodes.Index():
+            return _indexed(ctx, scope, node)
+    return None
+
+
+def _target(ctx: Context, entry: Entry | None) -> Target | None:
+    match entry:
+        case Symbol():
+            scalar = entry.declarator is not None and not ctx.resolver.shape(entry)
+            return Element(entry, () if scalar else None)
+        case Instance() | InstanceArray():
+            return entry
+        case _:
+            return None
+
+
+def _indexed(ctx: Context, scope: Scope, node: nodes.Index) -> Target | None:
+    around = target_of(ctx, scope, node.target)
+    if isinstance(around, InstanceArray):
+        indices = _indices(ctx, scope, node, around.shape)
+        return around.elements.get(indices) if indices is not None else None
+    if isinstance(around, Element) and around.indices is None:
+        shape = ctx.resolver.shape(around.symbol)
+        indices = _indices(ctx, scope, node, shape) if shape else None
+        return Element(around.symbol, indices)
+    return None
+
+
+def _indices(ctx: Context, scope: Scope, node: nodes.Index, shape: tuple[int, ...]) -> Indices | None:
+    before, ctx.sink = ctx.sink, Sink()
+    try:
+        found = subscript_indices(ctx, scope, node.subscripts, shape, node)
+    finally:
+        ctx.sink = before
+    if found is None or len(found) != len(shape):
+        return None
+    indices = tuple(index for index in found if isinstance(index, int))
+    return indices if len(indices) == len(shape) else None
+
+
+def base_of(ctx: Context, scope: Scope, node: nodes.Expression) -> nodes.Expression | None:
+    """The frame that the methods of `A.move(...).rotz(...)` start from, if the text is of that form."""
+    while True:
+        match node:
+            case nodes.Parenthesized():
+                node = node.inner
+            case nodes.Call(function=nodes.Member() as function) if function.name in METHODS:
+                node = function.target
+            case nodes.Reference() | nodes.Member() | nodes.Index():
+                return node if _is_frame(ctx, scope, node) else None
+            case _:
+                return None
+
+
+def _is_frame(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:
+    match target_of(ctx, scope, node):
+        case World():
+            return True
+        case Element(symbol=symbol, indices=indices):
+            return symbol.kind == "frame" and indices is not None
+        case None:
+            return isinstance(node, nodes.Reference) and isinstance(lookup(scope, node.name), FrameValue)
+        case _:
+            return False
