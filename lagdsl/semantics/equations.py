@@ -93,12 +93,21 @@ def bind(ctx: Context, symbol: Symbol, indices: Indices | None, binding: Binding
         indices = ()
     table = symbol.derivatives if derivative else symbol.bindings
     taken = table.get(indices) or table.get(None) or (next(iter(table.values()), None) if indices is None else None)
+    taken = taken or _overlapping(table, indices or (), len(symbol.shape or ()))
     if taken is not None:
         name = element_name(symbol.short, indices or ())
         shown = f"der({name})" if derivative else name
         ctx.sink.report("E0319", binding.span, Label(taken.span, "defined here first"), name=shown)
         return
     table[indices] = binding
+
+
+def _overlapping(table: dict[Indices | None, Binding], indices: Indices, rank: int) -> Binding | None:
+    """What gives a row that the element is in, or an element of the row."""
+    around = next((table[indices[:n]] for n in range(1, len(indices)) if indices[:n] in table), None)
+    if around is not None or not 0 < len(indices) < rank:
+        return around
+    return next((each for key, each in table.items() if key is not None and key[: len(indices)] == indices), None)
 
 
 def _subscripted(symbol: Symbol) -> bool:
@@ -108,10 +117,13 @@ def _subscripted(symbol: Symbol) -> bool:
 def element_indices(
     ctx: Context, scope: Scope, symbol: Symbol, subscripts: tuple[nodes.Subscript, ...], span: Span
 ) -> Indices | None:
-    """The indices of one element that is being defined; None after a diagnostic."""
+    """The indices of one element, or the leading ones of a row, that is being defined; None after a diagnostic."""
     shape = ctx.resolver.shape(symbol)
     if shape is None:
         return None
+    rows = symbol.kind in ("algebraic", "output")
+    while rows and len(subscripts) > 1 and len(subscripts) <= len(shape) and isinstance(subscripts[-1], nodes.All):
+        subscripts = subscripts[:-1]
     found: list[int] = []
     for subscript in subscripts:
         if isinstance(subscript, nodes.All | nodes.Range):
@@ -125,7 +137,7 @@ def element_indices(
         if not 1 <= index <= extent:
             ctx.sink.report("E0316", span, index=index, extent=extent)
             return None
-    if len(found) != len(shape):
+    if len(found) > len(shape) or (len(found) < len(shape) and not rows):
         ctx.sink.report("E0341", span, index=len(found), extent=len(shape))
         return None
     return tuple(found)

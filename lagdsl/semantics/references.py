@@ -181,8 +181,7 @@ def _element(ctx: Context, scope: Scope, node: nodes.Index, symbol: Symbol, shap
         return POISON
     indices = tuple(item for item in found if isinstance(item, int))
     if len(indices) < len(shape):
-        whole = ctx.resolver.whole(symbol, node.span)
-        return arrays.select(whole, found) if isinstance(whole, Array) else _no_slice(ctx, node, whole)
+        return ctx.resolver.part(symbol, found, node.span)
     value = ctx.resolver.element(symbol, indices, node.span)
     if not rest:
         return value
