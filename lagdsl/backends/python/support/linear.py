@@ -18,6 +18,9 @@ Indices = NDArray[np.intp]
 RANK_TOLERANCE = 1e-8
 # A row of J is zero below this part of the longest one; a diagonal element of M, being quadratic, below its square.
 ZERO_TOLERANCE = 1e-14
+# A row of J shorter than this part of the longest one is not stretched to unit length: on the constraints it may be
+# zero (the derivative of a unit vector along itself in an overconstrained loop), and its direction round-off.
+SHORT_ROW = 1e-3
 # M is singular on the null space of J where an eigenvalue is below nq times this part of the largest.
 SINGULAR_TOLERANCE = 2e-15
 # Values beyond this, whose squares are not numbers any more, count as infinite.
@@ -150,8 +153,9 @@ def _column_scale(mass: Floats) -> Floats:
 
 def _row_scale(jacobian: Floats) -> Floats:
     length = np.sqrt((jacobian * jacobian).sum(axis=-1))
-    significant = length > ZERO_TOLERANCE * length.max(axis=-1, keepdims=True)
-    scale: Floats = significant / np.where(significant, length, 1.0)
+    longest = length.max(axis=-1, keepdims=True)
+    significant = length > ZERO_TOLERANCE * longest
+    scale: Floats = significant / np.where(significant, np.maximum(length, SHORT_ROW * longest), 1.0)
     return scale
 
 

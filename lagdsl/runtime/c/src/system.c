@@ -6,6 +6,7 @@
 /* The same figures as in the NumPy modules: see their file `linear` for what they mean. */
 static const double RANK_TOLERANCE = 1e-8;
 static const double ZERO_TOLERANCE = 1e-14;
+static const double SHORT_ROW = 1e-3;
 static const double SINGULAR_TOLERANCE = 2e-15;
 static const double LARGEST = 1e140;
 enum { REFINEMENTS = 1 };
@@ -93,7 +94,8 @@ static void scale_rows(lag_system *s)
         largest = fmax(largest, s->row_scale[i]);
     }
     for (size_t i = 0; i < s->m; ++i) {
-        s->row_scale[i] = s->row_scale[i] > ZERO_TOLERANCE * largest ? 1.0 / s->row_scale[i] : 0.0;
+        const double length = s->row_scale[i];
+        s->row_scale[i] = length > ZERO_TOLERANCE * largest ? 1.0 / fmax(length, SHORT_ROW * largest) : 0.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] *= s->row_scale[i];
         }
