@@ -4,13 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics import Label, Sink
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_points import Geometry, Probe, free_directions
 from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.units.dimension import CHARGE
 
 # Smallest inertia in a direction the constraints leave free, relative to the largest, that still counts as inertia.
 _TOLERANCE = 1e-12
+_MOST_SHOWN = 6
+_INDUCTANCE = (
+    "every closed path of charge needs an inductance: put an inductor into this loop, as its wire is one, with a time "
+    "L/R much shorter than what matters"
+)
+_FLANGE = "connect it to what moves with it and has a mass or an inertia, or prescribe its motion"
 
 
 def report_massless(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> None:
@@ -20,21 +27,33 @@ def report_massless(flat: FlatModel, space: Geometry, points: list[Probe], sink:
     """
     if not points or not flat.coordinates:
         return
-    shares = np.full(len(flat.coordinates), np.inf)
-    for point in points:
-        shares = np.minimum(shares, _massless_shares(space, point))
+    projectors = [_massless(space, point) for point in points]
+    shares = np.min([np.sqrt(np.diag(each)) for each in projectors], axis=0)
     if float(np.max(shares)) < 1e-3:
         return
     leading = int(np.argmax(shares))
-    for index, coordinate in enumerate(flat.coordinates):
+    for index in range(len(flat.coordinates)):
         if shares[index] > 0.999 or (index == leading and not np.any(shares > 0.999)):
-            why = f"the mass matrix is singular in this direction and no constraint determines der({coordinate.name})"
-            span = coordinate.spans[0] if coordinate.spans else None
-            sink.report("E0503", span, notes=(why,), name=coordinate.name)
+            parts = np.abs(projectors[0][index])
+            _report(flat, index, [int(i) for i in np.flatnonzero(parts > 0.1 * parts[index])], sink)
 
 
-def _massless_shares(space: Geometry, point: Probe) -> Floats:
-    """How much of each coordinate's unit vector lies in the directions without inertia, 0 to 1."""
+def _report(flat: FlatModel, index: int, together: list[int], sink: Sink) -> None:
+    """`together`: the coordinates that move along, this one included."""
+    coordinate = flat.coordinates[index]
+    rates = [f"der({flat.coordinates[i].name})" for i in together]
+    why = f"the mass matrix is singular in this direction and no constraint determines {rates[0]}"
+    if len(rates) > 1:
+        shown = rates if len(rates) <= _MOST_SHOWN else [*rates[:_MOST_SHOWN], "more"]
+        why = f"{', '.join(shown[:-1])} and {shown[-1]} can change together without kinetic energy"
+    span, *outward = coordinate.spans or (None,)
+    labels = [Label(each, f"in component `{each.text}`") for each in outward if each is not None]
+    help = _INDUCTANCE if coordinate.dimension == CHARGE else _FLANGE if labels else None
+    sink.report("E0503", span, *labels, notes=(why,), help=help, name=coordinate.name)
+
+
+def _massless(space: Geometry, point: Probe) -> Floats:
+    """The projector onto the directions without inertia; its diagonal has the squares of the coordinates' shares."""
     diagonal = np.sqrt(np.abs(np.diag(point.mass)))
     largest = float(np.max(diagonal))
     scale = np.where(diagonal > 1e-9 * largest, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), space.sizes)
@@ -42,4 +61,4 @@ def _massless_shares(space: Geometry, point: Probe) -> Floats:
     values, directions = np.linalg.eigh(free.T @ ((point.mass * scale[:, None]) * scale) @ free)
     top = float(np.max(np.abs(values), initial=0.0))
     empty = free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free
-    return np.asarray(np.linalg.norm(empty, axis=1))
+    return np.asarray(empty @ empty.T)
