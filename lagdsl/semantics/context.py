@@ -40,6 +40,8 @@ class Places(Protocol):
 
     def is_computed(self, symbol: Symbol) -> bool: ...
 
+    def quantity(self, symbol: Symbol, indices: Indices) -> Value | None: ...
+
     def reaction(self, instance: Instance, span: Span) -> Value: ...
 
 
@@ -48,6 +50,7 @@ class Context:
     """Mutable state of one flattening; every product is collected here in the order in which it is complete.
 
     `home` is the file of the model: advice is not given about texts of libraries.
+    `splits` are modifiers whose values are split over an array of components, `unfit` (by identity) wrong ones.
     `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
     `named` is therefore sorted: what a definition uses was complete before it.
     """
@@ -64,6 +67,8 @@ class Context:
     names: set[str] = field(default_factory=set)
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
     scopes: list[Scope] = field(default_factory=list)
+    splits: list[tuple[nodes.Modifier, Indices, Scope]] = field(default_factory=list)
+    unfit: set[int] = field(default_factory=set)
     relation: Span | None = None
     quiet: bool = False
     unlabelled: int = 0

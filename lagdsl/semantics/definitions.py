@@ -24,6 +24,7 @@ from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import element_name, kind_of
 from lagdsl.semantics.quantity_fields import quantity_fields
 from lagdsl.semantics.scope import LABELS, Binding, Indices, Symbol
+from lagdsl.semantics.stack import report_missing
 from lagdsl.semantics.values import (
     POISON,
     Array,
@@ -242,9 +243,9 @@ class Definitions:
     def _missing(self, symbol: Symbol, indices: Indices) -> None:
         """E0318 for the element or, where no element has a value, once for all."""
         if symbol.bindings:
-            self.ctx.sink.report("E0318", symbol.span, name=element_name(symbol.short, indices))
+            report_missing(self.ctx, "E0318", symbol, element_name(symbol.short, indices))
         else:
-            self.ctx.sink.report("E0318", symbol.span, name=symbol.short)
+            report_missing(self.ctx, "E0318", symbol, symbol.short)
             self._poison(symbol)
 
     def _binding(self, symbol: Symbol, key: Indices | None) -> Binding | None:
@@ -255,7 +256,11 @@ class Definitions:
         binding = self._binding(symbol, key)
         shape = self.shape(symbol)
         if binding is None:
-            self._missing(symbol, indices)
+            given = self.ctx.assembly.quantity(symbol, indices) if self.ctx.assembly is not None else None
+            if given is not None:
+                symbol.cells[indices] = given
+            else:
+                self._missing(symbol, indices)
         if binding is None or shape is None or symbol.info is None:
             return
         part = shape[len(key or ()) :]

@@ -28,7 +28,9 @@ from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
 from lagdsl.semantics.rates import check_inputs, check_linear
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.selection import file_scope, functions_of, select
+from lagdsl.semantics.splitting import check_splits
 from lagdsl.semantics.stack import InstanceSink
+from lagdsl.semantics.switched import check_switched
 from lagdsl.semantics.usage import warn_unused, warn_unused_imports
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
@@ -89,6 +91,8 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
     root = instance_of(symbol, "", node.name_span, None)
     contents = collect(ctx, root, modifiers)
+    check_splits(ctx)
+    check_switched(ctx, contents)
     assembly = assemble(ctx, root, contents)
     flat = replace(
         _model(ctx, node, root.scope, contents, assembly), name=chosen.node.name, doc=chosen.node.doc or node.doc
@@ -135,7 +139,7 @@ def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents, as
         name=node.name,
         doc=node.doc,
         parameters=_in_order(ctx, contents),
-        coordinates=tuple(coordinates),
+        coordinates=assembly.coordinates(coordinates),
         states=tuple(states),
         inputs=tuple(inputs),
         named=tuple(ctx.named),

@@ -58,4 +58,39 @@ ROWS: dict[str, Row] = {
         "which of its frames is meant?",
         "name the frame: {ports}",
     ),
+    "E0711": error(
+        "`{first}` and `{second}` cannot be one coordinate",
+        "of different type or size",
+        "`connect` makes coordinates of one type, unit and size one; others are related by a `constraint`",
+    ),
+    "E0712": error(
+        "`{first}` and `{second}` are one coordinate, with two values of its fixed {what}",
+        "another value",
+        "drop one of the two, or `fixed = true` at one",
+    ),
+    "W0713": warning(
+        "`{first}` and `{second}` are one coordinate; its {what} is that of `{first}`",
+        "without effect",
+        "drop one of the two",
+    ),
+    "E0714": error(
+        "`{first}` and `{second}` are connectors of different kinds",
+        "cannot be joined",
+        "connectors fit if they have the same members with the same dimensions",
+    ),
+    "E0715": error(
+        "the flows at `{name}` are not rates of coordinates",
+        "no law for rates can be made of them",
+        "a flow is bound to the rate of a coordinate: `Pin p(i = der(q));` with `coordinate Charge q;`",
+    ),
+    "W0716": warning(
+        "`{name}` is not connected: nothing flows through it",
+        "alone",
+        "connect it, or leave the component out",
+    ),
+    "E0717": error(
+        "nothing says what flows into `{name}`",
+        "no component here gives its flow",
+        "bind it to the rate of a coordinate, as in `Pin p(i = der(q));`",
+    ),
 }

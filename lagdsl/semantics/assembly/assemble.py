@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from lagdsl.semantics.assembly import graph, kinematics
-from lagdsl.semantics.assembly.assembly import Assembly
+from lagdsl.semantics.assembly.assembly import Assembly, Parts
 from lagdsl.semantics.assembly.chains import Chains
 from lagdsl.semantics.assembly.closures import Closures
+from lagdsl.semantics.assembly.connections import Connections
 from lagdsl.semantics.assembly.costs import order_of
 from lagdsl.semantics.assembly.islands import report_islands
 from lagdsl.semantics.assembly.loops import Loops
 from lagdsl.semantics.assembly.mentions import Mentions
+from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import WORLD, Net
+from lagdsl.semantics.assembly.networks import Networks
 from lagdsl.semantics.assembly.routes import Routes
 from lagdsl.semantics.contents import Contents, Placed
 from lagdsl.semantics.context import Context
@@ -26,11 +29,18 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     """
     net = Net(ctx, Mentions(ctx))
     for placed in contents.kinematics:
-        kinematics.link(ctx, net, placed)
-    chains = Chains(ctx, net)
+        with ctx.inside(placed.scope):
+            kinematics.link(ctx, net, placed)
+    merges = Merges(ctx, contents.symbols)
+    networks = Networks(ctx, net, merges, contents.instances)
+    connections = Connections(ctx, Chains(ctx, net), merges, networks)
     for placed in contents.connects:
         assert isinstance(placed.node, nodes.Connect)
-        chains.connect(placed.scope, placed.node)
+        with ctx.inside(placed.scope):
+            connections.connect(placed.scope, placed.node)
+    merges.settle()
+    networks.settle()
+    net.shared.update(merges.merged)
     equations: dict[Instance, list[Placed]] = {}
     for placed in contents.closure:
         equations.setdefault(placed.instance, []).append(placed)
@@ -39,7 +49,7 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     routes = Routes(ctx, net, tree)
     loops = Loops(net, tree)
     closures = Closures(ctx, net, routes, loops.cuts(equations, solvable), loops.ties())
-    assembly = Assembly(ctx, net, routes, closures, contents.instances)
+    assembly = Assembly(ctx, Parts(net, routes, closures, merges, networks), contents.instances)
     ctx.assembly = assembly
     report_islands(ctx, net, routes, contents.instances)
     return assembly

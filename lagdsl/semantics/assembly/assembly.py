@@ -5,33 +5,50 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from lagdsl.diagnostics import Label
+from lagdsl.record import record
 from lagdsl.semantics.assembly.chains import ports_of
 from lagdsl.semantics.assembly.closures import Closures
 from lagdsl.semantics.assembly.islands import report
+from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import Link, Net
+from lagdsl.semantics.assembly.networks import Networks
 from lagdsl.semantics.assembly.routes import Routes
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
-from lagdsl.semantics.flat_model import Joint, Output
+from lagdsl.semantics.flat_model import Coordinate, Joint, Output
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import Indices, Instance, Symbol
 from lagdsl.semantics.values import POISON, Poison, Reaction, Value
 from lagdsl.source import Span
 
 
+@record()
+class Parts:
+    """The findings of one assembly."""
+
+    net: Net
+    routes: Routes
+    closures: Closures
+    merges: Merges
+    networks: Networks
+
+
 class Assembly:
     """Answers for frames without a binding, coordinates of joints, and reactions."""
 
-    def __init__(
-        self, ctx: Context, net: Net, routes: Routes, closures: Closures, instances: Sequence[Instance]
-    ) -> None:
-        self._ctx, self._net, self._routes, self._closures = ctx, net, routes, closures
+    def __init__(self, ctx: Context, parts: Parts, instances: Sequence[Instance]) -> None:
+        self._ctx = ctx
+        self._net, self._routes, self._closures = parts.net, parts.routes, parts.closures
+        self._merges, self._networks = parts.merges, parts.networks
         self._instances = {instance.scope.prefix: instance for instance in instances}
-        self._cuts = {cut.link.number: cut for cut in closures.cuts}
+        self._cuts = {cut.link.number: cut for cut in parts.closures.cuts}
         self._reported: set[str] = set()
 
     def is_open(self, symbol: Symbol, indices: Indices) -> bool:
-        """Whether this is a port of a component that nothing gives a place: no fault as long as nothing needs it."""
+        """Whether this is a port of a component that nothing gives a place, or a quantity of a connector that its node
+        determines: no fault as long as nothing needs it."""
+        if self._networks.is_member(symbol):
+            return True
         if symbol.kind != "frame" or symbol.scope.prefix not in self._instances:
             return False
         number = self._net.find(symbol, indices)
@@ -51,6 +68,14 @@ class Assembly:
             report(self._ctx, [instance])
         return POISON
 
+    def quantity(self, symbol: Symbol, indices: Indices) -> Value | None:
+        """A quantity of a connector without a binding; None if nothing determines it."""
+        return self._networks.value(symbol, indices)
+
+    def coordinates(self, found: Sequence[Coordinate]) -> tuple[Coordinate, ...]:
+        """Those of the model, merged ones once."""
+        return tuple(self._merges.listed(found))
+
     def is_computed(self, symbol: Symbol) -> bool:
         """Whether the coordinate follows from others: its joint closes a loop."""
         return self._closures.is_computed(symbol)
@@ -60,8 +85,9 @@ class Assembly:
         return [output for cut in self._closures.cuts for output in cut.outputs]
 
     def close(self) -> None:
-        """Add the constraints that close loops."""
+        """Add the constraints that close loops, and those of the nodes of networks."""
         self._closures.finish()
+        self._networks.finish()
 
     def joints(self) -> tuple[Joint, ...]:
         """The links with coordinates, in the order of the text."""
@@ -72,7 +98,7 @@ class Assembly:
 
     def _joint(self, link: Link) -> Joint:
         names = [
-            element_name(symbol.name, indices)
+            self._merges.name_of(element_name(symbol.name, indices))
             for symbol in link.own
             for indices in every(self._ctx.resolver.shape(symbol) or ())
         ]

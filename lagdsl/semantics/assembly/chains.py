@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.assembly.net import WORLD, Net
-from lagdsl.semantics.assembly.paths import Element, World, base_of, target_of
+from lagdsl.semantics.assembly.paths import Absent, Element, World, base_of, target_of
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Binding, Instance, Scope, Symbol
 from lagdsl.source import Span
@@ -21,10 +21,13 @@ class Chains:
     def connect(self, scope: Scope, node: nodes.Connect) -> None:
         """One `connect` whose items are frames and components."""
         left: int | None = None
-        joined = False
+        joined = any(isinstance(target_of(self._ctx, scope, item), Absent) for item in node.items)
         taken: list[tuple[int, Span]] = []
         for position, item in enumerate(node.items):
             place = "first" if position == 0 else "last" if position == len(node.items) - 1 else "middle"
+            if isinstance(target_of(self._ctx, scope, item), Absent):
+                left = None
+                continue
             ports = self._ports(scope, item, place, taken)
             if ports is None:
                 return

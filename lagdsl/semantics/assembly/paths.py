@@ -27,7 +27,12 @@ class Element:
     indices: Indices | None
 
 
-Target: TypeAlias = "World | Element | Instance | InstanceArray"
+@record()
+class Absent:
+    """Something of a component whose condition is false."""
+
+
+Target: TypeAlias = "World | Element | Instance | InstanceArray | Absent"
 
 
 def target_of(ctx: Context, scope: Scope, node: nodes.Expression) -> Target | None:
@@ -40,7 +45,9 @@ def target_of(ctx: Context, scope: Scope, node: nodes.Expression) -> Target | No
             return World() if entry is None and node.name == "world" else _target(ctx, entry)
         case nodes.Member():
             around = target_of(ctx, scope, node.target)
-            if isinstance(around, Instance):
+            if isinstance(around, Absent) or (isinstance(around, Instance) and not around.present):
+                return Absent()
+            if isinstance(around, Instance) and node.name not in around.protected:
                 return _target(ctx, around.scope.entries.get(node.name))
         case nodes.Index():
             return _indexed(ctx, scope, node)
@@ -52,6 +59,8 @@ def _target(ctx: Context, entry: Entry | None) -> Target | None:
         case Symbol():
             scalar = entry.declarator is not None and not ctx.resolver.shape(entry)
             return Element(entry, () if scalar else None)
+        case Instance() if not entry.present:
+            return Absent()
         case Instance() | InstanceArray():
             return entry
         case _:
@@ -60,9 +69,11 @@ def _target(ctx: Context, entry: Entry | None) -> Target | None:
 
 def _indexed(ctx: Context, scope: Scope, node: nodes.Index) -> Target | None:
     around = target_of(ctx, scope, node.target)
+    if isinstance(around, Absent):
+        return around
     if isinstance(around, InstanceArray):
         indices = _indices(ctx, scope, node, around.shape)
-        return around.elements.get(indices) if indices is not None else None
+        return _target(ctx, around.elements.get(indices)) if indices is not None else None
     if isinstance(around, Element) and around.indices is None:
         shape = ctx.resolver.shape(around.symbol)
         indices = _indices(ctx, scope, node, shape) if shape else None
