@@ -6,16 +6,18 @@ from collections.abc import Iterator
 from itertools import product as cartesian
 
 from lagdsl.diagnostics import Label
+from lagdsl.semantics import prefixes
 from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import declared, enter
-from lagdsl.semantics.inheritance import Body, Part, body_of, enter_class, expand_short
+from lagdsl.semantics.inheritance import Body, Part, body_of, class_at, enter_class, expand_short
 from lagdsl.semantics.limits import another_turn
-from lagdsl.semantics.modification import Changes, Given, check_duplicates, for_element, modify, report_unknown
+from lagdsl.semantics.modification import Changes, Given, check_duplicates, modify, report_unknown
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import ClassSymbol, Indices, Instance, InstanceArray, Scope, Symbol, lookup_path
+from lagdsl.semantics.splitting import Splits
 from lagdsl.semantics.values import POISON, Scalar
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -38,8 +40,9 @@ class Declarer:
         self.scope = instance.scope
         self.changes = Changes()
         with ctx.inside(self.scope):
-            self.body: Body = body_of(ctx, node, self.scope, self.changes)
-        self.changes.add([*self.body.given, *given])
+            self.body: Body = body_of(ctx, node, self.scope, given)
+        self.changes.add(self.body.given)
+        self._know_classes(self.body.parts)
         self.line = (*line, *self.body.line)
         self.children: dict[str, list[Declarer]] = {}
         with ctx.inside(self.scope):
@@ -48,7 +51,14 @@ class Declarer:
     def enter_classes(self, parts: list[Part]) -> None:
         """The classes in a branch of a structural `if`."""
         for part in parts:
-            enter_class(self.ctx, part, self.changes)
+            enter_class(self.ctx, part, self.body.given)
+        self._know_classes(parts)
+
+    def _know_classes(self, parts: list[Part]) -> None:
+        """Classes are redeclared where they are entered."""
+        for part in parts:
+            if isinstance(part.item, nodes.Class | nodes.ShortClass):
+                self.changes.take(part.item.name)
 
     def declare(self, parts: list[Part]) -> None:
         """Enter the names: quantities first, then components, whose sizes and conditions may need these."""
@@ -66,6 +76,7 @@ class Declarer:
                 self._quantities(part, item)
             else:
                 assert isinstance(item, nodes.Component)
+                prefixes.check_component(self.ctx, item)
                 components += [(part, declarator, symbol) for declarator in item.declarators]
         for part, declarator, symbol in components:
             self._component(part, declarator, symbol)
@@ -84,49 +95,75 @@ class Declarer:
     # ---- components --------------------------------------------------------------------------------------------------
 
     def _component(self, part: Part, declarator: nodes.Declarator, symbol: ClassSymbol) -> None:
-        ctx, scope = self.ctx, part.scope
+        ctx, scope, name = self.ctx, part.scope, declarator.name
         check_duplicates(ctx, declarator.modifiers)
-        given = [(modifier, scope) for modifier in declarator.modifiers]
-        given += self._from_outside(declarator)
+        given: list[Given] = [(modifier, scope) for modifier in declarator.modifiers]
+        single: list[tuple[nodes.Modifier, Scope]] = []
+        symbol = self._replaced(part, declarator, symbol, given, single)
         expanded = expand_short(ctx, symbol)
-        if expanded is None or not self._may_stand(declarator, expanded[0]):
-            scope.entries.setdefault(declarator.name, POISON)
+        known = expanded is not None and self._may_stand(declarator, expanded[0])
+        condition = condition_of(ctx, scope, declarator.condition) if known else None
+        shape = self._shape(declarator, scope) if condition is not None else None
+        if expanded is None or condition is None or shape is None:
+            scope.entries.setdefault(name, POISON)
             return
-        condition = condition_of(ctx, scope, declarator.condition)
-        shape = self._shape(declarator, scope)
-        if condition is None or shape is None:
-            scope.entries.setdefault(declarator.name, POISON)
-            return
-        inner = [*expanded[1], *given]
-        name = scope.qualify(declarator.name)
+        definition, short = expanded
+        qualified = scope.qualify(name)
+        splits = Splits(ctx, name, shape, given, single)
         if not shape:
-            made = self._instance(declarator, scope, name, expanded[0], condition)
-            if enter(ctx, scope, declarator.name, made, declarator.name_span):
-                self._keep(part, declarator.name, made)
-                self._fill(declarator, made, inner)
+            made = self._instance(declarator, scope, qualified, definition, condition)
+            if enter(ctx, scope, name, made, declarator.name_span):
+                self._keep(part, name, made)
+                self._fill(declarator, made, [*short, *given])
             return
-        array = InstanceArray(name, declarator.name_span, shape)
-        if not enter(ctx, scope, declarator.name, array, declarator.name_span):
+        array = InstanceArray(qualified, declarator.name_span, shape)
+        if not enter(ctx, scope, name, array, declarator.name_span):
             return
-        self._keep(part, declarator.name, array)
+        self._keep(part, name, array)
         for indices in cartesian(*(range(1, extent + 1) for extent in shape)):
             if not another_turn(ctx, declarator.name_span):
                 return
-            element = self._instance(declarator, scope, element_name(name, indices), expanded[0], condition)
-            array.elements[indices] = element
-            self._fill(declarator, element, [*expanded[1], *(for_element(each, indices) for each in given)])
+            made = self._instance(declarator, scope, element_name(qualified, indices), definition, condition)
+            array.elements[indices] = made
+            self._fill(declarator, made, [*short, *splits.at(indices)])
 
-    def _from_outside(self, declarator: nodes.Declarator) -> Iterator[Given]:
-        """What the modifiers of the component say about its members."""
+    def _replaced(
+        self,
+        part: Part,
+        declarator: nodes.Declarator,
+        symbol: ClassSymbol,
+        given: list[Given],
+        single: list[tuple[nodes.Modifier, Scope]],
+    ) -> ClassSymbol:
+        """The class, which modifiers from outside may redeclare; what else they say is added to `given`.
+
+        Those of one element of an array go to `single`.
+        """
+        assert isinstance(part.item, nodes.Component)
+        sealed: Span | None = None
         for modifier, scope in self.changes.take(declarator.name):
-            if not isinstance(modifier, nodes.Modifier):
-                self.ctx.sink.report("E0311", modifier.span, what="`redeclare`", hint="modify the component instead")
+            label = Label(declarator.name_span, "declared here")
+            if sealed is not None or "final" in part.item.prefixes:
+                place = Label(sealed, "given as `final` here") if sealed is not None else label
+                self.ctx.sink.report("E0224", modifier.span, place, name=declarator.name)
                 continue
-            if modifier.value is not None or modifier.subscripts:
-                self.ctx.sink.report(
-                    "E0227", modifier.span, Label(declarator.name_span, "declared here"), name=declarator.name
-                )
-            yield from ((nested, scope) for nested in modifier.modifiers)
+            match modifier:
+                case nodes.Modifier():
+                    if modifier.value is not None:
+                        self.ctx.sink.report("E0227", modifier.value.span, label, name=declarator.name)
+                    if modifier.subscripts:
+                        single.append((modifier, scope))
+                    given += [(nested, scope) for nested in modifier.modifiers if not modifier.subscripts]
+                    sealed = modifier.span if "final" in modifier.prefixes else None
+                case nodes.RedeclareClass():
+                    hint = f"write `redeclare {modifier.type_name.span.text} {declarator.name}`"
+                    self.ctx.sink.report("E0236", modifier.span, label, name=declarator.name, help=hint)
+                case nodes.RedeclareComponent() if "replaceable" not in part.item.prefixes:
+                    self.ctx.sink.report("E0235", modifier.span, label, name=declarator.name, kind="component")
+                case nodes.RedeclareComponent():
+                    symbol = class_at(self.ctx, scope, modifier.type_name) or symbol
+                    given += [(nested, scope) for nested in modifier.modifiers]
+        return symbol
 
     def _may_stand(self, declarator: nodes.Declarator, symbol: ClassSymbol) -> bool:
         """E0225 for a component that contains itself, E0231 for a partial class, E0227 for a value."""

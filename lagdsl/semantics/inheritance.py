@@ -9,9 +9,10 @@ from lagdsl.diagnostics import Label
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import enter
 from lagdsl.semantics.imports import check_imports, declare_imports
-from lagdsl.semantics.modification import Changes, Given, check_duplicates
+from lagdsl.semantics.modification import Given, check_duplicates, target
 from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope, TypeSymbol, lookup_path
 from lagdsl.semantics.types import report_unknown_type
+from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
 
@@ -27,7 +28,7 @@ class Part:
 
 @dataclass(slots=True)
 class Body:
-    """`given` are the modifiers of `extends`, innermost first; `line` the class and its bases."""
+    """`given` are the modifiers of `extends` and from outside, innermost first; `line` the class and its bases."""
 
     parts: list[Part] = field(default_factory=list)
     given: list[Given] = field(default_factory=list)
@@ -66,10 +67,14 @@ def expand_short(ctx: Context, symbol: ClassSymbol) -> tuple[ClassSymbol, list[G
     return symbol, found
 
 
-def body_of(ctx: Context, node: nodes.Class, scope: Scope, changes: Changes) -> Body:
-    """All parts of the class in order, a base's where its `extends` stands; names of classes are entered."""
+def body_of(ctx: Context, node: nodes.Class, scope: Scope, given: list[Given]) -> Body:
+    """All parts of the class in order, a base's where its `extends` stands; names of classes are entered.
+
+    `given` are the modifiers from outside, innermost first: they may redeclare classes.
+    """
     body = Body()
-    _collect(ctx, node, scope, changes, body, protected=False, below=())
+    _collect(ctx, node, scope, given, body, protected=False, below=())
+    body.given += given
     return body
 
 
@@ -77,7 +82,7 @@ def _collect(
     ctx: Context,
     node: nodes.Class,
     scope: Scope,
-    changes: Changes,
+    given: list[Given],
     body: Body,
     *,
     protected: bool,
@@ -89,10 +94,10 @@ def _collect(
     if node.span.file is ctx.home:
         check_imports(scope)
     for part in own:
-        enter_class(ctx, part, changes)
+        enter_class(ctx, part, given)
     for part in own:
         if isinstance(part.item, nodes.Extends):
-            _extend(ctx, part.item, part, changes, body, (*below, node))
+            _extend(ctx, part.item, part, given, body, (*below, node))
         else:
             body.parts.append(part)
 
@@ -106,30 +111,58 @@ def items_of(node: nodes.Class) -> Iterator[tuple[nodes.Item, str]]:
             yield item, section.keyword
 
 
-def enter_class(ctx: Context, part: Part, changes: Changes) -> None:
+def enter_class(ctx: Context, part: Part, given: list[Given]) -> None:
+    """Enter the name of a class, type or function; a class is the one that the outermost `redeclare` puts there."""
     item, scope = part.item, part.scope
     match item:
         case nodes.Function():
             enter(ctx, scope, item.name, FunctionSymbol(item, scope), item.span)
         case nodes.TypeDefinition():
             enter(ctx, scope, item.name, TypeSymbol(item, scope), item.span)
-        case nodes.Class():
-            enter(ctx, scope, item.name, ClassSymbol(item, scope), item.name_span)
-        case nodes.ShortClass():
-            enter(ctx, scope, item.name, ClassSymbol(item, scope), item.span)
+        case nodes.Class() | nodes.ShortClass():
+            span = item.name_span if isinstance(item, nodes.Class) else item.span
+            enter(ctx, scope, item.name, _redeclared(ctx, item, span, given) or ClassSymbol(item, scope), span)
         case _:
             pass
 
 
+def _redeclared(
+    ctx: Context, item: nodes.Class | nodes.ShortClass, span: Span, given: list[Given]
+) -> ClassSymbol | None:
+    found = [(each, scope) for each, scope in given if target(each) == item.name]
+    for modifier, _ in found:
+        if not isinstance(modifier, nodes.RedeclareClass):
+            hint = f"put another class there: `redeclare {item.kind} {item.name} = ...`"
+            ctx.sink.report("E0236", modifier.span, Label(span, "declared here"), name=item.name, help=hint)
+        elif "replaceable" not in item.prefixes:
+            ctx.sink.report("E0235", modifier.span, Label(span, "declared here"), name=item.name, kind=item.kind)
+    classes = [(each, scope) for each, scope in found if isinstance(each, nodes.RedeclareClass)]
+    if not classes or "replaceable" not in item.prefixes:
+        return None
+    modifier, scope = classes[-1]
+    assert isinstance(modifier, nodes.RedeclareClass)
+    short = nodes.ShortClass(
+        span=modifier.span,
+        prefixes=(),
+        kind=modifier.kind,
+        name=modifier.name,
+        base=modifier.type_name,
+        subscripts=(),
+        modifiers=modifier.modifiers,
+        doc=None,
+    )
+    return ClassSymbol(short, scope)
+
+
 def _extend(
-    ctx: Context, item: nodes.Extends, part: Part, changes: Changes, body: Body, below: tuple[nodes.Class, ...]
+    ctx: Context, item: nodes.Extends, part: Part, given: list[Given], body: Body, below: tuple[nodes.Class, ...]
 ) -> None:
     symbol = class_at(ctx, part.scope, item.base)
     expanded = expand_short(ctx, symbol) if symbol is not None else None
     if expanded is None:
         ctx.incomplete = True
         return
-    base, given = expanded
+    base, short = expanded
     assert isinstance(base.node, nodes.Class)
     if any(base.node is other for other in below):
         names = [each.name for each in below[[each is base.node for each in below].index(True) :]] + [base.node.name]
@@ -138,10 +171,11 @@ def _extend(
         ctx.sink.report("E0226", item.span, *labels, path=path)
         return
     check_duplicates(ctx, item.modifiers)
+    own = [*short, *((modifier, part.scope) for modifier in item.modifiers)]
     if not any(base.node is other for other in body.line):
         view = _view(base, base.node, part.scope)
-        _collect(ctx, base.node, view, changes, body, protected=part.protected, below=below)
-    body.given += [*given, *((modifier, part.scope) for modifier in item.modifiers)]
+        _collect(ctx, base.node, view, [*own, *given], body, protected=part.protected, below=below)
+    body.given += own
 
 
 def _view(base: ClassSymbol, node: nodes.Class, scope: Scope) -> Scope:

@@ -101,32 +101,3 @@ def report_unknown(ctx: Context, changes: Changes, names: Iterable[str], title: 
         for modifier, _ in given:
             span = modifier.name.span if isinstance(modifier, nodes.Modifier) else modifier.span
             ctx.sink.report("E0223", span, name=name, model=title, help=hint)
-
-
-# ---- arrays ----------------------------------------------------------------------------------------------------------
-
-
-def for_element(given: Given, indices: tuple[int, ...]) -> Given:
-    """What a modifier of an array of components says to one element: values are split unless `each` stands there."""
-    modifier, scope = given
-    return _split(modifier, indices), scope
-
-
-def _split(modifier: nodes.AnyModifier, indices: tuple[int, ...]) -> nodes.AnyModifier:
-    if not isinstance(modifier, nodes.Modifier):
-        return modifier
-    if "each" in modifier.prefixes:
-        return replace(modifier, prefixes=tuple(prefix for prefix in modifier.prefixes if prefix != "each"))
-    inner = tuple(_split(nested, indices) for nested in modifier.modifiers)
-    value = None if modifier.value is None else _element(modifier.value, indices)
-    return replace(modifier, modifiers=inner, value=value)
-
-
-def _element(value: nodes.Expression, indices: tuple[int, ...]) -> nodes.Expression:
-    """`value[indices]`, taken apart here where the text lists its elements."""
-    while indices and isinstance(value, nodes.Array) and 1 <= indices[0] <= len(value.elements):
-        value, indices = value.elements[indices[0] - 1], indices[1:]
-    if not indices:
-        return value
-    subscripts = tuple(nodes.Number(span=value.span, text=str(index)) for index in indices)
-    return nodes.Index(span=value.span, target=value, subscripts=subscripts)

@@ -13,6 +13,7 @@ from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.quantity_fields import QuantityFields, quantity_fields
 from lagdsl.semantics.scope import Indices, Symbol
+from lagdsl.semantics.stack import report_missing
 from lagdsl.semantics.values import POISON, Array, Order, Poison, Scalar, Text, is_structural, rank
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS
@@ -42,7 +43,7 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
         return
     if binding is None:
         code = "E0303" if symbol.kind == "parameter" else "E0337"
-        ctx.sink.report(code, symbol.span, name=symbol.short, kind=symbol.kind)
+        report_missing(ctx, code, symbol, symbol.short)
         return
     what = f"`{symbol.short}`"
     expected = Expected(what, info.dimension or DIMENSIONLESS, shape, info.base, info.unit)
@@ -123,7 +124,7 @@ def _text(ctx: Context, symbol: Symbol) -> None:
     """A String parameter."""
     binding = symbol.bindings.get(None)
     if binding is None:
-        ctx.sink.report("E0303", symbol.span, name=symbol.short, kind=symbol.kind)
+        report_missing(ctx, "E0303", symbol, symbol.short)
         return
     value = ctx.elaborate(ctx, binding.scope, binding.node, False)
     if not isinstance(value, Text):

@@ -26,8 +26,8 @@ _KINDS: dict[tuple[str, ...], SymbolKind] = {
 }
 _LATER = {
     "discrete": "discrete variables come with events",
-    "replaceable": "replaceable parts come with components",
-    "redeclare": "redeclaration comes with components",
+    "replaceable": "components and classes are replaceable; a quantity gets another value by a modifier",
+    "redeclare": "redeclare in a modifier: `extends Base(redeclare model Part = Other)`",
     "stream": "streams are not part of mechanics",
 }
 
@@ -46,6 +46,14 @@ def kind_of_component(ctx: Context, item: nodes.Component) -> SymbolKind | None:
             return None
     ctx.sink.report("E0214", span, prefixes=" ".join(item.prefixes))
     return None
+
+
+def check_component(ctx: Context, item: nodes.Component) -> None:
+    """E0238 for prefixes of quantities at a component of a class."""
+    for prefix in item.prefixes:
+        if prefix not in ("final", "replaceable"):
+            start = item.span.start + item.span.text.find(prefix)
+            ctx.sink.report("E0238", Span(item.span.file, start, start + len(prefix)), prefix=prefix)
 
 
 def type_fits(ctx: Context, kind: SymbolKind, info: TypeInfo, span: Span) -> bool:

@@ -11,6 +11,7 @@ from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.builtin import BUILTINS
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.flat_model import Variability
+from lagdsl.semantics.imports import import_hint
 from lagdsl.semantics.naming import an, kind_of
 from lagdsl.semantics.paths import designated
 from lagdsl.semantics.scope import (
@@ -100,7 +101,7 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     if isinstance(entry, Symbol):
         entry.used = True
         labels = (Label(entry.span, f"{an(entry.word)} with a similar name is declared here"),)
-    hint = f"did you mean `{meant}`?" if meant is not None else None
+    hint = f"did you mean `{meant}`?" if meant is not None else import_hint(scope, node.name)
     if hint is None and _after_unit(node):
         hint = f"if the unit `{node.name}` is meant: units are joined by `.`, as in `5 kg.m2`"
     if hint is None and node.name in prelude.TYPES:
@@ -158,6 +159,8 @@ def not_in_package(ctx: Context, scope: Scope, node: nodes.Member) -> bool:
 
 def index(ctx: Context, scope: Scope, node: nodes.Index) -> Value:
     """`a[i]`, `a[2:3]`, `P[k]`: one element of a declared array is read without its neighbours."""
+    if id(node.target) in ctx.unfit:
+        return POISON
     entry = designated(ctx, scope, node)
     if entry is not None:
         return _value(ctx, entry, node)

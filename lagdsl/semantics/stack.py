@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from lagdsl.diagnostics import Diagnostic, Label, Sink
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Instance, Scope
+from lagdsl.semantics.scope import Instance, Scope, Symbol
 from lagdsl.source import Span
 
 
@@ -57,3 +57,18 @@ def _places(instance: Instance | None) -> Iterator[Label]:
     while instance is not None and instance.around is not None:
         yield Label(instance.span, f"in component `{instance.name}`")
         instance = instance.around.owner.instance
+
+
+def report_missing(ctx: Context, code: str, symbol: Symbol, name: str) -> None:
+    """What has no value is to get it where the component is declared."""
+    instance = symbol.scope.owner.instance
+    if instance is None or instance.around is None:
+        ctx.sink.report(code, symbol.span, name=name, kind=symbol.kind)
+        return
+    short = instance.span.text
+    each = "each " if instance.name.endswith("]") else ""
+    label = Label(symbol.span, f"declared here as {symbol.title}")
+    way = f"write `{short}({each}{name} = ...)`"
+    ctx.sink.report(
+        code, instance.span, label, name=f"{instance.around.prefix}{short}.{name}", kind=symbol.kind, help=way
+    )

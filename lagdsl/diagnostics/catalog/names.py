@@ -64,6 +64,27 @@ ROWS: dict[str, Row] = {
     ),
     "E0232": error("`extends` must stand at the top of a class", label="what is inherited cannot depend on conditions"),
     "E0233": error("`{name}` is a class, not the type of a quantity", label="a quantity has one value"),
+    "E0234": error(
+        "`{name}` is given for {found} components, there are {count}",
+        label="one value for each component is needed",
+        help="give {count} values, or `each {name} = ...` for the same value everywhere",
+    ),
+    "E0235": error(
+        "{kind} `{name}` is not replaceable",
+        label="cannot be redeclared",
+        help="declare it as `replaceable` to allow that",
+    ),
+    "E0236": error("`{name}` is modified as what it is not", label="does not fit"),
+    "E0237": error(
+        "`{name}` does not have the elements that are modified",
+        label="needs {count} subscripts",
+        help="the subscripts of a modifier are those of an array of components",
+    ),
+    "E0238": error(
+        "`{prefix}` does not fit a component of a class",
+        label="no quantity",
+        help="delete it; prefixes of components are `final` and `replaceable`",
+    ),
     "E0250": error("there is no package or class `{name}`", label="not found"),
     "E0252": error(
         "`{name}` is no package", label="has no names to import", help="import the class itself, without what follows"

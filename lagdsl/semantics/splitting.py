@@ -1,0 +1,126 @@
+"""Modifiers of arrays of components: values are split over the elements unless `each` stands there."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from lagdsl.semantics.constants import structural_integer
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.modification import Given
+from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.scope import Indices, Scope
+from lagdsl.semantics.values import Array, Poison, Vector
+from lagdsl.syntax import nodes
+
+
+class Splits:
+    """The modifiers of one array of components. `single` are those of one element: `wheel[2](r = 0.3 m)`."""
+
+    def __init__(
+        self,
+        ctx: Context,
+        name: str,
+        shape: Indices,
+        given: list[Given],
+        single: list[tuple[nodes.Modifier, Scope]],
+    ) -> None:
+        self.ctx = ctx
+        self.shape = shape
+        self.given = given
+        self.single: list[tuple[Indices, nodes.Modifier, Scope]] = []
+        for element, scope in single:
+            indices = self._indices(name, element, scope)
+            if indices is not None:
+                self.single.append((indices, element, scope))
+        for modifier, scope in given if shape else ():
+            self._note(modifier, scope)
+
+    def at(self, indices: Indices) -> list[Given]:
+        """What is said to one element."""
+        own = [(nested, scope) for found, each, scope in self.single if found == indices for nested in each.modifiers]
+        return [*((_split(modifier, indices), scope) for modifier, scope in self.given), *own]
+
+    def _indices(self, name: str, modifier: nodes.Modifier, scope: Scope) -> Indices | None:
+        if len(modifier.subscripts) != len(self.shape):
+            self.ctx.sink.report("E0237", modifier.span, name=name, count=len(self.shape))
+            return None
+        found: list[int] = []
+        for subscript, extent in zip(modifier.subscripts, self.shape, strict=True):
+            if isinstance(subscript, nodes.All | nodes.Range):
+                self.ctx.sink.report("E0312", subscript.span, expected="one index", found="a range")
+                return None
+            value = self.ctx.elaborate(self.ctx, scope, subscript, False)
+            number = structural_integer(self.ctx, value, subscript, "E0333")
+            if number is None:
+                return None
+            if not 1 <= number <= extent:
+                self.ctx.sink.report("E0316", subscript.span, index=number, extent=extent)
+                return None
+            found.append(number)
+        return tuple(found)
+
+    def _note(self, modifier: nodes.AnyModifier, scope: Scope) -> None:
+        """Sizes are checked when everything has its name."""
+        if not isinstance(modifier, nodes.Modifier) or "each" in modifier.prefixes:
+            return
+        for nested in modifier.modifiers:
+            self._note(nested, scope)
+        if modifier.value is not None:
+            self.ctx.splits.append((modifier, self.shape, scope))
+
+
+def _split(modifier: nodes.AnyModifier, indices: Indices) -> nodes.AnyModifier:
+    if not isinstance(modifier, nodes.Modifier) or not indices:
+        return modifier
+    if "each" in modifier.prefixes:
+        return replace(modifier, prefixes=tuple(prefix for prefix in modifier.prefixes if prefix != "each"))
+    inner = tuple(_split(nested, indices) for nested in modifier.modifiers)
+    value = None if modifier.value is None else _element(modifier.value, indices)
+    return replace(modifier, modifiers=inner, value=value)
+
+
+def _element(value: nodes.Expression, indices: Indices) -> nodes.Expression:
+    """`value[indices]`, taken apart here where the text lists its elements."""
+    while indices and isinstance(value, nodes.Array) and 1 <= indices[0] <= len(value.elements):
+        value, indices = value.elements[indices[0] - 1], indices[1:]
+    if not indices:
+        return value
+    subscripts = tuple(nodes.Number(span=value.span, text=str(index)) for index in indices)
+    return nodes.Index(span=value.span, target=value, subscripts=subscripts)
+
+
+def check_splits(ctx: Context) -> None:
+    """E0234 and E0335 for values that do not fit the array of components they are given to.
+
+    Their elements are not looked at again.
+    """
+    for modifier, shape, scope in ctx.splits:
+        assert modifier.value is not None
+        name = modifier.name.span.text
+        with ctx.inside(scope):
+            found = _leading(ctx, scope, modifier.value, len(shape))
+            if found is None or found == shape:
+                continue
+            ctx.unfit.add(id(modifier.value))
+            if found == ():
+                ctx.sink.report("E0335", modifier.span, text=modifier.span.text)
+                continue
+            shown, wanted = (" by ".join(str(extent) for extent in extents) for extents in (found, shape))
+            ctx.sink.report("E0234", modifier.value.span, name=name, found=shown, count=wanted)
+
+
+def _leading(ctx: Context, scope: Scope, value: nodes.Expression, rank: int) -> Indices | None:
+    """The first extents of the value; None where it has none that can be told."""
+    if isinstance(value, nodes.Array):
+        inner = {_leading(ctx, scope, part, rank - 1) for part in value.elements} if rank > 1 else {()}
+        return (len(value.elements), *(inner.pop() or ())) if len(inner) == 1 else None
+    found = ctx.elaborate(ctx, scope, value, True)
+    match found:
+        case Poison():
+            return None
+        case Array():
+            return found.shape[:rank]
+        case Vector():
+            return (3,)
+        case _:
+            return () if kind_of(found) != "a component" else None
