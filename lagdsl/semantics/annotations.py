@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.constants import structural_number
+from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import require
 from lagdsl.semantics.flat_model import Experiment
@@ -34,22 +35,30 @@ def without_units(ctx: Context, annotations: Iterable[nodes.Annotation]) -> bool
     return False
 
 
-def experiment(ctx: Context, scope: Scope, annotations: Sequence[nodes.Annotation]) -> Experiment:
-    """The experiment; unknown annotations and settings are reported."""
+def experiment(ctx: Context, annotations: Sequence[Placed]) -> Experiment:
+    """The experiment, inherited unless redefined; unknown annotations and settings are reported."""
     found: dict[str, float] = {}
-    for modifier in _modifiers(annotations):
-        name = ".".join(modifier.name.parts)
-        if name == "experiment":
-            for setting in modifier.modifiers:
-                _setting(ctx, scope, setting, found)
-        elif name not in _NAMES:
-            meant = nearest(name, _NAMES)
-            hint = f"did you mean `{meant}`?" if meant else None
-            ctx.sink.report("W0216", modifier.name.span, name=name, help=hint)
+    given: list[tuple[nodes.Modifier, Scope]] = []
+    for placed in annotations:
+        assert isinstance(placed.node, nodes.Annotation)
+        for modifier in _modifiers([placed.node]):
+            name = ".".join(modifier.name.parts)
+            if name == "experiment":
+                given.append((modifier, placed.scope))
+            elif name not in _NAMES:
+                meant = nearest(name, _NAMES)
+                hint = f"did you mean `{meant}`?" if meant else None
+                ctx.sink.report("W0216", modifier.name.span, name=name, help=hint)
+    own = [
+        (modifier, scope) for modifier, scope in given if scope.instance is not None and scope.instance.scope is scope
+    ]
+    for modifier, scope in own or [pair for pair in given if pair[1] is given[-1][1]]:
+        for setting in modifier.modifiers:
+            _setting(ctx, scope, setting, found)
     start = found.get("StartTime", 0.0)
     stop = found.get("StopTime", start + 10.0)
     if stop <= start:
-        place = next(item.span for item in annotations)
+        place = next(placed.node.span for placed in annotations)
         expected = f"later than the start time of {start:g} s"
         ctx.sink.report("E0334", place, what="`StopTime`", expected=expected, found=f"{stop:g} s")
     return Experiment(

@@ -37,4 +37,4 @@ class Contents:
     connects: list[Placed] = field(default_factory=list)
     instances: list[Instance] = field(default_factory=list)
     functions: list[FunctionSymbol] = field(default_factory=list)
-    annotations: list[nodes.Annotation] = field(default_factory=list)
+    annotations: list[Placed] = field(default_factory=list)

@@ -7,6 +7,7 @@ from itertools import product as cartesian
 
 from lagdsl.diagnostics import Label
 from lagdsl.semantics import prefixes
+from lagdsl.semantics.annotations import annotations_of, without_units
 from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.contents import Contents
@@ -44,9 +45,19 @@ class Declarer:
         self.changes.add(self.body.given)
         self._know_classes(self.body.parts)
         self.line = (*line, *self.body.line)
+        self._check_units()
         self.children: dict[str, list[Declarer]] = {}
         with ctx.inside(self.scope):
             self.declare(self.body.parts)
+
+    def _check_units(self) -> None:
+        """E0239 for a class without units in a model with them."""
+        for node in self.body.line if self.ctx.units else ():
+            if node is not self.body.line[0] or self.instance.around is not None:
+                annotations = annotations_of(node)
+                if without_units(self.ctx, annotations):
+                    span = self.instance.span
+                    self.ctx.sink.report("E0239", span, Label(annotations[0].span, "said here"), name=node.name)
 
     def enter_classes(self, parts: list[Part]) -> None:
         """The classes in a branch of a structural `if`."""

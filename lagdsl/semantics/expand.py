@@ -82,8 +82,8 @@ class Expander:
                 span = item.declarators[0].name_span
                 self.ctx.sink.report("E0340", span, name=item.declarators[0].name)
             case nodes.Annotation():
-                if not self.instance.name:
-                    self.contents.annotations.append(item)
+                if self.instance.around is None:
+                    self.contents.annotations.append(Placed(item, scope, self.instance))
             case nodes.Equation() | nodes.CallEquation() | nodes.Connect():
                 self._equation(item, part)
             case nodes.Energy() | nodes.Load() | nodes.Constraint() | nodes.RigidBody() | nodes.Invariant():

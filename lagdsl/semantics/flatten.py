@@ -26,7 +26,6 @@ from lagdsl.semantics.inheritance import expand_short
 from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
 from lagdsl.semantics.rates import check_inputs, check_linear
-from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.selection import file_scope, functions_of, select
 from lagdsl.semantics.splitting import check_splits
 from lagdsl.semantics.stack import InstanceSink
@@ -94,9 +93,7 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     check_splits(ctx)
     check_switched(ctx, contents)
     assembly = assemble(ctx, root, contents)
-    flat = replace(
-        _model(ctx, node, root.scope, contents, assembly), name=chosen.node.name, doc=chosen.node.doc or node.doc
-    )
+    flat = replace(_model(ctx, node, contents, assembly), name=chosen.node.name, doc=chosen.node.doc or node.doc)
     for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)
     if ctx.sink.has_errors:
@@ -105,7 +102,7 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     return _checked(ctx, flat, contents)
 
 
-def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents, assembly: Assembly) -> FlatModel:
+def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assembly) -> FlatModel:
     """Elaborate all of the class, in source order; what is needed earlier comes earlier."""
     coordinates: list[Coordinate] = []
     states: list[State] = []
@@ -155,7 +152,7 @@ def _model(ctx: Context, node: nodes.Class, scope: Scope, contents: Contents, as
         assertions=tuple(physics.assertions),
         initial_equations=tuple(physics.initial),
         drawings=tuple(physics.drawings),
-        experiment=notes.experiment(ctx, scope, contents.annotations),
+        experiment=notes.experiment(ctx, contents.annotations),
         joints=assembly.joints(),
     )
 

@@ -61,7 +61,7 @@ def type_fits(ctx: Context, kind: SymbolKind, info: TypeInfo, span: Span) -> boo
     if kind in ("coordinate", "state", "input") and info.base != "Real":
         ctx.sink.report("E0312", span, expected=f"a Real type for {an(kind)}", found=an(info.base))
         return False
-    if info.base == "String" and kind not in ("parameter", "constant"):
+    if info.base == "String" and kind not in ("parameter", "structural", "constant"):
         ctx.sink.report("E0312", span, expected=f"a numeric type for {an(kind)}", found="a String")
         return False
     return True

@@ -85,6 +85,11 @@ ROWS: dict[str, Row] = {
         label="no quantity",
         help="delete it; prefixes of components are `final` and `replaceable`",
     ),
+    "E0239": error(
+        "`{name}` counts without units, the model with them",
+        label="used here",
+        help='write `annotation(units = "none")` in the model, too, or give the class its units',
+    ),
     "E0250": error("there is no package or class `{name}`", label="not found"),
     "E0252": error(
         "`{name}` is no package", label="has no names to import", help="import the class itself, without what follows"
