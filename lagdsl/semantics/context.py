@@ -50,7 +50,8 @@ class Context:
     """Mutable state of one flattening; every product is collected here in the order in which it is complete.
 
     `home` is the file of the model: advice is not given about texts of libraries.
-    `splits` are modifiers whose values are split over an array of components, `unfit` (by identity) wrong ones.
+    `splits` are modifiers whose values are split over an array of components, `split_values` what they
+    are worth, by the identity of their node.
     `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
     `named` is therefore sorted: what a definition uses was complete before it.
     """
@@ -68,7 +69,7 @@ class Context:
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
     scopes: list[Scope] = field(default_factory=list)
     splits: list[tuple[nodes.Modifier, Indices, Scope]] = field(default_factory=list)
-    unfit: set[int] = field(default_factory=set)
+    split_values: dict[int, Value] = field(default_factory=dict)
     relation: Span | None = None
     quiet: bool = False
     unlabelled: int = 0

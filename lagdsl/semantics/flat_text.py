@@ -35,6 +35,7 @@ def flat_text(flat: fm.FlatModel) -> str:
     lines += _section("D", [_energy(term) for term in flat.energies if term.kind == "dissipation"], True)
     lines += _section("Q", [_load(load) for load in flat.loads], True)
     lines += _section("constraints", [line for c in flat.constraints for line in _constraint(c)], True)
+    lines += _section("joints", [_joint(joint) for joint in flat.joints])
     lines += _section("states", [_state(state) for state in flat.states])
     lines += _section("inputs", [_input(item) for item in flat.inputs])
     lines += _section("parameters", [_parameter(parameter) for parameter in flat.parameters])
@@ -131,6 +132,13 @@ def _constraint(constraint: fm.Constraint) -> Iterable[_Line]:
     for row, residual in zip(constraint.rows, constraint.residuals, strict=True):
         kind = "unit length" if constraint.normalisation else constraint.level
         yield _Line(f"{row} [{unit}, {kind}]: 0 = {text_of(residual)}", constraint)
+
+
+def _joint(joint: fm.Joint) -> _Line:
+    """What carries what, by which coordinates; a cut joint closes a loop by constraints."""
+    owned = f", {', '.join(joint.coordinates)}" if joint.coordinates else ""
+    cut = ", cut" if joint.cut else ""
+    return _Line(f"{joint.kind} {joint.name}: {joint.frame_a} to {joint.frame_b}{owned}{cut}", joint)
 
 
 # ---- around them -----------------------------------------------------------------------------------------------------

@@ -90,9 +90,9 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
     root = instance_of(symbol, "", node.name_span, None)
     contents = collect(ctx, root, modifiers)
-    check_splits(ctx)
     check_switched(ctx, contents)
     assembly = assemble(ctx, root, contents)
+    check_splits(ctx)
     flat = replace(_model(ctx, node, contents, assembly), name=chosen.node.name, doc=chosen.node.doc or node.doc)
     for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)

@@ -9,7 +9,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.modification import Given
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.scope import Indices, Scope
-from lagdsl.semantics.values import Array, Poison, Vector
+from lagdsl.semantics.values import POISON, Array, Poison, Vector
 from lagdsl.syntax import nodes
 
 
@@ -101,7 +101,7 @@ def check_splits(ctx: Context) -> None:
             found = _leading(ctx, scope, modifier.value, len(shape))
             if found is None or found == shape:
                 continue
-            ctx.unfit.add(id(modifier.value))
+            ctx.split_values[id(modifier.value)] = POISON
             if found == ():
                 ctx.sink.report("E0335", modifier.span, text=modifier.span.text)
                 continue
@@ -119,6 +119,7 @@ def _leading(ctx: Context, scope: Scope, value: nodes.Expression, rank: int) -> 
         case Poison():
             return None
         case Array():
+            ctx.split_values[id(value)] = found  # else every component would make the whole of it
             return found.shape[:rank]
         case Vector():
             return (3,)
