@@ -48,6 +48,7 @@ class Recorder:
         """All rows so far."""
         heads = _heads(self._flat, self._engine)
         table = np.array(self._rows).reshape(len(self._rows), len(heads))
+        _unwind(self._flat, table)
         residuals = np.array(self._residuals).reshape(len(self._rows), 2)
         return Trajectory(
             model=self._flat.name,
@@ -62,6 +63,15 @@ class Recorder:
             moved=moved,
             statistics=statistics,
         )
+
+
+def _unwind(flat: FlatModel, table: Floats) -> None:
+    """Make columns of angles that are known up to whole turns continuous; the first value stays."""
+    first = table.shape[1] - len(flat.outputs)
+    for index, output in enumerate(flat.outputs, start=first):
+        if output.turning:
+            known = np.isfinite(table[:, index])
+            table[known, index] = np.unwrap(table[known, index])
 
 
 def _heads(flat: FlatModel, engine: Engine) -> list[tuple[str, str, Kind, Display]]:

@@ -93,4 +93,9 @@ ROWS: dict[str, Row] = {
         "no component here gives its flow",
         "bind it to the rate of a coordinate, as in `Pin p(i = der(q));`",
     ),
+    "N0718": note(
+        "`{name}` follows from the other joints of its loop; its start tells only from where turns are counted",
+        "no initial value",
+        "`prefer = always` keeps the coordinate, with its start",
+    ),
 }

@@ -7,7 +7,7 @@ from lagdsl.semantics.assembly.assembly import Assembly, Parts
 from lagdsl.semantics.assembly.chains import Chains
 from lagdsl.semantics.assembly.closures import Closures
 from lagdsl.semantics.assembly.connections import Connections
-from lagdsl.semantics.assembly.costs import order_of
+from lagdsl.semantics.assembly.costs import Preference, is_fixed, preferences
 from lagdsl.semantics.assembly.islands import report_islands
 from lagdsl.semantics.assembly.loops import Loops
 from lagdsl.semantics.assembly.mentions import Mentions
@@ -15,6 +15,7 @@ from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import WORLD, Net
 from lagdsl.semantics.assembly.networks import Networks
 from lagdsl.semantics.assembly.routes import Routes
+from lagdsl.semantics.assembly.uses import Uses
 from lagdsl.semantics.contents import Contents, Placed
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Instance
@@ -24,8 +25,8 @@ from lagdsl.syntax import nodes
 def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     """Give every frame without a binding its place.
 
-    Called when all names, modifiers and items are known and nothing is elaborated yet; what the assembly finds out about
-    single frames and coordinates it does when they are asked for.
+    Called when all names, modifiers and items are known and nothing is elaborated yet. Single frames and coordinates
+    are made when they are asked for.
     """
     net = Net(ctx, Mentions(ctx))
     for placed in contents.kinematics:
@@ -44,11 +45,19 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     equations: dict[Instance, list[Placed]] = {}
     for placed in contents.closure:
         equations.setdefault(placed.instance, []).append(placed)
+    values = Uses(ctx, contents).values
     solvable = _solvable(net, equations)
-    tree = _tree(net, order_of(net, ctx, solvable))
+    wanted = preferences(
+        ctx, net, [able and values.isdisjoint(link.own) for able, link in zip(solvable, net.links, strict=True)]
+    )
+    tree = _tree(net, wanted)
     routes = Routes(ctx, net, tree)
     loops = Loops(net, tree)
-    closures = Closures(ctx, net, routes, loops.cuts(equations, solvable), loops.ties())
+    computed = [
+        able and wish != Preference.ALWAYS and not any(is_fixed(ctx, symbol) for symbol in link.own)
+        for able, wish, link in zip(solvable, wanted, net.links, strict=True)
+    ]
+    closures = Closures(ctx, net, routes, loops.cuts(equations, computed), loops.ties(), values)
     assembly = Assembly(ctx, Parts(net, routes, closures, merges, networks), contents.instances)
     ctx.assembly = assembly
     report_islands(ctx, net, routes, contents.instances)
@@ -72,11 +81,16 @@ def _solvable(net: Net, equations: dict[Instance, list[Placed]]) -> list[bool]:
     ]
 
 
-def _tree(net: Net, costs: list[tuple[int, int]]) -> graph.Tree:
-    """The frames of the net in the order in which they follow from the world."""
+def _tree(net: Net, wanted: list[Preference]) -> graph.Tree:
+    """The frames of the net in the order in which they follow from the world; equal wishes in the order of the text."""
     edges = [
-        graph.Edge(net.root(link.base), net.root(link.child), cost, tuple(net.root(need) for need in link.needs))
-        for link, cost in zip(net.links, costs, strict=True)
+        graph.Edge(
+            net.root(link.base),
+            net.root(link.child),
+            (int(wish), link.number),
+            tuple(net.root(need) for need in link.needs),
+        )
+        for link, wish in zip(net.links, wanted, strict=True)
     ]
     world = graph.Given(net.root(WORLD))
     givens = [graph.Given(net.root(loose.port), tuple(net.root(need) for need in loose.needs)) for loose in net.placed]

@@ -139,4 +139,3 @@ class Assembly:
     def _of_port(self, instance: Instance, symbol: Symbol) -> Reaction | Poison:
         value = self._ctx.resolver.element(symbol, (), instance.span)
         return POISON if isinstance(value, Poison) else Reaction(element_name(symbol.name, ()))
-

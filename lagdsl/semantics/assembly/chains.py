@@ -52,7 +52,8 @@ class Chains:
                 return self._through(target, item, place, taken)
             case Element(symbol=symbol, indices=indices) if symbol.kind == "frame" and indices is not None:
                 port = self._net.port(symbol, indices)
-                taken.append((port, item.span))
+                if symbol.scope.prefix != scope.prefix:  # the class's own ports are joined from inside here
+                    taken.append((port, item.span))
                 return port, port
             case _ if target is None and base_of(self._ctx, scope, item) is not None:
                 port = self._net.written(Binding(item, scope, item.span))

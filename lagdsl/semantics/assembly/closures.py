@@ -8,15 +8,17 @@ from dataclasses import dataclass, field, replace
 from lagdsl.record import record
 from lagdsl.semantics import constraints, flat_model, quantities
 from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.assembly.computed import Formula, NoFormula, Solver
+from lagdsl.semantics.assembly.computed import Formula, NoFormulaError, Solver
 from lagdsl.semantics.assembly.linear import variables
 from lagdsl.semantics.assembly.net import Link, Net, Port
 from lagdsl.semantics.assembly.pose import displacement, misalignment
 from lagdsl.semantics.assembly.routes import Routes
 from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.definitions import every
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import Closure, Constraint, Definition, Frame, FrameStep, Output, Variability
+from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.quantity_fields import QuantityFields
 from lagdsl.semantics.scope import Symbol
 from lagdsl.semantics.values import FrameValue, Order, Scalar
@@ -69,9 +71,12 @@ class Tied:
 class Closures:
     """Closes loops, on demand: who reads a coordinate of a cut joint needs its definition first."""
 
-    def __init__(self, ctx: Context, net: Net, routes: Routes, cuts: Sequence[Cut], ties: Sequence[Tied]) -> None:
+    def __init__(
+        self, ctx: Context, net: Net, routes: Routes, cuts: Sequence[Cut], ties: Sequence[Tied], values: set[Symbol]
+    ) -> None:
         self._ctx, self._net, self._routes = ctx, net, routes
         self.cuts, self._ties = tuple(cuts), tuple(ties)
+        self._values = values
         self._of = {symbol: cut for cut in cuts if cut.computed for symbol in cut.link.own}
 
     def is_computed(self, symbol: Symbol) -> bool:
@@ -101,6 +106,12 @@ class Closures:
         ctx = self._ctx
         known = self._coordinates(cut)
         starts = {item.name: item.start for item in known}
+        exact = {
+            element_name(symbol.name, indices)
+            for symbol in cut.link.own
+            if symbol in self._values
+            for indices in every(ctx.resolver.shape(symbol) or ())
+        }
         by_name = {item.name: item for item in known}
         mark = len(ctx.named)
         value = ctx.elaborate(ctx, cut.link.binding.scope, cut.link.binding.node, False)
@@ -111,6 +122,8 @@ class Closures:
             return self._frame(cut.place, parent, steps, "frame") if steps else parent
 
         def found(formula: Formula) -> None:
+            if formula.wound and formula.name in exact:
+                raise NoFormulaError
             item = by_name[formula.name]
             fields = _fields(item)
             ctx.named.append(Definition(**fields, value=formula.value, variability=Variability.CONTINUOUS))
@@ -120,14 +133,23 @@ class Closures:
 
         try:
             if behind or not isinstance(value, FrameValue) or value.name != base:
-                raise NoFormula
+                raise NoFormulaError
             Solver(base, cut.hidden, starts, frame, found).solve(value.steps)
-        except NoFormula:
+        except NoFormulaError:
             del ctx.named[mark:]
             cut.outputs.clear()
             cut.computed = False
+        else:
+            self._tell_starts(known)
         order = {name: k for k, name in enumerate(starts)}
         cut.outputs.sort(key=lambda output: order[output.name])
+
+    def _tell_starts(self, known: list[flat_model.Coordinate]) -> None:
+        """N0718 for starts that are no longer needed."""
+        for item in known:
+            span = item.start_span or item.rate_start_span
+            if span is not None:
+                self._ctx.sink.report("N0718", span, name=item.name)
 
     def _coordinates(self, cut: Cut) -> list[flat_model.Coordinate]:
         """As they would be listed; the constraints that come with them (unit quaternions) are not wanted here."""
@@ -192,9 +214,7 @@ class Closures:
                 self._rows(place, parts, residual.dimension or DIMENSIONLESS, count)
                 count += len(parts)
 
-    def _rows(
-        self, place: _Place, residuals: tuple[FlatExpression, ...], dimension: Dimension, before: int
-    ) -> None:
+    def _rows(self, place: _Place, residuals: tuple[FlatExpression, ...], dimension: Dimension, before: int) -> None:
         rows = tuple(f"{place.name}[{before + k}]" for k in range(1, len(residuals) + 1))
         self._ctx.constraints.append(
             Constraint(

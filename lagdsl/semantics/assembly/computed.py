@@ -9,7 +9,7 @@ Goldstein, *Classical Mechanics* (3rd ed.), 4.4 (sequences of angles); Shepperd,
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeAlias
+from itertools import pairwise
 
 from lagdsl.record import record
 from lagdsl.semantics import flat_expression as flat
@@ -20,27 +20,26 @@ from lagdsl.semantics.assembly.linear import linear, variables
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 
-Turning: TypeAlias = "Rotate | RotateAbout | RotateQuaternion"
 
-
-class NoFormula(Exception):
+class NoFormulaError(Exception):
     """The kinematics are of no form that is solved here."""
 
 
 @record()
 class Formula:
-    """One coordinate; `turning`: an angle known up to whole turns."""
+    """One coordinate. `wound`: right up to half a turn from the start only; `turning`: an angle of that kind."""
 
     name: str
     value: FlatExpression
+    wound: bool
     turning: bool
 
 
 class Solver:
     """Finds the coordinates of one joint, in an order in which each may use those before.
 
-    `frame(parent, steps)` names a frame made on the way, `found` is told of each formula at once; `starts` are the start
-    values of the coordinates by name.
+    `frame(parent, steps)` names a frame made on the way, `found` is told of each formula at once; `starts` are the
+    start values of the coordinates by name.
     """
 
     def __init__(
@@ -56,23 +55,23 @@ class Solver:
         self._solved: set[str] = set()
 
     def solve(self, steps: tuple[FrameStep, ...]) -> None:
-        """All coordinates; raises NoFormula where there is none."""
+        """All coordinates; raises NoFormulaError where there is none."""
         if any(isinstance(step, Place | SetAxes) for step in steps):
-            raise NoFormula
+            raise NoFormulaError
         self._turning(tuple(step for step in steps if not isinstance(step, Move)))
         self._moving(steps)
         if len(self._solved) != len(self._starts):
-            raise NoFormula
+            raise NoFormulaError
 
     def _free(self, *parts: FlatExpression) -> list[str]:
         """The coordinates in expressions."""
         return [name for name in variables(parts) if name in self._starts]
 
-    def _give(self, name: str, value: FlatExpression, *, turning: bool = False) -> None:
+    def _give(self, name: str, value: FlatExpression, *, wound: bool = False, turning: bool = False) -> None:
         if name in self._solved:
-            raise NoFormula
+            raise NoFormulaError
         self._solved.add(name)
-        self._found(Formula(name, value, turning))
+        self._found(Formula(name, value, wound, turning))
 
     # ---- turning -----------------------------------------------------------------------------------------------------
 
@@ -82,7 +81,7 @@ class Solver:
             return
         first, last = free[0], free[-1]
         if free != list(range(first, last + 1)):
-            raise NoFormula
+            raise NoFormulaError
         base = self._frame(self._base, steps[:first])
         end = self._frame(self._end, _undone(steps[last + 1 :]))
         turns = steps[first : last + 1]
@@ -96,8 +95,8 @@ class Solver:
     def _sequence(self, base: str, end: str, turns: tuple[FrameStep, ...]) -> None:
         """One to three turns about own axes, neighbors different."""
         known = [step for step in turns if isinstance(step, Rotate)]
-        if len(known) != len(turns) or any(a.axis == b.axis for a, b in zip(known, known[1:], strict=False)):
-            raise NoFormula
+        if len(known) != len(turns) or any(a.axis == b.axis for a, b in pairwise(known)):
+            raise NoFormulaError
         match known:
             case [one]:
                 self._one(base, end, one)
@@ -107,18 +106,19 @@ class Solver:
                 self._first_of_three(base, end, one, two, three)
                 self._two(self._frame(base, (one,)), end, two, three)
             case _:
-                raise NoFormula
+                raise NoFormulaError
 
     def _angle(self, angle: FlatExpression, cosine: FlatExpression, sine: FlatExpression) -> None:
         """The coordinate in an angle a q + b whose cosine and sine are known up to a common positive factor."""
         [name] = self._free(angle) or [""]
         found = linear(angle, name)
         if found is None or name not in self._starts or self._free(*found):
-            raise NoFormula
+            raise NoFormulaError
         factor, rest = found
         at = plus(times(factor, self._starts[name]), rest)
         turned = turn_near(at, cosine, sine)
-        self._give(name, over(minus(turned, rest), factor), turning=True)
+        whole = factor in (flat.ONE, flat.Number(-1.0))
+        self._give(name, over(minus(turned, rest), factor), wound=True, turning=whole)
 
     def _one(self, base: str, end: str, step: Rotate) -> None:
         i, j = (step.axis + 1) % 3, (step.axis + 2) % 3
@@ -159,14 +159,14 @@ class Solver:
         [name] = self._free(angle) or [""]
         found = linear(angle, name)
         if found is None or name not in self._starts:
-            raise NoFormula
+            raise NoFormulaError
         return plus(times(found[0], self._starts[name]), found[1])
 
     def _quaternion(self, base: str, end: str, e: tuple[FlatExpression, ...]) -> None:
         """The unit quaternion on the side of the start e0: 4 e e' e0, normalized; not defined at right angles to it."""
         names = [part.name if isinstance(part, flat.Variable) else "" for part in e]
         if any(name not in self._starts for name in names) or len(set(names)) != 4:
-            raise NoFormula
+            raise NoFormulaError
         r = [[_dot(base, i, end, j) for j in range(3)] for i in range(3)]
         d = [r[k][k] for k in range(3)]
         x, y, z = minus(r[2][1], r[1][2]), minus(r[0][2], r[2][0]), minus(r[1][0], r[0][1])
@@ -181,7 +181,7 @@ class Solver:
         near = [total([times(square[i][j], self._starts[names[j]]) for j in range(4)]) for i in range(4)]
         length = flat.Function("sqrt", (total([times(part, part) for part in near]),))
         for name, part in zip(names, near, strict=True):
-            self._give(name, over(part, length))
+            self._give(name, over(part, length), wound=True)
 
     # ---- moving ------------------------------------------------------------------------------------------------------
 
@@ -190,7 +190,7 @@ class Solver:
         if not free:
             return
         if len(free) > 1:
-            raise NoFormula
+            raise NoFormulaError
         place = free[0]
         step = steps[place]
         assert isinstance(step, Move)
@@ -204,7 +204,7 @@ class Solver:
             factors = [parts[k][1] for k in rows]
             lengths = [minus(flat.Dot(way, axis_of(base, k)), parts[k][2]) for k in rows]
             if self._free(*factors, *lengths):
-                raise NoFormula
+                raise NoFormulaError
             measured = total([times(a, b) for a, b in zip(factors, lengths, strict=True)])
             self._give(name, over(measured, total([times(a, a) for a in factors])))
 
@@ -215,7 +215,7 @@ def linear_in(part: FlatExpression, names: list[str]) -> tuple[str | None, FlatE
         return None, flat.ZERO, part
     found = linear(part, names[0]) if len(names) == 1 else None
     if found is None:
-        raise NoFormula
+        raise NoFormulaError
     return names[0], *found
 
 
@@ -244,7 +244,7 @@ def _angles(step: FrameStep) -> tuple[FlatExpression, ...]:
 def _undone(steps: tuple[FrameStep, ...]) -> tuple[FrameStep, ...]:
     undone = inverse(steps)
     if undone is None:
-        raise NoFormula
+        raise NoFormulaError
     return undone
 
 
@@ -271,4 +271,3 @@ def _sign(value: FlatExpression) -> FlatExpression:
     """1 for zero, too."""
     below = flat.Binary("<", value, flat.ZERO)
     return flat.Conditional(below, flat.Number(-1.0), flat.ONE)
-

@@ -35,7 +35,12 @@ class Connections:
             self._chains.connect(scope, node)
 
     def _unite(
-        self, scope: Scope, node: nodes.Connect, items: Sequence[tuple[nodes.Expression, Target | None]], *, complete: bool
+        self,
+        scope: Scope,
+        node: nodes.Connect,
+        items: Sequence[tuple[nodes.Expression, Target | None]],
+        *,
+        complete: bool,
     ) -> None:
         """Coordinates become one coordinate, connectors one node."""
         first = items[0][1]

@@ -31,7 +31,7 @@ _FIXED = ("fixed", "der.fixed", "omega.fixed")
 
 
 def preference(ctx: Context, link: Link, *, solvable: bool) -> Preference:
-    """`solvable`: the coordinates of the link may follow from its frames."""
+    """`solvable`: the coordinates of the link may follow from its frames without loss."""
     if not link.own:
         return Preference.RIGID
     wishes = {wish for symbol in link.own if (wish := wish_of(ctx, symbol)) is not None}
@@ -72,9 +72,6 @@ def wish_of(ctx: Context, symbol: Symbol) -> Literal["always", "never"] | None:
     return None
 
 
-def order_of(net: Net, ctx: Context, solvable: list[bool]) -> list[tuple[int, int]]:
-    """The cost of every link: preference, then the order of the text."""
-    return [
-        (int(preference(ctx, link, solvable=able)), link.number)
-        for link, able in zip(net.links, solvable, strict=True)
-    ]
+def preferences(ctx: Context, net: Net, solvable: list[bool]) -> list[Preference]:
+    """How much every link is wanted in the tree."""
+    return [preference(ctx, link, solvable=able) for link, able in zip(net.links, solvable, strict=True)]

@@ -1,7 +1,7 @@
 """Graph search: which frames follow from which. Pure; nodes and edges are numbers.
 
-A spanning tree is grown from the nodes that are known, cheapest edge first (Prim's algorithm with a heap). Costs of edges
-are all different, so that the tree is the one of least cost and does not depend on anything else.
+A spanning tree is grown from the nodes that are known, cheapest edge first (Prim's algorithm with a heap). Costs of
+edges are all different, so that the tree is the one of least cost and does not depend on anything else.
 """
 
 from __future__ import annotations
@@ -118,7 +118,10 @@ class _Growth:
         cuts = [
             number
             for number, edge in enumerate(self._edges)
-            if number not in used and self._known[edge.a] and self._known[edge.b] and not self._edge_needs.missing[number]
+            if number not in used
+            and self._known[edge.a]
+            and self._known[edge.b]
+            and not self._edge_needs.missing[number]
         ]
         return Tree(tuple(self._steps), tuple(cuts), tuple(sorted(self._surplus)))
 

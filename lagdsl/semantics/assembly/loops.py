@@ -21,14 +21,14 @@ class Loops:
             before = self._before(step)
             self._depths[step.node] = self._depths[before] + 1 if before is not None else 0
 
-    def cuts(self, equations: dict[Instance, list[Placed]], solvable: list[bool]) -> list[Cut]:
+    def cuts(self, equations: dict[Instance, list[Placed]], computed: list[bool]) -> list[Cut]:
         """The links that close a loop, in the order of the text."""
         found = []
         for number in self._tree.cuts:
             link = self._net.links[number]
             loop = self._around(self._net.root(link.base), self._net.root(link.child), link.instance.name)
             given = tuple(equations.get(link.instance, ()))
-            found.append(Cut(link, loop, self._span(link), given, solvable[number]))
+            found.append(Cut(link, loop, self._span(link), given, computed[number]))
         return found
 
     def ties(self) -> list[Tied]:

@@ -86,7 +86,9 @@ class Merges:
         return list(kept.values())
 
     def _both(self, a: Coordinate, b: Coordinate) -> Coordinate:
-        start = self._stronger(a, b, (a.start, a.start_explicit, a.fixed), (b.start, b.start_explicit, b.fixed), "start")
+        start = self._stronger(
+            a, b, (a.start, a.start_explicit, a.fixed), (b.start, b.start_explicit, b.fixed), "start"
+        )
         rate = self._stronger(
             a,
             b,

@@ -132,4 +132,3 @@ def _parts(item: flat_model.Named) -> tuple[FlatExpression, ...]:
             return (item.position,)
         case Frame():
             return tuple(part for step in item.steps for part in step_expressions(step))
-

@@ -1,0 +1,92 @@
+"""Which coordinates count by their values, not by their rates or virtual displacements alone.
+
+An angle computed from frames is known up to whole turns: good for a torque on it and for its rate, wrong for a spring
+that is wound up further.
+"""
+
+from __future__ import annotations
+
+from lagdsl.semantics.assembly.paths import Element, target_of
+from lagdsl.semantics.contents import Contents
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.scope import Binding, Scope, Symbol
+from lagdsl.syntax import nodes
+from lagdsl.syntax.walk import children
+
+_READ = ("frame", "point", "algebraic", "output", "input", "energy", "load")
+
+
+class Uses:
+    """Searches all that acts on the motion, through definitions; outputs and drawings do not count."""
+
+    def __init__(self, ctx: Context, contents: Contents) -> None:
+        self._ctx = ctx
+        self._seen: set[tuple[Symbol, bool]] = set()
+        self.values: set[Symbol] = set()
+        for placed in (*contents.items, *contents.initial, *contents.closure):
+            if not isinstance(placed.node, nodes.Draw):
+                self._item(placed.scope, placed.node)
+        for symbol in contents.symbols:
+            for binding in symbol.derivatives.values():
+                self._walk(binding.scope, binding.node)
+
+    def _item(self, scope: Scope, item: nodes.Item) -> None:
+        targets = [item.on, item.origin] if isinstance(item, nodes.Load) and item.at is None else []
+        for part in children(item):
+            if any(part is target for target in targets):
+                self._displaced(scope, part)
+            else:
+                self._walk(scope, part)
+
+    def _walk(self, scope: Scope, node: nodes.Node) -> None:
+        stack = [node]
+        while stack:
+            current = stack.pop()
+            target = None
+            if isinstance(current, nodes.Reference | nodes.Member | nodes.Index):
+                target = target_of(self._ctx, scope, current)
+            if isinstance(target, Element):
+                self._read(target.symbol, displaced=False)
+            elif _is_rate(current):
+                assert isinstance(current, nodes.Call)
+                self._displaced(scope, current.arguments[0])
+            else:
+                stack.extend(children(current))
+
+    def _displaced(self, scope: Scope, node: nodes.Node) -> None:
+        """A text of which only the derivative matters: harmless where it is the name of a coordinate."""
+        target = None
+        if isinstance(node, nodes.Reference | nodes.Member | nodes.Index | nodes.Parenthesized):
+            target = target_of(self._ctx, scope, node)
+        if isinstance(target, Element):
+            self._read(target.symbol, displaced=True)
+        else:
+            self._walk(scope, node)
+
+    def _read(self, symbol: Symbol, *, displaced: bool) -> None:
+        if symbol.kind == "coordinate":
+            if not displaced:
+                self.values.add(symbol)
+            return
+        if symbol.kind not in _READ or (symbol, displaced) in self._seen:
+            return
+        self._seen.add((symbol, displaced))
+        for binding in symbol.bindings.values():
+            self._behind(binding, displaced=displaced)
+        for label in symbol.labels.values():
+            self._item(label.scope, label.node)
+
+    def _behind(self, binding: Binding, *, displaced: bool) -> None:
+        if displaced:
+            self._displaced(binding.scope, binding.node)
+        else:
+            self._walk(binding.scope, binding.node)
+
+
+def _is_rate(node: nodes.Node) -> bool:
+    return (
+        isinstance(node, nodes.Call)
+        and isinstance(node.function, nodes.Reference)
+        and node.function.name == "der"
+        and len(node.arguments) == 1
+    )
