@@ -44,7 +44,7 @@ class ImportList:
         """The one that the wildcards give; E0203 where two give different ones."""
         found: list[tuple[Target, Entry]] = []
         for target in self.wildcards:
-            package = _package(self.sink, self.root, target)
+            package = package_of(self.sink, self.root, target)
             entry = package.find(name, span) if package is not None else None
             if entry is not None and all(_identity(entry) is not _identity(other) for _, other in found):
                 found.append((target, entry))
@@ -66,7 +66,7 @@ class ImportList:
     def names(self) -> Iterator[str]:
         yield from self.targets
         for target in self.wildcards:
-            package = _package(self.sink, self.root, target)
+            package = package_of(self.sink, self.root, target)
             if package is not None:
                 yield from package.names()
 
@@ -78,7 +78,11 @@ def declare_imports(sink: Sink, scope: Scope, items: Iterable[nodes.Item]) -> No
             if scope.imports is None:
                 scope.imports = ImportList(sink, root_of(scope))
             assert isinstance(scope.imports, ImportList)
-            _declare(scope.imports, item)
+            for name, target in imported(item):
+                if name is None:
+                    scope.imports.wildcards.append(target)
+                else:
+                    _name(scope.imports, name, target)
 
 
 def check_imports(scope: Scope) -> None:
@@ -88,18 +92,19 @@ def check_imports(scope: Scope) -> None:
         for target in imports.targets.values():
             follow(imports.sink, imports.root, target)
         for target in imports.wildcards:
-            _package(imports.sink, imports.root, target)
+            package_of(imports.sink, imports.root, target)
 
 
-def _declare(imports: ImportList, item: nodes.Import) -> None:
+def imported(item: nodes.Import) -> Iterator[tuple[str | None, Target]]:
+    """The names that an import gives, with what they stand for; None for all names of a package."""
     parts = item.name.parts
     if item.wildcard:
-        imports.wildcards.append(Target(parts, item.name.span))
+        yield None, Target(parts, item.name.span)
     elif item.names:
         for name in item.names:
-            _name(imports, name, Target((*parts, name), _within(item, name)))
+            yield name, Target((*parts, name), _within(item, name))
     else:
-        _name(imports, item.alias or parts[-1], Target(parts, item.name.span))
+        yield item.alias or parts[-1], Target(parts, item.name.span)
 
 
 def _name(imports: ImportList, name: str, target: Target) -> None:
@@ -119,6 +124,11 @@ def _within(item: nodes.Import, name: str) -> Span:
 def root_of(scope: Scope) -> Root:
     """Where the names of imports begin."""
     return next(step.root for step in scope.chain() if step.root is not None)
+
+
+def import_hint(scope: Scope, name: str) -> str | None:
+    """The import that makes a name known that lies beside the file or in an installed folder."""
+    return f"write `import {name};` to use what lies beside this file" if name in root_of(scope).names() else None
 
 
 def follow(sink: Sink, root: Root, target: Target) -> Entry:
@@ -146,7 +156,8 @@ def follow(sink: Sink, root: Root, target: Target) -> Entry:
     return entry
 
 
-def _package(sink: Sink, root: Root, target: Target) -> Scope | None:
+def package_of(sink: Sink, root: Root, target: Target) -> Scope | None:
+    """The scope of the package that a wildcard names, or None after a diagnostic."""
     entry = follow(sink, root, target)
     if isinstance(entry, ClassSymbol) and entry.inner is not None:
         return entry.inner

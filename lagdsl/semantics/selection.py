@@ -93,9 +93,19 @@ def select(ctx: Context, unit: nodes.Unit, scope: Scope, name: str | None) -> Cl
     free = [symbol for symbol in complete if symbol.node.name not in used]
     if free or complete:
         return (free or complete)[-1]
-    first = unit.items[0] if unit.items else None
-    ctx.sink.report("E0218", first.name_span if isinstance(first, nodes.Class) else first.span if first else None)
+    first = next((item for item in unit.items if not isinstance(item, nodes.Import)), unit.items[0])
+    ctx.sink.report("E0218", item_head(first), help=_way_to_a_model(first))
     return None
+
+
+def _way_to_a_model(item: nodes.Item) -> str | None:
+    if not isinstance(item, nodes.Class):
+        return None
+    if item.kind == "package":
+        return "a package is checked where a model uses it: check that model"
+    if "partial" in item.prefixes:
+        return f"`{item.name}` is partial: a model that extends it can be checked"
+    return f"a {item.kind} is checked where a model uses it: check that model"
 
 
 def complete_models(unit: nodes.Unit) -> tuple[str, ...]:
@@ -133,6 +143,8 @@ def _used(unit: nodes.Unit) -> set[str]:
                     used.add(".".join(node.type_name.parts))
                 case nodes.Extends() | nodes.ShortClass():
                     used.add(".".join(node.base.parts))
+                case nodes.RedeclareComponent() | nodes.RedeclareClass():
+                    used.add(".".join(node.type_name.parts))
     return used
 
 

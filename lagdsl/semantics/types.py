@@ -7,6 +7,7 @@ from dataclasses import replace
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import prelude
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.imports import import_hint
 from lagdsl.semantics.naming import an
 from lagdsl.semantics.scope import ClassSymbol, Scope, TypeInfo, TypeSymbol, lookup_path, reachable, visible
 from lagdsl.semantics.values import Poison
@@ -153,7 +154,7 @@ def report_unknown_type(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     types = [found for found, entry in visible(scope) if isinstance(entry, TypeSymbol | ClassSymbol)]
     meant = nearest(text, [*types, *reachable(scope), *prelude.TYPES, *STATEMENTS])
     what = "the statement " if meant in STATEMENTS else ""
-    hint = f"did you mean {what}`{meant}`?" if meant else None
+    hint = f"did you mean {what}`{meant}`?" if meant else import_hint(scope, name.parts[0])
     ctx.sink.report("E0208", name.span, name=text, help=hint)
 
 

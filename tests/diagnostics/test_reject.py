@@ -53,7 +53,8 @@ def drawn(diagnostics: tuple[Diagnostic, ...]) -> list[str]:
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_reject(path):
+def test_reject(path, monkeypatch):
+    monkeypatch.chdir(path.parent)  # packages lie beside the texts
     text = path.read_text(encoding="utf-8")
     diagnostics, _ = check(SourceFile(path.name, text))
     assert drawn(diagnostics) == announced(text)
