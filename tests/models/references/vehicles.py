@@ -24,7 +24,7 @@ def quarter_car_of_parts(p: Parameters, t: Floats) -> dict[str, Floats]:
         ]
     )
     x = linear(a, [0, 0, 0, 0, 0, p["wave"]], t)
-    return {"body.s": x[0], "tyre.s_b": x[1]}
+    return {"body.s": x[0], "wheel.s": x[1]}
 
 
 def half_car(p: Parameters, t: Floats) -> dict[str, Floats]:
@@ -46,7 +46,7 @@ def half_car(p: Parameters, t: Floats) -> dict[str, Floats]:
     matrix[7] = (strut_r + tyre_r) / p["wheel_r.m"]
     matrix[8, 9], matrix[9, 8] = omega, -omega
     x = linear(matrix, [0, 0, 0, 0, 0, 0, 0, 0, 0, p["wave"]], t)
-    return {"heave": x[0], "pitch": x[1], "tyre_f.s_b": x[2], "tyre_r.s_b": x[3], "tread": tyre_f @ x}
+    return {"heave": x[0], "pitch": x[1], "wheel_f.s": x[2], "wheel_r.s": x[3], "tread": tyre_f @ x}
 
 
 def skateboard(p: Parameters, t: Floats) -> dict[str, Floats]:
