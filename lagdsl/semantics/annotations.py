@@ -76,7 +76,7 @@ def _modifiers(annotations: Iterable[nodes.Annotation]) -> list[nodes.Modifier]:
 
 def _setting(ctx: Context, scope: Scope, setting: nodes.AnyModifier, found: dict[str, float]) -> None:
     if not isinstance(setting, nodes.Modifier):
-        ctx.sink.report("E0311", setting.span, what="`redeclare`", hint="it comes with components")
+        ctx.sink.report("E0240", setting.span, what="an annotation")
         return
     name = ".".join(setting.name.parts)
     if name not in _SETTINGS:

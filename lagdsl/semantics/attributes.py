@@ -82,7 +82,7 @@ def _read(
     inherited: bool,
 ) -> None:
     if not isinstance(modifier, nodes.Modifier):
-        ctx.sink.report("E0311", modifier.span, what="`redeclare`", hint="it comes with components")
+        ctx.sink.report("E0240", modifier.span, what="a quantity")
         return
     name = prefix + ".".join(modifier.name.parts)
     if not prefix and name in ("der", "omega") and modifier.modifiers and _fits(symbol, f"{name}.start"):

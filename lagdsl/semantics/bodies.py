@@ -53,7 +53,7 @@ def _given(ctx: Context, node: nodes.RigidBody) -> dict[str, nodes.Expression]:
     given: dict[str, nodes.Expression] = {}
     for modifier in node.modifiers:
         if not isinstance(modifier, nodes.Modifier):
-            ctx.sink.report("E0311", modifier.span, what="`redeclare`", hint="it comes with components")
+            ctx.sink.report("E0240", modifier.span, what="a body")
             continue
         name = ".".join(modifier.name.parts)
         if name not in PROPERTIES:

@@ -65,7 +65,7 @@ def modify(ctx: Context, symbol: Symbol, given: Iterable[Given]) -> None:
     """Apply the modifiers of one quantity, point or frame, before anything is evaluated."""
     for modifier, outer in given:
         if not isinstance(modifier, nodes.Modifier):
-            ctx.sink.report("E0311", modifier.span, what="`redeclare` of a quantity", hint="give it another value")
+            ctx.sink.report("E0240", modifier.span, Label(symbol.span, "declared here"), what="a quantity")
             continue
         if symbol.sealed is not None:
             label = Label(symbol.sealed, "given as `final` here")

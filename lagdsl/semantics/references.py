@@ -81,9 +81,10 @@ def _prelude(ctx: Context, name: str) -> Value | None:
 
 def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     """E0201, once for each name, with the nearest declared one."""
-    if node.name in ctx.reported or ctx.incomplete:
+    key = f"{scope.title}.{node.name}"
+    if key in ctx.reported or ctx.incomplete:
         return
-    ctx.reported.add(node.name)
+    ctx.reported.add(key)
     if node.name in BUILTINS or node.name == "der":
         ctx.sink.report("E0219", node.span, name=node.name, what="a function", help=f"call it: `{node.name}(...)`")
         return

@@ -90,6 +90,9 @@ ROWS: dict[str, Row] = {
         label="used here",
         help='write `annotation(units = "none")` in the model, too, or give the class its units',
     ),
+    "E0240": error(
+        "only components and classes can be redeclared", label="this is {what}", help="give it another value instead"
+    ),
     "E0250": error("there is no package or class `{name}`", label="not found"),
     "E0252": error(
         "`{name}` is no package", label="has no names to import", help="import the class itself, without what follows"
