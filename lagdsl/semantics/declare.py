@@ -44,9 +44,10 @@ class Declarer:
             self.body: Body = body_of(ctx, node, self.scope, given)
         self.changes.add(self.body.given)
         self._know_classes(self.body.parts)
-        self.line = (*line, *self.body.line)
+        self.line = (*line, node)
         self._check_units()
         self.children: dict[str, list[Declarer]] = {}
+        self.texts: dict[str, tuple[nodes.Component, nodes.Declarator]] = {}
         with ctx.inside(self.scope):
             self.declare(self.body.parts)
 
@@ -107,6 +108,8 @@ class Declarer:
 
     def _component(self, part: Part, declarator: nodes.Declarator, symbol: ClassSymbol) -> None:
         ctx, scope, name = self.ctx, part.scope, declarator.name
+        if self._is_inherited_twice(part, declarator):
+            return
         check_duplicates(ctx, declarator.modifiers)
         given: list[Given] = [(modifier, scope) for modifier in declarator.modifiers]
         single: list[tuple[nodes.Modifier, Scope]] = []
@@ -137,6 +140,14 @@ class Declarer:
             made = self._instance(declarator, scope, element_name(qualified, indices), definition, condition)
             array.elements[indices] = made
             self._fill(declarator, made, [*short, *splits.at(indices)])
+
+    def _is_inherited_twice(self, part: Part, declarator: nodes.Declarator) -> bool:
+        """Whether two classes that meet by `extends` declare the component in the same words."""
+        item = part.item
+        assert isinstance(item, nodes.Component)
+        other, text = self.texts.setdefault(declarator.name, (item, declarator))
+        words = (other.prefixes, other.type_name, text) == (item.prefixes, item.type_name, declarator)
+        return words and text is not declarator and text.name_span != declarator.name_span
 
     def _replaced(
         self,
@@ -230,8 +241,7 @@ class Declarer:
 
     def finish(self) -> None:
         """E0223 for the modifiers that nothing took."""
-        names = [name for name, entry in self.scope.entries.items() if isinstance(entry, Symbol | Instance)]
-        report_unknown(self.ctx, self.changes, names, self.scope.title)
+        report_unknown(self.ctx, self.changes, self.instance)
 
 
 def instance_of(symbol: ClassSymbol, name: str, span: Span, around: Scope | None) -> Instance:

@@ -9,7 +9,7 @@ from typing import TypeAlias
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Binding, Scope, Symbol
+from lagdsl.semantics.scope import Binding, ClassSymbol, Instance, InstanceArray, Scope, Symbol
 from lagdsl.syntax import nodes
 
 Given: TypeAlias = "tuple[nodes.AnyModifier, Scope]"
@@ -92,12 +92,17 @@ def _rebind(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, value: nodes
     symbol.bindings = {key: Binding(value, outer, modifier.span)}
 
 
-def report_unknown(ctx: Context, changes: Changes, names: Iterable[str], title: str) -> None:
+def report_unknown(ctx: Context, changes: Changes, instance: Instance) -> None:
     """E0223 for modifiers of what the class does not have."""
-    known = list(names)
+    node = instance.definition.node
+    place = node.name_span if isinstance(node, nodes.Class) else node.span
+    members = (Symbol, Instance, InstanceArray, ClassSymbol)
+    entries = instance.scope.entries.items()
+    known = [name for name, entry in entries if isinstance(entry, members) and name not in instance.protected]
     for name, given in changes.by_name.items():
         meant = nearest(name, known)
         hint = f"did you mean `{meant}`?" if meant else None
         for modifier, _ in given:
             span = modifier.name.span if isinstance(modifier, nodes.Modifier) else modifier.span
-            ctx.sink.report("E0223", span, name=name, model=title, help=hint)
+            label = Label(place, f"{instance.scope.title} is declared here")
+            ctx.sink.report("E0223", span, label, name=name, model=instance.scope.title, help=hint)

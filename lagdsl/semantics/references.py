@@ -92,8 +92,12 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     if outside is not None:
         outside.used = True
         label = Label(outside.span, f"{an(outside.word)}, declared here")
+        function = scope.owner.text is None
         way = f"a function knows its arguments and constants only: give it `{node.name}` as an argument"
-        ctx.sink.report("E0201", node.span, label, name=node.name, scope="the function", help=way)
+        if not function:
+            way = f"a class inside another sees its constants only: give `{node.name}` by a modifier"
+        title = "the function" if function else scope.title
+        ctx.sink.report("E0201", node.span, label, name=node.name, scope=title, help=way)
         return
     names = dict(visible(scope))
     meant = nearest(node.name, [*names, *prelude.CONSTANTS, "time", "world"])
