@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.graph import Graph
@@ -64,14 +64,20 @@ class Count:
 
 
 def count(
-    flat: FlatModel, table: Symbols, parts: Contributions, residuals: Sequence[Expr], velocities: Sequence[Expr]
+    flat: FlatModel,
+    table: Symbols,
+    parts: Contributions,
+    constants: Sequence[tuple[Symbol, Expr]],
+    residuals: Sequence[Expr],
+    velocities: Sequence[Expr],
 ) -> Count:
-    """`residuals` of the position rows and `velocities` (J qd + b) of all rows, in the symbols of the model."""
+    """`residuals` of the position rows and `velocities` (J qd + b) of all rows, in the symbols of the model and in
+    `constants`, each defined by those before it."""
     moving = frozenset().union(*(x.free_symbols for item in parts.inertials for x in (*item.position, *item.spin)))
     placing = sum(1 for q, qd in zip(table.q, table.qd, strict=True) if q in moving or qd in moving)
     levels = [constraint.level for constraint in flat.constraints for _ in constraint.rows]
     position = [velocity for velocity, level in zip(velocities, levels, strict=True) if level == "position"]
-    ranks = _Ranks(flat, table)
+    ranks = _Ranks(flat, table, constants)
     return Count(
         particles=len(flat.masses),
         bodies=len(flat.bodies),
@@ -88,13 +94,15 @@ def count(
 class _Ranks:
     """Ranks of constraint rows at a general point near the starts where the position rows hold."""
 
-    def __init__(self, flat: FlatModel, table: Symbols) -> None:
+    def __init__(self, flat: FlatModel, table: Symbols, constants: Sequence[tuple[Symbol, Expr]]) -> None:
         self._graph = Graph()
         self._table = table
         nodes = {table.time: self._graph.symbol(Group.TIME)}
         for group, members in {Group.Q: table.q, Group.QD: table.qd, Group.U: table.u, Group.P: table.p}.items():
             nodes |= {symbol: self._graph.symbol(group, index) for index, symbol in enumerate(members)}
         self._to_graph = ToGraph(self._graph, nodes)
+        for symbol, value in constants:
+            self._to_graph.define(symbol, value)
         self._parameters = [p.value for p in flat.parameters if not p.structural]
 
     def of(self, residuals: Sequence[Expr], velocities: Sequence[Expr]) -> int:

@@ -20,6 +20,7 @@ from lagdsl.textbook.tidy import Tidy
 
 STANDARD_GRAVITY = Symbol("g_n")
 _G_N = 9.80665
+STANDARD_GRAVITY_VALUE = Float(_G_N)
 _NICE_DENOMINATOR = 360
 
 

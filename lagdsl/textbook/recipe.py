@@ -30,7 +30,7 @@ from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.extent import Extent, extent
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.mechanical import MechanicalValues
-from lagdsl.textbook.reading import Reading, read
+from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, Reading, read
 from lagdsl.textbook.symbols import Symbols
 
 
@@ -140,6 +140,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         system_energies(table, parts, [step.momentum for step in steps]),
         [s.momentum for s in steps],
     )
+    constants = _definitions(reading, reading.constants)
     position = [row.residual for row in rows if row.level == "position"]
     velocities = [_velocity(reading, row) for row in rows]
     free = [
@@ -157,7 +158,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     return Derivation(
         symbols=table,
         constants=tidy.constants,
-        count=count(flat, table, parts, position, velocities),
+        count=count(flat, table, parts, ((STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE), *constants), position, velocities),
         inertials=parts.inertials,
         kinetic=kinetic,
         potential=potential,
@@ -169,7 +170,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         drags=drags,
         generalized_forces=loads,
         constraints=rows,
-        dependent_parameters=_definitions(reading, reading.constants),
+        dependent_parameters=constants,
         abbreviations=_used(_definitions(reading, reading.abbreviations), actions, (*states, *outputs)),
         states=states,
         outputs=outputs,

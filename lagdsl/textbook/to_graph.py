@@ -51,6 +51,10 @@ class ToGraph:
         self.graph = graph
         self._memo: dict[Expr, int] = dict(nodes)
 
+    def define(self, symbol: Symbol, value: Expr) -> None:
+        """From here on the symbol stands for the value."""
+        self._memo[symbol] = self.node(value)
+
     def node(self, expression: Expr) -> int:
         """Post-order walk with a stack of its own: derivatives may nest deeper than Python likes."""
         stack = [expression]

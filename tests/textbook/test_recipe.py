@@ -8,10 +8,13 @@ import numpy as np
 import pytest
 from sympy import Add, Expr, Symbol
 
+from lagdsl.diagnostics import Sink
 from lagdsl.graph.evaluate import evaluate, evaluate_with_size
 from lagdsl.graph.graph import Graph
+from lagdsl.pipeline import front
 from lagdsl.report.derivation import FORMATS, render
 from lagdsl.semantics.flat_model import FlatModel, Rotate
+from lagdsl.source import SourceFile
 from lagdsl.textbook.derive import derive
 from lagdsl.textbook.lower import lower, symbol_nodes
 from lagdsl.textbook.reading import STANDARD_GRAVITY
@@ -187,3 +190,19 @@ def test_nested_definitions_stay_outlines() -> None:
     )
     assert recipe(flat).extent.reasons == ("1000000 symbols in one expression, definitions written out (at most 2000)",)
     assert len(lower(derive(flat), flat).graph) < 5000
+
+
+def test_dependent_parameters_and_the_standard_gravity_may_stand_in_constraints() -> None:
+    text = """
+        model Wire
+          parameter Length l = 0.2 m;
+          Length a = 2*l, b = a + l;
+          coordinate Length x, y;
+          gravity = -g_n*world.y;
+          mass 1 kg at {x, y};
+          constraint wire: x^2 + a*y = b^2 + g_n*(1 s)^2*l;
+        end Wire;
+        """
+    flat = front(SourceFile("wire.lag", text), Sink())
+    assert flat is not None
+    assert derivation_of(flat).count.position_rank == 1
