@@ -1,4 +1,4 @@
-"""The first moment of a motion that starts in a singular position, where several branches of the constraint set meet.
+"""Motion out of and across singular positions, where several branches of the constraint set meet.
 
 There the accelerations of the system of equations need not belong to any branch: the lost rows leave them free. So the
 motion is not integrated from there but fitted, for a short time: derivatives are polynomials in time that agree with
@@ -31,6 +31,13 @@ _SETTLED = 1e-4
 # Estimated errors, as a part of the change of state: good enough at once, and not good enough at all.
 _ACCURATE = 1e-6
 _USELESS = 1e-4
+# A crossing, in distances to the singular position: how far, at least how far, and where in between constraints are
+# looked at; by how much, as a part of the natural size of the rows, they may be missed.
+_ACROSS = 8.0
+_LEAST_ACROSS = 4.0
+_BETWEEN = np.array([0.06, 0.125, 0.19, 0.25, 0.6])
+_KEPT = 1e-9
+_SMOOTH = 1e-5
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +81,30 @@ def depart(
             break
         length *= 0.5
     return best
+
+
+def cross(
+    system: RightHandSide, projection: Projection, t: float, y: Floats, distance: float, end: float
+) -> Departure | None:
+    """The motion across a singular position that lies `distance` seconds ahead; None if this one has to be looked at
+    closer.
+
+    Accelerations are wild there, the motion along a branch is not: the nodes lie beyond. The fitted motion must keep to
+    the constraints all the way; where branches do not meet but turn away from each other it does not.
+    """
+    length = min(_ACROSS * distance, 0.999 * (end - t))
+    if length < _LEAST_ACROSS * distance:
+        return None
+    slopes = _collocated(system, projection, t, y, length)
+    if slopes is None or _error(slopes) > _SMOOTH:
+        return None
+    states = _states(y, slopes, system.n, length, _BETWEEN)
+    times = (t + length * _BETWEEN).tolist()
+    off = [projection.distance(time, state) for time, state in zip(times, states, strict=True)]
+    reached = projection(t + length, _states(y, slopes, system.n, length, _NODES[-1:])[0])
+    if reached is None or not max(off) <= _KEPT:
+        return None
+    return Departure(t, length, y, slopes, system.n, reached)
 
 
 def _collocated(system: RightHandSide, projection: Projection, t: float, y: Floats, length: float) -> Floats | None:

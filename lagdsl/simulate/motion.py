@@ -15,7 +15,7 @@ from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.accuracy import Accuracy
-from lagdsl.simulate.departure import depart
+from lagdsl.simulate.departure import cross, depart
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.integrators import METHODS, Method
@@ -115,7 +115,11 @@ class Motion:
                 stepper = self._stepper(before, y_before, end, step / 4.0)
                 continue
             self._accept(stepper, projected)
-            stepper = self._reconsider(stepper, step, end)
+            crossed = self._cross_singular_position(float(stepper.t), stepper.y, end)
+            if crossed is not None:
+                stepper = self._stepper(*crossed, end, None)
+            else:
+                stepper = self._reconsider(stepper, step, end)
         return np.asarray(stepper.y)
 
     def _leave_singular_position(self, t: float, y: Floats, end: float) -> tuple[float, Floats]:
@@ -124,6 +128,19 @@ class Motion:
         found = depart(self._system, exact, self._space.sizes, t, y, end)
         if found is None:
             return t, y
+        self._record_inside(found.t + found.length, lambda: found.at)
+        self._reached(found.t + found.length, found.y)
+        return found.t + found.length, found.y
+
+    def _cross_singular_position(self, t: float, y: Floats, end: float) -> tuple[float, Floats] | None:
+        """The state beyond a singular position just ahead, if there is one and the motion leads across."""
+        distance = self._ranks.ahead()
+        if distance is None or t >= end:
+            return None
+        exact = Projection(self._system, self._space, 0.0)
+        found = cross(self._system, exact, t, y, distance, end)
+        if found is None:
+            return None
         self._record_inside(found.t + found.length, lambda: found.at)
         self._reached(found.t + found.length, found.y)
         return found.t + found.length, found.y
@@ -220,7 +237,7 @@ class Motion:
         q = np.ascontiguousarray(self._system.split(y)[0])
         space = replace(self._space, t=t, z=self._system.split(y)[2].copy(), u=self._system.inputs(t))
         jacobian = space.velocity(q, self._space.qd)[1]
-        now = self._ranks.singular(jacobian)
+        now = self._ranks.singular(t, jacobian)
         if now is None:
             return
         row = self._ranks.weakest(jacobian)

@@ -57,6 +57,13 @@ class Projection:
         velocity = self.system.engine.evaluate("velocity_constraint", t, q, qd, *rest)[0]
         return float(np.max(np.abs(phi), initial=0.0)), float(np.max(np.abs(velocity), initial=0.0))
 
+    def distance(self, t: float, y: Floats) -> float:
+        """Largest position residual as a part of the natural size of its row."""
+        q, qd, z = (part.copy() for part in self.system.split(y))
+        rest = (z, self.system.inputs(t), self.system.w, self.system.p)
+        phi = self.system.engine.evaluate("position_constraint", t, q, qd, *rest)[0]
+        return float(np.max(np.abs(phi) / self.row_sizes, initial=0.0))
+
     def worst(self, t: float, y: Floats) -> tuple[int, float]:
         """Index and residual of the position row that is farthest off."""
         q, qd, z = (part.copy() for part in self.system.split(y))
