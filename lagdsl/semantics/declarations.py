@@ -57,11 +57,16 @@ def _report_twice(ctx: Context, name: str, other: Entry, entry: Entry, span: Spa
     first, second, place = _title(other), _title(entry), _place(other)
     if place is not None and place.file is span.file and place.start > span.start:
         first, second, place, span = second, first, span, place
-    labels = (Label(place, f"first as {first}"),) if place is not None else ()
+    around = f" of {other.scope.title}" if isinstance(other, Symbol) and _inherited(other, entry) else ""
+    labels = (Label(place, f"first as {first}{around}"),) if place is not None else ()
     ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second)
     label = isinstance(entry, Symbol) and entry.kind in LABELS
     if isinstance(other, Symbol) and other.kind not in LABELS and not label and first != second:
         other.kind = "unknown"  # which of the two a text means nobody knows
+
+
+def _inherited(one: Symbol, two: Entry) -> bool:
+    return isinstance(two, Symbol) and one.scope.owner is not two.scope.owner
 
 
 def _title(entry: Entry) -> str:

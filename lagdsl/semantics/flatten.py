@@ -90,6 +90,8 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
     root = instance_of(symbol, "", node.name_span, None)
     contents = collect(ctx, root, modifiers)
+    if any(diagnostic.code == "E0239" for diagnostic in ctx.sink.diagnostics):
+        return None  # dimensions mean nothing then
     check_switched(ctx, contents)
     assembly = assemble(ctx, root, contents)
     check_splits(ctx)

@@ -42,7 +42,9 @@ class Splits:
 
     def _indices(self, name: str, modifier: nodes.Modifier, scope: Scope) -> Indices | None:
         if len(modifier.subscripts) != len(self.shape):
-            self.ctx.sink.report("E0237", modifier.span, name=name, count=len(self.shape))
+            rank = len(self.shape)
+            what = f"an array with {rank} subscript{'s' if rank > 1 else ''}" if rank else "a single component"
+            self.ctx.sink.report("E0237", modifier.span, name=name, what=what)
             return None
         found: list[int] = []
         for subscript, extent in zip(modifier.subscripts, self.shape, strict=True):

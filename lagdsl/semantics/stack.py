@@ -29,9 +29,9 @@ class InstanceSink(Sink):
                 if key in self._told:
                     return
                 self._told.add(key)
-                known = [label.span for label in diagnostic.labels]
-                new = tuple(label for label in places if label.span not in known)
-                diagnostic = replace(diagnostic, labels=(*diagnostic.labels, *new))
+            known = [label.span for label in diagnostic.labels]
+            new = tuple(label for label in (*_modified(self.ctx, span), *places) if label.span not in known)
+            diagnostic = replace(diagnostic, labels=(*diagnostic.labels, *new)) if new else diagnostic
         super().add(diagnostic)
 
 
@@ -47,6 +47,17 @@ def _instance_at(ctx: Context, span: Span) -> Instance | None:
                 return owner.instance
             step = owner.instance.around
     return None
+
+
+def _modified(ctx: Context, span: Span) -> tuple[Label, ...]:
+    """What gets its value where the fault is, if it is declared in another class."""
+    if not ctx.active:
+        return ()
+    symbol = ctx.active[-1][0]
+    owner = symbol.scope.owner
+    if owner.text is None or _holds(owner.text, span) or owner.instance is None or owner.instance.around is None:
+        return ()
+    return (Label(symbol.span, f"`{symbol.short}` is declared here as {symbol.title}"),)
 
 
 def _holds(text: Span, span: Span) -> bool:

@@ -44,7 +44,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0222": error("the model has no structural parameter `{name}`"),
     "E0223": error("{model} has no `{name}`", label="cannot be modified"),
-    "E0224": error("`{name}` cannot be given another value from outside", label="fixed where it is declared"),
+    "E0224": error("`{name}` cannot be given another value from outside", label="it is fixed"),
     "E0225": error(
         "component `{name}` would hold itself without end: {path}", label="a component of a class that it is part of"
     ),
@@ -76,9 +76,9 @@ ROWS: dict[str, Row] = {
     ),
     "E0236": error("`{name}` is modified as what it is not", label="does not fit"),
     "E0237": error(
-        "`{name}` does not have the elements that are modified",
-        label="needs {count} subscripts",
-        help="the subscripts of a modifier are those of an array of components",
+        "the subscripts do not fit: `{name}` is {what}",
+        label="there is no such element",
+        help="the subscripts of a modifier choose one element of an array of components",
     ),
     "E0238": error(
         "`{prefix}` does not fit a component of a class",
