@@ -35,7 +35,7 @@ ROWS: dict[str, Row] = {
     "E0705": error(
         "`{name}.{port}` is joined already: which frame of `{name}` is meant here?",
         "ambiguous",
-        "name the frame, as in `{name}.{port}`",
+        "name the frame that is meant: {ports}",
     ),
     "E0706": error(
         "this kinematics cannot be followed backward",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from lagdsl.diagnostics import Severity
 from lagdsl.semantics.assembly import graph, kinematics
 from lagdsl.semantics.assembly.assembly import Assembly, Parts
 from lagdsl.semantics.assembly.chains import Chains
@@ -28,6 +29,7 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     Called when all names, modifiers and items are known and nothing is elaborated yet. Single frames and coordinates
     are made when they are asked for.
     """
+    before = _errors(ctx)
     net = Net(ctx, Mentions(ctx))
     for placed in contents.kinematics:
         with ctx.inside(placed.scope):
@@ -39,6 +41,7 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
         assert isinstance(placed.node, nodes.Connect)
         with ctx.inside(placed.scope):
             connections.connect(placed.scope, placed.node)
+    whole = _errors(ctx) == before
     merges.settle()
     networks.settle()
     net.shared.update(merges.merged)
@@ -58,10 +61,14 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
         for able, wish, link in zip(solvable, wanted, net.links, strict=True)
     ]
     closures = Closures(ctx, net, routes, loops.cuts(equations, computed), loops.ties(), values)
-    assembly = Assembly(ctx, Parts(net, routes, closures, merges, networks), contents.instances)
+    assembly = Assembly(ctx, Parts(net, routes, closures, merges, networks, whole), contents.instances)
     ctx.assembly = assembly
-    report_islands(ctx, net, routes, contents.instances)
+    report_islands(ctx, net, routes, contents.instances if whole else ())
     return assembly
+
+
+def _errors(ctx: Context) -> int:
+    return sum(diagnostic.severity == Severity.ERROR for diagnostic in ctx.sink.diagnostics)
 
 
 def _solvable(net: Net, equations: dict[Instance, list[Placed]]) -> list[bool]:

@@ -24,13 +24,14 @@ from lagdsl.source import Span
 
 @record()
 class Parts:
-    """The findings of one assembly."""
+    """The findings of one assembly; it is `whole` if every text of it was understood."""
 
     net: Net
     routes: Routes
     closures: Closures
     merges: Merges
     networks: Networks
+    whole: bool
 
 
 class Assembly:
@@ -42,6 +43,7 @@ class Assembly:
         self._merges, self._networks = parts.merges, parts.networks
         self._instances = {instance.scope.prefix: instance for instance in instances}
         self._cuts = {cut.link.number: cut for cut in parts.closures.cuts}
+        self._whole = parts.whole
         self._reported: set[str] = set()
 
     def is_open(self, symbol: Symbol, indices: Indices) -> bool:
@@ -63,7 +65,7 @@ class Assembly:
         instance = self._instances.get(symbol.scope.prefix)
         if instance is None:
             return None
-        if instance.name not in self._reported:
+        if self._whole and instance.name not in self._reported:
             self._reported.add(instance.name)
             report(self._ctx, [instance])
         return POISON
@@ -87,7 +89,8 @@ class Assembly:
     def close(self) -> None:
         """Add the constraints that close loops, and those of the nodes of networks."""
         self._closures.finish()
-        self._networks.finish()
+        if self._whole:
+            self._networks.finish()
 
     def joints(self) -> tuple[Joint, ...]:
         """The links with coordinates, in the order of the text."""

@@ -7,6 +7,7 @@ from lagdsl.semantics.assembly.net import WORLD, Net
 from lagdsl.semantics.assembly.paths import Absent, Element, World, base_of, target_of
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Binding, Instance, Scope, Symbol
+from lagdsl.semantics.values import Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
@@ -88,7 +89,8 @@ class Chains:
             number = self._net.port(symbol, ())
             if number in self._taken:
                 label = Label(self._taken[number], "joined here")
-                self._ctx.sink.report("E0705", item.span, label, name=name, port=port_name)
+                listed = " or ".join(f"`{name}.{each}`" for each in ports)
+                self._ctx.sink.report("E0705", item.span, label, name=name, port=port_name, ports=listed)
                 return None
             taken.append((number, item.span))
             found.append(number)
@@ -106,7 +108,7 @@ def ports_of(instance: Instance) -> dict[str, Symbol]:
 
 def refuse(ctx: Context, scope: Scope, item: nodes.Expression) -> None:
     """What cannot be connected: the fault in the text itself, or E0701."""
-    before = len(ctx.sink.diagnostics)
-    ctx.elaborate(ctx, scope, item, False)
-    if len(ctx.sink.diagnostics) == before:
+    target = target_of(ctx, scope, item)
+    known = isinstance(target, Element) and target.symbol.kind == "frame"
+    if known or not isinstance(ctx.elaborate(ctx, scope, item, False), Poison):
         ctx.sink.report("E0701", item.span, what=f"`{item.span.text}`")

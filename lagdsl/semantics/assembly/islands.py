@@ -13,7 +13,10 @@ from lagdsl.semantics.values import POISON
 
 
 def report_islands(ctx: Context, net: Net, routes: Routes, instances: Sequence[Instance]) -> None:
-    """E0702 for each group of components with kinematics that hangs together and is not reached."""
+    """E0702 for each group of components with kinematics that hangs together and is not reached.
+
+    Only `instances` are spoken of.
+    """
     names = {instance.scope.prefix: instance for instance in instances}
     groups = _groups(net, routes)
     for ports in groups:
@@ -22,7 +25,8 @@ def report_islands(ctx: Context, net: Net, routes: Routes, instances: Sequence[I
             symbol = net.ports[number].symbol
             if symbol is not None and symbol.scope.prefix in names:
                 found[names[symbol.scope.prefix]] = None
-        report(ctx, list(found))
+        if found:
+            report(ctx, list(found))
         for number in ports:
             port = net.ports[number]
             if port.symbol is not None and port.indices not in port.symbol.bindings:

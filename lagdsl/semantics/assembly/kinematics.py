@@ -7,6 +7,7 @@ from lagdsl.semantics.assembly.paths import Element, World, base_of, target_of
 from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Binding, Scope
+from lagdsl.semantics.values import Poison
 from lagdsl.syntax import nodes
 
 
@@ -22,10 +23,10 @@ def link(ctx: Context, net: Net, placed: Placed) -> None:
             assert child is not None
             net.link(found, child, Binding(other, placed.scope, item.span), placed.instance)
             return
-    before = len(ctx.sink.diagnostics)
-    for side in (item.left, item.right):
-        ctx.elaborate(ctx, placed.scope, side, False)
-    if len(ctx.sink.diagnostics) == before:
+    others = [side for side in (item.left, item.right) if port_of(ctx, net, placed.scope, side) is None]
+    readable = [side for side in others if not net.mentions.of(placed.scope, side)[0]]
+    values = [ctx.elaborate(ctx, placed.scope, side, False) for side in readable]
+    if not any(isinstance(value, Poison) for value in values):
         ctx.sink.report("E0700", item.span)
 
 

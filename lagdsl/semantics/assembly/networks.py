@@ -86,7 +86,8 @@ class Networks:
             self._unbound(node, name)
             return
         if max(term.order for term in terms) != Order.RATE:
-            self._ctx.sink.report("E0715", span, *(Label(flow.span, "a flow") for flow in flows[:3]), name=first.name)
+            given = [Label(binding.span, "a flow") for flow in flows[:3] for binding in flow.bindings.values()]
+            self._ctx.sink.report("E0715", span, *given, name=first.name)
             return
         if len(node) == 1:
             self._ctx.sink.report("W0716", first.span, name=first.name)
