@@ -16,6 +16,8 @@ from lagdsl.mechanics.structure_points import Geometry, Probe, part_ranks
 from lagdsl.record import record
 from lagdsl.semantics.flat_model import Closure, FlatModel
 
+_GROUND = "the potentials are known up to a constant only; in a circuit a `Ground` at one node settles it"
+
 
 @record()
 class Dependence:
@@ -62,7 +64,9 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], fou
                 sink.report("N0605", place(item.constraint), name=item.constraint.name, component=component + 1)
             else:
                 others = _sources(space, points[-1], found, split, row)
-                sink.report("N0607", place(item.constraint), name=item.constraint.rows[component], others=others)
+                help = _GROUND if item.constraint.node else None
+                name = item.constraint.rows[component]
+                sink.report("N0607", place(item.constraint), help=help, name=name, others=others)
     alike: dict[tuple[object, ...], list[_Loop]] = {}
     for loop in _loops(flat):
         surplus = sum(found.redundant[row] for row in loop.rows)

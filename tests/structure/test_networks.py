@@ -1,4 +1,4 @@
-"""E0503 in networks: which coordinates move without kinetic energy, and what to do."""
+"""Networks: which coordinates move without kinetic energy, which potentials are open, and what to do."""
 
 from __future__ import annotations
 
@@ -49,3 +49,30 @@ def test_a_loose_flange_is_told_with_its_component() -> None:
     assert error.code == "E0503" and error.message == "`oil.phi_b` has no inertia"
     assert [label.span.text for label in error.labels] == ["phi_b", "oil"]
     assert error.help is not None and error.help.startswith("connect it")
+
+
+CIRCUIT = """
+model Circuit
+  import Lag.Electrical.*;
+  Capacitor C1(C = 10 uF, q(start = 1 mC));
+  {coil}
+  {ground}
+  connect(C1.p, other.p);
+  connect(C1.n, other.n{to_ground});
+end Circuit;
+"""
+
+
+def test_a_circuit_without_ground_is_told_what_is_missing() -> None:
+    text = CIRCUIT.format(coil="Inductor other(L = 10 mH);", ground="", to_ground="")
+    (note,) = lagdsl.check(text)
+    assert note.code == "N0607" and note.help is not None and "Ground" in note.help
+
+
+def test_a_resistor_across_a_capacitor_is_told_with_both() -> None:
+    text = CIRCUIT.format(coil="Resistor other(R = 1 Ohm);", ground="Ground ground;", to_ground=", ground.p")
+    (error,) = _errors(text)
+    assert error.code == "E0503" and error.message == "`other.q` has no inertia"
+    assert error.notes == ("der(C1.q) and der(other.q) can change together without kinetic energy",)
+    assert [label.span.text for label in error.labels] == ["q", "other"]
+    assert not _errors(text.replace("Resistor other(R = 1 Ohm)", "Inductor other(L = 1 mH)"))
