@@ -11,9 +11,10 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, quotient, report_unequal
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import Variability
-from lagdsl.semantics.naming import kind_of, quantity
+from lagdsl.semantics.naming import an, kind_of, quantity
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
+    NUMERIC,
     POISON,
     Array,
     Kind,
@@ -90,7 +91,7 @@ def binary(ctx: Context, scope: Scope, node: nodes.Binary, left: Value, right: V
 
 def _numeric(ctx: Context, operand: Operand) -> Numeric | None:
     value = operand.value
-    if isinstance(value, Scalar | Vector | Array) and getattr(value, "kind", "Real") != "Boolean":
+    if isinstance(value, Scalar | Vector | Array) and getattr(value, "kind", "Real") in NUMERIC:
         return value
     ctx.sink.report("E0312", operand.node.span, expected="a number or a vector", found=kind_of(value))
     return None
@@ -336,11 +337,13 @@ def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, rig
             ctx.sink.report("E0312", operand.node.span, expected="a scalar", found=kind_of(operand.value))
             return POISON
     assert isinstance(one, Scalar) and isinstance(two, Scalar)
-    if (one.kind == "Boolean") != (two.kind == "Boolean") or (
-        one.kind == "Boolean" and node.operator not in ("==", "<>")
+    if not (one.kind in NUMERIC and two.kind in NUMERIC) and (
+        one.kind != two.kind or node.operator not in ("==", "<>")
     ):
-        wrong, value = (left, one) if one.kind == "Boolean" else (right, two)
-        ctx.sink.report("E0312", wrong.node.span, expected="a number", found=kind_of(value))
+        blame_left = one.kind not in NUMERIC and (two.kind in NUMERIC or two.kind == one.kind)
+        wrong, other = (left, two) if blame_left else (right, one)
+        expected = "a number" if blame_left or other.kind in NUMERIC else kind_of(other)
+        ctx.sink.report("E0312", wrong.node.span, expected=expected, found=kind_of(wrong.value))
         return POISON
     if not fits(one.dimension, two.dimension):
         report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
@@ -400,12 +403,11 @@ def choice(
     """`if condition then value else otherwise`, branches of one shape and dimension."""
     if isinstance(value.value, Poison) or isinstance(otherwise.value, Poison):
         return POISON
-    logic = [operand for operand in (value, otherwise) if getattr(operand.value, "kind", "") == "Boolean"]
-    if len(logic) == 1:
-        other = otherwise if logic[0] is value else value
-        ctx.sink.report(
-            "E0312", other.node.span, expected="a Boolean, like the other branch", found=kind_of(other.value)
-        )
+    kinds = [getattr(operand.value, "kind", "Real") for operand in (value, otherwise)]
+    if kinds[0] != kinds[1] and not (kinds[0] in NUMERIC and kinds[1] in NUMERIC):
+        named, other = (otherwise, value) if kinds[0] in NUMERIC else (value, otherwise)
+        expected = f"{an(kinds[0] if named is value else kinds[1])}, like the other branch"
+        ctx.sink.report("E0312", other.node.span, expected=expected, found=kind_of(other.value))
         return POISON
     pair = aligned(ctx, value, otherwise, node)
     if pair is None:

@@ -10,9 +10,10 @@ from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import operand
 from lagdsl.semantics.limits import another_turn, range_fits
-from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.naming import an, kind_of
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
+    NUMERIC,
     POISON,
     AnyDimension,
     Array,
@@ -64,6 +65,12 @@ def _stack(ctx: Context, node: nodes.Node, values: list[Scalar | Array], dimensi
     for value in values:
         elements.extend(value.elements if isinstance(value, Array) else (value.expression,))
     kinds = {value.kind for value in values}
+    if len(kinds) > 1 and not kinds <= set(NUMERIC):
+        odd = next(value for value in values[1:] if value.kind != values[0].kind)
+        ctx.sink.report(
+            "E0312", node.span, expected=f"elements of one kind, such as {an(values[0].kind)}", found=an(odd.kind)
+        )
+        return POISON
     kind = kinds.pop() if len(kinds) == 1 else "Real"
     return Array(tuple(elements), (len(values), *shapes[0]), dimension, latest(*values), highest(*values), kind)
 

@@ -19,6 +19,7 @@ from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import arguments_text, kind_of, quantity
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
+    NUMERIC,
     POISON,
     AnyDimension,
     Array,
@@ -59,7 +60,7 @@ def scalars(call: Application) -> list[Scalar] | None:
     """All arguments as real scalars, or None after a diagnostic."""
     found: list[Scalar] = []
     for item in call.arguments:
-        if isinstance(item.value, Scalar) and item.value.kind != "Boolean":
+        if isinstance(item.value, Scalar) and item.value.kind in NUMERIC:
             found.append(item.value)
         elif not isinstance(item.value, Poison):
             expected = f"a scalar in `{call.name}`"

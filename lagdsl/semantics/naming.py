@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.semantics.values import (
+    NUMERIC,
     AnyDimension,
     Array,
     Component,
@@ -34,8 +35,8 @@ def quantity(dimension: AnyDimension) -> str:
 def kind_of(value: Value) -> str:
     """What sort of thing a value is, with its unit: `a scalar [m]`, `an array of 3 [rad]`, `a frame`."""
     match value:
-        case Scalar(kind="Boolean"):
-            return "a Boolean"
+        case Scalar(kind=kind) if kind not in NUMERIC:
+            return an(kind)
         case Scalar():
             return f"a scalar{_bracket(value.dimension)}"
         case Vector():

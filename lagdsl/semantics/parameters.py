@@ -99,7 +99,7 @@ def _element(
         minimum=bounds[0],
         maximum=bounds[1],
         structural=folded,
-        kind=symbol.info.base,
+        kind="Boolean" if symbol.info.base == "Boolean" else "Real" if symbol.info.base == "Real" else "Integer",
     )
     ctx.parameters.append(parameter)
     expression = flat.Number(number) if folded else flat.Variable(name)

@@ -24,6 +24,7 @@ _KINDS: dict[tuple[str, ...], SymbolKind] = {
     ("final", "output"): "output",
     ("flow",): "algebraic",
 }
+_VARYING = ("Real", "Integer", "Boolean")
 _LATER = {
     "discrete": "discrete variables come with events",
     "replaceable": "components and classes are replaceable; a quantity gets another value by a modifier",
@@ -57,11 +58,11 @@ def check_component(ctx: Context, item: nodes.Component) -> None:
 
 
 def type_fits(ctx: Context, kind: SymbolKind, info: TypeInfo, span: Span) -> bool:
-    """Motion is real; texts are parameters."""
+    """Motion is real; texts and values of enumerations are parameters."""
     if kind in ("coordinate", "state", "input") and info.base != "Real":
         ctx.sink.report("E0312", span, expected=f"a Real type for {an(kind)}", found=an(info.base))
         return False
-    if info.base == "String" and kind not in ("parameter", "structural", "constant"):
-        ctx.sink.report("E0312", span, expected=f"a numeric type for {an(kind)}", found="a String")
+    if info.base not in _VARYING and kind not in ("parameter", "structural", "constant"):
+        ctx.sink.report("E0312", span, expected=f"a numeric type for {an(kind)}", found=an(info.base))
         return False
     return True

@@ -7,13 +7,14 @@ Names and units of the types are those of Modelica.Units.SI (Modelica Standard L
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import TypeAlias
 
 from lagdsl.record import record
 from lagdsl.units.dimension import Dimension
 from lagdsl.units.parse import parse_unit
 
-BaseType = Literal["Real", "Integer", "Boolean", "String"]
+BaseType: TypeAlias = str
+"""`Real`, `Integer`, `Boolean`, `String` or the name of an enumeration."""
 
 
 @record()

@@ -6,7 +6,7 @@ import re
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import arrays, geometry, prelude
+from lagdsl.semantics import arrays, enumerations, geometry, prelude
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.builtin import BUILTINS
 from lagdsl.semantics.context import Context
@@ -135,6 +135,9 @@ def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:
         return _value(ctx, entry, node)
     if not_in_package(ctx, scope, node):
         return POISON
+    kind = designated(ctx, scope, node.target)
+    if isinstance(kind, TypeSymbol):
+        return enumerations.literal(ctx, kind, node)
     return geometry.member(ctx, node, ctx.elaborate(ctx, scope, node.target, False))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import prelude
+from lagdsl.semantics import enumerations, prelude
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.imports import import_hint
 from lagdsl.semantics.naming import an
@@ -78,8 +78,7 @@ def _defined(ctx: Context, entry: TypeSymbol, depth: int) -> TypeInfo | None:
         ctx.sink.report("E0311", name, what="a short class definition used as a type", hint="use `type X = ...;`")
         return None
     if definition.base is None:
-        ctx.sink.report("E0311", definition.span, what="an enumeration", hint="use an Integer for now")
-        return None
+        return enumerations.type_of(ctx, entry)
     base = resolve_type(ctx, definition.base, entry.scope, depth + 1)
     if base is None:
         return None

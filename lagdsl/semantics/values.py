@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntEnum
-from typing import TYPE_CHECKING, Literal, TypeAlias, final
+from typing import TYPE_CHECKING, TypeAlias, final
 
 from lagdsl.record import record
 from lagdsl.semantics import flat_expression as flat
@@ -20,7 +20,10 @@ from lagdsl.units.dimension import LENGTH
 if TYPE_CHECKING:
     from lagdsl.semantics.scope import Instance, InstanceArray
 
-Kind: TypeAlias = Literal["Real", "Integer", "Boolean"]
+Kind: TypeAlias = str
+"""`Real`, `Integer`, `Boolean` or the name of an enumeration."""
+
+NUMERIC = ("Real", "Integer")
 AnyDimension: TypeAlias = "Dimension | None"
 
 

@@ -128,4 +128,5 @@ ROWS: dict[str, Row] = {
         label="given again here",
         help="keep one of the two",
     ),
+    "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
 }
