@@ -25,8 +25,8 @@ def _model(name: str) -> lagdsl.Model:
 
 @cache
 def _motion(name: str) -> lagdsl.Trajectory:
-    tolerance = 1e-8 if name == "slider_crank" else 1e-10
-    return _model(name).simulate(tolerance=tolerance)
+    tolerance = 1e-8 if name.startswith("slider_crank") else 1e-10
+    return _model(name).simulate(tolerance=tolerance, stop=expectations(name).get("until"))
 
 
 @EVERY

@@ -10,8 +10,8 @@ from models.references.linkages import slider_crank
 Parameters = Mapping[str, float]
 
 BANKS = np.radians([30, -30, 30, -30, 30, -30])
-THROWS = np.radians([30, 90, 270, 330, 150, 210])
-FIRES = np.radians([0, 300, 120, 420, 240, 540])
+THROWS = np.radians([30, 210, 150, 330, 270, 90])
+FIRES = np.radians([0, 120, 240, 360, 480, 600])
 
 
 def slider_crank_components(p: Parameters, t: Floats) -> dict[str, Floats]:

@@ -1,8 +1,8 @@
 """Rigid bodies with six coordinates each, Newton's and Euler's equations, joints as constraints on accelerations.
 
-Nothing is shared with Lagrange's equations: no generalized coordinates, no energies (Haug, Computer Aided Kinematics and
-Dynamics of Mechanical Systems, chapters 9 and 11). Without stabilization, which tight tolerances and short motions do
-not need.
+Nothing is shared with Lagrange's equations: no generalized coordinates, no energies (Haug, Computer Aided Kinematics
+and Dynamics of Mechanical Systems, chapters 9 and 11). Without stabilization, which tight tolerances and short motions
+do not need.
 """
 
 from __future__ import annotations

@@ -15,7 +15,8 @@ START = (
     -0.222668390165885884674473185609,
     1.23054744454982119249735015568,
 )
-COLUMNS = ("beta", "Theta", "gamma", "Phi", "delta", "Omega", "epsilon")
+PINS = ("O.q", "P.q", "B.q", "E.q", "A5.q", "H.q", "A7.q")
+"""The pins whose angles are beta, Theta, gamma, Phi, delta, Omega and epsilon."""
 
 
 def andrews_squeezer(_: Mapping[str, float], t: Floats) -> dict[str, Floats]:
@@ -32,7 +33,7 @@ def andrews_squeezer(_: Mapping[str, float], t: Floats) -> dict[str, Floats]:
         return np.concatenate([v, np.linalg.solve(matrix, np.concatenate([force, gamma]))[:7]])
 
     x = solve(rates, [*START, *(7 * [0.0])], t, tolerance=1e-13)
-    return dict(zip(COLUMNS, x[:7], strict=True))
+    return dict(zip(PINS, x[:7], strict=True))
 
 
 def _equations(q: Floats, v: Floats) -> tuple[Floats, Floats, Floats, Floats]:
