@@ -37,7 +37,7 @@ _ACROSS = 8.0
 _LEAST_ACROSS = 4.0
 _BETWEEN = np.array([0.06, 0.125, 0.19, 0.25, 0.6])
 _KEPT = 1e-9
-_SMOOTH = 1e-5
+_SMOOTH = 1e-6
 
 
 @dataclass(frozen=True, slots=True)

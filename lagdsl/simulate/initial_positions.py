@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.mechanics.partition import partition
 from lagdsl.mechanics.rank import Floats, rank
 from lagdsl.mechanics.structure_names import configuration, located, unit_suffix
 from lagdsl.mechanics.structure_points import HOLDS, random_points
@@ -36,7 +37,8 @@ def positions(task: Problem, sink: Sink) -> Floats:
         ((other - space.q) / widths)[free]
         for other in random_points(task.flat.coordinates, space.q, space.sizes, _TRIES, task.seed)
     ]
-    found = search(equations, len(free), others, holds=HOLDS)
+    split = partition(space.pattern[rows][:, free])
+    found = search(equations, len(free), others, holds=HOLDS, partition=split)
     if found.size > HOLDS:
         _report(task, placed(found.point), rows, free, sink)
     return placed(found.point)
