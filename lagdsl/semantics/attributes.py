@@ -29,10 +29,10 @@ ALLOWED: dict[str, tuple[str, ...]] = {
     "point": (),
     "frame": (),
 }
-QUATERNION = ("start", "fixed", "symbol", "der.start", "der.fixed", "omega.start", "omega.fixed")
+QUATERNION = ("start", "fixed", "symbol", "der.start", "der.fixed", "omega.start", "omega.fixed", "prefer")
 # Attributes of Modelica that exist but may not fit the thing they stand at.
 KNOWN = ("start", "fixed", "min", "max", "nominal", "unit", "displayUnit", "symbol", "smooth", "der", "omega")
-LATER = {"prefer": "the choice of coordinates in closed loops", "stateSelect": "the choice of states"}
+LATER = {"stateSelect": "the choice of states"}
 
 
 @dataclass(frozen=True, slots=True)

@@ -121,6 +121,8 @@ class Assembly:
         """The wrench exerted by the side of frame_a on the side of frame_b, at the origin of frame_b (section 6.2)."""
         links = self._net.joints_of.get(instance, [])
         ports = ports_of(instance)
+        if not self._whole:
+            return POISON
         if not links and len(ports) == 1:
             return self._of_port(instance, next(iter(ports.values())))
         if len(links) != 1 or not self._known(links[0]):

@@ -146,8 +146,8 @@ class Closures:
 
     def _tell_starts(self, known: list[flat_model.Coordinate]) -> None:
         """N0718 for starts that are no longer needed."""
-        for item in known:
-            span = item.start_span or item.rate_start_span
+        spans = {item.start_span or item.rate_start_span: item for item in reversed(known)}
+        for span, item in spans.items():
             if span is not None:
                 self._ctx.sink.report("N0718", span, name=item.name)
 

@@ -198,25 +198,45 @@ class Solver:
         end = self._frame(self._end, _undone(steps[place + 1 :]))
         way = flat.Binary("-", origin_of(end), origin_of(base))
         names = self._free(*step.offset)
-        parts = [linear_in(part, self._free(part)) for part in step.offset]
+        factors, rest = self._columns(step.offset, names)
+        parts = [minus(flat.Dot(way, axis_of(base, k)), rest[k]) for k in range(3)]
+        along = [_product(column, parts) for column in factors]
+        square = [[_product(one, two) for two in factors] for one in factors]
+        for name, value in zip(names, _solved(square, along), strict=True):
+            self._give(name, value)
+
+    def _columns(
+        self, offset: tuple[FlatExpression, ...], names: list[str]
+    ) -> tuple[list[list[FlatExpression]], list[FlatExpression]]:
+        """offset = sum of coordinate * column + rest."""
+        columns: list[list[FlatExpression]] = []
+        rest = list(offset)
         for name in names:
-            rows = [k for k, (found, _, _) in enumerate(parts) if found == name]
-            factors = [parts[k][1] for k in rows]
-            lengths = [minus(flat.Dot(way, axis_of(base, k)), parts[k][2]) for k in rows]
-            if self._free(*factors, *lengths):
+            found = [linear(part, name) for part in rest]
+            known = [part for part in found if part is not None]
+            if len(known) < len(found) or self._free(*(factor for factor, _ in known)):
                 raise NoFormulaError
-            measured = total([times(a, b) for a, b in zip(factors, lengths, strict=True)])
-            self._give(name, over(measured, total([times(a, a) for a in factors])))
+            columns.append([factor for factor, _ in known])
+            rest = [remainder for _, remainder in known]
+        return columns, rest
 
 
-def linear_in(part: FlatExpression, names: list[str]) -> tuple[str | None, FlatExpression, FlatExpression]:
-    """Name, factor and rest of a component of an offset."""
-    if not names:
-        return None, flat.ZERO, part
-    found = linear(part, names[0]) if len(names) == 1 else None
-    if found is None:
+def _product(one: list[FlatExpression], two: list[FlatExpression]) -> FlatExpression:
+    return total([times(a, b) for a, b in zip(one, two, strict=True)])
+
+
+def _solved(square: list[list[FlatExpression]], along: list[FlatExpression]) -> list[FlatExpression]:
+    """The normal equations of up to two coordinates, or of any number along directions across each other."""
+    count = len(along)
+    if all(square[i][j] == flat.ZERO for i in range(count) for j in range(count) if i != j):
+        return [over(along[k], square[k][k]) for k in range(count)]
+    if count != 2:
         raise NoFormulaError
-    return names[0], *found
+    (a, b), (_, c) = square
+    size = minus(times(a, c), times(b, b))
+    one = minus(times(c, along[0]), times(b, along[1]))
+    two = minus(times(a, along[1]), times(b, along[0]))
+    return [over(one, size), over(two, size)]
 
 
 def turn_near(at: FlatExpression, cosine: FlatExpression, sine: FlatExpression) -> FlatExpression:
