@@ -9,14 +9,13 @@ import pytest
 
 import lagdsl
 
-PAGES = ("README.md", "docs/language.md", "docs/mechanics.md")
+PAGES = ("README.md", "docs/language.md", "docs/mechanics.md", "docs/networks.md")
 LATER = {
     "extends": "extends A;",
     "connect": "connect(world, world);",
     "contact": "contact floor: x >= 0 with restitution = 0.5;",
     "when": "equation when x > 1 m then reinit(der(x), 0); end when;",
     "discrete": "discrete Real d(start = 0);",
-    "table": "output Real y = table(x);",
 }
 
 
