@@ -17,13 +17,14 @@ from lagdsl.mechanics.derive import Derivation
 from lagdsl.mechanics.vanishing import vanish
 from lagdsl.semantics.flat_expression import FlatExpression, GeneralizedMomentum, SystemEnergy, Variable
 from lagdsl.semantics.flat_model import Definition, FlatModel
+from lagdsl.semantics.flat_spans import around
 
 
 def report_proofs(derivation: Derivation, sink: Sink) -> None:
     """A note for each invariant of the model that is proved to hold for every motion and all parameters."""
     for invariant, proved in zip(derivation.flat.invariants, proved_invariants(derivation), strict=True):
         if proved:
-            sink.report("N0515", invariant.spans[0], name=invariant.name)
+            sink.report("N0515", invariant.spans[0], *around(invariant), name=invariant.name)
 
 
 def proved_invariants(derivation: Derivation) -> tuple[bool, ...]:

@@ -44,6 +44,8 @@ from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
 
+_BODY = "a body has no members: read the parameters that give its mass and inertia"
+
 
 class Definitions:
     """The resolver: shapes and values of symbols, each made once."""
@@ -115,7 +117,7 @@ class Definitions:
     def whole(self, symbol: Symbol, span: Span) -> Value:
         """The value of the plain name."""
         if symbol.kind in ("constraint", "body"):
-            hint = f"its force is `multiplier({symbol.short})`" if symbol.kind == "constraint" else None
+            hint = f"its force is `multiplier({span.text})`" if symbol.kind == "constraint" else _BODY
             self.ctx.sink.report("E0219", span, name=symbol.short, what=f"the name of a {symbol.kind}", help=hint)
             return POISON
         shape = self.shape(symbol)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from lagdsl.diagnostics import Label
 from lagdsl.semantics.flat_model import Item
 from lagdsl.source import Span
 
@@ -9,3 +10,8 @@ from lagdsl.source import Span
 def place(item: Item) -> Span | None:
     """The innermost span; None for items that were made without a text."""
     return item.spans[0] if item.spans else None
+
+
+def around(item: Item) -> tuple[Label, ...]:
+    """The components that hold the item, innermost first."""
+    return tuple(Label(span, f"in component `{span.text}`") for span in item.spans[1:])

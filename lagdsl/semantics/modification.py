@@ -9,12 +9,14 @@ from typing import TypeAlias
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Binding, ClassSymbol, Instance, InstanceArray, Scope, Symbol
+from lagdsl.semantics.scope import Binding, ClassSymbol, Entry, Instance, InstanceArray, Scope, Symbol
 from lagdsl.syntax import nodes
 
 Given: TypeAlias = "tuple[nodes.AnyModifier, Scope]"
 
 _REBOUND = ("parameter", "structural", "input", "algebraic", "output", "point", "frame", "coordinate")
+
+_MOST_LISTED = 12
 
 
 @dataclass(slots=True)
@@ -96,13 +98,26 @@ def report_unknown(ctx: Context, changes: Changes, instance: Instance) -> None:
     """E0223 for modifiers of what the class does not have."""
     node = instance.definition.node
     place = node.name_span if isinstance(node, nodes.Class) else node.span
-    members = (Symbol, Instance, InstanceArray, ClassSymbol)
     entries = instance.scope.entries.items()
-    known = [name for name, entry in entries if isinstance(entry, members) and name not in instance.protected]
+    known = [name for name, entry in entries if _is_modifiable(entry) and name not in instance.protected]
     for name, given in changes.by_name.items():
         meant = nearest(name, known)
-        hint = f"did you mean `{meant}`?" if meant else None
+        hint = f"did you mean `{meant}`?" if meant else _listed(known)
+        instance.misfit = True
         for modifier, _ in given:
             span = modifier.name.span if isinstance(modifier, nodes.Modifier) else modifier.span
             label = Label(place, f"{instance.scope.title} is declared here")
             ctx.sink.report("E0223", span, label, name=name, model=instance.scope.title, help=hint)
+
+
+def _is_modifiable(entry: Entry) -> bool:
+    if isinstance(entry, Symbol):
+        return entry.declarator is not None
+    return isinstance(entry, Instance | InstanceArray | ClassSymbol)
+
+
+def _listed(names: list[str]) -> str | None:
+    if not names:
+        return None
+    shown = [f"`{name}`" for name in names[:_MOST_LISTED]]
+    return f"it has {', '.join(shown)}{' and more' if len(names) > _MOST_LISTED else ''}"

@@ -9,6 +9,7 @@ from lagdsl.semantics.flat_degree import RateDegree
 from lagdsl.semantics.flat_dependence import Dependence, Orders
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.semantics.flat_spans import around
 from lagdsl.semantics.wellformed_effect import load_expressions
 from lagdsl.source import Span
 
@@ -18,7 +19,7 @@ def check_linear(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
     degree = RateDegree(dependence)
     for constraint in flat.constraints:
         if constraint.level == "velocity" and any(degree.of(row) > 1 for row in constraint.residuals):
-            sink.report("E0604", constraint.spans[0], name=constraint.name)
+            sink.report("E0604", constraint.spans[0], *around(constraint), name=constraint.name)
 
 
 def check_inputs(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:

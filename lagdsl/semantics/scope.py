@@ -148,7 +148,8 @@ class Instance:
     `kind` is the keyword of its class; `protected` are the names that may not be reached from outside. `members` are
     its quantities and components in the order of the text. A component whose condition is false is not `present`;
     `conditions` of parameters, its own and those of the components around, switch what it contributes. `around` is the
-    scope in which it is declared, None for the model itself.
+    scope in which it is declared, None for the model itself. `misfit`: a modifier of it was wrong, so that what has no
+    value may have been meant by that.
     """
 
     name: str
@@ -161,6 +162,7 @@ class Instance:
     present: bool = True
     conditions: tuple[tuple[Scalar, Span], ...] = ()
     around: Scope | None = None
+    misfit: bool = False
 
 
 @dataclass(eq=False, slots=True)

@@ -76,6 +76,8 @@ def report_missing(ctx: Context, code: str, symbol: Symbol, name: str) -> None:
     if instance is None or instance.around is None:
         ctx.sink.report(code, symbol.span, name=name, kind=symbol.kind)
         return
+    if instance.misfit:
+        return
     short = instance.span.text
     each = "each " if instance.name.endswith("]") else ""
     label = Label(symbol.span, f"declared here as {symbol.title}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from lagdsl.diagnostics import Sink
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.semantics.flat_spans import place
+from lagdsl.semantics.flat_spans import around, place
 
 
 def check_bounds(flat: fm.FlatModel, sink: Sink) -> None:
@@ -15,10 +15,16 @@ def check_bounds(flat: fm.FlatModel, sink: Sink) -> None:
     for item in items:
         low, high = item.minimum, item.maximum
         if low is not None and high is not None and low > high:
-            sink.report("E0517", place(item), name=item.name, reason=f"its min {low:g} is larger than its max {high:g}")
+            sink.report(
+                "E0517",
+                place(item),
+                *around(item),
+                name=item.name,
+                reason=f"its min {low:g} is larger than its max {high:g}",
+            )
         elif item.nominal is not None and not 0.0 < item.nominal < float("inf"):
             reason = f"its nominal size must be positive and finite, found {item.nominal:g}"
-            sink.report("E0517", place(item), name=item.name, reason=reason)
+            sink.report("E0517", place(item), *around(item), name=item.name, reason=reason)
         elif item.start_explicit:
             _check_start(item, evaluator, sink)
 
@@ -34,7 +40,9 @@ def _check_start(item: fm.Coordinate | fm.State, evaluator: Evaluator, sink: Sin
     ):
         if outside and limit is not None:
             value, bound = _shown(start, item.unit), _shown(limit, item.unit)
-            sink.report("W0328", place(item), name=f"{item.name}(start)", value=value, which=word, limit=bound)
+            sink.report(
+                "W0328", place(item), *around(item), name=f"{item.name}(start)", value=value, which=word, limit=bound
+            )
 
 
 def _shown(number: float, unit: str) -> str:

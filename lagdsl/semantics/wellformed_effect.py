@@ -9,7 +9,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence, Orders
-from lagdsl.semantics.flat_spans import place
+from lagdsl.semantics.flat_spans import around, place
 from lagdsl.source import Span
 
 
@@ -18,7 +18,7 @@ def check_unused_coordinates(flat: fm.FlatModel, dependence: Dependence, sink: S
     used = {name for orders in _physics(flat, dependence) for name in orders}
     for coordinate in flat.coordinates:
         if coordinate.name not in used:
-            sink.report("E0501", place(coordinate), name=coordinate.name)
+            sink.report("E0501", place(coordinate), *around(coordinate), name=coordinate.name)
 
 
 def _physics(flat: fm.FlatModel, dependence: Dependence) -> Iterator[Orders]:
@@ -73,7 +73,7 @@ def check_effects(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> Non
         keyword, displaced = _displaced(load, dependence)
         idle = _idle(load)
         if idle is not None:
-            sink.report("W0514", place(load), keyword=keyword, reason=idle)
+            sink.report("W0514", place(load), *around(load), keyword=keyword, reason=idle)
             continue
         _check_place(flat, load, _Place(keyword, "place of this load", displaced), sink)
 
@@ -126,10 +126,10 @@ def _check_place(flat: fm.FlatModel, item: fm.Item, where: _Place, sink: Sink) -
     coordinates = [coordinate.name for coordinate in flat.coordinates]
     rates = [name for name in coordinates if where.orders.get(name)]
     if rates:
-        sink.report("E0508", place(item), what=where.words, rate=f"der({rates[0]})", base=rates[0])
+        sink.report("E0508", place(item), *around(item), what=where.words, rate=f"der({rates[0]})", base=rates[0])
     elif not any(name in where.orders for name in coordinates):
         reason = "no coordinate moves the place where it acts"
-        sink.report("W0514", place(item), keyword=where.keyword, reason=reason)
+        sink.report("W0514", place(item), *around(item), keyword=where.keyword, reason=reason)
 
 
 def _anywhere(flat: fm.FlatModel) -> Span | None:
@@ -141,4 +141,4 @@ def _anywhere(flat: fm.FlatModel) -> Span | None:
         *flat.bodies,
         *flat.outputs,
     )
-    return next((place(item) for item in items if item.spans), None)
+    return next((item.spans[-1] for item in items if item.spans), None)

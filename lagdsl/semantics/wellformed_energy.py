@@ -10,7 +10,7 @@ from lagdsl.semantics.flat_degree import RateDegree
 from lagdsl.semantics.flat_dependence import Dependence, Orders
 from lagdsl.semantics.flat_evaluate import NotEvaluable, Values, evaluate
 from lagdsl.semantics.flat_probe import probes
-from lagdsl.semantics.flat_spans import place
+from lagdsl.semantics.flat_spans import around, place
 
 _POINTS = 6
 # Through zero for abs(v); on one side of it for what is defined there only.
@@ -26,11 +26,13 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
         accelerations = [name for name, order in orders.items() if order > 1]
         rates = [name for name, order in orders.items() if order == 1]
         if accelerations:
-            sink.report("E0512", place(term), keyword=term.kind, acceleration=f"der(der({accelerations[0]}))")
+            sink.report(
+                "E0512", place(term), *around(term), keyword=term.kind, acceleration=f"der(der({accelerations[0]}))"
+            )
         elif term.kind == "potential" and rates:
-            sink.report("E0502", place(term), keyword=term.kind, rate=f"der({rates[0]})")
+            sink.report("E0502", place(term), *around(term), keyword=term.kind, rate=f"der({rates[0]})")
         elif term.kind == "kinetic" and degree.of(term.value) > 2 and not _is_quadratic(flat, term):
-            sink.report("E0504", place(term))
+            sink.report("E0504", place(term), *around(term))
         else:
             _check_effect(term, orders, sink)
     if not sink.has_errors:
@@ -56,15 +58,21 @@ def _check_sign(flat: fm.FlatModel, sink: Sink) -> None:
             parts.append((forth + back) / 2.0 - rest)
         if sum(parts) < -1e-9 * max(map(abs, parts)):
             worst = min(zip(parts, terms, strict=True), key=lambda pair: pair[0])[1]
-            sink.report("W0518", place(worst))
+            sink.report("W0518", place(worst), *around(worst))
             return
 
 
 def _check_effect(term: fm.EnergyTerm, orders: Orders, sink: Sink) -> None:
     if term.kind == "dissipation" and not any(orders.values()):
-        sink.report("W0514", place(term), keyword=term.kind, reason="it depends on no rate, and only rates dissipate")
+        sink.report(
+            "W0514",
+            place(term),
+            *around(term),
+            keyword=term.kind,
+            reason="it depends on no rate, and only rates dissipate",
+        )
     elif not orders:
-        sink.report("W0514", place(term), keyword=term.kind, reason="it depends on no coordinate")
+        sink.report("W0514", place(term), *around(term), keyword=term.kind, reason="it depends on no coordinate")
 
 
 def _is_quadratic(flat: fm.FlatModel, term: fm.EnergyTerm) -> bool:

@@ -10,7 +10,7 @@ from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.semantics.flat_probe import probes
-from lagdsl.semantics.flat_spans import place
+from lagdsl.semantics.flat_spans import around, place
 
 _TOLERANCE = 1e-9
 _MOMENTS = 3
@@ -29,7 +29,7 @@ def check_frames(flat: fm.FlatModel, sink: Sink) -> None:
     for frame in frames:
         reason = next((found for each in evaluators if (found := _fault(frame, each)) is not None), None)
         if reason is not None:
-            sink.report("E0516", place(frame), reason=reason)
+            sink.report("E0516", place(frame), *around(frame), reason=reason)
 
 
 def _delicate(frame: fm.Frame) -> bool:

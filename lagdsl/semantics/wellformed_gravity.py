@@ -12,7 +12,7 @@ from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence
 from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.semantics.flat_probe import probes
-from lagdsl.semantics.flat_spans import place
+from lagdsl.semantics.flat_spans import around, place
 
 _MOST_TERMS = 40  # additive terms of a potential that are told apart
 _TOLERANCE = 1e-9
@@ -37,7 +37,7 @@ def check_gravity(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> Non
 def _check_forgotten(flat: fm.FlatModel, sink: Sink) -> None:
     heavy = _heavy(flat)
     if heavy and not any(term.kind in ("potential", "lagrangian") for term in flat.energies):
-        sink.report("W0510", place(heavy[0]))
+        sink.report("W0510", place(heavy[0]), *around(heavy[0]))
 
 
 def _heavy(flat: fm.FlatModel) -> list[fm.Item]:
@@ -84,7 +84,7 @@ def _check_twice(flat: fm.FlatModel, sink: Sink) -> None:
         if used:
             energy = terms[used[0]][0]
             others = [Label(span) for span in (flat.gravity_span,) if span is not None]
-            sink.report("W0511", place(energy), *others, item=_statement(weight.item))
+            sink.report("W0511", place(energy), *around(energy), *others, item=_statement(weight.item))
 
 
 def _statement(item: fm.Item) -> str:

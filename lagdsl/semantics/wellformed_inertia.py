@@ -10,7 +10,7 @@ from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence
 from lagdsl.semantics.flat_evaluate import Values, evaluate
-from lagdsl.semantics.flat_spans import place
+from lagdsl.semantics.flat_spans import around, place
 
 _MOMENTS = ("Ixx", "Iyy", "Izz")
 _SLACK = 1e-9  # a thin disc lies on the boundary, up to rounding
@@ -50,13 +50,13 @@ class _Checks:
         fixed = {parameter.name for parameter in self.flat.parameters}
         changing = [name for name in self.dependence.of(value) if name not in fixed]
         if changing:
-            self.sink.report("E0505", place(item), what=what, name=changing[0])
+            self.sink.report("E0505", place(item), *around(item), what=what, name=changing[0])
         return not changing
 
     def not_negative(self, item: fm.Item, what: str, value: fx.FlatExpression, unit: str) -> bool:
         number = evaluate(self.flat, value, Values())
         if number < 0.0:
-            self.sink.report("E0506", place(item), what=what, value=f"{number:.6g}", unit=unit)
+            self.sink.report("E0506", place(item), *around(item), what=what, value=f"{number:.6g}", unit=unit)
         return not number < 0.0
 
     def _triangle(self, body: fm.RigidBody) -> None:
@@ -84,4 +84,6 @@ class _Checks:
             self._impossible(body, "I1 + I2", "I3", (*values, note))
 
     def _impossible(self, body: fm.RigidBody, left: str, right: str, notes: tuple[str, ...]) -> None:
-        self.sink.report("E0509", place(body), left=left, right=right, name=body.label or body.frame, notes=notes)
+        self.sink.report(
+            "E0509", place(body), *around(body), left=left, right=right, name=body.label or body.frame, notes=notes
+        )
