@@ -83,11 +83,12 @@ def search(
             found.append(tried)
             best = task.better(tried.sizes < best.sizes, tried, best)
     feasible = best.sizes <= holds
-    nearest_of_all = task.better(feasible, _best(task, None, found), best)
+    if np.any(feasible):
+        best = task.better(feasible, _best(task, None, found), best)
     if np.all(feasible):
-        nearest_of_all = _beyond_bends(task, nearest_of_all, others)
-    residual = equations(nearest_of_all.point)[0]
-    return Descent(point=nearest_of_all.point, residual=residual, size=float(np.max(nearest_of_all.sizes, initial=0.0)))
+        best = _beyond_bends(task, best, others)
+    residual = equations(best.point)[0]
+    return Descent(point=best.point, residual=residual, size=float(np.max(best.sizes, initial=0.0)))
 
 
 def _beyond_bends(task: _Search, best: _Found, others: Sequence[Floats]) -> _Found:
