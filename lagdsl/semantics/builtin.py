@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from math import pi, prod
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics import flat_expression as flat
+from lagdsl.semantics.application import Application
 from lagdsl.semantics.arithmetic import Operand, divided, dot
 from lagdsl.semantics.arrays import elements_of, linspace, reduced
 from lagdsl.semantics.constants import structural_integer
-from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import arguments_text, kind_of, quantity
-from lagdsl.semantics.scope import Scope
+from lagdsl.semantics.tables import table
 from lagdsl.semantics.values import (
     NUMERIC,
     POISON,
     AnyDimension,
     Array,
-    Numeric,
     Poison,
     Scalar,
     Text,
@@ -35,25 +33,9 @@ from lagdsl.semantics.values import (
     highest,
     latest,
 )
-from lagdsl.syntax import nodes
 from lagdsl.units.definition import UnitDefinition
 from lagdsl.units.dimension import DIMENSIONLESS
 from lagdsl.units.parse import UnknownUnit, parse_unit
-
-
-@dataclass(frozen=True, slots=True)
-class Application:
-    """A call with its elaborated arguments."""
-
-    ctx: Context
-    scope: Scope
-    name: str
-    node: nodes.Call
-    arguments: tuple[Operand, ...]
-
-    @property
-    def numeric(self) -> tuple[Numeric, ...]:
-        return tuple(item.value for item in self.arguments if isinstance(item.value, Scalar | Vector | Array))
 
 
 def scalars(call: Application) -> list[Scalar] | None:
@@ -405,6 +387,7 @@ BUILTINS: dict[str, tuple[Builtin, int, int]] = {
     "transpose": (_transpose, 1, 1),
     "size": (_size, 1, 2),
     "linspace": (_linspace, 3, 3),
+    "table": (table, 3, 4),
 }
 
 

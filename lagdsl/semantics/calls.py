@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.semantics import builtin, geometry
+from lagdsl.semantics.application import Application
 from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.inline import inlined
@@ -25,7 +26,6 @@ LATER = {
     "impact": "events",
     "closed": "contacts",
     "impacts": "contacts",
-    "table": "tables",
 }
 
 
@@ -71,7 +71,7 @@ def _builtin(ctx: Context, scope: Scope, node: nodes.Call, name: str) -> Value:
     arguments = []
     for item in _arguments(ctx, scope, node):
         arguments.append(Operand(item.node, geometry.operand(ctx, item.value, item.node.span)))
-    return builtin.apply(builtin.Application(ctx, scope, name, node, tuple(arguments)))
+    return builtin.apply(Application(ctx, scope, name, node, tuple(arguments)))
 
 
 def _method(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.Member) -> Value:
