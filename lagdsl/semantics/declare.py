@@ -18,7 +18,7 @@ from lagdsl.semantics.limits import another_turn
 from lagdsl.semantics.modification import Changes, Given, check_duplicates, modify, report_unknown
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import ClassSymbol, Indices, Instance, InstanceArray, Scope, Symbol, lookup_path
-from lagdsl.semantics.splitting import Splits
+from lagdsl.semantics.splitting import Said, Splits
 from lagdsl.semantics.values import POISON, Scalar
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -111,9 +111,8 @@ class Declarer:
         if self._is_inherited_twice(part, declarator):
             return
         check_duplicates(ctx, declarator.modifiers)
-        given: list[Given] = [(modifier, scope) for modifier in declarator.modifiers]
-        single: list[tuple[nodes.Modifier, Scope]] = []
-        symbol = self._replaced(part, declarator, symbol, given, single)
+        given: list[Said] = [((), modifier, scope) for modifier in declarator.modifiers]
+        symbol = self._replaced(part, declarator, symbol, given)
         expanded = expand_short(ctx, symbol)
         known = expanded is not None and self._may_stand(declarator, expanded[0])
         condition = condition_of(ctx, scope, declarator.condition) if known else None
@@ -123,12 +122,12 @@ class Declarer:
             return
         definition, short = expanded
         qualified = scope.qualify(name)
-        splits = Splits(ctx, name, shape, given, single)
+        splits = Splits(ctx, name, shape, given)
         if not shape:
             made = self._instance(declarator, scope, qualified, definition, condition)
             if enter(ctx, scope, name, made, declarator.name_span):
                 self._keep(part, name, made)
-                self._fill(declarator, made, [*short, *given])
+                self._fill(declarator, made, [*short, *splits.at(())])
             return
         array = InstanceArray(qualified, declarator.name_span, shape)
         if not enter(ctx, scope, name, array, declarator.name_span):
@@ -150,17 +149,9 @@ class Declarer:
         return words and text is not declarator and text.name_span != declarator.name_span
 
     def _replaced(
-        self,
-        part: Part,
-        declarator: nodes.Declarator,
-        symbol: ClassSymbol,
-        given: list[Given],
-        single: list[tuple[nodes.Modifier, Scope]],
+        self, part: Part, declarator: nodes.Declarator, symbol: ClassSymbol, given: list[Said]
     ) -> ClassSymbol:
-        """The class, which modifiers from outside may redeclare; what else they say is added to `given`.
-
-        Those of one element of an array go to `single`.
-        """
+        """The class, which modifiers from outside may redeclare; what else they say is added to `given`."""
         assert isinstance(part.item, nodes.Component)
         sealed: Span | None = None
         for modifier, scope in self.changes.take(declarator.name):
@@ -173,9 +164,7 @@ class Declarer:
                 case nodes.Modifier():
                     if modifier.value is not None:
                         self.ctx.sink.report("E0227", modifier.value.span, label, name=declarator.name)
-                    if modifier.subscripts:
-                        single.append((modifier, scope))
-                    given += [(nested, scope) for nested in modifier.modifiers if not modifier.subscripts]
+                    given += [(modifier.subscripts, nested, scope) for nested in modifier.modifiers]
                     sealed = modifier.span if "final" in modifier.prefixes else None
                 case nodes.RedeclareClass():
                     hint = f"write `redeclare {modifier.type_name.span.text} {declarator.name}`"
@@ -184,7 +173,7 @@ class Declarer:
                     self.ctx.sink.report("E0235", modifier.span, label, name=declarator.name, kind="component")
                 case nodes.RedeclareComponent():
                     symbol = class_at(self.ctx, scope, modifier.type_name) or symbol
-                    given += [(nested, scope) for nested in modifier.modifiers]
+                    given += [((), nested, scope) for nested in modifier.modifiers]
         return symbol
 
     def _may_stand(self, declarator: nodes.Declarator, symbol: ClassSymbol) -> bool:

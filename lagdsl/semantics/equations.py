@@ -25,12 +25,18 @@ def attach(ctx: Context, scope: Scope, item: nodes.Equation) -> None:
             _bind(ctx, scope, symbol, target, Binding(other, scope, side.span), derivative=True)
             return
     defined = [(side, other, symbol) for side, other in sides if (symbol := _symbol(ctx, scope, side)) is not None]
-    fitting = [entry for entry in defined if entry[2].kind in _DEFINED]
+    fitting = [entry for entry in defined if entry[2].kind in _DEFINED or _is_port(entry[2])]
     free = [entry for entry in fitting if not entry[2].bindings or isinstance(entry[0], nodes.Index)]
     for side, other, symbol in free[:1] or fitting[:1]:
+        if _is_port(symbol) and all(binding.scope is symbol.scope for binding in symbol.bindings.values()):
+            symbol.bindings.clear()  # the equation stands in the place of the default
         _bind(ctx, scope, symbol, side, Binding(other, scope, item.span), derivative=False)
         return
     _report(ctx, scope, item, defined[0][2] if defined else None)
+
+
+def _is_port(symbol: Symbol) -> bool:
+    return symbol.kind == "input" and bool(symbol.scope.spans)
 
 
 def _derivative_of(node: nodes.Node) -> nodes.Expression | None:

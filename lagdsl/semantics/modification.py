@@ -58,7 +58,9 @@ def check_duplicates(ctx: Context, modifiers: Iterable[nodes.AnyModifier]) -> No
     seen: set[str] = set()
     for modifier in modifiers:
         name = ".".join(modifier.name.parts) if isinstance(modifier, nodes.Modifier) else modifier.name
-        if name in seen and not (isinstance(modifier, nodes.Modifier) and modifier.subscripts):
+        if isinstance(modifier, nodes.Modifier) and modifier.subscripts:
+            continue  # of one element
+        if name in seen:
             ctx.sink.report("E0212", modifier.span, name=name)
         seen.add(name)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TypeAlias
 
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
@@ -12,42 +13,41 @@ from lagdsl.semantics.scope import Indices, Scope
 from lagdsl.semantics.values import POISON, Array, Poison, Vector
 from lagdsl.syntax import nodes
 
+# A modifier of an array of components with its scope and, if it is of one element, the subscripts of that.
+Said: TypeAlias = "tuple[tuple[nodes.Subscript, ...], nodes.AnyModifier, Scope]"
+
 
 class Splits:
-    """The modifiers of one array of components. `single` are those of one element: `wheel[2](r = 0.3 m)`."""
+    """What is said about an array of components (or, with the shape (), about one), innermost first."""
 
-    def __init__(
-        self,
-        ctx: Context,
-        name: str,
-        shape: Indices,
-        given: list[Given],
-        single: list[tuple[nodes.Modifier, Scope]],
-    ) -> None:
+    def __init__(self, ctx: Context, name: str, shape: Indices, said: list[Said]) -> None:
         self.ctx = ctx
+        self.name = name
         self.shape = shape
-        self.given = given
-        self.single: list[tuple[Indices, nodes.Modifier, Scope]] = []
-        for element, scope in single:
-            indices = self._indices(name, element, scope)
-            if indices is not None:
-                self.single.append((indices, element, scope))
-        for modifier, scope in given if shape else ():
-            self._note(modifier, scope)
+        self.said: list[tuple[Indices | None, nodes.AnyModifier, Scope]] = []
+        for subscripts, modifier, scope in said:
+            indices = self._indices(subscripts, scope) if subscripts else None
+            if indices is not None or not subscripts:
+                self.said.append((indices, modifier, scope))
+            if shape and not subscripts:
+                self._note(modifier, scope)
 
     def at(self, indices: Indices) -> list[Given]:
-        """What is said to one element."""
-        own = [(nested, scope) for found, each, scope in self.single if found == indices for nested in each.modifiers]
-        return [*((_split(modifier, indices), scope) for modifier, scope in self.given), *own]
+        """The modifiers of one element."""
+        return [
+            (modifier if own is not None else _split(modifier, indices), scope)
+            for own, modifier, scope in self.said
+            if own is None or own == indices
+        ]
 
-    def _indices(self, name: str, modifier: nodes.Modifier, scope: Scope) -> Indices | None:
-        if len(modifier.subscripts) != len(self.shape):
+    def _indices(self, subscripts: tuple[nodes.Subscript, ...], scope: Scope) -> Indices | None:
+        if len(subscripts) != len(self.shape):
             rank = len(self.shape)
             what = f"an array with {rank} subscript{'s' if rank > 1 else ''}" if rank else "a single component"
-            self.ctx.sink.report("E0237", modifier.span, name=name, what=what)
+            self.ctx.sink.report("E0237", subscripts[0].span, name=self.name, what=what)
             return None
         found: list[int] = []
-        for subscript, extent in zip(modifier.subscripts, self.shape, strict=True):
+        for subscript, extent in zip(subscripts, self.shape, strict=True):
             if isinstance(subscript, nodes.All | nodes.Range):
                 self.ctx.sink.report("E0312", subscript.span, expected="one index", found="a range")
                 return None
