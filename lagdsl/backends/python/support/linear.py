@@ -21,6 +21,9 @@ ZERO_TOLERANCE = 1e-14
 # A row of J shorter than this part of the longest one is not stretched to unit length: on the constraints it may be
 # zero (the derivative of a unit vector along itself in an overconstrained loop), and its direction round-off.
 SHORT_ROW = 1e-3
+# For telling which rows are short or zero, no column is scaled up more than this many times the least one: the inertia
+# of a quaternion's scalar part vanishes at the identity, and the row of its norm must not dwarf all others there.
+LIGHTEST = 1e3
 # M is singular on the null space of J where an eigenvalue is below nq times this part of the largest.
 SINGULAR_TOLERANCE = 2e-15
 # Values beyond this, whose squares are not numbers any more, count as infinite.
@@ -55,7 +58,7 @@ class Factorization:
         self._excess: tuple[Floats, Floats] | None = None
         if n and m:
             scaled = jacobian * self._column_scale[..., None, :]
-            row_scale = _row_scale(scaled)
+            row_scale = _row_scale(jacobian, scaled, self._column_scale)
             left, values, right = np.linalg.svd(scaled * row_scale[..., None])
             ranks = _rank(values, rank)[..., None]
             held = np.arange(n) < ranks
@@ -151,12 +154,19 @@ def _column_scale(mass: Floats) -> Floats:
     return scale
 
 
-def _row_scale(jacobian: Floats) -> Floats:
-    length = np.sqrt((jacobian * jacobian).sum(axis=-1))
-    longest = length.max(axis=-1, keepdims=True)
-    significant = length > ZERO_TOLERANCE * longest
-    scale: Floats = significant / np.where(significant, np.maximum(length, SHORT_ROW * longest), 1.0)
+def _row_scale(jacobian: Floats, scaled: Floats, column_scale: Floats) -> Floats:
+    least = column_scale.min(axis=-1, keepdims=True)
+    judged = _length(jacobian * np.minimum(column_scale, LIGHTEST * least)[..., None, :])
+    longest = judged.max(axis=-1, keepdims=True)
+    significant = judged > ZERO_TOLERANCE * longest
+    part = np.minimum(1.0, judged / np.where(longest > 0.0, SHORT_ROW * longest, 1.0))
+    scale: Floats = significant * part / np.where(significant, _length(scaled), 1.0)
     return scale
+
+
+def _length(rows: Floats) -> Floats:
+    length: Floats = np.sqrt((rows * rows).sum(axis=-1))
+    return length
 
 
 def _rank(singular_values: Floats, bound: int) -> Indices:

@@ -7,6 +7,7 @@
 static const double RANK_TOLERANCE = 1e-8;
 static const double ZERO_TOLERANCE = 1e-14;
 static const double SHORT_ROW = 1e-3;
+static const double LIGHTEST = 1e3;
 static const double SINGULAR_TOLERANCE = 2e-15;
 static const double LARGEST = 1e140;
 enum { REFINEMENTS = 1 };
@@ -83,19 +84,28 @@ static void scale_coordinates(lag_system *s)
 static void scale_rows(lag_system *s)
 {
     const size_t n = s->n;
-    double largest = 0.0;
+    double least = HUGE_VAL, longest = 0.0;
+    for (size_t j = 0; j < n; ++j) {
+        least = fmin(least, s->column_scale[j]);
+    }
     for (size_t i = 0; i < s->m; ++i) {
+        double sum = 0.0;
+        for (size_t j = 0; j < n; ++j) {
+            const double judged = s->jacobian[i * n + j] * fmin(s->column_scale[j], LIGHTEST * least);
+            sum += judged * judged;
+        }
+        s->row_scale[i] = sqrt(sum);
+        longest = fmax(longest, s->row_scale[i]);
+    }
+    for (size_t i = 0; i < s->m; ++i) {
+        const double judged = s->row_scale[i];
         double sum = 0.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] = s->jacobian[i * n + j] * s->column_scale[j];
             sum += s->rows[i * n + j] * s->rows[i * n + j];
         }
-        s->row_scale[i] = sqrt(sum);
-        largest = fmax(largest, s->row_scale[i]);
-    }
-    for (size_t i = 0; i < s->m; ++i) {
-        const double length = s->row_scale[i];
-        s->row_scale[i] = length > ZERO_TOLERANCE * largest ? 1.0 / fmax(length, SHORT_ROW * largest) : 0.0;
+        const double part = fmin(1.0, judged / (SHORT_ROW * longest));
+        s->row_scale[i] = judged > ZERO_TOLERANCE * longest ? part / sqrt(sum) : 0.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] *= s->row_scale[i];
         }
