@@ -22,6 +22,8 @@ from lagdsl.mechanics.structure_points import natural_sizes
 # Of coordinates that can be left out equally well, the last ones are.
 _PREFERENCE = 1e-3
 _DEPENDS = 1e-8
+# A row this much shorter than the longest has no content.
+_VANISHES = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,8 +113,9 @@ def _solved(matrix: Floats, right: Floats) -> Floats:
 
 
 def _lengths(rows: Floats) -> Floats:
+    """What makes rows unit rows, and nothing of a row that vanishes on the constraints: its direction is round-off."""
     lengths = np.linalg.norm(rows, axis=1)
-    return np.where(lengths > 0.0, lengths, 1.0)
+    return np.where(lengths > _VANISHES * np.max(lengths, initial=0.0), lengths, np.inf)
 
 
 def _dependent(rows: Floats, place: Sequence[int]) -> list[int]:
