@@ -11,6 +11,8 @@ from lagdsl.cli.status import ERRORS, SUCCESS
 from lagdsl.diagnostics import Severity
 from lagdsl.pipeline import Compilation, check
 
+_MOST_NAMED = 8
+
 
 @click.command("check")
 @takes_model
@@ -22,6 +24,8 @@ def command(file: Path, model: str | None, style: Format) -> None:
     wrong = any(d.severity is Severity.ERROR for d in diagnostics)
     if compilation is not None and style == "text":
         click.echo(_line(compilation))
+        if compilation.flat.joints:
+            click.echo(_joints(compilation))
     click.get_current_context().exit(ERRORS if wrong else SUCCESS)
 
 
@@ -40,3 +44,15 @@ def _line(compilation: Compilation) -> str:
     if layout.constraints:
         parts[0] += f" (rank {compilation.structure.rank})"
     return f"{compilation.flat.name}: {structure_text(compilation.structure)}; {', '.join(parts)}"
+
+
+def _joints(compilation: Compilation) -> str:
+    """`joints: revolute A, B, C, D (cut)`, by kind."""
+    kinds: dict[str, list[str]] = {}
+    for joint in compilation.flat.joints:
+        name = f"{joint.name} (cut)" if joint.cut else joint.name
+        kinds.setdefault(joint.kind.rpartition(".")[2], []).append(name)
+    return "joints: " + "; ".join(
+        f"{len(names)} {kind} ({', '.join([*names[:_MOST_NAMED], *(['...'] if len(names) > _MOST_NAMED else [])])})"
+        for kind, names in kinds.items()
+    )

@@ -96,8 +96,10 @@ def command(
             plot(motion, draft)
     if output is None:
         from lagdsl.cli.summary import summary
+        from lagdsl.simulate.moved import loops_of
 
-        click.echo(summary(motion, freedom=compilation.structure.freedom, curves=sys.stdout.isatty()))
+        loops = loops_of(compilation.flat)
+        click.echo(summary(motion, freedom=compilation.structure.freedom, loops=loops, curves=sys.stdout.isatty()))
 
 
 def _require_forms(output: Path | None, picture: Path | None, style: Format) -> None:

@@ -7,10 +7,10 @@ from lagdsl.simulate.moved import moved_text
 from lagdsl.simulate.trajectory import Column, Trajectory
 
 
-def summary(trajectory: Trajectory, *, freedom: int, curves: bool) -> str:
+def summary(trajectory: Trajectory, *, freedom: int, loops: tuple[str, ...], curves: bool) -> str:
     """The table, what the start values became, invariants, and curves of the first coordinates and states."""
     parts = [
-        moved_text(trajectory.model, freedom, trajectory.moved),
+        moved_text(trajectory.model, freedom, trajectory.moved, loops),
         _table(trajectory),
         _quality(trajectory),
         sketch(trajectory) if curves else "",

@@ -92,7 +92,9 @@ def _explain(
         text = f"{float(np.linalg.norm(found.residual)):.3g}{unit_suffix(item.constraint)}"
         note = f"closest approach is {text}, at {configuration(flat, found.point, columns)}"
         verb = "hold" if item.constraint.closure is None else "close"
-        sink.report("E0602", place(item.constraint), notes=(note, *more), subject=subject(item.constraint), verb=verb)
+        sink.report(
+            "E0602", place(item.constraint), notes=(note, *more), subject=subject(flat, item.constraint), verb=verb
+        )
     if not impossible:
         _contradiction(flat, near, items, columns, more, sink)
 
@@ -114,22 +116,24 @@ def _contradiction(
         if found.size > HOLDS:
             partners = [o for o in taken if closest(flat, space, [*o.rows, *item.rows]).size > HOLDS][:1] or taken
             note = f"they come closest at {configuration(flat, found.point, columns)}"
-            _report_contradiction([other.constraint for other in partners], item.constraint, sink, (note, *more))
+            _report_contradiction(flat, [other.constraint for other in partners], item.constraint, sink, (note, *more))
             return
         taken.append(item)
 
 
 def _report_contradiction(
-    others: Sequence[Constraint], constraint: Constraint, sink: Sink, notes: tuple[str, ...]
+    flat: FlatModel, others: Sequence[Constraint], constraint: Constraint, sink: Sink, notes: tuple[str, ...]
 ) -> None:
     closures = [other.closure is not None for other in others]
-    names = listed([subject(o) if closure else f"`{o.name}`" for o, closure in zip(others, closures, strict=True)])
+    names = listed(
+        [subject(flat, o) if closure else f"`{o.name}`" for o, closure in zip(others, closures, strict=True)]
+    )
     labels = [
         Label(span, "closes alone" if closure else "each holds alone")
         for other, closure in zip(others, closures, strict=True)
         if (span := place(other)) is not None and span != place(constraint)
     ]
-    sink.report("E0603", place(constraint), *labels, notes=notes, subject=subject(constraint), others=names)
+    sink.report("E0603", place(constraint), *labels, notes=notes, subject=subject(flat, constraint), others=names)
 
 
 def report_inconsistent_rates(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> bool:
@@ -145,9 +149,9 @@ def report_inconsistent_rates(flat: FlatModel, space: Geometry, points: list[Pro
         constraint = items[-1].constraint
         if len(items) == 1:
             note = "no rates of the coordinates satisfy it"
-            sink.report("E0602", place(constraint), notes=(note,), subject=subject(constraint), verb="hold")
+            sink.report("E0602", place(constraint), notes=(note,), subject=subject(flat, constraint), verb="hold")
         else:
             others = [item.constraint for item in items[:-1]]
-            _report_contradiction(others, constraint, sink, ("no rates of the coordinates satisfy all of them",))
+            _report_contradiction(flat, others, constraint, sink, ("no rates of the coordinates satisfy all of them",))
         return True
     return False

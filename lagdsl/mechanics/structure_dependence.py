@@ -123,7 +123,7 @@ def _report_loop(flat: FlatModel, found: Dependence, split: Partition, alike: li
         count=sum(found.redundant[row] for row in loop.rows),
         total=len(loop.rows),
         joint=joint_text(flat, loop.closure),
-        loop=loop_text(loop.closure),
+        loop=loop_text(flat, loop.closure),
     )
 
 

@@ -38,11 +38,11 @@ def place(constraint: Constraint) -> Span | None:
     return constraint.spans[0] if constraint.spans else None
 
 
-def subject(constraint: Constraint) -> str:
+def subject(flat: FlatModel, constraint: Constraint) -> str:
     """``constraint `c` ``, or `the loop A - B - C - D`."""
     if constraint.closure is None:
         return f"constraint `{constraint.name}`"
-    return f"the loop {loop_text(constraint.closure)}"
+    return f"the loop {loop_text(flat, constraint.closure)}"
 
 
 def listed(names: list[str]) -> str:
@@ -50,9 +50,10 @@ def listed(names: list[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
-def loop_text(closure: Closure) -> str:
-    """`A - B - C - D`; of long loops both ends."""
-    names = closure.loop
+def loop_text(flat: FlatModel, closure: Closure) -> str:
+    """`A - B - C - D`: the joints around the loop; of long loops both ends."""
+    joints = {joint.name for joint in flat.joints}
+    names = tuple(name for name in closure.loop if name in joints) or closure.loop
     if len(names) > 2 * _MOST_SHOWN:
         names = (*names[:_MOST_SHOWN], "...", *names[-_MOST_SHOWN:])
     return " - ".join(names)
@@ -72,6 +73,11 @@ def configuration(flat: FlatModel, q: Floats, columns: list[int] | None = None) 
     chosen = range(len(values)) if columns is None else columns
     shown = [f"{flat.coordinates[i].name} = {quantity_text(values[i], flat.coordinates[i])}" for i in chosen]
     return ", ".join([*shown[:_MOST_SHOWN], *(["..."] if len(shown) > _MOST_SHOWN else [])])
+
+
+def seat(constraint: Constraint) -> str:
+    """Where a constraint acts: the joint that closes the loop, else its own name."""
+    return constraint.name if constraint.closure is None else constraint.closure.joint or constraint.name
 
 
 def unit_suffix(constraint: Constraint) -> str:

@@ -7,12 +7,15 @@ import numpy as np
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.mechanics.partition import partition
 from lagdsl.mechanics.rank import Floats, rank
-from lagdsl.mechanics.structure_names import configuration, located, unit_suffix
+from lagdsl.mechanics.structure_names import Located, configuration, located, place, seat, unit_suffix
 from lagdsl.mechanics.structure_points import HOLDS, random_points
+from lagdsl.semantics.flat_model import Coordinate
 from lagdsl.simulate.initial_problem import Problem
 from lagdsl.simulate.nearest import search
 
 _TRIES = 24
+_MOST_JOINTS = 6
+_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
 
 def positions(task: Problem, sink: Sink) -> Floats:
@@ -64,14 +67,28 @@ def _report(task: Problem, q: Floats, rows: list[int], free: np.ndarray, sink: S
         return
     sizes = np.where(np.isfinite(phi), np.abs(phi) / space.row_sizes, np.inf)
     worst = max(rows, key=lambda row: float(sizes[row]))
-    item = next(item for item in located(task.flat) if worst in item.rows)
+    items = located(task.flat)
+    item = next(item for item in items if worst in item.rows)
     sink.report(
         "E0802",
-        item.constraint.spans[0] if item.constraint.spans else None,
-        notes=(f"configuration reached: {configuration(task.flat, q)}",),
+        place(item.constraint),
+        notes=(f"configuration reached: {configuration(task.flat, q)}", *_left_over(items, phi, sizes, rows)),
         residual=f"{abs(float(phi[worst])):.3g}{unit_suffix(item.constraint)}",
-        name=space.functions.layout.constraints[worst].name,
+        name=seat(item.constraint) if item.constraint.closure else space.functions.layout.constraints[worst].name,
     )
+
+
+def _left_over(items: list[Located], phi: Floats, sizes: Floats, rows: list[int]) -> tuple[str, ...]:
+    """What is left over at each joint or constraint, the largest first, if there are several."""
+    held = set(rows)
+    open_ = [item for item in items if any(sizes[row] > HOLDS for row in item.rows if row in held)]
+    open_.sort(key=lambda item: -max(float(sizes[row]) for row in item.rows))
+    parts = [
+        f"{float(np.linalg.norm(phi[list(item.rows)])):.3g}{unit_suffix(item.constraint)} at `{seat(item.constraint)}`"
+        for item in open_[:_MOST_JOINTS]
+    ]
+    more = f" and at {len(open_) - _MOST_JOINTS} more" if len(open_) > _MOST_JOINTS else ""
+    return (f"left over: {', '.join(parts)}{more}",) if len(parts) > 1 else ()
 
 
 def report_overdetermined(task: Problem, excess: int, freedom: int, sink: Sink) -> None:
@@ -81,10 +98,18 @@ def report_overdetermined(task: Problem, excess: int, freedom: int, sink: Sink) 
     degrees = f"{freedom} degree{'s' if freedom != 1 else ''} of freedom"
     many = "one coordinate" if freedom == 1 else f"{freedom} coordinates"
     can = f"so {many} can be fixed" if freedom else "so no coordinate can be fixed"
+    shown = [f"`{c.name}`" for c in fixed[:_MOST_JOINTS]]
+    more = f" and {len(fixed) - _MOST_JOINTS} more" if len(fixed) > _MOST_JOINTS else ""
     sink.report(
         "E0801",
-        Label(spans[-1], "one fixed start too many") if spans else None,
-        *(Label(span, "fixed as well") for span in spans[:-1]),
-        notes=(f"the mechanism has {degrees}, {can}; fixed are {', '.join(f'`{c.name}`' for c in fixed)}",),
+        Label(spans[-1], _ordinal(len(fixed), fixed[-1])) if spans else None,
+        *(Label(span, "fixed as well") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]),
+        notes=(f"the mechanism has {degrees}, {can}; fixed are {', '.join(shown)}{more}",),
         excess=excess,
     )
+
+
+def _ordinal(number: int, coordinate: Coordinate) -> str:
+    """`second fixed angle`."""
+    noun = "angle" if coordinate.type_name == "Angle" else "coordinate"
+    return f"{_ORDINALS[number - 1]} fixed {noun}" if number <= len(_ORDINALS) else "one fixed start too many"

@@ -15,13 +15,13 @@ from lagdsl.simulate.initial_equations import joint_state
 from lagdsl.simulate.initial_positions import positions
 from lagdsl.simulate.initial_problem import Problem, problem
 from lagdsl.simulate.initial_rates import rates
-from lagdsl.simulate.moved import MovedRow, moved_rows, moved_text, report_moved
+from lagdsl.simulate.moved import MovedRow, loops_of, moved_rows, moved_text, report_moved
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InitialState:
     """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the
-    rates that the constraints leave free here."""
+    rates that the constraints leave free here, `loops` names the joints at which loops are cut."""
 
     model: str
     t: float
@@ -30,9 +30,10 @@ class InitialState:
     z: Floats
     freedom: int
     moved: tuple[MovedRow, ...]
+    loops: tuple[str, ...] = ()
 
     def __str__(self) -> str:
-        return moved_text(self.model, self.freedom, self.moved)
+        return moved_text(self.model, self.freedom, self.moved, self.loops)
 
 
 def initial_state(
@@ -67,7 +68,9 @@ def initial_state(
     rows = () if _wrong(own, before) else moved_rows(task, q, qd)
     if not flat.initial_equations:  # these say themselves that starts are to be moved
         report_moved(task, rows, own)
-    return InitialState(model=flat.name, t=task.space.t, q=q, qd=qd, z=z, freedom=_freedom(task, q), moved=rows)
+    return InitialState(
+        model=flat.name, t=task.space.t, q=q, qd=qd, z=z, freedom=_freedom(task, q), moved=rows, loops=loops_of(flat)
+    )
 
 
 def _wrong(sink: Sink, before: int) -> bool:
