@@ -82,14 +82,17 @@ def planar_rolling_disc(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 
 def planar_skate(p: Parameters, t: Floats) -> dict[str, Floats]:
-    """A cycloid across the slope (Neimark, Fufaev)."""
-    w, pull = 2.0, G_N * np.sin(p["slope"])
-    return {
-        "motion.x": pull / (2 * w**2) * np.sin(w * t) ** 2,
-        "motion.y": pull / (2 * w**2) * (w * t - np.sin(2 * w * t) / 2),
-        "motion.q": w * t,
-        "side": 2 * p["skate.m"] * pull * np.sin(w * t),
-    }
+    """Chaplygin's sleigh: v' = a*w^2, (J + m*a^2)*w' = -m*a*v*w (Neimark, Fufaev)."""
+    m, a = p["sleigh.m"], p["sleigh.com[1]"]
+    inertia = p["sleigh.Izz"] + m * a**2
+
+    def rates(_: float, x: Floats) -> list[float]:
+        _, _, q, v, w = x
+        return [v * np.cos(q), v * np.sin(q), w, a * w**2, -m * a * v * w / inertia]
+
+    x, y, q, v, w = solve(rates, [0, 0, 0, -1.5, 0.5], t)
+    side = m * (v * w - a * m * a * v * w / inertia)
+    return {"motion.x": x, "motion.y": y, "motion.q": q, "side": side}
 
 
 def planar_rod_pendulum(p: Parameters, t: Floats) -> dict[str, Floats]:
