@@ -48,10 +48,13 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     equations: dict[Instance, list[Placed]] = {}
     for placed in contents.closure:
         equations.setdefault(placed.instance, []).append(placed)
-    values = Uses(ctx, contents).values
-    solvable = _solvable(net, equations)
+    uses = Uses(ctx, contents)
+    solvable = [
+        able and uses.required.isdisjoint(link.own)
+        for able, link in zip(_solvable(net, equations), net.links, strict=True)
+    ]
     wanted = preferences(
-        ctx, net, [able and values.isdisjoint(link.own) for able, link in zip(solvable, net.links, strict=True)]
+        ctx, net, [able and uses.values.isdisjoint(link.own) for able, link in zip(solvable, net.links, strict=True)]
     )
     tree = _tree(net, wanted)
     routes = Routes(ctx, net, tree)
@@ -60,7 +63,7 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
         able and wish != Preference.ALWAYS and not any(is_fixed(ctx, symbol) for symbol in link.own)
         for able, wish, link in zip(solvable, wanted, net.links, strict=True)
     ]
-    closures = Closures(ctx, net, routes, loops.cuts(equations, computed), loops.ties(), values)
+    closures = Closures(ctx, net, routes, loops.cuts(equations, computed), loops.ties(), uses.values)
     assembly = Assembly(ctx, Parts(net, routes, closures, merges, networks, whole), contents.instances)
     ctx.assembly = assembly
     report_islands(ctx, net, routes, contents.instances if whole else ())

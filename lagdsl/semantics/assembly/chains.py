@@ -6,7 +6,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.semantics.assembly.net import WORLD, Net
 from lagdsl.semantics.assembly.paths import Absent, Element, World, base_of, target_of
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Binding, Instance, Scope, Symbol
+from lagdsl.semantics.scope import Binding, Entry, Instance, Scope, Symbol
 from lagdsl.semantics.values import Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -70,7 +70,9 @@ class Chains:
         name = item.span.text
         if not ports:
             label = Label(instance.span, "declared here")
-            self._ctx.sink.report("E0701", item.span, label, what=f"`{name}`, which has no frames,")
+            pins = [f"`{name}.{each}`" for each, entry in instance.scope.entries.items() if _is_connector(entry)]
+            hint = f"name the connector: {' or '.join(pins)}" if pins else None
+            self._ctx.sink.report("E0701", item.span, label, what=f"`{name}`, which has no frames,", help=hint)
             return None
         if len(ports) == 1 and place != "middle":
             port = self._net.port(next(iter(ports.values())), ())
@@ -104,6 +106,10 @@ def ports_of(instance: Instance) -> dict[str, Symbol]:
         for name, entry in instance.scope.entries.items()
         if isinstance(entry, Symbol) and entry.kind == "frame" and name not in instance.protected
     }
+
+
+def _is_connector(entry: Entry) -> bool:
+    return isinstance(entry, Instance) and entry.kind == "connector"
 
 
 def refuse(ctx: Context, scope: Scope, item: nodes.Expression) -> None:

@@ -14,7 +14,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import Coordinate, Variability
-from lagdsl.semantics.naming import element_name, quantity
+from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import Indices, Symbol
 from lagdsl.semantics.values import Order, Scalar
 from lagdsl.source import Span
@@ -143,6 +143,6 @@ def _extreme(choose: Callable[[list[float]], float], one: float | None, two: flo
 
 
 def _title(symbol: Symbol, shape: tuple[int, ...]) -> str:
-    dimension = symbol.info.dimension if symbol.info is not None else None
     size = " by ".join(str(extent) for extent in shape)
-    return quantity(dimension) if not shape else f"{size} of {quantity(dimension)}"
+    words = symbol.info.name if symbol.info is not None else "a coordinate"
+    return words if not shape else f"{size} of {words}"

@@ -90,7 +90,8 @@ class Networks:
             self._ctx.sink.report("E0715", span, *given, name=first.name)
             return
         if len(node) == 1:
-            self._ctx.sink.report("W0716", first.span, name=first.name)
+            labels = [Label(place, f"`{first.name}`") for place in first.scope.spans[:1]]
+            self._ctx.sink.report("W0716", first.span, *labels, name=first.name)
         row = self.row_of(first, name)
         self._ctx.constraints.append(
             Constraint(

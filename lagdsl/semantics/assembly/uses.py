@@ -11,24 +11,41 @@ from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Binding, Scope, Symbol
 from lagdsl.syntax import nodes
-from lagdsl.syntax.walk import children
+from lagdsl.syntax.walk import children, descendants
 
 _READ = ("frame", "point", "algebraic", "output", "input", "energy", "load")
 
 
 class Uses:
-    """Searches all that acts on the motion, through definitions; outputs and drawings do not count."""
+    """Searches all that acts on the motion, through definitions; outputs and drawings do not count.
+
+    `values` are the coordinates found, `required` those that must be unknowns whatever it costs.
+    """
 
     def __init__(self, ctx: Context, contents: Contents) -> None:
         self._ctx = ctx
         self._seen: set[tuple[Symbol, bool]] = set()
         self.values: set[Symbol] = set()
+        self.required: set[Symbol] = set()
         for placed in (*contents.items, *contents.initial, *contents.closure):
             if not isinstance(placed.node, nodes.Draw):
                 self._item(placed.scope, placed.node)
+            self._momenta(placed.scope, placed.node)
         for symbol in contents.symbols:
             for binding in symbol.derivatives.values():
                 self._walk(binding.scope, binding.node)
+            for binding in symbol.bindings.values():
+                self._momenta(binding.scope, binding.node)
+
+    def _momenta(self, scope: Scope, node: nodes.Node) -> None:
+        """`momentum(q)` belongs to an unknown of the equations of motion."""
+        for part in descendants(node):
+            if _is_call(part, "momentum"):
+                assert isinstance(part, nodes.Call)
+                argument = part.arguments[0]
+                target = target_of(self._ctx, scope, argument) if not isinstance(argument, nodes.Named) else None
+                if isinstance(target, Element):
+                    self.required.add(target.symbol)
 
     def _item(self, scope: Scope, item: nodes.Item) -> None:
         targets = [item.on, item.origin] if isinstance(item, nodes.Load) and item.at is None else []
@@ -47,7 +64,7 @@ class Uses:
                 target = target_of(self._ctx, scope, current)
             if isinstance(target, Element):
                 self._read(target.symbol, displaced=False)
-            elif _is_rate(current):
+            elif _is_call(current, "der"):
                 assert isinstance(current, nodes.Call)
                 self._displaced(scope, current.arguments[0])
             else:
@@ -83,10 +100,10 @@ class Uses:
             self._walk(binding.scope, binding.node)
 
 
-def _is_rate(node: nodes.Node) -> bool:
+def _is_call(node: nodes.Node, function: str) -> bool:
     return (
         isinstance(node, nodes.Call)
         and isinstance(node.function, nodes.Reference)
-        and node.function.name == "der"
+        and node.function.name == function
         and len(node.arguments) == 1
     )
