@@ -90,7 +90,8 @@ def _explain(
     impossible = [(item, found) for item, found in alone if found.size > HOLDS]
     for item, found in impossible:
         text = f"{float(np.linalg.norm(found.residual)):.3g}{unit_suffix(item.constraint)}"
-        note = f"closest approach is {text}, at {configuration(flat, found.point, columns)}"
+        where = f", at {configuration(flat, found.point, columns)}" if columns else ""
+        note = f"closest approach is {text}{where}"
         verb = "hold" if item.constraint.closure is None else "close"
         sink.report(
             "E0602", place(item.constraint), notes=(note, *more), subject=subject(flat, item.constraint), verb=verb

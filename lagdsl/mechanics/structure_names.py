@@ -68,7 +68,11 @@ def joint_text(flat: FlatModel, closure: Closure) -> str:
 
 
 def configuration(flat: FlatModel, q: Floats, columns: list[int] | None = None) -> str:
-    """`x = 0.1 m, theta = 30 deg` in display units, the first few coordinates; of `columns` only, if given."""
+    """`x = 0.1 m, theta = 30 deg` in display units, the first few coordinates; of `columns` only, if given. Searches
+    may have turned angles around: whole turns are left out."""
+    angles = np.array([c.type_name == "Angle" for c in flat.coordinates], dtype=np.bool_)
+    turned = angles & (np.abs(q) > 2.0 * np.pi)
+    q = np.where(turned, np.remainder(q + np.pi, 2.0 * np.pi) - np.pi, q)
     values = np.where(np.abs(q) > 1e-6, q, 0.0).tolist()  # what a search leaves of a zero
     chosen = range(len(values)) if columns is None else columns
     shown = [f"{flat.coordinates[i].name} = {quantity_text(values[i], flat.coordinates[i])}" for i in chosen]

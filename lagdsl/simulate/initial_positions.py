@@ -112,4 +112,6 @@ def report_overdetermined(task: Problem, excess: int, freedom: int, sink: Sink) 
 def _ordinal(number: int, coordinate: Coordinate) -> str:
     """`second fixed angle`."""
     noun = "angle" if coordinate.type_name == "Angle" else "coordinate"
+    if number == 1:
+        return f"fixed {noun}"
     return f"{_ORDINALS[number - 1]} fixed {noun}" if number <= len(_ORDINALS) else "one fixed start too many"

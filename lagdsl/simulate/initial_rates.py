@@ -7,7 +7,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.mechanics.rank import Floats, minimum_norm, null_space, rank
-from lagdsl.mechanics.structure_names import located, unit_suffix
+from lagdsl.mechanics.structure_names import located, place, seat, unit_suffix
 from lagdsl.mechanics.structure_newton import descend
 from lagdsl.mechanics.structure_points import HOLDS
 from lagdsl.simulate.initial_problem import Problem
@@ -93,11 +93,11 @@ def _report(task: Problem, left_over: Floats, fixed: np.ndarray, sink: Sink) -> 
     worst = int(np.argmax(left_over))
     if worst < rows:
         item = next(item for item in located(task.flat) if worst in item.rows)
-        name = task.space.functions.layout.constraints[worst].name
-        span = item.constraint.spans[0] if item.constraint.spans else None
+        row = task.space.functions.layout.constraints[worst].name
+        name = row if item.constraint.closure is None else seat(item.constraint)
         size = f"{float(left_over[worst] * task.space.row_sizes[worst]):.3g}{unit_suffix(item.constraint)}"
         unit = "/s" if item.constraint.level == "position" else ""
-        sink.report("E0803", span, *labels, residual=size + unit, name=name)
+        sink.report("E0803", place(item.constraint), *labels, residual=size + unit, name=name)
         return
     coordinate = task.flat.coordinates[fixed[worst - rows]]
     size = f"{float(left_over[worst] * task.space.sizes[fixed[worst - rows]]):.3g}"

@@ -10,7 +10,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_names import located
+from lagdsl.mechanics.structure_names import located, place
 from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_model import FlatModel
@@ -244,8 +244,7 @@ class Motion:
         item = next(item for item in located(self._flat) if row in item.rows)
         name = self._task.engine.layout.constraints[row].name
         general = self._task.engine.layout.redundant.count(False)
-        span = item.constraint.spans[0] if item.constraint.spans else None
-        self._task.sink.report("W0608", span, time=time_text(t), rank=now, general=general, name=name)
+        self._task.sink.report("W0608", place(item.constraint), time=time_text(t), rank=now, general=general, name=name)
         self._notes.append(f"the constraints lost rank at t = {time_text(t)} s ({now} instead of {general}) at {name}")
 
     # ---- ends --------------------------------------------------------------------------------------------------------
