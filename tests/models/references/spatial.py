@@ -194,3 +194,18 @@ def spatial_springs(p: Parameters, t: Floats) -> dict[str, Floats]:
         return [w, (moment - p["wire.k"] * (q - p["wire.rest"]) - p["oil.c"] * w) / inertia]
 
     return {"pin.q": solve(rates, [np.radians(30), 0], t)[0]}
+
+
+def spatial_inclined_gate(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Moment of the weight about the line of the hinges, by Rodrigues' formula."""
+    axis = _unit(*(p[f"head[{k}]"] - p[f"foot[{k}]"] for k in (1, 2, 3)))
+    m, center = p["gate.m"], np.array([p[f"gate.r[{k}]"] for k in (1, 2, 3)]) / 2
+    moments = np.array([p[f"gate.I[{k}]"] for k in (1, 2, 3)])
+    inertia = axis**2 @ moments + m * (center @ center - (axis @ center) ** 2)
+
+    def rates(_: float, x: Floats) -> list[float]:
+        c, s = np.cos(x[0]), np.sin(x[0])
+        place = c * center + s * np.cross(axis, center) + (1 - c) * (axis @ center) * axis
+        return [x[1], axis @ np.cross(place, [0, -m * G_N, 0]) / inertia]
+
+    return {"hinge.q": solve(rates, [np.radians(40), 0], t)[0]}
