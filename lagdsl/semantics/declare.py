@@ -96,8 +96,19 @@ class Declarer:
 
     def _quantities(self, part: Part, item: nodes.Component | nodes.Coordinate | nodes.Geometry) -> None:
         for symbol in declared(self.ctx, part.scope, item):
-            modify(self.ctx, symbol, self.changes.take(symbol.short))
+            modify(self.ctx, symbol, self._taken(part, symbol.short, symbol.span))
             self._keep(part, symbol.short, symbol)
+
+    def _taken(self, part: Part, name: str, span: Span) -> list[Given]:
+        """The modifiers of a name; E0229 for those from outside where it is protected."""
+        given = self.changes.take(name)
+        if not part.protected:
+            return given
+        for modifier, scope in given:
+            if scope.owner.instance is not self.instance:
+                place = Label(span, "declared here")
+                self.ctx.sink.report("E0229", modifier.span, place, name=name, what=part.scope.title)
+        return [(modifier, scope) for modifier, scope in given if scope.owner.instance is self.instance]
 
     def _keep(self, part: Part, name: str, member: Symbol | Instance | InstanceArray) -> None:
         self.instance.members.append(member)
@@ -154,7 +165,7 @@ class Declarer:
         """The class, which modifiers from outside may redeclare; what else they say is added to `given`."""
         assert isinstance(part.item, nodes.Component)
         sealed: Span | None = None
-        for modifier, scope in self.changes.take(declarator.name):
+        for modifier, scope in self._taken(part, declarator.name, declarator.name_span):
             label = Label(declarator.name_span, "declared here")
             if sealed is not None or "final" in part.item.prefixes:
                 place = Label(sealed, "given as `final` here") if sealed is not None else label

@@ -53,6 +53,10 @@ class ImportList:
             return POISON
         return found[0][1] if found else None
 
+    def is_broken(self) -> bool:
+        """Whether a wildcard leads nowhere: what it was to bring is unknown then."""
+        return any(package_of(self.sink, self.root, target) is None for target in self.wildcards)
+
     def _report(self, name: str, span: Span | None, targets: list[Target]) -> None:
         if name in self.ambiguous:
             return

@@ -23,6 +23,7 @@ from lagdsl.semantics.scope import (
     Scope,
     Symbol,
     TypeSymbol,
+    is_guess,
     lookup,
     visible,
 )
@@ -82,7 +83,7 @@ def _prelude(ctx: Context, name: str) -> Value | None:
 def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     """E0201, once for each name, with the nearest declared one."""
     key = f"{scope.title}.{node.name}"
-    if key in ctx.reported or ctx.incomplete:
+    if key in ctx.reported or ctx.incomplete or is_guess(scope):
         return
     ctx.reported.add(key)
     if node.name in BUILTINS or node.name == "der":

@@ -1,7 +1,8 @@
 """Scopes and symbols: who is meant by a name.
 
 Lookup goes outward: loop indices and function arguments, the class, enclosing classes and the file (constants, types,
-functions only); then the imports of these, named ones before wildcards; the prelude is asked by the caller. A package
+functions only); then the imports of these, named ones before wildcards; then installed packages, which the outermost
+scope finds; the prelude is asked by the caller. A package
 that is a folder finds a name in its files when it is asked for it. A scope carries the prefix of qualified names and
 the stack of spans of the instance it belongs to, so that instances of classes can nest.
 """
@@ -201,6 +202,8 @@ class Imports(Protocol):
 
     def wildcard(self, name: str, span: Span | None) -> Entry | None: ...
 
+    def is_broken(self) -> bool: ...
+
     def names(self) -> Iterable[str]: ...
 
 
@@ -265,11 +268,11 @@ def lookup(scope: Scope, name: str, span: Span | None = None) -> Entry | None:
     """The entry that `name` means in `scope`, without the prelude; `span` is the place that asks."""
     own = True
     for step in scope.chain():
-        entry = step.find(name, span)
+        entry = step.find(name, span) if step.parent is not None else step.entries.get(name)
         if entry is not None and (own or _is_constant(entry)):
             return entry
         own = own and step.kind == "local"
-    return _imported(scope, name, span)
+    return _imported(scope, name, span) or step.find(name, span)
 
 
 def _is_constant(entry: Entry) -> bool:
@@ -298,6 +301,11 @@ def _imported(scope: Scope, name: str, span: Span | None) -> Entry | None:
         if (entry := imports.wildcard(name, span)) is not None:
             return entry
     return None
+
+
+def is_guess(scope: Scope) -> bool:
+    """Whether a name could have come from an import that leads nowhere."""
+    return any(step.imports is not None and step.imports.is_broken() for step in scope.chain())
 
 
 def visible(scope: Scope) -> Iterator[tuple[str, Entry]]:

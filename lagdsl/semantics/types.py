@@ -9,7 +9,16 @@ from lagdsl.semantics import enumerations, prelude
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.imports import import_hint
 from lagdsl.semantics.naming import an
-from lagdsl.semantics.scope import ClassSymbol, Scope, TypeInfo, TypeSymbol, lookup_path, reachable, visible
+from lagdsl.semantics.scope import (
+    ClassSymbol,
+    Scope,
+    TypeInfo,
+    TypeSymbol,
+    is_guess,
+    lookup_path,
+    reachable,
+    visible,
+)
 from lagdsl.semantics.values import Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -142,7 +151,7 @@ def _unknown_unit(ctx: Context, fault: UnknownUnit, span: Span) -> None:
 
 def report_unknown_type(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     text = ".".join(name.parts)
-    if ctx.incomplete:
+    if ctx.incomplete or is_guess(scope):
         return
     if name.parts[0] in ("Modelica", "SI"):
         known = f"quantities are known by their plain name: `{name.parts[-1]}`"
