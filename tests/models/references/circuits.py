@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from models.references.integrate import Floats, linear
+from models.references.integrate import G_N, Floats, linear
 
 Parameters = Mapping[str, float]
 
@@ -99,3 +99,32 @@ def geophone(p: Parameters, t: Floats) -> dict[str, Floats]:
     )
     x = linear(a, [0, 0, 0, 0, amplitude * omega], t)
     return {"proof.s": x[0], "u": R * x[2]}
+
+
+def u_tube(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """One volume moves: rho l/a V'' = -rho g (V/A1 - V'/A2); the sum of the volumes stays (Bernoulli, unsteady)."""
+    left, right = p["left.area"], p["right.area"]
+    length, area = p["pipe.length"], p["pipe.area"]
+    stiffness = G_N * (1 / left + 1 / right)
+    w = np.sqrt(stiffness * area / length)
+    level = 50e-6 / (1 + left / right)  # of the right vessel, when both are at one height
+    moved = level * (1 - np.cos(w * t))
+    bottom = p["left.rho"] * G_N / left * (50e-6 - moved)
+    return {"left.V": 50e-6 - moved, "right.V": moved, "pipe.V": moved, "bottom": bottom}
+
+
+def delay_line(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """States: currents of the coils, voltages of the capacitors, current of the load; one section after the other."""
+    n = sum(name.startswith("section[") and name.endswith("].R") for name in p)
+    a = np.zeros((2 * n + 2, 2 * n + 2))
+    for k in range(n):
+        L, R, C = (p[f"section[{k + 1}].{name}"] for name in "LRC")
+        a[k, k] = -R / L
+        a[k, n + k - 1 if k else 2 * n + 1] = 1 / L
+        a[k, n + k] = -1 / L
+        a[n + k, k] = 1 / C
+        a[n + k, k + 1 if k < n - 1 else 2 * n] = -1 / C
+    a[2 * n, 2 * n - 1] = 1 / p["tail.L"]
+    a[2 * n, 2 * n] = -p["load.R"] / p["tail.L"]
+    x = linear(a, [0.0] * (2 * n + 1) + [10.0], t)
+    return {f"u[{k + 1}]": x[n + k] for k in range(n)} | {"i": x[2 * n]}
