@@ -94,6 +94,7 @@ class Folder:
             case _:
                 raise AssertionError(item)
         around.entries[name] = symbol
+        self.known[name] = symbol  # packages may import one another: it is known before it is filled
         if isinstance(item, nodes.Class) and item.kind == "package":
             symbol.inner = Scope(
                 "file", f"package `{'.'.join((*self.within, name))}`", around, f"{around.prefix}{name}."
