@@ -12,11 +12,6 @@ ROWS: dict[str, Row] = {
         "{count} of the {total} closure equations of {joint} are redundant and are left out of the solve",
         "this closes the loop {loop}",
     ),
-    "E0701": error(
-        "{what} cannot be connected here",
-        "no frame, no component with frames",
-        "`connect` joins frames with frames, coordinates with coordinates, and connectors with connectors of one class",
-    ),
     "E0702": error(
         "`{name}` is not connected to `world`",
         "no joint leads here from the world",
@@ -97,5 +92,10 @@ ROWS: dict[str, Row] = {
         "`{name}` follows from the other joints of its loop; its start tells only from where turns are counted",
         "no initial value",
         "`prefer = always` keeps the coordinate, with its start",
+    ),
+    "E0719": error(
+        "{what} cannot be connected here",
+        "{why}",
+        "`connect` joins frames with frames, coordinates with coordinates, and connectors with connectors of one class",
     ),
 }

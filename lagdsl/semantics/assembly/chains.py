@@ -72,7 +72,7 @@ class Chains:
             label = Label(instance.span, "declared here")
             pins = [f"`{name}.{each}`" for each, entry in instance.scope.entries.items() if _is_connector(entry)]
             hint = f"name the connector: {' or '.join(pins)}" if pins else None
-            self._ctx.sink.report("E0701", item.span, label, what=f"`{name}`, which has no frames,", help=hint)
+            self._ctx.sink.report("E0719", item.span, label, what=f"`{name}`", why="it has no frames", help=hint)
             return None
         if len(ports) == 1 and place != "middle":
             port = self._net.port(next(iter(ports.values())), ())
@@ -112,9 +112,11 @@ def _is_connector(entry: Entry) -> bool:
     return isinstance(entry, Instance) and entry.kind == "connector"
 
 
-def refuse(ctx: Context, scope: Scope, item: nodes.Expression) -> None:
-    """What cannot be connected: the fault in the text itself, or E0701."""
+def refuse(
+    ctx: Context, scope: Scope, item: nodes.Expression, wanted: str = "neither a frame nor a component with frames"
+) -> None:
+    """What cannot be connected: the fault in the text itself, or E0719."""
     target = target_of(ctx, scope, item)
     known = isinstance(target, Element) and target.symbol.kind == "frame"
     if known or not isinstance(ctx.elaborate(ctx, scope, item, False), Poison):
-        ctx.sink.report("E0701", item.span, what=f"`{item.span.text}`")
+        ctx.sink.report("E0719", item.span, what=f"`{item.span.text}`", why=f"this is {wanted}")

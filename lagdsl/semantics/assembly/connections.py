@@ -52,7 +52,8 @@ class Connections:
             elif isinstance(first, Instance) and isinstance(target, Instance) and _is_connector(target):
                 done = self._networks.unite(first, target, node.span)
             else:
-                refuse(self._ctx, scope, item)
+                what = "connector" if isinstance(first, Instance) else "coordinate"
+                refuse(self._ctx, scope, item, f"no {what} like `{items[0][0].span.text}`")
             if done is None:
                 return
             joined |= done
