@@ -1,7 +1,7 @@
 """Linkages that move only because of their special dimensions, as texts: frames and the equations of the cut joint.
 
-Sources: G. T. Bennett, Engineering 76 (1903) 777; R. Bricard, Lecons de cinematique II (1927); Y. Chen, Z. You, T. Tarnai,
-Int. J. Solids and Structures 42 (2005) 2287 (threefold-symmetric Bricard linkage).
+Sources: G. T. Bennett, Engineering 76 (1903) 777; R. Bricard, Lecons de cinematique II (1927); Y. Chen, Z. You,
+T. Tarnai, Int. J. Solids and Structures 42 (2005) 2287 (threefold-symmetric Bricard linkage).
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from math import asin, atan, degrees, radians, sin, tan
 from lagdsl.diagnostics import Sink
 from lagdsl.pipeline import Compilation, elaborate, middle, tree
 from lagdsl.semantics.flat_model import Closure, FlatModel
-from lagdsl.source import SourceFile
+from lagdsl.source import SourceFile, Span
 
 BENNETT_TWIST = radians(30.0), asin(2.0 * sin(radians(30.0)) * 0.45)
 BENNETT_LENGTH = 0.5, 0.5 * sin(BENNETT_TWIST[1]) / sin(BENNETT_TWIST[0])
@@ -58,8 +58,12 @@ def bricard(theta: float = 100.0) -> str:
     from math import acos, cos
 
     phi = degrees(acos(-cos(radians(theta)) / (1.0 + cos(radians(theta)))))
-    starts = ", ".join(f"q{i}(start = {theta if i % 2 else phi!r} deg{', fixed = true' if i == 1 else ''})" for i in range(1, 6))
-    bodies = "\n".join(f"  body b{i}(m = 1 kg, com = {{-0.5 m, 0, 0}}, I = {{0.01, 0.1, 0.1}}) on L{i};" for i in range(1, 6))
+    starts = ", ".join(
+        f"q{i}(start = {theta if i % 2 else phi!r} deg{', fixed = true' if i == 1 else ''})" for i in range(1, 6)
+    )
+    bodies = "\n".join(
+        f"  body b{i}(m = 1 kg, com = {{-0.5 m, 0, 0}}, I = {{0.01, 0.1, 0.1}}) on L{i};" for i in range(1, 6)
+    )
     return f"""model Bricard
   coordinate Angle {starts};
 {chr(10).join(links)}
@@ -125,9 +129,13 @@ def flat_model(text: str, *, loops: dict[str, tuple[str, tuple[str, ...]]] | Non
     if loops is None:
         return flat
     closed = tuple(
-        replace(c, closure=Closure(*loops[c.name], c.spans[0])) if c.name in loops else c for c in flat.constraints
+        replace(c, closure=_closure(loops[c.name], c.spans[0])) if c.name in loops else c for c in flat.constraints
     )
     return replace(flat, constraints=closed)
+
+
+def _closure(loop: tuple[str, tuple[str, ...]], span: Span) -> Closure:
+    return Closure(joint=loop[0], loop=loop[1], span=span)
 
 
 def compiled(flat: FlatModel) -> tuple[Compilation | None, Sink]:
