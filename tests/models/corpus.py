@@ -143,7 +143,10 @@ def on_constraints(program: Program, state: Arrays) -> Arrays:
         phi, jacobian = values(program, "position_constraint", state | {Group.Q: q})
         if not (phi.size and np.all(np.isfinite(jacobian)) and np.all(np.isfinite(phi))):
             break
-        q = q - np.linalg.pinv(jacobian, rcond=1e-10) @ phi
+        step = np.linalg.pinv(jacobian, rcond=1e-10) @ phi
+        q = q - step
+        if np.max(np.abs(step)) <= 1e-15 * np.max(np.abs(q)):
+            break
     residual, jacobian = values(program, "velocity_constraint", state | {Group.Q: q, Group.QD: qd})
     if residual.size and np.all(np.isfinite(jacobian)):
         qd = qd - np.linalg.pinv(jacobian, rcond=1e-10) @ residual

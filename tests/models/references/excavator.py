@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from models.references.integrate import G_N, Floats
-from models.references.newton_euler import GROUND, Body, Load, Point, State, motion, revolute, turned
+from models.references.newton_euler import GROUND, Body, Load, Point, State, cross, motion, revolute, turned
 
 Parameters = Mapping[str, float]
 
@@ -31,13 +31,19 @@ def _point(body: int, at: Sequence[float]) -> Point:
 
 def excavator(_: Parameters, t: Floats) -> dict[str, Floats]:
     """Newton's and Euler's equations with the forces of the pins; pressures as in the model."""
+    return swinging(t, 0.0, 0.0)
+
+
+def swinging(t: Floats, turning: float, drive: float) -> dict[str, Floats]:
+    """Started with a rate of swing, driven by a constant moment."""
     bodies, origin, attitude = [], np.zeros(3), np.eye(3)
     for i, (mass, inertia) in enumerate(zip(MASSES, INERTIAS, strict=True)):
         if i > 0:
             origin = origin + attitude @ np.array(PINS[i - 1])
             attitude = attitude @ turned("z", START[i - 1])
         at = origin + attitude @ CENTERS[i]
-        bodies.append(Body(mass, np.diag(inertia), at, attitude, np.zeros(3), np.zeros(3)))
+        spin = np.array([0, turning, 0])
+        bodies.append(Body(mass, np.diag(inertia), at, attitude, cross(spin, at), spin))
     x, y, z = np.eye(3)
     joints = revolute(
         _point(0, (0, 0, 0)), Point(GROUND, np.zeros(3)), Point(0, y), (Point(GROUND, z), Point(GROUND, x))
@@ -59,7 +65,7 @@ def excavator(_: Parameters, t: Floats) -> dict[str, Floats]:
             _, rate, along = length(state, a, b)
             force = (pressure * AREA - DAMPING * rate) * along
             found += [(a, -force, np.zeros(3)), (b, force, np.zeros(3))]
-        return found
+        return [*found, (Point(0, np.zeros(3)), np.zeros(3), np.array([0, drive, 0]))]
 
     def flow(_: float, state: State, pressures: Floats) -> Floats:
         errors = np.array([ref - length(state, a, b)[0] for ref, (a, b) in zip(REFERENCES, ends, strict=True)])
@@ -71,7 +77,7 @@ def excavator(_: Parameters, t: Floats) -> dict[str, Floats]:
         relative = a.T @ b
         return float(np.arctan2(relative[1, 0], relative[0, 0]))
 
-    columns = {"swing": np.array([np.arctan2(s.R[0, 0, 2], s.R[0, 0, 0]) for s in states])}
+    columns = {"swing": np.unwrap([np.arctan2(s.R[0, 0, 2], s.R[0, 0, 0]) for s in states])}
     for i, name in enumerate(("boom", "stick", "bucket")):
         columns[name] = np.unwrap([angle(s.R[i], s.R[i + 1]) for s in states])
     tip = np.array([s.place(_point(3, (1.4, 0, 0))) for s in states])
