@@ -79,8 +79,10 @@ def _title(entry: Entry) -> str:
             return "type"
         case ClassSymbol():
             return getattr(entry.node, "kind", "class")
-        case Instance() | InstanceArray():
-            return "component"
+        case Instance():
+            return f"component of {entry.scope.title}"
+        case InstanceArray():
+            return "array of components"
         case _:
             return "name"
 

@@ -75,6 +75,8 @@ def modify(ctx: Context, symbol: Symbol, given: Iterable[Given]) -> None:
             label = Label(symbol.sealed, "given as `final` here")
             ctx.sink.report("E0224", modifier.span, label, name=symbol.short)
             continue
+        if "each" in modifier.prefixes and not _is_array(symbol):
+            ctx.sink.report("E0344", modifier.span, what=f"`{symbol.short}`")
         if modifier.modifiers:
             symbol.overrides.append((modifier.modifiers, outer))
         if modifier.value is not None:
@@ -84,6 +86,11 @@ def modify(ctx: Context, symbol: Symbol, given: Iterable[Given]) -> None:
             symbol.final = True
 
 
+def _is_array(symbol: Symbol) -> bool:
+    declared = symbol.declarator is not None and bool(symbol.declarator.subscripts)
+    return declared or (symbol.info is not None and bool(symbol.info.shape))
+
+
 def _rebind(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, value: nodes.Expression, outer: Scope) -> None:
     if symbol.kind == "unknown":
         return
@@ -91,8 +98,7 @@ def _rebind(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, value: nodes
         label = Label(symbol.span, f"declared as {symbol.title}")
         ctx.sink.report("E0224", modifier.span, label, name=symbol.short)
         return
-    array = symbol.declarator is not None and symbol.declarator.subscripts
-    key = () if symbol.kind in ("point", "frame") and not array else None
+    key = () if symbol.kind in ("point", "frame") and not _is_array(symbol) else None
     symbol.bindings = {key: Binding(value, outer, modifier.span)}
 
 

@@ -119,6 +119,7 @@ def _leading(ctx: Context, scope: Scope, value: nodes.Expression, rank: int) -> 
     found = ctx.elaborate(ctx, scope, value, True)
     match found:
         case Poison():
+            ctx.split_values[id(value)] = POISON
             return None
         case Array():
             ctx.split_values[id(value)] = found  # else every component would make the whole of it
