@@ -9,7 +9,7 @@ from lagdsl.record import record
 from lagdsl.semantics import flat_expression as fx
 from lagdsl.semantics import flat_model as fm
 from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_evaluate import Values, evaluate
+from lagdsl.semantics.flat_evaluate import Evaluator, Values
 from lagdsl.semantics.flat_spans import around, place
 
 _MOMENTS = ("Ixx", "Iyy", "Izz")
@@ -18,7 +18,7 @@ _SLACK = 1e-9  # a thin disc lies on the boundary, up to rounding
 
 def check_inertias(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """Values are those of the parameters' defaults."""
-    checks = _Checks(flat, dependence, sink)
+    checks = _Checks(flat, dependence, sink, Evaluator(flat, Values()))
     for mass in flat.masses:
         if checks.constant(mass, "mass", mass.mass):
             checks.not_negative(mass, "mass", mass.mass, "kg")
@@ -31,6 +31,7 @@ class _Checks:
     flat: fm.FlatModel
     dependence: Dependence
     sink: Sink
+    moment: Evaluator
 
     def body(self, body: fm.RigidBody) -> None:
         """Its mass, its moments and what they allow; each only if what comes before is sound."""
@@ -54,7 +55,7 @@ class _Checks:
         return not changing
 
     def not_negative(self, item: fm.Item, what: str, value: fx.FlatExpression, unit: str) -> bool:
-        number = evaluate(self.flat, value, Values())
+        number = self.moment.scalar(value)
         if number < 0.0:
             self.sink.report("E0506", place(item), *around(item), what=what, value=f"{number:.6g}", unit=unit)
         return not number < 0.0
@@ -64,7 +65,7 @@ class _Checks:
 
         Entries that are not given are unstated (ruling 18): nothing is checked unless all three moments are.
         """
-        numbers = [evaluate(self.flat, value, Values()) for value in body.inertia]
+        numbers = [self.moment.scalar(value) for value in body.inertia]
         if any(moment == fx.ZERO for moment in body.inertia[:3]) or not np.all(np.isfinite(numbers)):
             return
         xx, yy, zz, xy, xz, yz = numbers
