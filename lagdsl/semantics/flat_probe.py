@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from random import Random
 
 from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_evaluate import NotEvaluable, Values, evaluate
+from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,8 @@ class Moment:
 def probes(flat: fm.FlatModel, count: int) -> list[Moment]:
     """`count` moments around the start, spread by the nominal size of each coordinate (1 where none is given)."""
     random = Random(20240229)
-    starts = {c.name: _start(flat, c) for c in flat.coordinates}
+    at_start = Evaluator(flat, Values())
+    starts = {c.name: _start(at_start, c) for c in flat.coordinates}
     moments = []
     for _ in range(count):
         variables = {c.name: starts[c.name] + (c.nominal or 1.0) * random.uniform(-1, 1) for c in flat.coordinates}
@@ -31,8 +32,8 @@ def probes(flat: fm.FlatModel, count: int) -> list[Moment]:
     return moments
 
 
-def _start(flat: fm.FlatModel, coordinate: fm.Coordinate) -> float:
+def _start(evaluator: Evaluator, coordinate: fm.Coordinate) -> float:
     try:
-        return evaluate(flat, coordinate.start, Values())
+        return evaluator.scalar(coordinate.start)
     except NotEvaluable:
         return 0.0

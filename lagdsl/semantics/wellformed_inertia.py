@@ -18,7 +18,8 @@ _SLACK = 1e-9  # a thin disc lies on the boundary, up to rounding
 
 def check_inertias(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """Values are those of the parameters' defaults."""
-    checks = _Checks(flat, dependence, sink, Evaluator(flat, Values()))
+    parameters = frozenset(parameter.name for parameter in flat.parameters)
+    checks = _Checks(flat, dependence, sink, Evaluator(flat, Values()), parameters)
     for mass in flat.masses:
         if checks.constant(mass, "mass", mass.mass):
             checks.not_negative(mass, "mass", mass.mass, "kg")
@@ -32,6 +33,7 @@ class _Checks:
     dependence: Dependence
     sink: Sink
     moment: Evaluator
+    parameters: frozenset[str]
 
     def body(self, body: fm.RigidBody) -> None:
         """Its mass, its moments and what they allow; each only if what comes before is sound."""
@@ -48,8 +50,7 @@ class _Checks:
 
     def constant(self, item: fm.Item, what: str, value: fx.FlatExpression) -> bool:
         """E0505 unless the value is built from parameters (ruling 13)."""
-        fixed = {parameter.name for parameter in self.flat.parameters}
-        changing = [name for name in self.dependence.of(value) if name not in fixed]
+        changing = [name for name in self.dependence.of(value) if name not in self.parameters]
         if changing:
             self.sink.report("E0505", place(item), *around(item), what=what, name=changing[0])
         return not changing

@@ -129,7 +129,8 @@ def flat_model(text: str, *, loops: dict[str, tuple[str, tuple[str, ...]]] | Non
     if loops is None:
         return flat
     closed = tuple(
-        replace(c, closure=_closure(loops[c.name], c.spans[0])) if c.name in loops else c for c in flat.constraints
+        replace(c, closure=_closure(loops[c.name], flat.constraints[0].spans[0])) if c.name in loops else c
+        for c in flat.constraints
     )
     return replace(flat, constraints=closed)
 
