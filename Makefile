@@ -32,10 +32,10 @@ test-fast: $(READY)  ## the tests of the floors, without models and packaging
 c-test: $(READY)  ## tests of the C runtime, with the address and undefined-behavior sanitizers
 	$(MAKE) --directory=lagdsl/runtime/c test
 
-update: $(READY)  ## regenerate what is generated: parser tables, unit table, expectations of the corpus
+update: $(READY)  ## regenerate what is generated: parser tables, unit table, list of the library, expectations of the corpus
 	$(BIN)/python -m lagdsl.syntax.generate
 	$(BIN)/python -m lagdsl.units.generate
-	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/units
+	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/units tests/semantics
 
 bench: $(READY)  ## the figures of benchmarks/README.md
 	$(BIN)/python benchmarks/run.py

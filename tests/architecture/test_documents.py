@@ -9,7 +9,15 @@ import pytest
 
 import lagdsl
 
-PAGES = ("README.md", "docs/language.md", "docs/mechanics.md", "docs/networks.md", "docs/classes.md", "docs/assembly.md")
+PAGES = (
+    "README.md",
+    "docs/language.md",
+    "docs/library.md",
+    "docs/mechanics.md",
+    "docs/networks.md",
+    "docs/classes.md",
+    "docs/assembly.md",
+)
 LATER = {
     "contact": "contact floor: x >= 0 with restitution = 0.5;",
     "when": "equation when x > 1 m then reinit(der(x), 0); end when;",

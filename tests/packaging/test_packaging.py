@@ -13,6 +13,7 @@ import pytest
 CARRIED = {
     "grammar/lagdsl.lark": "lagdsl/_data/grammar/lagdsl.lark",
     "stdlib/Lag/package.lag": "lagdsl/_data/stdlib/Lag/package.lag",
+    "stdlib/Lag/Planar/Revolute.lag": "lagdsl/_data/stdlib/Lag/Planar/Revolute.lag",
     "docs/diagnostics/E0401.md": "lagdsl/_data/diagnostics/E0401.md",
     "lagdsl/runtime/c/include/lag/model.h": "lagdsl/runtime/c/include/lag/model.h",
     "lagdsl/runtime/c/src/dynamics.c": "lagdsl/runtime/c/src/dynamics.c",
@@ -47,10 +48,12 @@ def test_the_sdist_carries_the_whole_project(packages: tuple[Path, Path]) -> Non
     assert {"LICENSE", "README.md", "Makefile", "models/pendulum.lag", "tests/conftest.py"} <= names
 
 
-def test_the_wheel_carries_what_runs(packages: tuple[Path, Path]) -> None:
+def test_the_wheel_carries_what_runs(packages: tuple[Path, Path], root: Path) -> None:
     with zipfile.ZipFile(packages[1]) as archive:
         names = set(archive.namelist())
     assert set(CARRIED.values()) <= names
+    classes = {path.relative_to(root).as_posix() for path in (root / "stdlib").rglob("*.lag")}
+    assert {f"lagdsl/_data/{name}" for name in classes} <= names
     assert not any(name.startswith(("tests/", "models/")) for name in names)
     assert any(name.endswith("licenses/LICENSE") for name in names)
 
@@ -67,6 +70,9 @@ def test_the_wheel_runs_a_model(packages: tuple[Path, Path], root: Path, tmp_pat
     lag = [sys.executable, "-m", "lagdsl"]
     assert "1 degree of freedom" in _run([*lag, "check", str(model)], tmp_path, **environment)
     assert "E0401" in _run([*lag, "explain", "E0401"], tmp_path, **environment)
+    parts = tmp_path / "four_bar.lag"
+    parts.write_text((root / "models" / "four_bar.lag").read_text())
+    assert "1 degree of freedom" in _run([*lag, "check", str(parts)], tmp_path, **environment)
     out = _run(
         [*lag, "run", str(model), "--stop", "0.2", "--engine", "c", "-o", "/dev/stdout"], tmp_path, **environment
     )
