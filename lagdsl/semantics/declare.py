@@ -198,7 +198,7 @@ class Declarer:
         if "partial" in node.prefixes:
             assert isinstance(node, nodes.Class)
             label = Label(node.name_span, "declared as partial")
-            self.ctx.sink.report("E0231", declarator.name_span, label, name=node.name)
+            self.ctx.sink.report("E0231", declarator.name_span, label, name=node.name, what="a component")
             return False
         if declarator.value is not None:
             self.ctx.sink.report("E0227", declarator.value.span, name=declarator.name)

@@ -87,6 +87,9 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     symbol, modifiers = expanded
     node = symbol.node
     assert isinstance(node, nodes.Class)
+    if "partial" in node.prefixes:
+        ctx.sink.report("E0231", node.name_span, name=node.name, what="a model by itself")
+        return None
     ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
     root = instance_of(symbol, "", node.name_span, None)
     contents = collect(ctx, root, modifiers)

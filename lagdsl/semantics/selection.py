@@ -155,9 +155,3 @@ def functions_of(scope: Scope) -> Iterator[FunctionSymbol]:
             yield entry
         elif isinstance(entry, ClassSymbol) and entry.inner is not None:
             yield from functions_of(entry.inner)
-
-
-def inherits(node: nodes.Class) -> bool:
-    """Whether names may come from elsewhere: `extends` is not followed yet."""
-    items = [*node.items, *(item for section in node.sections for item in section.items)]
-    return any(isinstance(item, nodes.Extends) for item in items)

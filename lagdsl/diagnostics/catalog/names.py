@@ -46,7 +46,9 @@ ROWS: dict[str, Row] = {
     "E0223": error("{model} has no `{name}`", label="cannot be modified"),
     "E0224": error("`{name}` cannot be given another value from outside", label="it is fixed"),
     "E0225": error(
-        "component `{name}` would hold itself without end: {path}", label="a component of a class that it is part of"
+        "component `{name}` would hold itself without end: {path}",
+        label="a component of a class that it is part of",
+        help="what repeats is an array of components in the class around: `Link link[n]`",
     ),
     "E0226": error("a class cannot extend itself: {path}", label="closes the circle", help="delete one of the `extends`"),
     "E0227": error(
@@ -58,7 +60,7 @@ ROWS: dict[str, Row] = {
     "E0229": error("`{name}` is protected in {what}", label="not to be seen from outside"),
     "E0230": error("component `{name}` is not there: its condition is false", label="used here"),
     "E0231": error(
-        "`{name}` is a partial class; it cannot be a component",
+        "`{name}` is a partial class; it cannot be {what}",
         label="incomplete on purpose",
         help="use a class that extends it",
     ),
