@@ -14,6 +14,7 @@ PAGES = (
     "docs/language.md",
     "docs/library.md",
     "docs/mechanics.md",
+    "docs/mechanical-library.md",
     "docs/networks.md",
     "docs/classes.md",
     "docs/assembly.md",
