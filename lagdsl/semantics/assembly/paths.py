@@ -7,6 +7,7 @@ from typing import TypeAlias
 from lagdsl.diagnostics import Sink
 from lagdsl.record import record
 from lagdsl.semantics.arrays import subscript_indices
+from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.geometry import METHODS
 from lagdsl.semantics.scope import Entry, Indices, Instance, InstanceArray, Scope, Symbol, lookup
@@ -99,12 +100,28 @@ def base_of(ctx: Context, scope: Scope, node: nodes.Expression) -> nodes.Express
         match node:
             case nodes.Parenthesized():
                 node = node.inner
+            case nodes.Conditional():
+                chosen = _branch(ctx, scope, node)
+                if chosen is None:
+                    return None
+                node = chosen
             case nodes.Call(function=nodes.Member() as function) if function.name in METHODS:
                 node = function.target
             case nodes.Reference() | nodes.Member() | nodes.Index():
                 return node if _is_frame(ctx, scope, node) else None
             case _:
                 return None
+
+
+def _branch(ctx: Context, scope: Scope, node: nodes.Conditional) -> nodes.Expression | None:
+    """The branch that a structural condition takes."""
+    for branch in node.branches:
+        condition = condition_of(ctx, scope, branch.condition)
+        if not isinstance(condition, bool):
+            return None
+        if condition:
+            return branch.value
+    return node.otherwise
 
 
 def _is_frame(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:

@@ -39,6 +39,8 @@ class Uses:
 
     def _momenta(self, scope: Scope, node: nodes.Node) -> None:
         """`momentum(q)` belongs to an unknown of the equations of motion."""
+        if "momentum" not in node.span.text:  # most texts: no need to walk them
+            return
         for part in descendants(node):
             if _is_call(part, "momentum"):
                 assert isinstance(part, nodes.Call)

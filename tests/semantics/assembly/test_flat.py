@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from time import process_time
+
 import pytest
 
 from lagdsl.diagnostics import Sink
@@ -239,3 +241,60 @@ end M;
         ("node(R.n)", "velocity", True),
     ]
     assert "v [V] = multiplier(node(V.p)) - multiplier(node(R.n))" in flat_text(flat)
+
+
+def test_conditions_choose_kinematics_and_connections():
+    text = """joint Slide
+  structural parameter Boolean turned = true;
+  frame frame_a, frame_b;
+  coordinate Length s;
+kinematics
+  frame_b = if turned then frame_a.rotz(90 deg).move({s, 0}) else frame_a.move({s, 0});
+end Slide;
+model M
+  import Lag.Planar.*;
+  structural parameter Boolean hung = true;
+  Slide a, b(turned = false);
+  Body ball(m = 1 kg), other(m = 1 kg);
+  gravity = -g_n*world.y;
+  connect(world, a, ball);
+  connect(world, b, other) if hung;
+  connect(a.frame_b, b, other) if not hung;
+end M;
+"""
+    flat, codes = flat_of(text)
+    assert codes == []
+    frames = {item.name: item for item in flat.named if isinstance(item, Frame)}
+    assert [len(frames[f"{name}.frame_b"].steps) for name in "ab"] == [2, 1]
+    assert frames["b.frame_a"].parent == "world"
+    assert {item.name: item for item in flat_of(text.replace("hung = true", "hung = false"))[0].named}[
+        "b.frame_a"
+    ].parent == "a.frame_b"
+
+
+def test_a_coordinate_with_a_momentum_is_an_unknown():
+    flat, _ = four_bar("Revolute A, B, C, D;", "output AngularMomentum p = momentum(D.q);")
+    assert "D.q" in names(flat)
+
+
+def chain(count: int) -> str:
+    """Four-bars, each on the rocker of the one before."""
+    parts = []
+    for k in range(count):
+        ground = f"rocker{k - 1}.frame_b" if k else "world"
+        parts.append(
+            f"Link crank{k}(l = 0.4, m = 1), coupler{k}(l = 1, m = 2), rocker{k}(l = 0.8, m = 1.5);\n"
+            f"Revolute A{k}(q(start = 60 deg)), B{k}, C{k}, D{k};\nFixedTranslation base{k}(r = {{1, 0}});\n"
+            f"connect({ground}, A{k}, crank{k}, B{k}, coupler{k}, C{k}, rocker{k});\n"
+            f"connect({ground}, base{k}); connect(base{k}.frame_b, D{k}); connect(D{k}.frame_b, rocker{k}.frame_b);\n"
+        )
+    return f"model Chain\nimport Lag.Planar.*;\ngravity = -g_n*world.y;\n{''.join(parts)}end Chain;\n"
+
+
+def test_a_hundred_four_bars_in_a_chain():
+    start = process_time()
+    flat, _ = flat_of(chain(100))
+    assert process_time() - start < 5
+    assert len(flat.coordinates) == 300
+    loops = [constraint.closure.loop for constraint in flat.constraints if constraint.closure is not None]
+    assert loops[-1] == ("base99", "D99", "rocker99", "C99", "coupler99", "B99", "crank99", "A99")
