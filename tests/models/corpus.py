@@ -211,6 +211,8 @@ def values_with_size(program: Program, function: str, arrays: Arrays) -> list[tu
 def _stacked(numbers: list[Any], leading: tuple[int, ...]) -> np.ndarray:
     if not numbers:
         return np.zeros((*leading, 0))
+    if not leading:
+        return np.array(numbers)
     return np.stack([np.broadcast_to(number, leading) for number in numbers], axis=-1)
 
 
