@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from lagdsl.diagnostics import Label, Sink
+from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_points import Geometry, Probe, free_directions
 from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.semantics.flat_spans import around, place
 from lagdsl.units.dimension import CHARGE
 
 # Smallest inertia in a direction the constraints leave free, relative to the largest, that still counts as inertia.
@@ -46,10 +47,9 @@ def _report(flat: FlatModel, index: int, together: list[int], sink: Sink) -> Non
     if len(rates) > 1:
         shown = rates if len(rates) <= _MOST_SHOWN else [*rates[:_MOST_SHOWN], "more"]
         why = f"{', '.join(shown[:-1])} and {shown[-1]} can change together without kinetic energy"
-    span, *outward = coordinate.spans or (None,)
-    labels = [Label(each, f"in component `{each.text}`") for each in outward if each is not None]
+    labels = around(coordinate)
     help = _INDUCTANCE if coordinate.dimension == CHARGE else _FLANGE if labels else None
-    sink.report("E0503", span, *labels, notes=(why,), help=help, name=coordinate.name)
+    sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help, name=coordinate.name)
 
 
 def _massless(space: Geometry, point: Probe) -> Floats:

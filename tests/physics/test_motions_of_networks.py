@@ -109,3 +109,34 @@ def _end_of_shafts(components: list[str], sets: list[list[str]]) -> list[float]:
     text = SHAFTS.format(components="\n  ".join(components), connections=connections + outputs)
     motion = lagdsl.compile(text).simulate(stop=1.0, interval=1.0, tolerance=1e-11)
     return [float(motion[name][-1]) for name in "abc"]
+
+
+MOTOR_ON_A_LOOP = """
+model MotorOnALoop
+  import Lag.Planar.*;
+  import Lag.Electrical.*;
+  Link crank(l = 0.4 m, m = 1 kg), coupler(l = 1 m, m = 2 kg), rocker(l = 0.8 m, m = 1.5 kg);
+  Revolute A(q(start = 60 deg, fixed = true)), B(q(start = -30 deg)), C(q(start = -110 deg)), D;
+  Lag.Planar.Fixed pin(r = {1 m, 0});
+  DCMotor motor(R = 1 Ohm, L = 20 mH, k = 0.2 N.m/A, J = 0.01 kg.m2);
+  VoltageSource source(v = 5 V);
+  Ground ground;
+  gravity = -g_n*world.y;
+  connect(world, A, crank, B, coupler, C, rocker, D, pin);
+  connect(source.p, motor.p);
+  connect(source.n, motor.n, ground.p);
+  MERGED
+  output Current i = motor.p.i;
+end MotorOnALoop;
+"""
+
+
+@pytest.mark.parametrize("joint", ["A", "C"])
+def test_a_motor_on_a_joint_of_a_loop_is_one_tied_to_it_by_a_constraint(joint: str) -> None:
+    """Whether the joint is kept or cut, its coordinate is that of the motor."""
+    found = []
+    for text in (f"connect(motor.phi, {joint}.q);", f"constraint shaft: der(motor.phi) = der({joint}.q);"):
+        model = lagdsl.compile(MOTOR_ON_A_LOOP.replace("MERGED", text), engine="c")
+        motion = model.simulate(stop=0.2, interval=0.1, tolerance=1e-9)
+        found.append(np.array([motion["A.q"], motion["i"]]))
+    np.testing.assert_allclose(found[0], found[1], atol=1e-8)
