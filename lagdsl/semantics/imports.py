@@ -12,10 +12,12 @@ from dataclasses import dataclass, field
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.record import record
-from lagdsl.semantics.scope import ClassSymbol, Entry, Root, Scope
+from lagdsl.semantics.scope import ClassSymbol, Entry, Root, Scope, lookup_path
 from lagdsl.semantics.values import POISON
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
+
+_DEEPEST = 50  # short classes behind one another
 
 
 @record()
@@ -175,4 +177,14 @@ def _no_package(sink: Sink, target: Target, name: str) -> None:
 
 
 def _identity(entry: Entry) -> object:
+    """What makes two entries the same; a short class without modifiers is another name of its base."""
+    for _ in range(_DEEPEST):
+        if not isinstance(entry, ClassSymbol) or not isinstance(entry.node, nodes.ShortClass):
+            break
+        base = (
+            None if entry.node.modifiers or entry.node.subscripts else lookup_path(entry.scope, entry.node.base.parts)
+        )
+        if not isinstance(base, ClassSymbol):
+            break
+        entry = base
     return getattr(entry, "node", entry)

@@ -113,6 +113,14 @@ def test_order_of_lookup(robots: Path) -> None:
     assert "E0203" not in sink_codes  # what the class declares goes before all imports
 
 
+def test_two_names_of_one_class_are_not_ambiguous(robots: Path) -> None:
+    second = "package Hall\n  model Arm = Robots.Arm{};\n  import Robots;\nend Hall;\n"
+    text = f"import Robots.*;\nimport Hall.*;\nmodel M\n  Arm arm;{BODY}end M;"
+    beside = str(robots / "model.lag")
+    assert "E0203" not in flattened(second.replace("{}", "") + text, beside)[1]
+    assert "E0203" in flattened(second.replace("{}", "(l = 1 m)") + text, beside)[1]
+
+
 def test_imports_are_not_seen_from_outside(robots: Path) -> None:
     package = "package P\n  import Robots.reach;\n  constant Length a = reach;\nend P;\n"
     beside = str(robots / "model.lag")
