@@ -19,6 +19,7 @@ _TRIES = 24
 # Beyond so many coordinates one evaluation costs so much that fewer beginnings are tried.
 _MANY = 60
 _FEWER_TRIES = 8
+_LEAST_TRIES = 2
 # So many independent parts of a mechanism that cannot be assembled are looked into.
 _EXAMINED = 2
 
@@ -37,13 +38,14 @@ class Closest:
         return float(np.max(self.sizes, initial=0.0))
 
 
-def closest(flat: FlatModel, space: Geometry, rows: list[int]) -> Closest:
+def closest(flat: FlatModel, space: Geometry, rows: list[int], tries: int | None = None) -> Closest:
     """The best of several searches for a configuration in which the position rows hold; each independent part of the
     mechanism keeps its own best."""
     split = space.parts(rows)
     scale = space.row_sizes[rows]
     best = _closest(split, space.project(space.q, rows), scale)
-    tries = _TRIES if len(space.q) <= _MANY else _FEWER_TRIES
+    if tries is None:
+        tries = _TRIES if len(space.q) <= _MANY else _FEWER_TRIES
     for start in random_points(flat.coordinates, space.q, space.sizes, tries):
         if best.size <= HOLDS:
             break
@@ -86,7 +88,8 @@ def _explain(
 ) -> None:
     """Why these constraints, one part of the mechanism, cannot hold."""
     near = space.only([row for item in items for row in item.rows])
-    alone = [(item, closest(flat, near, list(item.rows))) for item in items]
+    tries = max(_LEAST_TRIES, _TRIES // len(items))  # many loops are looked into together for as long as one
+    alone = [(item, closest(flat, near.only(list(item.rows)), list(item.rows))) for item in items]
     impossible = [(item, found) for item, found in alone if found.size > HOLDS]
     for item, found in impossible:
         text = f"{float(np.linalg.norm(found.residual)):.3g}{unit_suffix(item.constraint)}"
@@ -97,7 +100,7 @@ def _explain(
             "E0602", place(item.constraint), notes=(note, *more), subject=subject(flat, item.constraint), verb=verb
         )
     if not impossible:
-        _contradiction(flat, near, items, columns, more, sink)
+        _contradiction(flat, near, items, columns, (tries, more), sink)
 
 
 def _contradiction(
@@ -105,17 +108,20 @@ def _contradiction(
     space: Geometry,
     position: list[Located],
     columns: list[int],
-    more: tuple[str, ...],
+    effort: tuple[int, tuple[str, ...]],
     sink: Sink,
 ) -> None:
     """Name the first constraint that cannot be added to those before it, and the one it contradicts if that is a
     single one."""
+    tries, more = effort
     taken: list[Located] = []
     for item in position:
         rows = [row for other in taken for row in other.rows]
-        found = closest(flat, space, [*rows, *item.rows])
+        found = closest(flat, space, [*rows, *item.rows], tries)
         if found.size > HOLDS:
-            partners = [o for o in taken if closest(flat, space, [*o.rows, *item.rows]).size > HOLDS][:1] or taken
+            partners = [o for o in taken if closest(flat, space, [*o.rows, *item.rows], tries).size > HOLDS][
+                :1
+            ] or taken
             note = f"they come closest at {configuration(flat, found.point, columns)}"
             _report_contradiction(flat, [other.constraint for other in partners], item.constraint, sink, (note, *more))
             return
