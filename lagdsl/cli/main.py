@@ -64,6 +64,8 @@ def lag() -> None:
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run `lag` and leave with its status; whatever happens, no Python traceback."""
     _open_closed_streams()
+    # The matrices are small: threads of the linear algebra would spend their time waiting for each other.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     sys.exit(_status(arguments))
 
 
