@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.api.names import known, require_value
 from lagdsl.backends.python.emit import motion_sizes
@@ -106,6 +106,33 @@ class Model(Interface):
         from lagdsl.textbook.derive import derive
 
         return derive(self._compilation.flat)
+
+    # ---- many states -------------------------------------------------------------------------------------------------
+
+    def batch(
+        self,
+        t: ArrayLike,
+        q: ArrayLike,
+        qd: ArrayLike,
+        z: ArrayLike | None = None,
+        u: ArrayLike | None = None,
+        w: ArrayLike | None = None,
+        p: ArrayLike | None = None,
+        *,
+        threads: int | None = None,
+    ) -> Floats:
+        """Accelerations qdd (..., nq) of many states and parameter sets, on all cores: `forward_dynamics` for a crowd.
+
+        All arguments broadcast over their leading axes. `threads` is the number of cores to use. The results are those
+        of `forward_dynamics`, whatever the number of threads. Raises ValueError for shapes that do not fit and
+        SingularSystem for the first state whose accelerations are not determined.
+        """
+        from lagdsl.runtime.cores import cores
+
+        if threads is not None and threads < 1:
+            raise ValueError(f"threads must be at least 1, not {threads}")
+        state = self._state(t, q, qd, z, u, w, p)
+        return self._engine.solve_batch(cores() if threads is None else threads, *state)[0]
 
     # ---- motion ------------------------------------------------------------------------------------------------------
 

@@ -26,6 +26,10 @@ class BatchEngine(Engine, Protocol):
         """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p."""
         ...
 
+    def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
+        """The same as `solve_many`, by `threads` threads."""
+        ...
+
     def jacobian_many(self, *state: ArrayLike) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz)."""
         ...
@@ -51,13 +55,20 @@ class Spread:
 
 
 def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[ArrayLike]) -> Spread:
-    """Raises ValueError for an argument of a wrong length. Length None: no axis of its own (the time)."""
+    """Raises ValueError for an argument of a wrong length or with leading axes that do not fit. Length None: no axis
+    of its own (the time)."""
     given = [np.asarray(argument, dtype=np.float64) for argument in arguments]
     leading: tuple[int, ...] = ()
     for (name, length), array in zip(signature, given, strict=True):
         if length is not None and (array.ndim == 0 or array.shape[-1] != length):
             raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {array.shape}")
-        leading = np.broadcast_shapes(leading, array.shape if length is None else array.shape[:-1])
+        own_axes = array.shape if length is None else array.shape[:-1]
+        try:
+            leading = np.broadcast_shapes(leading, own_axes)
+        except ValueError:
+            raise ValueError(
+                f"leading axes {own_axes} of {name} do not fit {leading} of the arguments before"
+            ) from None
     arrays = []
     for (name, length), array in zip(signature, given, strict=True):
         own = () if length is None else (length,)

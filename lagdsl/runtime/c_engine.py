@@ -15,6 +15,7 @@ from lagdsl.program.functions import SIGNATURES, STATE
 from lagdsl.program.program import Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.build import build
+from lagdsl.runtime.cores import Part, share_out
 from lagdsl.runtime.engine import Floats, SingularSystem
 from lagdsl.runtime.load import VECTORS, Arguments, Batch, Library, load
 
@@ -130,6 +131,33 @@ class CEngine:
         )
         self._check(status)
         return qdd, lam
+
+    def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
+        """`solve_many` with the states shared out to threads; they run while C works."""
+        many = self._spread(STATE, state)
+        qdd, lam = (np.empty((*many.leading, self.layout.size(group))) for group in (Group.QDD, Group.LAMBDA))
+        share_out(many.count, threads, lambda: self._worker(many, qdd, lam))
+        return qdd, lam
+
+    def _worker(self, many: Spread, qdd: Floats, lam: Floats) -> Part:
+        """Solves parts of `many` in memory of its own."""
+        workspace, memory = np.zeros_like(self._workspace), np.zeros_like(self._memory)
+        batch, coordinate = self._batch(many), c_size_t(0)
+        batch.workspace, batch.memory = workspace.ctypes.data, memory.ctypes.data
+        widths = (8 * self.layout.size(Group.QDD), 8 * self.layout.size(Group.LAMBDA))
+
+        def part(first: int, end: int, _kept: object = (workspace, memory)) -> None:
+            batch.count = end - first
+            for name, array, stride in many.arrays:
+                setattr(batch, name, array.ctypes.data + 8 * first * stride)
+            results = [block.ctypes.data + first * width for block, width in zip((qdd, lam), widths, strict=True)]
+            status = self._library.batch_forward_dynamics(
+                self._library.model, byref(batch), *results, byref(coordinate)
+            )
+            if status == _SINGULAR:
+                raise SingularSystem(coordinate.value)
+
+        return part
 
     def jacobian_many(self, *state: ArrayLike) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz). Raises SingularSystem."""

@@ -17,8 +17,11 @@ from lagdsl.backends.python.support import linear
 from lagdsl.backends.python.support.motion import differentiate_motion, solve_motion
 from lagdsl.backends.python.support.vectorize import apply, split
 from lagdsl.graph.fold import SCALAR
-from lagdsl.graph.operation import Op
+from lagdsl.graph.operation import ARGUMENT_NAMES, Group, Op
+from lagdsl.program.functions import STATE
 from lagdsl.program.program import Block, Program
+from lagdsl.runtime.broadcast import Spread, spread
+from lagdsl.runtime.cores import share_out
 from lagdsl.runtime.engine import Floats, SingularSystem
 
 # What bodies call on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat
@@ -82,6 +85,24 @@ class NumpyEngine:
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate) from None
 
+    def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
+        """`solve_many` in parts, whose intermediate arrays stay in the caches, shared out to threads."""
+        sizes = [(ARGUMENT_NAMES[g], None if g is Group.TIME else self.layout.size(g)) for g in STATE]
+        many = spread(sizes, state)
+        qdd, lam = (np.empty((many.count, self.layout.size(group))) for group in (Group.QDD, Group.LAMBDA))
+        varied = [stride > 0 for _, _, stride in many.arrays]
+        rows = [
+            _rows(many, array, stride, length)
+            for (_, length), (_, array, stride) in zip(sizes, many.arrays, strict=True)
+        ]
+
+        def part(first: int, end: int) -> None:
+            of_part = (array[first:end] if each else array for array, each in zip(rows, varied, strict=True))
+            qdd[first:end], lam[first:end] = self.solve_many(*of_part)
+
+        share_out(many.count, threads, lambda: part)
+        return tuple(block.reshape(*many.leading, block.shape[-1]) for block in (qdd, lam))
+
     def jacobian_many(self, *state: ArrayLike) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz). Raises SingularSystem."""
         try:
@@ -113,6 +134,12 @@ class NumpyEngine:
         flat[...] = template
         flat[..., varied] = values
         return split(flat, self._shapes[function])
+
+
+def _rows(many: Spread, array: Floats, stride: int, length: int | None) -> Floats:
+    """The argument with one axis for the states, or none where all share it."""
+    own = () if length is None else (length,)
+    return array.reshape(many.count, *own) if stride else array.reshape(-1)[: length or 1].reshape(own)
 
 
 def _plain(argument: Floats | float) -> list[float] | float:

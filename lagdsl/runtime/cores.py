@@ -1,0 +1,45 @@
+"""Work on many states shared out to all cores, in parts whose results do not depend on who does them."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import TypeAlias
+
+# States of one part: few enough to stop soon after an interrupt and to end together, and a multiple of any number of
+# vector lanes.
+PART = 512
+
+Part: TypeAlias = Callable[[int, int], None]
+
+
+def cores() -> int:
+    """How many threads of this process can work at the same time."""
+    if hasattr(os, "sched_getaffinity"):
+        return max(1, len(os.sched_getaffinity(0)))
+    return os.cpu_count() or 1
+
+
+def share_out(count: int, threads: int, worker: Callable[[], Part]) -> None:
+    """Call `part(first, end)` for the parts of `range(count)`; every thread has a `part = worker()` of its own.
+
+    Of several parts that raise, the first counts: a failure is the same in every run.
+    """
+    bounds = [(first, min(first + PART, count)) for first in range(0, count, PART)]
+    if threads <= 1 or len(bounds) <= 1:
+        part = worker()
+        for first, end in bounds:
+            part(first, end)
+        return
+    own = threading.local()
+
+    def work(first: int, end: int) -> None:
+        if not hasattr(own, "part"):
+            own.part = worker()
+        own.part(first, end)
+
+    with ThreadPoolExecutor(min(threads, len(bounds))) as pool:
+        for _ in pool.map(work, *zip(*bounds, strict=True)):  # in their order; leaving it early cancels the rest
+            pass
