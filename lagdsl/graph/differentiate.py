@@ -125,6 +125,10 @@ class Tangent:
     def of_all(self, roots: Iterable[int]) -> list[int]:
         return [self.of(root) for root in roots]
 
+    def known(self) -> Mapping[int, int]:
+        """Derivatives by node of everything visited so far."""
+        return self._known
+
 
 def moved_arguments(graph: Graph, node: int) -> tuple[int, ...]:
     """Arguments through which a small change passes: none of a step, not the condition of a choice."""

@@ -1,19 +1,20 @@
-"""Symbols replaced by other nodes."""
+"""Nodes replaced by others."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from lagdsl.graph.differentiate import mask_of
 from lagdsl.graph.graph import Graph
 
 
 class Substitution:
-    """Nodes with symbols replaced as `replacement` says, simplified anew on the way up; memoised over calls."""
+    """Nodes with what is in `replacement` replaced, simplified anew on the way up; memoised over calls."""
 
     def __init__(self, graph: Graph, replacement: Mapping[int, int]) -> None:
         self._graph = graph
-        self._mask = mask_of({graph.group(symbol): None for symbol in replacement})
+        self._mask = 0
+        for node in replacement:
+            self._mask |= graph.groups[node]
         self._known = dict(replacement)
 
     def of(self, root: int) -> int:

@@ -50,11 +50,11 @@ def _body(lowering: Lowering, body: RigidBody) -> Carrier:
     mass = lowering.scalar(body.mass)
     poses = lowering.poses(body.frame)
     pose = poses[body.frame]
-    x, y, z = (lowering.scalar(component) for component in body.com)
+    x, y, z = place_of(lowering, body)
     position = vectors.add(graph, pose.origin, vectors.to_world(graph, pose.axes, (x, y, z)))
     if mass == graph.zero:
         velocity = (graph.zero, graph.zero, graph.zero)
-    elif position == pose.origin and _is_put(pose):
+    elif position == pose.origin and is_put(pose):
         velocity = lowering.velocity(position)
     else:
         turning, velocity = poses.own_twist(body.frame)
@@ -62,7 +62,19 @@ def _body(lowering: Lowering, body: RigidBody) -> Carrier:
     return Carrier(body.label, mass, position, velocity, _spin(lowering, body))
 
 
-def _is_put(pose: Pose) -> bool:
+def place_of(lowering: Lowering, body: RigidBody) -> Vector:
+    """The mass centre in the axes of the body's frame."""
+    x, y, z = body.com
+    return (lowering.scalar(x), lowering.scalar(y), lowering.scalar(z))
+
+
+def tensor_of(lowering: Lowering, body: RigidBody) -> Axes:
+    """The inertia about the mass centre in the same axes."""
+    xx, yy, zz, xy, xz, yz = (lowering.scalar(entry) for entry in body.inertia)
+    return ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+
+
+def is_put(pose: Pose) -> bool:
     """Whether the origin is known as a position of the world, not as a place that the parent carries."""
     moved = [motion for motion in pose.motions if isinstance(motion, Shift | Put)]
     return bool(moved) and isinstance(moved[-1], Put)
@@ -70,8 +82,7 @@ def _is_put(pose: Pose) -> bool:
 
 def _spin(lowering: Lowering, body: RigidBody) -> Spin | None:
     graph = lowering.graph
-    xx, yy, zz, xy, xz, yz = (lowering.scalar(entry) for entry in body.inertia)
-    tensor = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    tensor = tensor_of(lowering, body)
     if all(entry == graph.zero for row in tensor for entry in row):
         return None
     poses = lowering.poses(body.frame)

@@ -38,13 +38,13 @@ def own_velocity(graph: Graph, before: Vector, motion: Motion, rates: Rates) -> 
     """Angular velocity in own axes after `motion`, from that in own axes before it."""
     match motion:
         case Turn(axis=axis, angle=angle):
-            after = list(_turned(graph, motion, before))
+            after = list(turned(graph, motion, before))
             after[axis] = graph.add(after[axis], rates.of(angle))
             return (after[0], after[1], after[2])
         case TurnAbout(axis=n, angle=angle):
-            return add(graph, _turned(graph, motion, before), scale(graph, rates.of(angle), n))
+            return add(graph, turned(graph, motion, before), scale(graph, rates.of(angle), n))
         case TurnQuaternion(e=e):
-            return add(graph, _turned(graph, motion, before), quaternion_velocity(graph, e, rates))
+            return add(graph, turned(graph, motion, before), quaternion_velocity(graph, e, rates))
         case SetTo((x, y, z)):
             dx, dy, dz = derivative(x, rates), derivative(y, rates), derivative(z, rates)
             return (graph.dot(dy, z), graph.dot(dz, x), graph.dot(dx, y))
@@ -83,10 +83,10 @@ def own_twist(graph: Graph, before: Twist, motion: Motion, rates: Rates) -> Twis
         case Loosened(rate, axes):
             return turning, add(graph, velocity, to_own(graph, axes, rate))
         case _:
-            return own_velocity(graph, turning, motion, rates), _turned(graph, motion, velocity)
+            return own_velocity(graph, turning, motion, rates), turned(graph, motion, velocity)
 
 
-def _turned(graph: Graph, motion: Turn | TurnAbout | TurnQuaternion | SetTo | Released, before: Vector) -> Vector:
+def turned(graph: Graph, motion: Turn | TurnAbout | TurnQuaternion | SetTo | Released, before: Vector) -> Vector:
     """Components along the axes after a rotation of a vector given along the axes before it."""
     match motion:
         case Turn(axis, _, cosine, sine):

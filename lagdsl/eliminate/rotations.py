@@ -1,0 +1,71 @@
+"""Pairs of velocities that are another pair, turned in its plane: the congruence of a rotation costs less than of two sums.
+
+    x' = c x + s y,   +-y' = c y - s x,   c^2 + s^2 = 1
+
+With W in x', y' equal to [a b; b d] and e = s (a - d) + 2 c b, W in x, y is [a - s e, c e - b; c e - b, d + s e]
+(Golub and Van Loan, *Matrix Computations*, 4th ed., section 5.1, uses the same planes for the opposite purpose).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Op
+from lagdsl.record import record
+
+
+@record(kw_only=True)
+class Rotation:
+    """`after` = (x', y') from `before` = (x, y); `mirrored`: y' has the opposite sign."""
+
+    after: tuple[int, int]
+    before: tuple[int, int]
+    cosine: int
+    sine: int
+    mirrored: bool
+
+
+def find_rotations(graph: Graph, terms: Mapping[int, Mapping[int, int]]) -> list[Rotation]:
+    """Rotations among sums of two products, each with what it multiplies looked through."""
+    waiting: dict[tuple[int, int], list[tuple[int, int, int]]] = {}
+    found = []
+    for node, arguments in terms.items():
+        if len(arguments) != 2:
+            continue
+        factors = sorted(_factored(graph, terms, arguments).items())
+        if not factors or not _is_unit_pair(graph, factors[0][1], factors[1][1]):
+            continue
+        (x, a), (y, b) = factors
+        partners = waiting.setdefault((x, y), [])
+        for index, (other, c, s) in enumerate(partners):
+            turned = a == graph.negate(s) and b == c
+            mirrored = a == s and b == graph.negate(c)
+            if turned or mirrored:
+                partners.pop(index)
+                found.append(Rotation(after=(other, node), before=(x, y), cosine=c, sine=s, mirrored=mirrored))
+                break
+        else:
+            partners.append((node, a, b))
+    return found
+
+
+def _factored(graph: Graph, terms: Mapping[int, Mapping[int, int]], sums: Mapping[int, int]) -> dict[int, int]:
+    """Coefficients with the products that were summed looked through; empty unless two different factors are left."""
+    result: dict[int, int] = {}
+    for product, sign in sums.items():
+        inner = terms.get(product, {})
+        if graph.op[product] is not Op.MULTIPLY or len(inner) != 1:
+            return {}
+        ((factor, coefficient),) = inner.items()
+        if factor in result:
+            return {}
+        result[factor] = graph.multiply(sign, coefficient)
+    return result
+
+
+def _is_unit_pair(graph: Graph, a: int, b: int) -> bool:
+    """Whether the two are, up to signs, cosine and sine of the same angle."""
+    a = graph.a[a] if graph.op[a] is Op.NEGATE else a
+    b = graph.a[b] if graph.op[b] is Op.NEGATE else b
+    return {graph.op[a], graph.op[b]} == {Op.COS, Op.SIN} and graph.a[a] == graph.a[b]
