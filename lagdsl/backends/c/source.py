@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from lagdsl.backends.c.function import Code, Store, code
+from lagdsl.backends.c.dialect import PREPARED, SCRATCH, SINGLE, Place
+from lagdsl.backends.c.function import Code, Head, braced, code
 from lagdsl.backends.c.literal import number, string
+from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
 from lagdsl.graph.graph import Graph
 from lagdsl.program.functions import SIGNATURES
@@ -39,7 +41,7 @@ _FEWEST_ZEROS = 8
 
 def source(program: Program, stem: str) -> str:
     """Text of `stem`.c."""
-    prepared = {node: index for index, node in enumerate(hoisted(program))}
+    prepared = {node: Place(PREPARED, index) for index, node in enumerate(hoisted(program))}
     scratch = 0
     functions: list[str] = []
     for function in program.functions:
@@ -52,7 +54,7 @@ def source(program: Program, stem: str) -> str:
         [
             f"/* Equations of motion of {comment_text(program.name)}, generated: see lag/model.h for what is what. */",
             f'#include "{stem}.h"\n',
-            '#include <math.h>\n\n#include "lag/elementary.h"\n',
+            '#include <math.h>\n\n#include "lag/trigonometry.h"\n',
             _tables(program.layout),
             preparation,
             *functions,
@@ -76,7 +78,7 @@ def symbol(stem: str) -> str:
 # ---- functions -------------------------------------------------------------------------------------------------------
 
 
-def _function(program: Program, function: Function, prepared: Mapping[int, int]) -> tuple[str, int]:
+def _function(program: Program, function: Function, prepared: Mapping[int, Place]) -> tuple[str, int]:
     names = RESULTS[function.name]
     graph = program.graph
     first: list[str] = []
@@ -91,9 +93,9 @@ def _function(program: Program, function: Function, prepared: Mapping[int, int])
             last.append(_MIRROR.format(name=name, n=block.shape[0]))
         stores += _stores(graph, block, name, places, mirrored)
     parameters = ["const lag_arguments *at", *(f"double *{name}" for name in names)]
-    arguments = ["at", *names]
-    made = code(graph, tuple(stores), prepared)
-    return _definition(f"model_{function.name}", parameters, arguments, made, first, last, len(prepared)), made.scratch
+    head = Head(f"model_{function.name}", parameters, ["at", *names])
+    made = code(graph, tuple(stores), prepared, SINGLE, head)
+    return _definition(head, made, first, last, len(prepared)), made.scratch
 
 
 _MIRROR = (
@@ -124,7 +126,7 @@ def _stores(graph: Graph, block: Block, name: str, places: Sequence[Slot], mirro
             continue
         place = _place(places[row]) if row < len(places) and row not in commented else None
         commented.add(row)
-        stores.append(Store(f"{name}[{index}]", node, comment_text(place) if place else ""))
+        stores.append(Store(Place(name, index), node, comment_text(place) if place else ""))
     return stores
 
 
@@ -147,49 +149,23 @@ def _places(layout: Layout, function: str, position: int) -> Sequence[Slot]:
     return tables.get(shape[0], ()) if shape else ()
 
 
-def _prepare(program: Program, prepared: Mapping[int, int]) -> tuple[str, int]:
-    stores = tuple(Store(f"result[{index}]", node) for node, index in prepared.items())
-    made = code(program.graph, stores, {})
-    first = ["lag_arguments given = {0};", "given.p = p;", "given.workspace = workspace;"]
-    body = _definition(
-        "model_prepare_from",
-        ["const lag_arguments *at", "double *result"],
-        ["at", "result"],
-        made,
-        [],
-        [],
-        len(prepared),
-    )
-    lines = [*first, "return model_prepare_from(&given, workspace);"]
-    return body + _braced("static lag_status model_prepare(const double *p, double *workspace)", lines), made.scratch
+def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]:
+    stores = tuple(Store(Place("result", place.index), node) for node, place in prepared.items())
+    head = Head("model_prepare_from", ["const lag_arguments *at", "double *result"], ["at", "result"])
+    made = code(program.graph, stores, {}, SINGLE, head)
+    lines = ["lag_arguments given = {0};", "given.p = p;", "given.workspace = workspace;"]
+    body = _definition(head, made, [], [], len(prepared))
+    prepare = "static lag_status model_prepare(const double *p, double *workspace)"
+    return body + braced(prepare, [*lines, "return model_prepare_from(&given, workspace);"]), made.scratch
 
 
-def _definition(
-    name: str,
-    parameters: list[str],
-    arguments: list[str],
-    made: Code,
-    first: list[str],
-    last: list[str],
-    prepared: int,
-) -> str:
-    """A static function; made of several pieces, a driver that calls them in turn."""
-    unused = [f"(void){argument};" for argument in arguments]
-    head = f"static lag_status {name}({', '.join(parameters)})"
-    if len(made.pieces) <= 1:
-        body = [line for piece in made.pieces for line in piece]
-        return _braced(head, [*unused, *first, *body, *last, "return LAG_OK;"])
-    pieces = [
-        _braced(f"static void {name}_{index}({', '.join([*parameters, 'double *s'])})", [*unused, "(void)s;", *piece])
-        for index, piece in enumerate(made.pieces)
-    ]
-    calls = [f"{name}_{index}({', '.join([*arguments, 's'])});" for index in range(len(made.pieces))]
-    scratch = f"double *const s = at->workspace + {prepared};"
-    return "".join(pieces) + _braced(head, [scratch, *first, *calls, *last, "return LAG_OK;"])
-
-
-def _braced(head: str, lines: Sequence[str]) -> str:
-    return "\n".join([head, "{", *(f"    {line}" for line in lines), "}", ""]) + "\n"
+def _definition(head: Head, made: Code, first: list[str], last: list[str], prepared: int) -> str:
+    """A static function after the definitions that it needs."""
+    unused = [f"(void){argument};" for argument in head.arguments]
+    scratch = [f"double *const {SCRATCH} = at->workspace + {prepared};"] if made.scratch or made.definitions else []
+    signature = f"static lag_status {head.name}({', '.join(head.parameters)})"
+    body = [*unused, *scratch, *first, *made.body, *last, "return LAG_OK;"]
+    return made.definitions + braced(signature, body)
 
 
 # ---- tables ----------------------------------------------------------------------------------------------------------

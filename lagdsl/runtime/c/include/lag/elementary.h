@@ -1,8 +1,20 @@
-/* Operations of generated code that the C library lacks. Conditions are the numbers 0 and 1. */
+/* What generated code is made of: operations that the C library lacks; conditions are the numbers 0 and 1. */
 #ifndef LAG_ELEMENTARY_H
 #define LAG_ELEMENTARY_H
 
 #include <math.h>
+
+/* Long functions take compilers long: what was cut into pieces stays so. */
+#if defined(__GNUC__)
+#define LAG_APART __attribute__((noinline))
+#else
+#define LAG_APART
+#endif
+
+/* One call of a piece of rolled code: which, how often it goes round, and where its tables start. */
+typedef struct lag_step {
+    int kernel, laps, head, value;
+} lag_step;
 
 /* What is no number stays none. */
 static inline double lag_sign(double x)

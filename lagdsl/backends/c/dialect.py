@@ -1,0 +1,84 @@
+"""How numbers, arrays and functions are written: for one state, or for several in the lanes of vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from lagdsl.backends.c.literal import number
+from lagdsl.graph.operation import ARGUMENT_NAMES, ELEMENTARY_NAMES, Group, Op
+
+_OWN = {
+    Op.SIGN: "sign", Op.NOT: "not", Op.MOD: "mod", Op.MIN: "min", Op.MAX: "max", Op.LESS: "less",
+    Op.LESS_EQUAL: "less_equal", Op.EQUAL: "equal", Op.AND: "and", Op.OR: "or", Op.SELECT: "select",
+}  # fmt: skip
+_LIBRARY = {**ELEMENTARY_NAMES, Op.ABS: "fabs", Op.POWER: "pow"}
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """An entry of an array, `q[3]`; the time is an array of one entry."""
+
+    array: str
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """`real` is the type of a value, `memory` that of its place; arrays of `shared` hold single numbers all the same.
+
+    `suffix` ends the names of functions that there is one of per dialect; `splat` makes a value of a single number.
+    """
+
+    real: str
+    memory: str
+    suffix: str
+    splat: str
+    functions: Mapping[Op, str]
+    shared: frozenset[str] = frozenset()
+
+    def literal(self, value: float) -> str:
+        return self.splatted(number(value))
+
+    def splatted(self, text: str) -> str:
+        """A value of the single number that the expression `text` is."""
+        return f"{self.splat}({text})" if self.splat else text
+
+    def read(self, array: str, index: str) -> str:
+        """The value of an entry."""
+        entry = f"{array}[{index}]"
+        return self.splatted(entry) if array in self.shared else entry
+
+    def declaration(self, array: str) -> str | None:
+        """The line that makes an array of arguments known; None for results and scratch, which are parameters."""
+        of_one_number = not self.splat or array in self.shared
+        kind = "double" if of_one_number else self.memory
+        cast = "" if of_one_number else f"(const {kind} *)"
+        if array == ARGUMENT_NAMES[Group.TIME]:
+            return f"const {kind} *const t = " + ("&at->t;" if of_one_number else f"{cast}at->times;")
+        if array == PREPARED:
+            return f"const {kind} *const {PREPARED} = {cast}at->workspace;"
+        if array in _ARGUMENTS:
+            return f"const {kind} *const {array} = {cast}at->{array};"
+        return None
+
+
+# Names of the arrays that are no argument: what prepare() wrote, and what is passed from piece to piece.
+PREPARED = "c"
+SCRATCH = "s"
+_ARGUMENTS = frozenset(ARGUMENT_NAMES.values())
+
+SINGLE = Dialect(
+    real="double",
+    memory="double",
+    suffix="",
+    splat="",
+    functions={**_LIBRARY, **{op: f"lag_{name}" for op, name in _OWN.items()}},
+)
+LANES = Dialect(
+    real="lag_lanes",
+    memory="lag_lanes_memory",
+    suffix="_lanes",
+    splat="lag_lanes_of",
+    functions={op: f"lag_lanes_{name}" for op, name in {**_LIBRARY, **_OWN, Op.ABS: "abs"}.items()},
+)

@@ -1,0 +1,163 @@
+"""What a function does, in order: variables, stores, and sines and cosines of many arguments at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from lagdsl.backends.c.dialect import SCRATCH, Place
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Op
+from lagdsl.program.passes.schedule import live_beside, schedule
+
+
+@dataclass(frozen=True, slots=True)
+class Store:
+    """`target` receives the value of `node`; `comment` tells where in the user's text it comes from."""
+
+    target: Place
+    node: int
+    comment: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Gather:
+    """Sines and cosines of `count` arguments: in the scratch array from `first` on, arguments, sines and cosines."""
+
+    first: int
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """The variable of `node`, or a store of it, or a gathering; `reads` are the variables that its expression uses."""
+
+    node: int
+    store: Store | None
+    gather: Gather | None
+    reads: tuple[int, ...]
+
+    @property
+    def is_variable(self) -> bool:
+        return self.store is None and self.gather is None
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """`given` are the places of values that are at hand; the scratch array starts with `gathered` entries in use."""
+
+    graph: Graph
+    statements: tuple[Statement, ...]
+    given: Mapping[int, Place]
+    gathered: int
+
+
+def listing(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place]) -> Listing:
+    """Statements that do all `stores`, each as soon as it can be done; `given` values are in their places already.
+
+    Level by level: sines and cosines of arguments that hold no others, then what those are needed for, and so on.
+    """
+    level, arguments = _levels(graph, stores, given)
+    gathers, inner, known = _gathers(graph, level, arguments, given)
+    every = [*inner, *stores]
+    named = sorted(
+        schedule(graph, [store.node for store in every], known).named, key=lambda node: (level.get(node, 0), node)
+    )
+    position = {node: index for index, node in enumerate(named)}
+    due: list[list[Statement]] = [[] for _ in range(len(named) + 1)]
+    for store in every:
+        reads = (store.node,) if store.node in position else _reads(graph, store.node, position, known)
+        due[1 + max((position[node] for node in reads), default=-1)].append(Statement(store.node, store, None, reads))
+    return Listing(
+        graph, tuple(_ordered(graph, named, due, level, gathers, position, known)), known, 3 * len(arguments)
+    )
+
+
+def _levels(
+    graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place]
+) -> tuple[dict[int, int], dict[int, None]]:
+    """How many sines or cosines are one inside the other, by node; and the arguments of all of them."""
+    level: dict[int, int] = {}
+    arguments: dict[int, None] = {}
+    for node in live_beside(graph, [store.node for store in stores], given):
+        if node in given:
+            continue
+        deepest = max((level.get(argument, 0) for argument in graph.arguments(node)), default=0)
+        if graph.op[node] in (Op.SIN, Op.COS):
+            arguments[graph.a[node]] = None
+            deepest += 1
+        if deepest:
+            level[node] = deepest
+    return level, arguments
+
+
+def _gathers(
+    graph: Graph, level: Mapping[int, int], arguments: Mapping[int, None], given: Mapping[int, Place]
+) -> tuple[list[Gather], list[Store], dict[int, Place]]:
+    """One gathering per level, the stores of their arguments, and `given` with the places of what they give."""
+    gathers: list[Gather] = []
+    stores: list[Store] = []
+    place: dict[int, tuple[int, int]] = {}
+    by_level: dict[int, list[int]] = {}
+    for argument in arguments:
+        by_level.setdefault(level.get(argument, 0), []).append(argument)
+    first = 0
+    for which in sorted(by_level):
+        group = by_level[which]
+        gathers.append(Gather(first, len(group)))
+        for index, argument in enumerate(group, first):
+            stores.append(Store(Place(SCRATCH, index), argument))
+            place[argument] = (index, len(group))
+        first += 3 * len(group)
+    known = dict(given)
+    for node in level:
+        if graph.op[node] in (Op.SIN, Op.COS):
+            index, count = place[graph.a[node]]
+            known[node] = Place(SCRATCH, index + (count if graph.op[node] is Op.SIN else 2 * count))
+    return gathers, stores, known
+
+
+def _ordered(
+    graph: Graph,
+    named: list[int],
+    due: list[list[Statement]],
+    level: Mapping[int, int],
+    gathers: list[Gather],
+    position: Mapping[int, int],
+    known: Mapping[int, Place],
+) -> list[Statement]:
+    """Variables by level, stores after what they read, and gatherings between the levels."""
+    ordered: list[Statement] = []
+    depth = 0
+    waiting: list[list[Statement]] = [[] for _ in range(len(gathers) + 1)]
+
+    def put(statements: list[Statement]) -> None:
+        for statement in statements:
+            needed = level.get(statement.node, 0)
+            (ordered if needed <= depth else waiting[needed]).append(statement)
+
+    put(due[0])
+    for index in range(len(named) + 1):
+        wanted = level.get(named[index], 0) if index < len(named) else len(gathers)
+        while depth < wanted:
+            ordered.append(Statement(-1, None, gathers[depth], ()))
+            depth += 1
+            ordered.extend(waiting[depth])
+        if index < len(named):
+            node = named[index]
+            ordered.append(Statement(node, None, None, _reads(graph, node, position, known)))
+            put(due[index + 1])
+    return ordered
+
+
+def _reads(graph: Graph, node: int, named: Mapping[int, int], known: Mapping[int, Place]) -> tuple[int, ...]:
+    """The variables that the expression of `node` reads."""
+    found: dict[int, None] = {}
+    stack = [] if node in known else list(graph.arguments(node))
+    while stack:
+        argument = stack.pop()
+        if argument in named:
+            found[argument] = None
+        elif argument not in known:
+            stack.extend(graph.arguments(argument))
+    return tuple(found)

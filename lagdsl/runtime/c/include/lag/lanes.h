@@ -1,0 +1,86 @@
+/*
+ * Several numbers at once, where the compiler knows vectors (GCC, Clang); elsewhere LAG_LANES is 0 and there are none.
+ *
+ * Every operation is that of a single number, lane by lane: the same bits come out.
+ */
+#ifndef LAG_LANES_H
+#define LAG_LANES_H
+
+#include <stddef.h>
+
+#include "lag/elementary.h"
+
+#if defined(__GNUC__)
+
+/* Numbers in a vector. A machine with shorter registers works on parts of it. */
+#define LAG_LANES 8
+
+typedef double lag_lanes __attribute__((vector_size(8 * LAG_LANES)));
+typedef unsigned long long lag_lanes_bits __attribute__((vector_size(8 * LAG_LANES)));
+
+/* All of this is inlined, so how vectors are handed over does not matter. */
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+static inline lag_lanes lag_lanes_of(double x)
+{
+    return (lag_lanes){x, x, x, x, x, x, x, x};
+}
+
+/* One of the functions of a single number, lane by lane. */
+#define LAG_LANES_UNARY(name, function)              \
+    static inline lag_lanes name(lag_lanes x)        \
+    {                                                \
+        for (size_t lane = 0; lane < LAG_LANES; ++lane) { \
+            x[lane] = function(x[lane]);             \
+        }                                            \
+        return x;                                    \
+    }
+
+#define LAG_LANES_BINARY(name, function)                     \
+    static inline lag_lanes name(lag_lanes x, lag_lanes y)   \
+    {                                                        \
+        for (size_t lane = 0; lane < LAG_LANES; ++lane) {    \
+            x[lane] = function(x[lane], y[lane]);            \
+        }                                                    \
+        return x;                                            \
+    }
+
+LAG_LANES_UNARY(lag_lanes_tan, tan)
+LAG_LANES_UNARY(lag_lanes_asin, asin)
+LAG_LANES_UNARY(lag_lanes_acos, acos)
+LAG_LANES_UNARY(lag_lanes_atan, atan)
+LAG_LANES_UNARY(lag_lanes_sinh, sinh)
+LAG_LANES_UNARY(lag_lanes_cosh, cosh)
+LAG_LANES_UNARY(lag_lanes_tanh, tanh)
+LAG_LANES_UNARY(lag_lanes_exp, exp)
+LAG_LANES_UNARY(lag_lanes_log, log)
+LAG_LANES_UNARY(lag_lanes_sqrt, sqrt)
+LAG_LANES_UNARY(lag_lanes_abs, fabs)
+LAG_LANES_UNARY(lag_lanes_sign, lag_sign)
+LAG_LANES_UNARY(lag_lanes_floor, floor)
+LAG_LANES_UNARY(lag_lanes_ceil, ceil)
+LAG_LANES_UNARY(lag_lanes_not, lag_not)
+LAG_LANES_BINARY(lag_lanes_pow, pow)
+LAG_LANES_BINARY(lag_lanes_atan2, atan2)
+LAG_LANES_BINARY(lag_lanes_mod, lag_mod)
+LAG_LANES_BINARY(lag_lanes_min, lag_min)
+LAG_LANES_BINARY(lag_lanes_max, lag_max)
+LAG_LANES_BINARY(lag_lanes_less, lag_less)
+LAG_LANES_BINARY(lag_lanes_less_equal, lag_less_equal)
+LAG_LANES_BINARY(lag_lanes_equal, lag_equal)
+LAG_LANES_BINARY(lag_lanes_and, lag_and)
+LAG_LANES_BINARY(lag_lanes_or, lag_or)
+
+static inline lag_lanes lag_lanes_select(lag_lanes condition, lag_lanes value, lag_lanes otherwise)
+{
+    for (size_t lane = 0; lane < LAG_LANES; ++lane) {
+        value[lane] = lag_select(condition[lane], value[lane], otherwise[lane]);
+    }
+    return value;
+}
+
+#else
+#define LAG_LANES 0
+#endif
+
+#endif
