@@ -10,12 +10,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.api.names import known, require_value
+from lagdsl.api.names import known
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
+from lagdsl.semantics.admissible import require_value
 
 if TYPE_CHECKING:
+    import xarray
+
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.diagnostics import Sink
     from lagdsl.pipeline import Compilation
@@ -190,6 +193,56 @@ class Model(Interface):
             failure.trajectory = Trajectory.of(failure.trajectory)
             raise
         return Trajectory.of(motion)
+
+    def sweep(
+        self,
+        values: Mapping[str, ArrayLike],
+        *,
+        samples: Mapping[str, ArrayLike] | None = None,
+        stop: float | None = None,
+        interval: float | None = None,
+        tolerance: float | None = None,
+        inputs: Mapping[str, Signal] | Path | str | None = None,
+        solver: str = "auto",
+        columns: Sequence[str] | None = None,
+        output: Path | str | None = None,
+        resume: bool = False,
+        jobs: int | None = None,
+        scheduler: str | None = None,
+        progress: Callable[[float], None] | None = None,
+    ) -> xarray.Dataset:
+        """Motions for every combination of `values`, each for all `samples`, as one labelled dataset.
+
+        Names are those of parameters and, for starts, `theta.start` or `der(theta).start`; values are numbers or
+        sequences of them, in SI units. `samples` are drawn by the caller: entry k of all of them belongs to sample k.
+        Every column has an axis for each sequence, `sample` and `time`; `status`, `message` and `ended` tell how each
+        run went: a run that fails ends no sweep. With `output` (.nc, .parquet, .csv) finished runs are kept on disk,
+        and `resume` goes on after an interruption. `jobs` is the number of processes (default: the cores), `scheduler`
+        the address of a Dask cluster to use instead. The rest is as for `simulate`.
+
+        Raises KeyError and ValueError for arguments that do not fit, OSError for a file that cannot be written,
+        ModuleNotFoundError without the extra `sweep`.
+        """
+        from lagdsl.api.sweep import run_sweep
+        from lagdsl.runtime.numpy_engine import NumpyEngine
+
+        return run_sweep(
+            self._compilation,
+            values,
+            samples or {},
+            engine="numpy" if isinstance(self._engine, NumpyEngine) else "c",
+            stop=stop,
+            interval=interval,
+            tolerance=tolerance,
+            inputs=_signals(inputs) or {},
+            solver=solver,
+            columns=columns,
+            output=None if output is None else Path(output),
+            resume=resume,
+            jobs=jobs,
+            scheduler=scheduler,
+            progress=progress,
+        )
 
     def _parameter_vector(self, given: Mapping[str, float] | None) -> Floats:
         """The defaults with some replaced by name. Raises KeyError and ValueError for what does not fit."""

@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from math import isfinite
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics.flat_model import Parameter
 
 
 def known(what: str, given: Mapping[str, float] | None, names: Sequence[str]) -> dict[str, float]:
@@ -20,19 +19,6 @@ def known(what: str, given: Mapping[str, float] | None, names: Sequence[str]) ->
             raise KeyError(f"no {what} `{name}`; {hint}")
         values[name] = _number(name, value)
     return values
-
-
-def require_value(parameter: Parameter, value: float) -> None:
-    """Raise ValueError where `value`, in SI units, is none that the parameter may have."""
-    name, unit = parameter.name, "" if parameter.unit in ("", "1") else f" {parameter.unit}"
-    if parameter.kind == "Integer" and not value.is_integer():
-        raise ValueError(f"`{name}` is a whole number, not {value:g}")
-    if parameter.kind == "Boolean" and value not in (0.0, 1.0):
-        raise ValueError(f"`{name}` is true (1) or false (0), not {value:g}")
-    if parameter.minimum is not None and value < parameter.minimum:
-        raise ValueError(f"`{name}` must be at least {parameter.minimum:g}{unit}, not {value:g}{unit}")
-    if parameter.maximum is not None and value > parameter.maximum:
-        raise ValueError(f"`{name}` must be at most {parameter.maximum:g}{unit}, not {value:g}{unit}")
 
 
 def _number(name: str, value: object) -> float:

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 
 import click
 
-from lagdsl.api.names import require_value
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics.admissible import require_value
 from lagdsl.semantics.flat_model import Coordinate, FlatModel, Parameter, Quantity
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes

@@ -19,6 +19,7 @@ from lagdsl.cli.status import INTERNAL, INTERRUPTED, SUCCESS, USAGE
 _COMMANDS = {
     "check": "Find everything that is wrong with a model.",
     "run": "Simulate a model.",
+    "sweep": "Simulate a model many times, over values of parameters and starts.",
     "derive": "Show the derivation of the equations of motion, step by step.",
     "build": "Write the equations as a module that stands alone.",
     "flat": "Show the flat model: coordinates, energies, loads, constraints.",

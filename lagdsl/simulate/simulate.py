@@ -49,7 +49,7 @@ def simulate(
     t0 = experiment.start_time
     end = experiment.stop_time if stop is None else float(stop)
     relative = experiment.tolerance if tolerance is None else float(tolerance)
-    _check_options(t0, end, relative, solver)
+    check_options(t0, end, relative, solver)
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     with np.errstate(all="ignore"), warnings.catch_warnings():
@@ -91,7 +91,8 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
     return np.asarray(times)
 
 
-def _check_options(t0: float, stop: float, tolerance: float, solver: str) -> None:
+def check_options(t0: float, stop: float, tolerance: float, solver: str) -> None:
+    """Raise ValueError for options that make no sense."""
     if not np.isfinite(stop) or not stop > t0:
         raise ValueError(f"the stop time {stop:g} s must be after the start time {t0:g} s")
     if not 1e-13 <= tolerance <= 0.1:

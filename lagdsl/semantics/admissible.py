@@ -1,0 +1,18 @@
+"""Which values a parameter may have."""
+
+from __future__ import annotations
+
+from lagdsl.semantics.flat_model import Parameter
+
+
+def require_value(parameter: Parameter, value: float) -> None:
+    """Raise ValueError where `value`, in SI units, is none that the parameter may have."""
+    name, unit = parameter.name, "" if parameter.unit in ("", "1") else f" {parameter.unit}"
+    if parameter.kind == "Integer" and not value.is_integer():
+        raise ValueError(f"`{name}` is a whole number, not {value:g}")
+    if parameter.kind == "Boolean" and value not in (0.0, 1.0):
+        raise ValueError(f"`{name}` is true (1) or false (0), not {value:g}")
+    if parameter.minimum is not None and value < parameter.minimum:
+        raise ValueError(f"`{name}` must be at least {parameter.minimum:g}{unit}, not {value:g}{unit}")
+    if parameter.maximum is not None and value > parameter.maximum:
+        raise ValueError(f"`{name}` must be at most {parameter.maximum:g}{unit}, not {value:g}{unit}")

@@ -1,0 +1,103 @@
+"""The outcomes of a sweep as one labelled dataset, and that in a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+import lagdsl
+from lagdsl.mechanics.rank import Floats
+from lagdsl.source.whole_file import whole_file
+from lagdsl.sweep.plan import Axis, Plan
+from lagdsl.sweep.run import Outcome
+
+if TYPE_CHECKING:
+    import xarray
+
+STATUS, MESSAGE = "status of the run", "why it failed"
+ENDINGS = (".nc", ".parquet", ".csv")
+
+
+def dataset(plan: Plan, times: Floats, outcomes: Iterable[Outcome], *, model: str) -> xarray.Dataset:
+    """Every column over the axes of the plan, `sample` and `time`; `status`, `message` and `ended` [s] of every run.
+
+    What was set are coordinates, with their units. Rows after the end of a run that failed, and columns that a model
+    lacks, are nan. A name that the model has itself ends in `_`.
+    """
+    import xarray
+
+    columns, units, status, message, ended = _collect(plan.runs, len(times), outcomes)
+    taken = {*columns, *(axis.name for axis in (*plan.axes, *plan.samples, *plan.fixed))}
+    sample, time = (_free(name, taken) for name in ("sample", "time"))
+    dims = (*(axis.name for axis in plan.axes), *((sample,) if plan.samples else ()))
+    shape = plan.shape
+    data: dict[str, Any] = {
+        name: ((*dims, time), values.reshape(*shape, len(times)), {"units": units[name]})
+        for name, values in columns.items()
+    }
+    data[_free("status", taken)] = (dims, np.array(status).reshape(shape), {"long_name": STATUS})
+    data[_free("message", taken)] = (dims, np.array(message).reshape(shape), {"long_name": MESSAGE})
+    data[_free("ended", taken)] = (dims, ended.reshape(shape), {"units": "s", "long_name": "end of the run"})
+    coordinates: dict[str, Any] = {axis.name: _coordinate(axis, (axis.name,)) for axis in plan.axes}
+    coordinates |= {axis.name: _coordinate(axis, (sample,)) for axis in plan.samples}
+    coordinates |= {axis.name: ((), axis.values[0], {"units": axis.unit}) for axis in plan.fixed}
+    coordinates[time] = ((time,), times, {"units": "s"})
+    if plan.samples:
+        coordinates[sample] = ((sample,), np.arange(shape[-1]))
+    return xarray.Dataset(data, coordinates, {"model": model, "lagdsl": lagdsl.__version__})
+
+
+def about_runs(data: xarray.Dataset, long_name: str) -> list[str]:
+    """STATUS or MESSAGE of all runs, the last axis fastest."""
+    (found,) = (v for v in data.data_vars.values() if v.attrs.get("long_name") == long_name)
+    return [str(text) for text in found.values.ravel()]
+
+
+def require_writer(path: Path) -> None:
+    """Raise ValueError for an ending that is none of ENDINGS, ModuleNotFoundError where a package is missing."""
+    if path.suffix.lower() not in ENDINGS:
+        raise ValueError(f"{path.name}: sweeps are written as {', '.join(ENDINGS)}")
+    if path.suffix.lower() == ".parquet" and find_spec("pyarrow") is None:
+        raise ModuleNotFoundError("writing Parquet needs pyarrow: pip install 'lagdsl[table]'")
+
+
+def write(data: xarray.Dataset, path: Path) -> None:
+    """NetCDF with all dimensions, or a table with a row for every run and time. Raises OSError."""
+    with whole_file(path) as draft:
+        if path.suffix.lower() == ".nc":
+            data.to_netcdf(draft)
+            return
+        table = data.to_dataframe().reset_index()
+        if path.suffix.lower() == ".parquet":
+            table.to_parquet(draft, index=False)
+        else:
+            table.to_csv(draft, index=False, lineterminator="\n")
+
+
+def _collect(
+    runs: int, rows: int, outcomes: Iterable[Outcome]
+) -> tuple[dict[str, Floats], dict[str, str], list[str], list[str], Floats]:
+    """Columns (runs, rows) and their units by name; status, message and end of every run."""
+    columns: dict[str, Floats] = {}
+    units: dict[str, str] = {}
+    status, message, ended = ["missing"] * runs, [""] * runs, np.full(runs, np.nan)
+    for outcome in outcomes:
+        status[outcome.index], message[outcome.index] = outcome.status, outcome.message
+        ended[outcome.index] = outcome.ended
+        for i, name in enumerate(outcome.names):
+            if name not in columns:
+                columns[name], units[name] = np.full((runs, rows), np.nan), outcome.units[i]
+            columns[name][outcome.index, : len(outcome.values)] = outcome.values[:, i]
+    return columns, units, status, message, ended
+
+
+def _coordinate(axis: Axis, dims: tuple[str, ...]) -> tuple[tuple[str, ...], Floats, dict[str, str]]:
+    return dims, np.array(axis.values), {"units": axis.unit}
+
+
+def _free(name: str, taken: set[str]) -> str:
+    return _free(f"{name}_", taken) if name in taken else name

@@ -1,0 +1,120 @@
+"""Which runs a sweep has: every combination of the values of its axes, each with all samples."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+Target: TypeAlias = Literal["parameter", "start", "structural"]
+
+LARGEST = 10_000_000
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axis:
+    """One thing that is set, with its values in SI units.
+
+    `name` is how `--set` calls it (`l`, `theta.start`), `key` how the model does (`theta`).
+    """
+
+    name: str
+    key: str
+    target: Target
+    unit: str
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """`axes` are combined with each other; `samples` belong together, entry k of each to sample k; `fixed` have one
+    value in all runs."""
+
+    axes: tuple[Axis, ...] = ()
+    samples: tuple[Axis, ...] = ()
+    fixed: tuple[Axis, ...] = ()
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Numbers of values along the axes, then the number of samples if there are any."""
+        return (*(len(axis.values) for axis in self.axes), *(len(axis.values) for axis in self.samples[:1]))
+
+    @property
+    def runs(self) -> int:
+        return math.prod(self.shape)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Task:
+    """One run: what is set, by name, in SI units; `subject` is the number of the compiled model."""
+
+    index: int
+    subject: int
+    parameters: dict[str, float]
+    start: dict[str, float]
+
+
+def require_sound(plan: Plan) -> None:
+    """Raise ValueError for what is no sweep."""
+    every = (*plan.axes, *plan.samples, *plan.fixed)
+    names = [axis.name for axis in every]
+    for axis in every:
+        if not axis.values:
+            raise ValueError(f"`{axis.name}` has no values")
+        if not all(math.isfinite(value) for value in axis.values):
+            raise ValueError(f"the values of `{axis.name}` must be finite numbers")
+        if names.count(axis.name) > 1:
+            raise ValueError(f"`{axis.name}` is set twice")
+    for axis in plan.axes:
+        if len(set(axis.values)) < len(axis.values):
+            raise ValueError(f"`{axis.name}` has the same value twice")
+    if len({len(axis.values) for axis in plan.samples}) > 1:
+        raise ValueError("all samples need the same number of values")
+    if plan.runs > LARGEST:
+        raise ValueError(f"the sweep has {plan.runs} runs, at most {LARGEST} are possible")
+
+
+def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:
+    """What run `index` sets; runs count as the elements of an array of the plan's shape, the last axis fastest."""
+    chosen: dict[Target, dict[str, float]] = {"parameter": {}, "start": {}, "structural": {}}
+    for axis in plan.fixed:
+        chosen[axis.target][axis.key] = axis.values[0]
+    if plan.samples:
+        index, sample = divmod(index, len(plan.samples[0].values))
+        for axis in plan.samples:
+            chosen[axis.target][axis.key] = axis.values[sample]
+    for axis in reversed(plan.axes):
+        index, position = divmod(index, len(axis.values))
+        chosen[axis.target][axis.key] = axis.values[position]
+    return chosen
+
+
+def variants(plan: Plan) -> list[dict[str, float]]:
+    """The different settings of structural parameters, each of which is a model of its own."""
+    found = [settings(plan, index)["structural"] for index in range(plan.runs)] if _has_structural(plan) else [{}]
+    return [dict(items) for items in dict.fromkeys(tuple(each.items()) for each in found)]
+
+
+def _has_structural(plan: Plan) -> bool:
+    return any(axis.target == "structural" for axis in (*plan.axes, *plan.samples, *plan.fixed))
+
+
+def task(plan: Plan, index: int, known: list[dict[str, float]]) -> Task:
+    """Run `index`, where `known` are the variants."""
+    chosen = settings(plan, index)
+    return Task(
+        index=index,
+        subject=known.index(chosen["structural"]),
+        parameters=chosen["parameter"],
+        start=chosen["start"],
+    )
+
+
+def fingerprint(plan: Plan, *parts: str) -> str:
+    """A digest of the plan and of `parts`: what two sweeps must share to be the same one."""
+    digest = hashlib.sha256()
+    for text in (repr(plan), *parts):
+        data = text.encode()
+        digest.update(f"{len(data)}:".encode() + data)
+    return digest.hexdigest()

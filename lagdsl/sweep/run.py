@@ -1,0 +1,144 @@
+"""One run of a sweep: it ends with rows, or with rows so far and the reason; it raises nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, TypeAlias
+
+import numpy as np
+
+from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity
+from lagdsl.mechanics.rank import Floats
+from lagdsl.pipeline import EngineName, engine_of
+from lagdsl.program.program import Program
+from lagdsl.semantics.admissible import require_value
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.signals import Signal
+from lagdsl.simulate.simulate import simulate
+from lagdsl.simulate.trajectory import Trajectory
+from lagdsl.sweep.plan import Task
+
+if TYPE_CHECKING:
+    from lagdsl.runtime.broadcast import BatchEngine
+
+Status: TypeAlias = Literal["ok", "failed"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Options:
+    """How every run is made; times in s. `columns` are the names to keep, None for all."""
+
+    stop: float
+    interval: float | None
+    tolerance: float | None
+    solver: str
+    engine: EngineName
+    inputs: Mapping[str, Signal]
+    columns: tuple[str, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Subject:
+    """A model to run; `fault` says why there is none."""
+
+    flat: FlatModel | None = None
+    program: Program | None = None
+    fault: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outcome:
+    """Columns of one run in SI units: `values` (rows, columns) at the times of the grid up to `ended` [s].
+
+    `ended` is nan where the run failed before its first row; `message` says why a run failed.
+    """
+
+    index: int
+    status: Status
+    ended: float
+    message: str
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    values: Floats
+
+
+class Runner:
+    """Makes runs; every model is built when it is first needed."""
+
+    def __init__(self, subjects: Sequence[Subject], options: Options) -> None:
+        self._subjects = subjects
+        self._options = options
+        self._engines: dict[int, BatchEngine] = {}
+
+    def __call__(self, task: Task) -> Outcome:
+        try:
+            motion = self._simulate(task)
+        except SimulationFailed as failure:
+            return _outcome(task, failure.trajectory, self._options, _text(failure.diagnostics), failure.time)
+        except CompilationFailed as failure:
+            return failed(task.index, _text(failure.diagnostics))
+        except (ValueError, KeyError, ArithmeticError) as error:
+            return failed(task.index, str(error.args[0]) if error.args else type(error).__name__)
+        except Exception as error:  # one run must not end the others
+            return failed(task.index, f"internal error: {type(error).__name__}: {error}")
+        return _outcome(task, motion, self._options)
+
+    def _simulate(self, task: Task) -> Trajectory:
+        subject, options = self._subjects[task.subject], self._options
+        if subject.flat is None or subject.program is None:
+            raise ValueError(subject.fault)
+        p = _parameters(subject.flat, subject.program, task.parameters)
+        if task.subject not in self._engines:
+            self._engines[task.subject] = engine_of(subject.program, options.engine)
+        return simulate(
+            self._engines[task.subject],
+            subject.flat,
+            stop=options.stop,
+            interval=options.interval,
+            tolerance=options.tolerance,
+            p=p,
+            inputs=options.inputs,
+            start=task.start,
+            solver=options.solver,
+        )
+
+
+def failed(index: int, message: str) -> Outcome:
+    """A run without rows."""
+    return Outcome(
+        index=index, status="failed", ended=np.nan, message=message, names=(), units=(), values=np.empty((0, 0))
+    )
+
+
+def _parameters(flat: FlatModel, program: Program, chosen: Mapping[str, float]) -> Floats:
+    """The vector of parameters. Raises ValueError for a value that a parameter may not have."""
+    values = {slot.name: value for slot, value in zip(program.layout.parameters, program.layout.defaults, strict=True)}
+    for parameter in flat.parameters:
+        if parameter.name in chosen:
+            require_value(parameter, chosen[parameter.name])
+    return np.array(list({**values, **chosen}.values()), dtype=np.float64)
+
+
+def _outcome(
+    task: Task, motion: Trajectory, options: Options, message: str = "", ended: float | None = None
+) -> Outcome:
+    kept = [c for c in motion.columns[1:] if options.columns is None or c.name in options.columns]
+    values = np.column_stack([c.values for c in kept]) if kept else np.empty((len(motion), 0))
+    end = float(motion.time[-1]) if len(motion) else np.nan
+    return Outcome(
+        index=task.index,
+        status="failed" if message else "ok",
+        ended=end if ended is None else ended,
+        message=message,
+        names=tuple(c.name for c in kept),
+        units=tuple(c.unit for c in kept),
+        values=values,
+    )
+
+
+def _text(diagnostics: Sequence[Diagnostic]) -> str:
+    """The first error in one line."""
+    first = next((d for d in diagnostics if d.severity is Severity.ERROR), diagnostics[0])
+    return f"{first.code}: {first.message}"

@@ -1,0 +1,152 @@
+"""A sweep from its plan to its dataset: who makes the runs, and what of them is kept where."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import lagdsl
+from lagdsl.mechanics.rank import Floats
+from lagdsl.runtime.cores import cores
+from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.semantics.flat_text import flat_text
+from lagdsl.simulate.simulate import check_options, grid
+from lagdsl.sweep.dataset import dataset, require_writer, write
+from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes
+from lagdsl.sweep.plan import Plan, Task, fingerprint, require_sound, task
+from lagdsl.sweep.processes import in_processes, in_this_process
+from lagdsl.sweep.run import Options, Outcome, Subject
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class Unfinished(ValueError):  # noqa: N818  it is not the sweep that is wrong
+    """There is a journal, and it is not clear whether to go on with it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Work:
+    """Who makes the runs and what is kept: `jobs` processes (None: one per core) or the scheduler at an address."""
+
+    jobs: int | None = None
+    scheduler: str | None = None
+    output: Path | None = None
+    resume: bool = False
+
+
+def sweep(
+    plan: Plan,
+    known: list[dict[str, float]],
+    subjects: Sequence[Subject],
+    options: Options,
+    work: Work,
+    progress: Callable[[float], None] | None = None,
+) -> xarray.Dataset:
+    """All runs of `plan`; `subjects` are the models of the structural settings `known`.
+
+    With `work.output` every run is in the journal when it has ended, so that an interrupted sweep can be resumed; the
+    result is written there and the journal deleted. Raises ValueError for what is no sweep, Unfinished, OSError for
+    files that cannot be written, ModuleNotFoundError for a package that is missing, ConnectionError for a cluster that
+    does not answer.
+    """
+    import xarray  # noqa: F401  found out before the work is done
+
+    require_sound(plan)
+    flat = next((subject.flat for subject in subjects if subject.flat is not None), None)
+    if flat is None:
+        raise ValueError(subjects[0].fault)
+    times = _grid(subjects, options)
+    if work.output is None:
+        found = list(_watched(_made(plan, known, subjects, options, work, frozenset()), 0, plan.runs, progress))
+        return dataset(plan, times, found, model=flat.name)
+    require_writer(work.output)
+    path = journal_path(work.output)
+    finished = _finished(path, fingerprint(plan, *_identity(subjects, options)), work.resume)
+    with Journal(path, fingerprint(plan, *_identity(subjects, options))) as journal:
+        made = _made(plan, known, subjects, options, work, finished)
+        for outcome in _watched(made, len(finished), plan.runs, progress):
+            journal.append(outcome)
+    result = dataset(plan, times, outcomes(path), model=flat.name)
+    write(result, work.output)
+    path.unlink()
+    return result
+
+
+def journal_path(output: Path) -> Path:
+    """Where the finished runs of an unfinished sweep are: `out.nc.partial`."""
+    return output.with_name(f"{output.name}.partial")
+
+
+def _made(
+    plan: Plan,
+    known: list[dict[str, float]],
+    subjects: Sequence[Subject],
+    options: Options,
+    work: Work,
+    finished: frozenset[int],
+) -> Generator[Outcome, None, None]:
+    """The outcomes of what is left to do, in the order in which they end."""
+    left = plan.runs - len(finished)
+    tasks: Iterable[Task] = (task(plan, index, known) for index in range(plan.runs) if index not in finished)
+    if work.scheduler is not None:
+        from lagdsl.sweep.cluster import on_cluster
+
+        return on_cluster(work.scheduler, subjects, options, tasks)
+    jobs = min(cores() if work.jobs is None else work.jobs, left)
+    if jobs <= 1:
+        return in_this_process(subjects, options, tasks)
+    return in_processes(subjects, options, tasks, jobs)
+
+
+def _watched(
+    made: Generator[Outcome, None, None], done: int, total: int, progress: Callable[[float], None] | None
+) -> Iterator[Outcome]:
+    """The same outcomes; whoever makes them stops when nobody asks for more."""
+    with closing(made) as source:
+        for count, outcome in enumerate(source, done + 1):
+            yield outcome
+            if progress is not None:
+                progress(count / total)
+
+
+def _finished(path: Path, fingerprint: str, resume: bool) -> frozenset[int]:
+    """The runs that are in the journal. Raises Unfinished where one is there that should not be."""
+    found = fingerprint_of(path)
+    if found is None:
+        return frozenset()
+    if not resume:
+        raise Unfinished(
+            f"{path} holds the finished runs of a sweep that was interrupted; resume it, or delete that file"
+        )
+    if found != fingerprint:
+        raise Unfinished(f"{path} belongs to another sweep: model, values or options have changed; delete that file")
+    return frozenset(outcome.index for outcome in outcomes(path))
+
+
+def _grid(subjects: Sequence[Subject], options: Options) -> Floats:
+    """The times of the rows, which all runs share."""
+    starts = {s.flat.experiment.start_time for s in subjects if s.flat is not None}
+    if len(starts) > 1:
+        raise ValueError("the runs of a sweep must start at the same time")
+    (start,) = starts
+    check_options(start, options.stop, 1e-8 if options.tolerance is None else options.tolerance, options.solver)
+    return grid(start, options.stop, options.interval)
+
+
+def _identity(subjects: Sequence[Subject], options: Options) -> list[str]:
+    """What must not change between an interruption and going on."""
+    models = [subject.fault if subject.flat is None else flat_text(subject.flat) for subject in subjects]
+    return [lagdsl.__version__, repr(options), *models]
+
+
+def options_of(flat: FlatModel, *, stop: float | None, interval: float | None) -> tuple[float, float | None]:
+    """Stop time and interval of all runs: what is left out says the experiment of the model."""
+    experiment = flat.experiment
+    return (
+        experiment.stop_time if stop is None else float(stop),
+        experiment.interval if interval is None else float(interval),
+    )

@@ -1,0 +1,31 @@
+"""A process that makes runs: reads pickled tasks from standard input, writes outcomes to standard output.
+
+It is started by `processes`, which alone writes to it; pickles come from nowhere else.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import sys
+
+from lagdsl.sweep.run import Runner
+
+
+def main() -> None:
+    """Serve until the other side closes."""
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # whatever libraries print must not get between the answers
+    requests = sys.stdin.buffer
+    runner = Runner(*pickle.load(requests))
+    while True:
+        try:
+            task = pickle.load(requests)
+        except EOFError:
+            return
+        pickle.dump(runner(task), answers)
+        answers.flush()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,311 @@
+"""Sweeps: the plan, the runs, what is kept on disk, the dataset."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lagdsl
+from lagdsl.api.model import Model
+from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes
+from lagdsl.sweep.plan import Axis, Plan, require_sound, settings, task, variants
+from lagdsl.sweep.processes import _Worker, in_processes, in_this_process
+from lagdsl.sweep.run import Options, Outcome, Runner, Subject
+from lagdsl.sweep.sweep import Unfinished, Work, journal_path
+
+TEXT = """model Drop
+  parameter Mass m(min = 0.1 kg) = 1 kg;
+  parameter Acceleration g = 9.81 m/s2;
+  coordinate Length h(start = 1 m);
+  gravity = -g*world.y;
+  mass m at {0, h};
+equation
+  assert(h > 0, "on the floor");
+end Drop;
+"""
+OPTIONS = Options(stop=0.3, interval=0.1, tolerance=None, solver="auto", engine="numpy", inputs={})
+
+
+@pytest.fixture(scope="module")
+def model() -> Model:
+    return lagdsl.compile(TEXT)
+
+
+@pytest.fixture
+def subject(model: Model) -> Subject:
+    return Subject(flat=model._compilation.flat, program=model._compilation.program)
+
+
+def _axis(name: str, *values: float, target: str = "parameter") -> Axis:
+    return Axis(name=name, key=name, target=target, unit="", values=values)  # type: ignore[arg-type]
+
+
+def _plan() -> Plan:
+    return Plan(axes=(_axis("m", 1, 2), _axis("g", 5, 10, 15)))
+
+
+class TestPlan:
+    def test_runs_count_as_elements_of_an_array(self) -> None:
+        plan = Plan(axes=(_axis("a", 1, 2), _axis("b", 3, 4, 5)), samples=(_axis("c", 6, 7), _axis("d", 8, 9)))
+        assert plan.shape == (2, 3, 2)
+        assert plan.runs == 12
+        for number, (i, j, k) in enumerate(np.ndindex(plan.shape)):
+            expected = {"a": (1, 2)[i], "b": (3, 4, 5)[j], "c": (6, 7)[k], "d": (8, 9)[k]}
+            assert settings(plan, number)["parameter"] == expected
+
+    def test_structural_settings_are_models_of_their_own(self) -> None:
+        plan = Plan(
+            axes=(_axis("N", 2, 3, target="structural"), _axis("l", 1, 2)), fixed=(_axis("x", 4, target="start"),)
+        )
+        known = variants(plan)
+        assert known == [{"N": 2}, {"N": 3}]
+        assert [task(plan, i, known).subject for i in range(4)] == [0, 0, 1, 1]
+        assert task(plan, 3, known).start == {"x": 4}
+        assert variants(Plan(axes=(_axis("l", 1, 2),))) == [{}]
+
+    @pytest.mark.parametrize(
+        ("plan", "words"),
+        [
+            (Plan(axes=(_axis("a"),)), "has no values"),
+            (Plan(axes=(_axis("a", 1, 1),)), "same value twice"),
+            (Plan(axes=(_axis("a", 1, np.inf),)), "finite"),
+            (Plan(axes=(_axis("a", 1, 2),), fixed=(_axis("a", 1),)), "set twice"),
+            (Plan(samples=(_axis("a", 1, 2), _axis("b", 1))), "same number"),
+            (Plan(axes=tuple(_axis(n, *range(1000)) for n in "abc")), "1000000000 runs"),
+        ],
+    )
+    def test_what_is_no_sweep_is_refused(self, plan: Plan, words: str) -> None:
+        with pytest.raises(ValueError, match=words):
+            require_sound(plan)
+
+
+class TestRuns:
+    def test_a_run_that_fails_says_when_and_why(self, subject: Subject) -> None:
+        plan = Plan(axes=(_axis("g", 10, 100),))
+        good, bad = in_this_process([subject], OPTIONS, (task(plan, i, [{}]) for i in range(2)))
+        assert (good.status, good.message, good.ended) == ("ok", "", 0.3)
+        np.testing.assert_allclose(good.values[:, 0], 1 - 5 * np.array([0, 0.1, 0.2, 0.3]) ** 2)
+        assert bad.status == "failed"
+        assert "on the floor" in bad.message
+        assert bad.ended == pytest.approx(0.2)  # assertions are looked at in the rows
+        np.testing.assert_allclose(bad.values[:, 0], [1, 0.5, -1])
+
+    @pytest.mark.parametrize(
+        ("chosen", "words"),
+        [({"m": 0.01}, "at least 0.1 kg"), ({"m": "x"}, "")],
+    )
+    def test_nothing_is_raised(self, subject: Subject, chosen: dict[str, float], words: str) -> None:
+        (outcome,) = in_this_process([subject], OPTIONS, [_task(chosen)])
+        assert outcome.status == "failed"
+        assert words in outcome.message
+        assert np.isnan(outcome.ended)
+
+    def test_a_model_that_does_not_compile_fails_its_runs(self) -> None:
+        assert Runner([Subject(fault="E0203: no `x`")], OPTIONS)(_task({})).message == "E0203: no `x`"
+
+    def test_processes_give_the_same(self, subject: Subject) -> None:
+        plan = _plan()
+        tasks = [task(plan, i, [{}]) for i in range(plan.runs)]
+        alone = list(in_this_process([subject], OPTIONS, tasks))
+        several = sorted(in_processes([subject], OPTIONS, tasks, 2), key=lambda outcome: outcome.index)
+        for one, other in zip(alone, several, strict=True):
+            assert (one.index, one.status, one.names) == (other.index, other.status, other.names)
+            np.testing.assert_array_equal(one.values, other.values)
+
+    def test_leaving_early_stops_the_processes(self, subject: Subject) -> None:
+        plan = Plan(axes=(_axis("g", *range(1, 500)),))
+        made = in_processes([subject], OPTIONS, (task(plan, i, [{}]) for i in range(499)), 2)
+        assert next(made).status == "ok"
+        made.close()
+
+    def test_a_process_that_dies_takes_one_run_with_it(self, subject: Subject) -> None:
+        import pickle
+
+        worker = _Worker(pickle.dumps(([subject], OPTIONS)))
+        try:
+            worker._running().kill()
+            worker._running().wait()
+            assert "died (signal 9)" in worker.run(_task({})).message
+            assert worker.run(_task({})).status == "ok"
+        finally:
+            worker.stop()
+        assert worker.run(_task({})).status == "failed"
+
+    def test_functions_cannot_be_sent(self, subject: Subject) -> None:
+        from dataclasses import replace
+
+        options = replace(OPTIONS, inputs={"u": lambda t: t})
+        with pytest.raises(ValueError, match="takes no functions"):
+            next(in_processes([subject], options, [], 2))
+
+
+def _task(parameters: dict[str, float]):
+    from lagdsl.sweep.plan import Task
+
+    return Task(index=0, subject=0, parameters=parameters, start={})
+
+
+class TestJournal:
+    def _outcome(self, index: int) -> Outcome:
+        values = np.array([[1.0, np.nan], [0.1 + index, -0.0]])
+        return Outcome(
+            index=index,
+            status="failed",
+            ended=np.nan,
+            message="ä\n",
+            names=("x", "der(x)"),
+            units=("m", "m/s"),
+            values=values,
+        )
+
+    def test_what_is_written_is_read(self, tmp_path: Path) -> None:
+        path = tmp_path / "j"
+        assert fingerprint_of(path) is None
+        with Journal(path, "abc") as journal:
+            journal.append(self._outcome(3))
+        with Journal(path, "abc") as journal:
+            journal.append(self._outcome(1))
+        assert fingerprint_of(path) == "abc"
+        found = list(outcomes(path))
+        assert [each.index for each in found] == [3, 1]
+        np.testing.assert_array_equal(found[0].values, self._outcome(3).values)
+        assert (found[0].message, found[0].names, found[0].units) == ("ä\n", ("x", "der(x)"), ("m", "m/s"))
+        assert np.isnan(found[0].ended)
+
+    def test_a_record_cut_short_anywhere_costs_itself_only(self, tmp_path: Path) -> None:
+        path = tmp_path / "j"
+        with Journal(path, "abc") as journal:
+            journal.append(self._outcome(0))
+            first = path.stat().st_size
+            journal.append(self._outcome(1))
+        whole = path.read_bytes()
+        for size in range(first, len(whole)):
+            path.write_bytes(whole[:size])
+            with Journal(path, "abc") as journal:
+                assert path.stat().st_size == first
+                journal.append(self._outcome(2))
+            assert [each.index for each in outcomes(path)] == [0, 2]
+
+    def test_a_changed_byte_is_noticed(self, tmp_path: Path) -> None:
+        path = tmp_path / "j"
+        with Journal(path, "abc") as journal:
+            journal.append(self._outcome(0))
+        data = bytearray(path.read_bytes())
+        data[-3] ^= 1
+        path.write_bytes(bytes(data))
+        assert list(outcomes(path)) == []
+
+    def test_a_title_cut_short_begins_anew(self, tmp_path: Path) -> None:
+        path = tmp_path / "j"
+        path.write_bytes(b"lag sweep 1 ab")
+        with Journal(path, "xyz"):
+            assert fingerprint_of(path) == "xyz"
+
+
+class TestDataset:
+    @pytest.fixture(autouse=True)
+    def _needs_xarray(self) -> None:
+        pytest.importorskip("xarray")
+
+    def test_every_column_over_every_axis(self, model: Model) -> None:
+        draws = np.random.default_rng(1).normal(1.0, 0.1, 4)
+        data = model.sweep(
+            {"g": [5, 10], "m": 2.0}, samples={"h.start": draws}, stop=0.3, interval=0.1, tolerance=1e-10, jobs=1
+        )
+        assert data["h"].dims == ("g", "sample", "time")
+        assert data["h"].attrs["units"] == "m"
+        assert float(data["m"]) == 2.0
+        fall = draws[None, :, None] - 0.5 * data["g"].values[:, None, None] * data["time"].values ** 2
+        np.testing.assert_allclose(data["h"].values, fall, atol=1e-9)
+        np.testing.assert_array_equal(data["h.start"].values, draws)
+        assert (data["status"] == "ok").all()
+
+    def test_failures_are_recorded(self, model: Model) -> None:
+        data = model.sweep({"g": [5, 100]}, stop=0.3, interval=0.1, jobs=1, columns=["h"])
+        assert list(data["status"].values) == ["ok", "failed"]
+        assert "on the floor" in str(data["message"].values[1])
+        np.testing.assert_allclose(data["h"].values[1], [1, 0.5, -1, np.nan])
+        assert "der(h)" not in data
+
+    @pytest.mark.parametrize(
+        ("options", "error", "words"),
+        [
+            ({"values": {"h.stat": [1, 2]}}, KeyError, "did you mean `h.start`"),
+            ({"values": {"m": [[1, 2]]}}, ValueError, "a sequence of numbers"),
+            ({"values": {"m": [0.01, 2]}}, ValueError, "at least 0.1"),
+            ({"values": {}, "samples": {"m": [1, 2], "g": [1]}}, ValueError, "same number"),
+            ({"values": {"m": [1, 2]}, "output": "x.txt"}, ValueError, ".nc, .parquet, .csv"),
+        ],
+    )
+    def test_what_does_not_fit_is_told(
+        self, model: Model, options: dict[str, object], error: type[Exception], words: str
+    ) -> None:
+        with pytest.raises(error, match=words):
+            model.sweep(**options)  # type: ignore[arg-type]
+
+    def test_names_of_the_model_come_first(self) -> None:
+        text = """model M parameter Real status = 1; coordinate Real time_; gravity = 0;
+                  kinetic status/2*1 kg.m2*der(time_)^2; end M;"""
+        data = lagdsl.compile(text).sweep({"status": [1, 2]}, stop=1, interval=1, jobs=1)
+        assert data["time_"].dims == ("status", "time")
+        assert list(data["status_"].values) == ["ok", "ok"]
+
+    @pytest.mark.parametrize("ending", [".nc", ".parquet", ".csv"])
+    def test_files(self, model: Model, tmp_path: Path, ending: str) -> None:
+        import pandas as pd
+        import xarray
+
+        out = tmp_path / f"out{ending}"
+        data = model.sweep({"g": [5, 100]}, stop=0.3, interval=0.1, jobs=1, output=out)
+        assert [p.name for p in tmp_path.iterdir()] == [out.name]
+        if ending == ".nc":
+            with xarray.open_dataset(out) as read:
+                xarray.testing.assert_equal(read.load(), data)
+            return
+        table = (
+            pd.read_parquet(out) if ending == ".parquet" else pd.read_csv(out, keep_default_na=False, na_values=[""])
+        )
+        assert len(table) == 8
+        np.testing.assert_array_equal(table["h"], data["h"].values.ravel())
+
+    def test_an_interrupted_sweep_goes_on(self, model: Model, tmp_path: Path) -> None:
+        out = tmp_path / "out.nc"
+        values = {"g": np.arange(1.0, 7.0)}
+
+        def interrupt(fraction: float) -> None:
+            if fraction > 0.4:
+                raise KeyboardInterrupt
+
+        with pytest.raises(KeyboardInterrupt):
+            model.sweep(values, stop=0.3, interval=0.1, jobs=1, output=out, progress=interrupt)
+        kept = journal_path(out)
+        assert not out.exists()
+        assert len(list(outcomes(kept))) == 3
+        with pytest.raises(Unfinished, match="resume it"):
+            model.sweep(values, stop=0.3, interval=0.1, jobs=1, output=out)
+        with pytest.raises(Unfinished, match="another sweep"):
+            model.sweep(values, stop=0.3, interval=0.05, jobs=1, output=out, resume=True)
+        seen: list[float] = []
+        data = model.sweep(values, stop=0.3, interval=0.1, jobs=1, output=out, resume=True, progress=seen.append)
+        assert seen == pytest.approx([4 / 6, 5 / 6, 1])
+        whole = model.sweep(values, stop=0.3, interval=0.1, jobs=1)
+        np.testing.assert_array_equal(data["h"].values, whole["h"].values)
+        assert not kept.exists()
+
+    def test_the_c_engine(self, tmp_path: Path) -> None:
+        data = lagdsl.compile(TEXT, engine="c").sweep({"g": [5, 6]}, stop=0.3, interval=0.1, jobs=2)
+        assert (data["status"] == "ok").all()
+
+    def test_a_cluster(self, model: Model) -> None:
+        LocalCluster = pytest.importorskip("distributed").LocalCluster
+        with pytest.raises(ConnectionError, match="no Dask scheduler"):
+            model.sweep({"g": [5, 6]}, scheduler="nonsense://x")
+        with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
+            data = model.sweep({"g": [5, 6]}, stop=0.3, interval=0.1, scheduler=cluster.scheduler_address)
+        assert (data["status"] == "ok").all()
+
+
+def test_work_is_local_unless_said() -> None:
+    assert Work().scheduler is None
