@@ -28,19 +28,26 @@ class AccelerationForm:
         self.weights: dict[int, dict[int, int]] = {}
         self.forces: dict[int, int] = {}
 
-    def add_weight(self, velocity: int, other: int, weight: int) -> None:
-        """W_jk and, where they are different, W_kj."""
+    def add_square(self, velocity: int, weight: int) -> None:
+        """W_jj of 1/2 W_jj v_j^2."""
+        j, _ = self._variable(velocity)
+        if j >= 0:
+            self._add(j, j, weight)
+
+    def add_product(self, velocity: int, other: int, weight: int) -> None:
+        """W_jk and W_kj of W_jk v_j v_k; the two may turn out to be the same velocity."""
         graph = self.graph
         j, negative = self._variable(velocity)
         k, opposite = self._variable(other)
-        if j < 0 or k < 0 or weight == graph.zero:
+        if j < 0 or k < 0:
             return
         if negative != opposite:
             weight = graph.negate(weight)
-        if j == k and velocity != other:
-            weight = graph.multiply(graph.constant(2.0), weight)
+        self._add(j, k, graph.add(weight, weight) if j == k else weight)
+
+    def _add(self, j: int, k: int, weight: int) -> None:
         row, column = self.weights.setdefault(j, {}), self.weights.setdefault(k, {})
-        row[k] = column[j] = graph.add(row.get(k, graph.zero), weight)
+        row[k] = column[j] = self.graph.add(row.get(k, self.graph.zero), weight)
 
     def add_force(self, velocity: int, force: int) -> None:
         j, negative = self._variable(velocity)

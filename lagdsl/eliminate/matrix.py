@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import TypeAlias
 
 from lagdsl.eliminate.rotations import Rotation
 from lagdsl.graph.graph import Graph
+
+Pair: TypeAlias = "tuple[dict[int, int], dict[int, int]]"
 
 
 class SparseSystem:
@@ -102,7 +105,9 @@ class SparseSystem:
             for other in range(position):
                 self._rotate_block(rotation, rotations[other], rows[other])
 
-    def _mirror(self, rows: list[tuple[dict[int, int], dict[int, int]]], rotations: Sequence[Rotation], at: int) -> None:
+    def _mirror(
+        self, rows: Sequence[Pair], rotations: Sequence[Rotation], at: int
+    ) -> None:
         """Change the sign of y', so that the pair is turned only."""
         graph, (_, y) = self.graph, rotations[at].after
         own = rows[at][1]
@@ -118,7 +123,7 @@ class SparseSystem:
                 side[y] = graph.negate(side[y])
 
     def _rotate_outside(
-        self, rotation: Rotation, rows: tuple[dict[int, int], dict[int, int]], inside: Mapping[int, None]
+        self, rotation: Rotation, rows: Pair, inside: Mapping[int, None]
     ) -> None:
         """W of the pair with all other variables, and the right-hand sides."""
         graph, (x, y) = self.graph, rotation.before
@@ -140,7 +145,7 @@ class SparseSystem:
             graph.add(graph.multiply(s, first), graph.multiply(c, second)),
         )
 
-    def _rotate_diagonal(self, rotation: Rotation, rows: tuple[dict[int, int], dict[int, int]]) -> None:
+    def _rotate_diagonal(self, rotation: Rotation, rows: Pair) -> None:
         graph, c, s = self.graph, rotation.cosine, rotation.sine
         (x, y), (x_after, y_after) = rotation.before, rotation.after
         a, b, d = (
@@ -156,7 +161,7 @@ class SparseSystem:
         self.add(y, y, graph.add(d, moved))
         self.add(x, y, graph.subtract(graph.multiply(c, e), b))
 
-    def _rotate_block(self, one: Rotation, two: Rotation, rows: tuple[dict[int, int], dict[int, int]]) -> None:
+    def _rotate_block(self, one: Rotation, two: Rotation, rows: Pair) -> None:
         """W between two pairs, [p q; r t] with the rows of `one` and the columns of `two`."""
         graph, c, s = self.graph, one.cosine, one.sine
         (x, y), (u, v) = one.before, two.before

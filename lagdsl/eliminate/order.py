@@ -1,6 +1,8 @@
-"""Elimination in order of depth, the deepest velocities first: with the rates as soon as nothing uses them any more this
-is the articulated-body recursion (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7), with all rates at the end
-the composite-body one with a factorization that keeps the sparsity of branches (ch. 6 and 8 there).
+"""Elimination in order of depth, the deepest velocities first.
+
+With the rates as soon as nothing uses them any more this is the articulated-body recursion (Featherstone, *Rigid Body
+Dynamics Algorithms*, 2008, ch. 7), with all rates at the end the composite-body one with a factorization that keeps the
+sparsity of branches (ch. 6 and 8 there).
 
 Neither is written here: they are two orders of the same elimination.
 """
@@ -48,16 +50,25 @@ Step = Defined | Minimized | Swapped
 
 
 class Elimination:
-    """One order: `delayed` rates are eliminated last. `steps` are what solving has to take back."""
+    """One order: variables by least `priority` as soon as nothing uses them, rates at once, `delayed` ones last.
+
+    `steps` are what solving has to take back.
+    """
 
     def __init__(
-        self, system: SparseSystem, definitions: Definitions, rates: Sequence[int], delayed: Container[int]
+        self,
+        system: SparseSystem,
+        definitions: Definitions,
+        rates: Sequence[int],
+        *,
+        priority: Mapping[int, tuple[int, int]],
+        delayed: Container[int] = (),
     ) -> None:
         self._graph: Graph = system.graph
         self._system, self._terms = system, definitions.terms
         self._rates, self._delayed = rates, delayed
         self._left = dict.fromkeys((*rates, *definitions.terms), 0)
-        self._depth = _depths(definitions, rates)
+        self._priority = priority
         for terms in definitions.terms.values():
             for p in terms:
                 self._left[p] += 1
@@ -97,9 +108,9 @@ class Elimination:
                 for rotation in group:
                     for v in rotation.after:
                         del self._ready[v]
-                heappush(self._heap, (self._depth[variable], variable))
+                heappush(self._heap, (self._priority[variable], variable))
         elif variable in self._terms:
-            heappush(self._heap, (self._depth[variable], variable))
+            heappush(self._heap, (self._priority[variable], variable))
         elif variable not in self._delayed:
             self._minimize(variable)
 
@@ -125,7 +136,7 @@ class Elimination:
         """Pairs whose group waits for one that waits for them: turned by themselves."""
         waiting = [self._rotation[v] for v in self._ready if v == self._rotation[v].after[0]]
         complete = [r for r in waiting if r.after[1] in self._ready]
-        rotation = min(complete, key=lambda r: (self._depth[r.after[0]], r.after))
+        rotation = min(complete, key=lambda r: (self._priority[r.after[0]], r.after))
         self._group[rotation.after[0]].remove(rotation)
         for v in rotation.after:
             del self._ready[v]
@@ -167,21 +178,27 @@ class Elimination:
         self.steps.append(Minimized(variable, pivot, *self._system.minimize(variable)))
 
 
-def _depths(definitions: Definitions, rates: Sequence[int]) -> dict[int, tuple[int, int]]:
-    """The least is the deepest: by the number of rates that a variable depends on, then by the length of the way to them.
+def by_creation(definitions: Definitions, rates: Sequence[int]) -> dict[int, tuple[int, int]]:
+    """What was written last comes first."""
+    return {variable: (-variable, 0) for variable in (*rates, *definitions.terms)}
 
-    Not by the length alone: velocities that are turned at every joint would all be deeper than the angular ones, and be
-    eliminated before those, which fills the matrix.
+
+def by_depth(definitions: Definitions, rates: Sequence[int]) -> dict[int, tuple[int, int]]:
+    """The least is the deepest: by what the last rate that a variable depends on still moves, then by the way to it.
+
+    Not by the length of the way alone: velocities that are turned at every joint would all be deeper than the angular
+    ones, and be eliminated before those, which fills the matrix.
     """
-    supports = {rate: 1 << index for index, rate in enumerate(rates)}
-    lengths = dict.fromkeys(rates, 0)
+    heights = dict.fromkeys((*rates, *definitions.terms), 0)
+    for variable in reversed(definitions.terms):
+        for p in definitions.terms[variable]:
+            heights[p] = max(heights[p], heights[variable] + 1)
+    depths = {rate: (heights[rate], 0) for rate in rates}
     for variable, terms in definitions.terms.items():
-        support = 0
-        for p in terms:
-            support |= supports[p]
-        supports[variable] = support
-        lengths[variable] = 1 + max((lengths[p] for p in terms), default=0)
-    return {variable: (-supports[variable].bit_count(), -lengths[variable]) for variable in lengths}
+        known = [depths[p] for p in terms]
+        least = min((height for height, _ in known), default=0)
+        depths[variable] = least, min((length for _, length in known), default=0) - 1
+    return depths
 
 
 def back_substitute(graph: Graph, definitions: Definitions, steps: Sequence[Step], sides: int) -> list[dict[int, int]]:

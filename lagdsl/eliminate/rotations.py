@@ -1,4 +1,4 @@
-"""Pairs of velocities that are another pair, turned in its plane: the congruence of a rotation costs less than of two sums.
+"""Pairs of velocities that are another pair, turned in its plane: their congruence costs less than that of two sums.
 
     x' = c x + s y,   +-y' = c y - s x,   c^2 + s^2 = 1
 

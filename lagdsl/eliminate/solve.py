@@ -8,7 +8,7 @@ from lagdsl.eliminate.count import flops
 from lagdsl.eliminate.definitions import Definitions, find_definitions
 from lagdsl.eliminate.form import AccelerationForm
 from lagdsl.eliminate.matrix import SparseSystem
-from lagdsl.eliminate.order import Elimination, Minimized, Step, back_substitute
+from lagdsl.eliminate.order import Elimination, Minimized, Step, back_substitute, by_creation, by_depth
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
 from lagdsl.record import record
@@ -19,7 +19,7 @@ _LARGEST_DELAYED = 16
 
 @record(kw_only=True)
 class Solution:
-    """`accelerations` qdd of the rates by the form's own forces; `responses` M^-1 b, one row per further right-hand side.
+    """`accelerations` qdd by the form's own forces; `responses` M^-1 b, one row per further right-hand side.
 
     `pivot` is the least part that subtraction left of a pivot: about 1e-16 where M is singular. Nodes all.
     """
@@ -37,9 +37,10 @@ def solve(form: AccelerationForm, rates: Sequence[int], sides: Sequence[Mapping[
     """
     graph = form.graph
     definitions = find_definitions(graph, dict.fromkeys((*form.weights, *form.forces)))
-    candidates = [_solve(form, definitions, rates, sides, delayed=())]
+    orders = [by_depth(definitions, rates), by_creation(definitions, rates)]
+    candidates = [_solve(form, definitions, rates, sides, priority, delayed=()) for priority in orders]
     if 1 < len(rates) <= _LARGEST_DELAYED:
-        candidates.append(_solve(form, definitions, rates, sides, delayed=rates))
+        candidates += [_solve(form, definitions, rates, sides, priority, delayed=rates) for priority in orders]
     return min(candidates, key=lambda solution: solution.flops)
 
 
@@ -48,12 +49,13 @@ def _solve(
     definitions: Definitions,
     rates: Sequence[int],
     sides: Sequence[Mapping[int, int]],
+    priority: Mapping[int, tuple[int, int]],
     *,
     delayed: Sequence[int],
 ) -> Solution:
     graph = form.graph
     system = SparseSystem(graph, form.weights, [form.forces, *sides])
-    steps = Elimination(system, definitions, rates, frozenset(delayed)).run()
+    steps = Elimination(system, definitions, rates, priority=priority, delayed=frozenset(delayed)).run()
     found = back_substitute(graph, definitions, steps, 1 + len(sides))
     rows = [[known[rate] for rate in rates] for known in found]
     roots = [node for row in rows for node in row]

@@ -6,12 +6,16 @@ ed.), sections 4.2 to 4.9; quaternions are homogeneous, scalar first: the rotati
 
 from __future__ import annotations
 
+import math
 from typing import TypeAlias
 
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
 from lagdsl.mechanics.vectors import Axes, Vector, add, cross, scale, subtract, to_world
 from lagdsl.record import record
+
+# An angle this close to a quarter turn, relatively, is one: a few units in the last place.
+_ROUNDING = 1e-15
 
 Quaternion: TypeAlias = tuple[int, int, int, int]
 
@@ -105,12 +109,23 @@ def world(graph: Graph) -> Pose:
     return Pose(None, ((one, zero, zero), (zero, one, zero), (zero, zero, one)), (zero, zero, zero))
 
 
+def cosine_and_sine(graph: Graph, angle: int) -> tuple[int, int]:
+    """Of whole numbers of quarter turns, which no number of radians is exactly, 0, 1 and -1: the axes stay aligned."""
+    if graph.is_constant(angle):
+        quarters = graph.value[angle] / (0.5 * math.pi)
+        whole = round(quarters)
+        if abs(quarters - whole) <= _ROUNDING * max(1.0, abs(quarters)):
+            cosine, sine = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[whole % 4]
+            return graph.constant(cosine), graph.constant(sine)
+    return graph.unary(Op.COS, angle), graph.unary(Op.SIN, angle)
+
+
 # ---- orientation -----------------------------------------------------------------------------------------------------
 
 
 def turn(graph: Graph, axes: Axes, axis: int, angle: int) -> tuple[Axes, Turn]:
     """Rotation by `angle` about own axis 0, 1 or 2."""
-    cosine, sine = graph.unary(Op.COS, angle), graph.unary(Op.SIN, angle)
+    cosine, sine = cosine_and_sine(graph, angle)
     i, j = (axis + 1) % 3, (axis + 2) % 3
     turned = list(axes)
     turned[i] = add(graph, scale(graph, cosine, axes[i]), scale(graph, sine, axes[j]))
@@ -122,7 +137,7 @@ def turn_about(graph: Graph, axes: Axes, axis: Vector, angle: int) -> tuple[Axes
     """Rotation by `angle` about `axis` in own components, normalized (Rodrigues)."""
     length = graph.unary(Op.SQRT, graph.dot(axis, axis))
     n = (graph.divide(axis[0], length), graph.divide(axis[1], length), graph.divide(axis[2], length))
-    cosine, sine = graph.unary(Op.COS, angle), graph.unary(Op.SIN, angle)
+    cosine, sine = cosine_and_sine(graph, angle)
     versine = graph.subtract(graph.one, cosine)
     columns = []
     for k in range(3):

@@ -58,8 +58,11 @@ class _Builder:
         """One mass or body; what could not be added is given back as a Lagrangian."""
         graph = self._graph
         constant = all(not graph.groups[x] & ~_GIVEN for x in self._gravity)
-        holonomic = all(not graph.groups[x] & ~_HOLONOMIC for x in carrier.position)
-        if not constant or graph.groups[carrier.mass] & ~_HELD or not (holonomic or body):
+        moved = list(carrier.position)
+        if body is not None:
+            moved += [x for axis in self._poses[body.frame].axes for x in axis]
+        holonomic = all(not graph.groups[x] & ~_HOLONOMIC for x in moved)
+        if not constant or graph.groups[carrier.mass] & ~_HELD or not holonomic:
             return self._lagrangian(carrier)
         if body is None:
             self._add_point(carrier.mass, carrier.position)
@@ -81,7 +84,7 @@ class _Builder:
         for component, weight in zip(position, self._gravity, strict=True):
             velocity = self._lowering.rate.of(component)
             bias = graph.subtract(weight, self._lowering.coasting_rate.of(velocity))
-            form.add_weight(velocity, velocity, mass)
+            form.add_square(velocity, mass)
             form.add_force(velocity, graph.multiply(mass, bias))
 
     def _add_body(self, frame: str, carrier: Carrier, com: Vector, tensor: Axes) -> None:
@@ -108,11 +111,11 @@ class _Builder:
         graph, form = self._graph, self.form
         for i in range(3):
             j, k = (i + 1) % 3, (i + 2) % 3
-            form.add_weight(velocity[i], velocity[i], mass)
-            form.add_weight(omega[i], omega[i], tensor[i][i])
-            form.add_weight(omega[i], omega[j], tensor[i][j])
-            form.add_weight(omega[i], velocity[k], moment[j])
-            form.add_weight(omega[i], velocity[j], graph.negate(moment[k]))
+            form.add_square(velocity[i], mass)
+            form.add_square(omega[i], tensor[i][i])
+            form.add_product(omega[i], omega[j], tensor[i][j])
+            form.add_product(omega[i], velocity[k], moment[j])
+            form.add_product(omega[i], velocity[j], graph.negate(moment[k]))
 
     def _add_newton_euler(
         self, omega: Vector, velocity: Vector, moving: Moving, mass: int, moment: Vector, tensor: Axes
@@ -122,9 +125,7 @@ class _Builder:
         spread = spread_of(graph, moving)
         half = graph.constant(0.5)
         trace = graph.multiply(half, graph.add(graph.add(tensor[0][0], tensor[1][1]), tensor[2][2]))
-        second = [
-            [graph.subtract(trace if i == j else graph.zero, tensor[i][j]) for j in range(3)] for i in range(3)
-        ]
+        second = [[graph.subtract(trace if i == j else graph.zero, tensor[i][j]) for j in range(3)] for i in range(3)]
         carried = cross(graph, moment, moving.origin)
         for i in range(3):
             j, k = (i + 1) % 3, (i + 2) % 3
@@ -151,8 +152,10 @@ class _Builder:
             velocity = velocities.get(symbol, symbol)
             form.add_force(velocity, graph.negate(lowering.coasting_rate.of(value)))
             for other, weight in adjoints(graph, {part: graph.one}, _VELOCITY).items():
-                if other <= symbol:
-                    form.add_weight(velocity, velocities.get(other, other), together.of(weight))
+                if other == symbol:
+                    form.add_square(velocity, together.of(weight))
+                elif other < symbol:
+                    form.add_product(velocity, velocities.get(other, other), together.of(weight))
 
     def _total_derivatives(self) -> list[int]:
         graph = self._graph

@@ -56,9 +56,7 @@ class Accelerations:
                 return Moving(omega=omega, alpha=before.alpha, origin=self.shifted(before, offset))
             case Put(origin, axes):
                 moved = derivative(derivative(origin, self._rate), coasting)
-                return Moving(
-                    omega=omega, alpha=before.alpha, origin=to_own(graph, axes, add(graph, moved, self.base))
-                )
+                return Moving(omega=omega, alpha=before.alpha, origin=to_own(graph, axes, add(graph, moved, self.base)))
             case Turn() | TurnAbout():
                 return self._turned(before, motion, omega)
             case TurnQuaternion() | SetTo():

@@ -24,7 +24,11 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | monitor | t q qd z u w p qdd lam | invariant (ni), scale (ni): largest absolute term of each, assertion (na) |
 | initial_equation | t q qd z u w p qdd lam | residual (ne) of the initial equations |
 | constraint_tangent | t q qd z u w p dq dqd dz du dp | dphi (nc), and d(J qd + b) (nc), along a direction |
+| elimination | t q qd z u w p | a = M^-1 f (nq), Y (nc, nq) with rows M^-1 J', J (nc, nq), gamma (nc), and pivot |
 
+The last one is there only where solving the equations while they are expressions costs less than forming M and solving
+at run time. `pivot` is what subtraction left of the smallest pivot, relatively: where it is small or no number, the
+others are not to be used.
 `w` is empty until events are there. Directions `dp` hold one entry per independent parameter.
 """
 
@@ -55,3 +59,6 @@ SIGNATURES: dict[str, tuple[Group, ...]] = {
     "initial_equation": SOLVED,
     "constraint_tangent": (*STATE, *DIRECTIONS),
 }
+
+# Functions that not every program has.
+OPTIONAL: dict[str, tuple[Group, ...]] = {"elimination": STATE}

@@ -94,5 +94,8 @@ class Program:
     graph: Graph
     functions: tuple[Function, ...]
 
+    def has(self, name: str) -> bool:
+        return any(f.name == name for f in self.functions)
+
     def function(self, name: str) -> Function:
         return next(f for f in self.functions if f.name == name)

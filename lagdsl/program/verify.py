@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.graph.operation import Group, Op
-from lagdsl.program.functions import SIGNATURES
+from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.program import Function, Layout, Program
 
 _N = "nq"
@@ -29,6 +29,7 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "power": ((_N,), (_N,)),
     "monitor": (("ni",), ("ni",), ("na",)),
     "initial_equation": (None,),
+    "elimination": ((_N,), (_ROWS, _N), (_ROWS, _N), (_ROWS,), ()),
 }
 
 
@@ -56,9 +57,10 @@ def verify(program: Program) -> None:
     _verify_layout(program.layout)
     _verify_graph(program)
     names = [function.name for function in program.functions]
-    _require(sorted(names) == sorted(SIGNATURES), f"functions are {names}")
+    needed = [name for name in names if name not in OPTIONAL]
+    _require(sorted(needed) == sorted(SIGNATURES) and len(names) == len(set(names)), f"functions are {names}")
     for function in program.functions:
-        _require(function.arguments == SIGNATURES[function.name], f"signature of {function.name}")
+        _require(function.arguments == {**SIGNATURES, **OPTIONAL}[function.name], f"signature of {function.name}")
         _verify_shapes(function, program.layout)
         _verify_symbols(function, program)
 

@@ -14,15 +14,30 @@ Evaluate = Callable[..., tuple[Floats, ...]]
 class Sizes:
     """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
-    At most `rank` rows are independent.
+    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, and no rows.
     """
 
-    def __init__(self, *, q: int, z: int, u: int, w: int, p: int, c: int, rank: int) -> None:
+    def __init__(self, *, q: int, z: int, u: int, w: int, p: int, c: int, rank: int, eliminated: bool) -> None:
         self.q, self.z, self.u, self.w, self.p, self.c, self.rank = q, z, u, w, p, c, rank
+        self.eliminated = eliminated
+
+
+# Where eliminating lost more than this part of a pivot, the dense system tells whether it is singular.
+SMALLEST_PIVOT = 1e-6
 
 
 def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:
     """Accelerations (..., nq) and multipliers (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
+    if not sizes.eliminated:
+        return _solve_dense(evaluate, sizes, *state)
+    acceleration, multiplier, _, _, pivot = evaluate("elimination", *state)
+    sound = (pivot > SMALLEST_PIVOT) & np.all(np.isfinite(acceleration), axis=-1)
+    if not np.all(sound):
+        acceleration = np.where(sound[..., None], acceleration, _solve_dense(evaluate, sizes, *state)[0])
+    return acceleration, multiplier[..., 0]
+
+
+def _solve_dense(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:
     mass, force, jacobian, bias = evaluate("dynamics", *state)
     acceleration, multiplier, undetermined = solve_system(mass, force, jacobian, bias, sizes.rank)
     if np.any(undetermined >= 0):

@@ -1,0 +1,95 @@
+"""Accelerations by elimination: those of the dense system for any Lagrangian, at a cost that grows with the links."""
+
+import pytest
+from elimination_models import PLANAR, SCALARS, SPATIAL, eliminated, flat_model, largest_residual
+from mechanics_models import body, constraint, definition, energy, expression, frame, mass, model, point, triple
+
+from lagdsl.graph.evaluate import evaluate
+from lagdsl.graph.operation import Group
+from lagdsl.semantics.flat_model import Move, Rotate, RotateAbout
+
+
+@pytest.mark.parametrize(("text", "per_link"), [(PLANAR, 75), (SPATIAL, 400), (SCALARS, 90)])
+def test_cost_per_link_is_bounded(text: str, per_link: int) -> None:
+    costs = {n: eliminated(flat_model(text.format(n=n)))[1].flops for n in (20, 40, 60)}
+    assert costs[60] < 60 * per_link
+    assert costs[60] - costs[40] == costs[40] - costs[20]
+
+
+@pytest.mark.parametrize("text", [PLANAR, SPATIAL, SCALARS])
+@pytest.mark.parametrize("n", [1, 2, 3, 7, 20])
+def test_accelerations_solve_the_dense_system(text: str, n: int) -> None:
+    assert largest_residual(flat_model(text.format(n=n)), states=5) < 1e-13
+
+
+INERTIA = (0.1, 0.2, 0.15, 0.01, 0.02, 0.03)
+GENERAL = {
+    "relativistic particle with a magnetic term": model(
+        coordinates=("r", "phi"),
+        energies=(
+            energy(
+                "lagrangian",
+                "-4*sqrt(1 - (der(r)^2 + (r*der(phi))^2)/100) + 0.7*r^2*der(phi) + cos(phi)/(2 + r^2)",
+            ),
+        ),
+    ),
+    "inertia that depends on the position, quartic terms": model(
+        coordinates=("a", "b"),
+        named=(definition("s", "sin(a) + 2*b"), definition("v", "a*b")),
+        energies=(
+            energy("kinetic", "0.5*(2 + cos(a)^2)*der(s)^2 + 0.5*(3 + b^2)*der(v)^2 + 0.25*der(s)^4 + der(a)^2"),
+            energy("potential", "s*v"),
+            energy("dissipation", "0.1*der(v)^2"),
+        ),
+    ),
+    "a moving base and a slide": model(
+        coordinates=("x", "phi"),
+        named=(
+            frame(
+                "A",
+                "world",
+                Rotate(2, expression("0.3*sin(2*time)")),
+                Move(triple(("x", 0.2, 0.1))),
+            ),
+            frame("B", "A", Rotate(1, expression("phi")), Move(triple((0.1, "x", 0.3)))),
+        ),
+        gravity="v(0, -9.81, 0)",
+        bodies=(body("A", 2, (0.1, 0, 0.2), INERTIA), body("B", 1, (0, 0, 0), INERTIA)),
+        masses=(mass(0.5, "B.origin + 0.2*B.x"),),
+    ),
+    "skew axes": model(
+        coordinates=("a", "b"),
+        named=(
+            frame("A", "world", RotateAbout(triple((1, 2, 2)), expression("a"))),
+            frame("B", "A", Move(triple((1, 0, 0))), RotateAbout(triple((0.3, -1, 0.5)), expression("b"))),
+        ),
+        gravity="v(0, -9.81, 0)",
+        bodies=(body("A", 1, (0, 0, 0), INERTIA), body("B", 1, (0.3, 0.1, 0), INERTIA)),
+    ),
+    "a closed loop": model(
+        coordinates=("a", "b", "c"),
+        named=(point("P", "v(cos(a), sin(a), 0)"), point("Q", "p(P) + 2*v(cos(b), sin(b), 0)")),
+        masses=(mass(1, "p(P)"), mass(2, "p(Q)")),
+        energies=(energy("kinetic", "0.5*der(c)^2"),),
+        constraints=(constraint("x", "cos(a) + 2*cos(b) - 2 - cos(c)"), constraint("y", "sin(a) + 2*sin(b) - sin(c)")),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", GENERAL)
+def test_any_lagrangian(name: str) -> None:
+    assert largest_residual(GENERAL[name]) < 1e-12
+
+
+def test_pivot_tells_where_the_mass_matrix_is_singular() -> None:
+    """Masses on one line at x, x + y and x + 2 y: y has no inertia beside that of x where the last one is -1/5."""
+    flat = model(
+        parameters={"s": 1.0},
+        coordinates=("x", "y"),
+        masses=(mass(1, "v(x, 0, 0)"), mass(1, "v(x + y, 0, 0)"), mass("s", "v(x + 2*y, 0, 0)")),
+    )
+    derivation, solution = eliminated(flat)
+    (regular,) = evaluate(derivation.graph, [solution.pivot], {Group.P: [1.0]})
+    (singular,) = evaluate(derivation.graph, [solution.pivot], {Group.P: [-0.2]})
+    assert regular > 0.1
+    assert abs(singular) < 1e-15
