@@ -3,9 +3,10 @@ PYTHON ?= python3
 VENV   ?= .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
+PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test test-fast update c-test bench docs
+.PHONY: help check lint test test-fast update c-test bench peers docs
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
@@ -37,8 +38,12 @@ update: $(READY)  ## regenerate what is generated: parser tables, unit table, li
 	$(BIN)/python -m lagdsl.units.generate
 	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/units tests/semantics
 
-bench: $(READY)  ## the figures of benchmarks/README.md
-	$(BIN)/python benchmarks/run.py
+bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed
+	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py
+
+peers:  ## an environment of their own for the libraries that the benchmarks compare with
+	test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
+	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi
 
 docs: $(READY)  ## figures of the README
 	$(BIN)/lag run models/double_pendulum.lag --plot docs/double_pendulum.png -o /dev/null

@@ -3,7 +3,9 @@
 import sys
 from pathlib import Path
 
+import dynamics
 import growth
+import scale
 from measure import first_call_cpu_seconds, process_cpu_seconds
 
 README = Path(__file__).with_name("README.md")
@@ -28,8 +30,8 @@ def no_swell() -> list[str]:
 
 def against_sympy() -> list[str]:
     """Cart double pendulum, definition to callable functions."""
-    ours = first_call_cpu_seconds("peers", "lagdsl_cart_double_pendulum")
-    theirs = first_call_cpu_seconds("peers", "sympy_cart_double_pendulum")
+    ours = first_call_cpu_seconds("against_sympy", "lagdsl_cart_double_pendulum")
+    theirs = first_call_cpu_seconds("against_sympy", "sympy_cart_double_pendulum")
     return [
         "## Text to callable NumPy functions: the cart double pendulum",
         "",
@@ -58,6 +60,25 @@ def start_up() -> list[str]:
     ]
 
 
+def against_peers() -> list[str]:
+    """Forward dynamics against the installed peers, growth, many states."""
+    rows = dynamics.measure(dynamics.CASES, _say)
+    curves = scale.curves(_say)
+    peers: dict[str, list[tuple[int, float]]] = {}
+    for row in rows:
+        for peer in ("pinocchio", "mujoco", "casadi"):
+            time = dynamics.best(row, peer)
+            if time is not None and row.model.endswith("_chain"):
+                peers.setdefault(f"{row.model}, {peer}", []).append((row.n, time))
+    scale.draw(curves, peers)
+    return [*dynamics.tables(rows), "", *scale.batch(), "", *scale.tables(curves)]
+
+
+def _say(what: str) -> None:
+    """To people who wait."""
+    print(what, file=sys.stderr, flush=True)
+
+
 def main() -> None:
     """Measure, print, write."""
     lines = [
@@ -65,7 +86,7 @@ def main() -> None:
         "",
         "Written by `make bench`: medians of CPU time, every ratio from one run on one machine.",
     ]
-    for table in (start_up, against_sympy, no_swell):
+    for table in (start_up, against_sympy, no_swell, against_peers):
         lines += ["", *table()]
     text = "\n".join(lines) + "\n"
     print(text)

@@ -1,0 +1,118 @@
+"""Run by the interpreter of the peers' environment: what needs their Python packages. It answers in JSON.
+
+in_peers.py where                              folders and versions of what is installed
+in_peers.py casadi ARM N FILE.c                Lagrange's equations by CasADi, as C
+in_peers.py pinocchio ARM N STATES.npy OUT.npy forward dynamics at many states
+"""
+
+import importlib.util
+import json
+import os
+import sys
+import time
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+import numpy as np
+from serial import ARMS, Arm
+
+
+def where() -> dict[str, dict[str, str]]:
+    """Only what is there."""
+    found = {}
+    for name, package, module in (
+        ("pinocchio", "pin", "cmeel"),
+        ("mujoco", "mujoco", "mujoco"),
+        ("casadi", "casadi", "casadi"),
+    ):
+        spec = importlib.util.find_spec(module)
+        try:
+            number = version(package)
+        except PackageNotFoundError:
+            continue
+        if spec is not None and spec.submodule_search_locations:
+            found[name] = {"version": number, "folder": next(iter(spec.submodule_search_locations))}
+    if "pinocchio" in found:
+        found["pinocchio"]["folder"] = str(Path(found["pinocchio"]["folder"]).parent / "cmeel.prefix")
+    return found
+
+
+def exact(values, shape):
+    """Numbers for CasADi, zeros known as such."""
+    import casadi as ca
+
+    return ca.sparsify(ca.DM(np.array(values, dtype=float).reshape(shape)))
+
+
+def casadi_function(arm: Arm):
+    """f(q, qd) -> qdd: energies of the links by hand, Lagrange's equations by differentiation, M by LDL."""
+    import casadi as ca
+
+    n = len(arm.links)
+    q, v = ca.SX.sym("q", n), ca.SX.sym("v", n)
+    kinetic = potential = 0
+    turn, speed, rotation, place = ca.SX.zeros(3), ca.SX.zeros(3), ca.SX.eye(3), ca.SX.zeros(3)
+    for i, link in enumerate(arm.links):
+        c, s = ca.cos(q[i]), ca.sin(q[i])
+        joint = ca.SX(3, 3)
+        joint[0, 0] = joint[1, 1] = c
+        joint[1, 0], joint[0, 1], joint[2, 2] = s, -s, 1
+        own = exact(link.rotation, (3, 3)) @ joint
+        offset = exact(link.place, 3)
+        speed = own.T @ (speed + ca.cross(turn, offset))
+        turn = own.T @ turn
+        turn[2] += v[i]
+        place = place + rotation @ offset
+        rotation = rotation @ own
+        center = exact(link.center, 3)
+        at_center = speed + ca.cross(turn, center)
+        xx, yy, zz, xy, xz, yz = link.inertia
+        inertia = exact([xx, xy, xz, xy, yy, yz, xz, yz, zz], (3, 3))
+        kinetic += link.mass / 2 * ca.dot(at_center, at_center) + ca.dot(turn, inertia @ turn) / 2
+        potential -= link.mass * ca.dot(ca.DM(arm.gravity), place + rotation @ center)
+    momentum = ca.gradient(kinetic, v)
+    mass = ca.jacobian(momentum, v)
+    rest = ca.gradient(kinetic - potential, q) - ca.jtimes(momentum, q, v)
+    d, lt, p = ca.ldl(mass)
+    return ca.Function("f", [q, v], [ca.ldl_solve(rest, d, lt, p)])
+
+
+def generate(arm: Arm, path: Path) -> dict[str, float]:
+    """C of that function; Python's CPU seconds and the number of instructions."""
+    start = time.process_time()
+    f = casadi_function(arm)
+    os.chdir(path.parent)
+    f.generate(path.name)
+    return {"seconds": time.process_time() - start, "instructions": f.n_instructions()}
+
+
+def forward(arm: Arm, given: Path, out: Path) -> dict[str, float]:
+    """Pinocchio's articulated-body algorithm at every row of q and qd."""
+    import pinocchio as pin
+
+    model = pin.Model()
+    model.gravity.linear = np.array(arm.gravity)
+    for i, link in enumerate(arm.links):
+        place = pin.SE3(np.array(link.rotation, dtype=float).reshape(3, 3), np.array(link.place, dtype=float))
+        xx, yy, zz, xy, xz, yz = link.inertia
+        inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        joint = model.addJoint(i, pin.JointModelRZ(), place, f"j{i}")
+        model.appendBodyToJoint(joint, pin.Inertia(link.mass, np.array(link.center), inertia), pin.SE3.Identity())
+    data, n = model.createData(), len(arm.links)
+    rows = np.load(given)
+    np.save(out, np.array([pin.aba(model, data, row[:n], row[n:], np.zeros(n)).copy() for row in rows]))
+    return {"states": len(rows)}
+
+
+def main() -> None:
+    command, *rest = sys.argv[1:]
+    if command == "where":
+        answer: object = where()
+    else:
+        arm = ARMS[rest[0]](int(rest[1]))
+        answer = generate(arm, Path(rest[2])) if command == "casadi" else forward(arm, Path(rest[2]), Path(rest[3]))
+    print(json.dumps(answer))
+
+
+if __name__ == "__main__":
+    main()
