@@ -9,6 +9,7 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints, energies, lagrange
 from lagdsl.mechanics.acceleration import refuse_accelerations
+from lagdsl.mechanics.eliminated import eliminated_equations
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.provided import Provider
@@ -64,6 +65,9 @@ def derive(flat: FlatModel) -> Program:
     functions = tuple(
         Function(name=name, arguments=arguments, results=tuple(blocks[name])) for name, arguments in SIGNATURES.items()
     )
+    dense = [node for block in blocks["dynamics"] for node in block.elements]
+    directions = derivation.symbols.directions
+    functions += eliminated_equations(derivation.lowering, flat, derivation.dynamics, directions, dense)
     return Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
 
 

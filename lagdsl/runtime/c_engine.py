@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from lagdsl.backends.c.emit import model_symbol, sources
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.program.functions import SIGNATURES, STATE
+from lagdsl.program.functions import OPTIONAL, SIGNATURES, STATE
 from lagdsl.program.program import Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.build import build
@@ -35,7 +35,7 @@ class CEngine:
         self._library = _loaded(program)
         self._shapes = {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
-        self._number = {name: index for index, name in enumerate(SIGNATURES)}
+        self._number = {name: index for index, name in enumerate((*SIGNATURES, *OPTIONAL))}
         self._signature = {f.name: f.arguments for f in program.functions}
         self._allocate()
 

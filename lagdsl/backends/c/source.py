@@ -10,7 +10,6 @@ from lagdsl.backends.c.literal import number, string
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
 from lagdsl.graph.graph import Graph
-from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.passes.hoist import hoisted
 from lagdsl.program.program import Block, Function, Layout, Program, Slot
 from lagdsl.program.verify import RESULT_SHAPES, sizes
@@ -35,6 +34,7 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "power": ("load", "dissipated"),
     "monitor": ("invariant", "scale", "assertion"),
     "initial_equation": ("residual",),
+    "elimination": ("qdd", "response", "jacobian", "gamma", "pivot"),
 }
 _FEWEST_ZEROS = 8
 
@@ -231,6 +231,6 @@ def _model(program: Program, stem: str, prepared: int, scratch: int) -> str:
         *(f".{name} = {count}" for name, count in counts.items()),
         *(f".{name} = model_{name}" for name, rows in tables.items() if rows),
         ".prepare = model_prepare",
-        *(f".{name} = model_{name}" for name in SIGNATURES),
+        *(f".{function.name} = model_{function.name}" for function in program.functions),
     ]
     return f"const lag_model {symbol(stem)} = {{\n" + "".join(f"    {member},\n" for member in members) + "};\n"

@@ -91,10 +91,27 @@ static lag_status solve(
     return finite_or_not(model->nc, lam, finite_or_not(model->nq, qdd, LAG_OK));
 }
 
+/* Where eliminating lost more than this part of a pivot, the dense system tells whether it is singular. */
+static const double smallest_pivot = 1e-6;
+
+/* Whether qdd was found by elimination: only without constraints. */
+static int eliminate(const lag_model *model, const lag_arguments *at, const places *to, double *qdd)
+{
+    double pivot = 0.0;
+    if (model->elimination == NULL || model->nc > 0) {
+        return 0;
+    }
+    const lag_status status = model->elimination(at, qdd, to->rows, to->jacobian, to->gamma, &pivot);
+    return status == LAG_OK && pivot > smallest_pivot && finite_or_not(model->nq, qdd, LAG_OK) == LAG_OK;
+}
+
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
     const places to = place(model, memory);
+    if (eliminate(model, at, &to, qdd)) {
+        return LAG_OK;
+    }
     lag_system system;
     return solve(model, at, &to, &system, qdd, lam, coordinate);
 }

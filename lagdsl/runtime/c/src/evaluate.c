@@ -46,6 +46,11 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return model->initial_equation(at, r);
     case LAG_CONSTRAINT_TANGENT:
         return model->constraint_tangent(at, r, r + m);
+    case LAG_ELIMINATION:
+        if (model->elimination == NULL) {
+            return LAG_MISSING;
+        }
+        return model->elimination(at, r, r + n, r + n + m * n, r + n + 2 * m * n, r + n + 2 * m * n + m);
     }
     return LAG_MISSING;
 }

@@ -23,7 +23,8 @@ typedef enum lag_function {
     LAG_POWER,
     LAG_MONITOR,
     LAG_INITIAL_EQUATION,
-    LAG_CONSTRAINT_TANGENT
+    LAG_CONSTRAINT_TANGENT,
+    LAG_ELIMINATION
 } lag_function;
 
 /* prepare() for the parameters and the workspace of `at`. */

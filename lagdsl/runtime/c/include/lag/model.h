@@ -137,6 +137,13 @@ typedef struct lag_model {
 
     /* t q qd z u w p, dq dqd dz du dp -> dphi (nc), d(J qd + b) (nc) */
     lag_status (*constraint_tangent)(const lag_arguments *at, double *phi, double *residual);
+
+    /*
+     * t q qd z u w p -> M^-1 f (nq), M^-1 J' row by row (nc, nq), J (nc, nq), gamma (nc), and what is left of the smallest
+     * pivot, relatively; null where forming M and solving costs less
+     */
+    lag_status (*elimination)(
+        const lag_arguments *at, double *qdd, double *response, double *jacobian, double *gamma, double *pivot);
 } lag_model;
 
 #endif
