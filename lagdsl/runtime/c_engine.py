@@ -27,12 +27,14 @@ class CEngine:
     """Engine over compiled C. One object must not be used by several threads at once.
 
     Beside the functions of the protocol, those named `..._many` broadcast over leading axes, in one call of C.
+    With `lanes` it also holds the functions of several states, or directions, at once: it takes longer to compile and
+    is faster then in `solve_many`, `solve_batch` and the Jacobians, with the same bits.
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, *, lanes: bool = False) -> None:
         self.layout = program.layout
-        self._library = _loaded(program)
+        self._library = _loaded(program, lanes)
         self._shapes = {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._number = {name: index for index, name in enumerate((*SIGNATURES, *OPTIONAL))}
@@ -49,6 +51,7 @@ class CEngine:
         self._state = self._vectors[: ends[len(_STATE_VECTORS)]]
         self._workspace = np.zeros(self._library.workspace + 1)
         self._memory = np.zeros(self._library.memory + 1)
+        self._lanes = np.zeros(self._library.batch_memory)
         self._results = np.zeros(max(*self._width.values(), 1))
         total = 2 * layout.size(Group.Q) + layout.size(Group.Z)
         self._qdd, self._lam = np.zeros(layout.size(Group.Q)), np.zeros(layout.size(Group.LAMBDA))
@@ -141,12 +144,12 @@ class CEngine:
 
     def _worker(self, many: Spread, qdd: Floats, lam: Floats) -> Part:
         """Solves parts of `many` in memory of its own."""
-        workspace, memory = np.zeros_like(self._workspace), np.zeros_like(self._memory)
+        own = [np.zeros_like(array) for array in (self._workspace, self._memory, self._lanes)]
         batch, coordinate = self._batch(many), c_size_t(0)
-        batch.workspace, batch.memory = workspace.ctypes.data, memory.ctypes.data
+        batch.workspace, batch.memory, batch.lanes = (_address(array) for array in own)
         widths = (8 * self.layout.size(Group.QDD), 8 * self.layout.size(Group.LAMBDA))
 
-        def part(first: int, end: int, _kept: object = (workspace, memory)) -> None:
+        def part(first: int, end: int, _kept: object = own) -> None:
             batch.count = end - first
             for name, array, stride in many.arrays:
                 setattr(batch, name, array.ctypes.data + 8 * first * stride)
@@ -179,6 +182,7 @@ class CEngine:
         """The C view of `many`, which must outlive it; arrays that are not given are those of the single state."""
         self._prepared = None  # the workspace is shared with the functions of one state
         batch = Batch(count=many.count, workspace=self._workspace.ctypes.data, memory=self._memory.ctypes.data)
+        batch.lanes = _address(self._lanes)
         for group in VECTORS:
             name = ARGUMENT_NAMES[group]
             setattr(batch, name, getattr(self._arguments, name))
@@ -188,8 +192,13 @@ class CEngine:
         return batch
 
 
-def _loaded(program: Program) -> Library:
-    texts = sources(program)
+def _address(array: Floats) -> int | None:
+    """For C, where an array that holds nothing is null."""
+    return array.ctypes.data if array.size else None
+
+
+def _loaded(program: Program, lanes: bool) -> Library:
+    texts = sources(program, lanes)
     try:
         return load(build(texts), model_symbol(program))
     except OSError:  # a library that was cut short or made for another machine

@@ -40,6 +40,7 @@ class Arguments(Structure):
         *((name, c_void_p) for name in _NAMES),
         ("relations", c_void_p),
         ("workspace", c_void_p),
+        ("times", c_void_p),
     ]
 
 
@@ -54,6 +55,7 @@ class Batch(Structure):
         *((f"{name}_stride", c_size_t) for name in _NAMES),
         ("workspace", c_void_p),
         ("memory", c_void_p),
+        ("lanes", c_void_p),
     ]
 
 
@@ -80,6 +82,7 @@ class Library:
     model: object
     workspace: int
     memory: int
+    batch_memory: int
     prepare: ctypes._NamedFuncPointer
     evaluate: ctypes._NamedFuncPointer
     forward_dynamics: ctypes._NamedFuncPointer
@@ -98,11 +101,14 @@ def load(path: Path, symbol: str) -> Library:
     model = byref(head)
     measure = _function(library, "lag_dynamics_memory", [c_void_p])
     measure.restype = c_size_t
+    measure_batch = _function(library, "lag_batch_memory", [c_void_p])
+    measure_batch.restype = c_size_t
     arguments, batch, results, index = POINTER(Arguments), POINTER(Batch), c_void_p, POINTER(c_size_t)
     return Library(
         model=model,
         workspace=int(head.workspace),
         memory=int(measure(model)),
+        batch_memory=int(measure_batch(model)),
         prepare=_function(library, "lag_prepare", [c_void_p, arguments]),
         evaluate=_function(library, "lag_evaluate", [c_void_p, c_int, arguments, results]),
         forward_dynamics=_function(

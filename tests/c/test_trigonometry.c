@@ -74,5 +74,6 @@ int main(void)
     test_values();
     test_signs_and_what_is_no_number();
     test_many_are_the_single_ones();
+    (void)puts("trigonometry: ok");
     return EXIT_SUCCESS;
 }

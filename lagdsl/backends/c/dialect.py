@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from lagdsl.backends.c.literal import number
-from lagdsl.graph.operation import ARGUMENT_NAMES, ELEMENTARY_NAMES, Group, Op
+from lagdsl.graph.operation import ARGUMENT_NAMES, DIRECTION_OF, ELEMENTARY_NAMES, Group, Op
 
 _OWN = {
     Op.SIGN: "sign", Op.NOT: "not", Op.MOD: "mod", Op.MIN: "min", Op.MAX: "max", Op.LESS: "less",
@@ -28,6 +28,7 @@ class Dialect:
     """`real` is the type of a value, `memory` that of its place; arrays of `shared` hold single numbers all the same.
 
     `suffix` ends the names of functions that there is one of per dialect; `splat` makes a value of a single number.
+    `primal` is where in the workspace the values start that directions share.
     """
 
     real: str
@@ -36,6 +37,7 @@ class Dialect:
     splat: str
     functions: Mapping[Op, str]
     shared: frozenset[str] = frozenset()
+    primal: int = 0
 
     def literal(self, value: float) -> str:
         return self.splatted(number(value))
@@ -58,13 +60,16 @@ class Dialect:
             return f"const {kind} *const t = " + ("&at->t;" if of_one_number else f"{cast}at->times;")
         if array == PREPARED:
             return f"const {kind} *const {PREPARED} = {cast}at->workspace;"
+        if array == PRIMAL:
+            return f"const double *const {PRIMAL} = at->workspace + {self.primal};"
         if array in _ARGUMENTS:
             return f"const {kind} *const {array} = {cast}at->{array};"
         return None
 
 
-# Names of the arrays that are no argument: what prepare() wrote, and what is passed from piece to piece.
+# Names of the arrays that are no argument: what prepare() wrote, what all directions share, what is passed on.
 PREPARED = "c"
+PRIMAL = "m"
 SCRATCH = "s"
 _ARGUMENTS = frozenset(ARGUMENT_NAMES.values())
 
@@ -82,3 +87,9 @@ LANES = Dialect(
     splat="lag_lanes_of",
     functions={op: f"lag_lanes_{name}" for op, name in {**_LIBRARY, **_OWN, Op.ABS: "abs"}.items()},
 )
+
+
+def directions(primal: int) -> Dialect:
+    """Lanes that differ in their directions only; values shared by all of them start at `primal` in the workspace."""
+    along = {ARGUMENT_NAMES[group] for group in DIRECTION_OF.values()}
+    return replace(LANES, shared=frozenset({*_ARGUMENTS - along, PREPARED, PRIMAL}), primal=primal)

@@ -35,10 +35,10 @@ def model_symbol(program: Program) -> str:
     return symbol(identifier(program.name, _RESERVED))
 
 
-def sources(program: Program) -> dict[str, str]:
-    """What a library of the model is compiled from, by relative path."""
+def sources(program: Program, lanes: bool = False) -> dict[str, str]:
+    """What a library of the model is compiled from, by relative path; with `lanes` for many states at once too."""
     stem = identifier(program.name, _RESERVED)
-    return {f"{stem}.c": source(program, stem), f"{stem}.h": header(stem), **runtime_sources()}
+    return {f"{stem}.c": source(program, stem, lanes), f"{stem}.h": header(stem), **runtime_sources()}
 
 
 def runtime_sources() -> dict[str, str]:

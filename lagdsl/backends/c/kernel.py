@@ -122,11 +122,11 @@ def rolled_code(
         rows = [f"{{{which}, {count}, {head}, {value}}}" for which, head, value, count in steps]
         definitions.append(_table("lag_step", f"{name}_step", rows))
         definitions.append(_pointers(name, dialect, parameters, len(texts)))
-        tables = f"{name}_head + step->head, {name}_value + step->value, step->laps"
+        rest = f"{name}_head + step->head, {name}_value + step->value, step->laps"
         calls = [
             f"for (size_t i = 0; i < {len(steps)}; ++i) {{",
             f"    const lag_step *const step = {name}_step + i;",
-            f"    {name}_kernel[step->kernel]({', '.join(arguments)}, {SCRATCH}, {tables});",
+            f"    {name}_kernel[step->kernel]({', '.join(arguments)}, {SCRATCH}, {rest});",
             "}",
         ]
     return "".join(definitions), calls

@@ -10,6 +10,8 @@ typedef struct places {
     double *zero_u, *zero_p;                 /* (nu) (np) */
     double *motion, *rows, *rates;           /* (nq) (nc) (nz) */
     double *dqdd, *dlam;                     /* (nq) (nc) */
+    double *directions;                      /* (2 nq + nz + nu + np) in lanes */
+    double *motions, *rows_of;               /* (nq) (nc) in lanes */
     double *system;
 } places;
 
@@ -39,6 +41,9 @@ static places place(const lag_model *model, double *memory)
     at.rates = take(&memory, model->nz);
     at.dqdd = take(&memory, n);
     at.dlam = take(&memory, m);
+    at.directions = take(&memory, model->lanes * (2 * n + model->nz + model->nu + model->np));
+    at.motions = take(&memory, model->lanes * n);
+    at.rows_of = take(&memory, model->lanes * m);
     at.system = memory;
     return at;
 }
@@ -47,7 +52,8 @@ size_t lag_dynamics_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    return n * n + m * n + 6 * n + 4 * m + 2 * model->nz + model->nu + model->np + lag_system_memory(n, m);
+    const size_t lanes = model->lanes * (3 * n + m + model->nz + model->nu + model->np);
+    return n * n + m * n + 6 * n + 4 * m + 2 * model->nz + model->nu + model->np + lanes + lag_system_memory(n, m);
 }
 
 static void fill(size_t count, double value, double *x)
@@ -67,21 +73,16 @@ static lag_status finite_or_not(size_t count, const double *x, lag_status before
     return before;
 }
 
-static lag_status solve(
+static lag_status solve_formed(
     const lag_model *model,
-    const lag_arguments *at,
     const places *to,
     lag_system *system,
     double *qdd,
     double *lam,
     size_t *coordinate)
 {
-    lag_status status = model->dynamics(at, to->mass, to->force, to->jacobian, to->gamma);
-    if (status != LAG_OK) {
-        return status;
-    }
     lag_system_place(system, model->nq, model->nc, to->system);
-    status = lag_system_factor(system, to->mass, to->jacobian, model->rank, coordinate);
+    const lag_status status = lag_system_factor(system, to->mass, to->jacobian, model->rank, coordinate);
     if (status != LAG_OK) {
         fill(model->nq, (double)NAN, qdd);
         fill(model->nc, (double)NAN, lam);
@@ -91,8 +92,56 @@ static lag_status solve(
     return finite_or_not(model->nc, lam, finite_or_not(model->nq, qdd, LAG_OK));
 }
 
+static lag_status solve(
+    const lag_model *model,
+    const lag_arguments *at,
+    const places *to,
+    lag_system *system,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    const lag_status status = model->dynamics(at, to->mass, to->force, to->jacobian, to->gamma);
+    return status == LAG_OK ? solve_formed(model, to, system, qdd, lam, coordinate) : status;
+}
+
 /* Where eliminating lost more than this part of a pivot, the dense system tells whether it is singular. */
 static const double smallest_pivot = 1e-6;
+
+lag_status lag_forward_dynamics_of_lane(
+    const lag_model *model,
+    const lag_formed *formed,
+    size_t lane,
+    double *memory,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const places to = place(model, memory);
+    lag_system system;
+    if (formed->qdd != NULL) {
+        for (size_t i = 0; i < n; ++i) {
+            qdd[i] = formed->qdd[i * model->lanes + lane];
+        }
+        const int usable = formed->pivot[lane] > smallest_pivot && finite_or_not(n, qdd, LAG_OK) == LAG_OK;
+        return usable ? LAG_OK : LAG_MISSING;
+    }
+    for (size_t i = 0; i < n * n; ++i) {
+        to.mass[i] = formed->mass[i * model->lanes + lane];
+    }
+    for (size_t i = 0; i < n; ++i) {
+        to.force[i] = formed->force[i * model->lanes + lane];
+    }
+    for (size_t i = 0; i < m * n; ++i) {
+        to.jacobian[i] = formed->jacobian[i * model->lanes + lane];
+    }
+    for (size_t i = 0; i < m; ++i) {
+        to.gamma[i] = formed->gamma[i * model->lanes + lane];
+    }
+    return solve_formed(model, &to, &system, qdd, lam, coordinate);
+}
 
 /* Whether qdd was found by elimination: only without constraints. */
 static int eliminate(const lag_model *model, const lag_arguments *at, const places *to, double *qdd)
@@ -116,6 +165,43 @@ lag_status lag_forward_dynamics(
     return solve(model, at, &to, &system, qdd, lam, coordinate);
 }
 
+/* Tangents of the residual in the directions `first` and following, as many as there are lanes. */
+static lag_status tangents(const lag_model *model, const lag_arguments *at, const places *to, size_t first)
+{
+    const size_t n = model->nq;
+    const size_t total = 2 * n + model->nz;
+    lag_arguments here = *at;
+    here.dq = to->directions;
+    here.dqd = here.dq + n * model->lanes;
+    here.dz = here.dqd + n * model->lanes;
+    here.du = here.dz + model->nz * model->lanes;
+    here.dp = here.du + model->nu * model->lanes;
+    fill(model->lanes * (total + model->nu + model->np), 0.0, to->directions);
+    for (size_t lane = 0; lane < model->lanes && first + lane < total; ++lane) {
+        to->directions[(first + lane) * model->lanes + lane] = 1.0;
+    }
+    return model->residual_tangent_lanes(&here, to->motions, to->rows_of);
+}
+
+/* The tangent of the residual in direction `which`, called for one after the other. */
+static lag_status tangent(const lag_model *model, const lag_arguments *at, const places *to, size_t which)
+{
+    if (model->residual_tangent_lanes == NULL) {
+        return model->residual_tangent(at, to->motion, to->rows);
+    }
+    lag_status status = which == 0 ? model->residual_tangent_primal(at) : LAG_OK;
+    if (status == LAG_OK && which % model->lanes == 0) {
+        status = tangents(model, at, to, which);
+    }
+    for (size_t i = 0; i < model->nq; ++i) {
+        to->motion[i] = to->motions[i * model->lanes + which % model->lanes];
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        to->rows[i] = to->rows_of[i * model->lanes + which % model->lanes];
+    }
+    return status;
+}
+
 /* Column `which` of the Jacobian. */
 static lag_status column(
     const lag_model *model, lag_arguments *at, const places *to, lag_system *system, size_t which, double *jacobian)
@@ -123,7 +209,7 @@ static lag_status column(
     const size_t n = model->nq;
     const size_t total = 2 * n + model->nz;
     to->direction[which] = 1.0;
-    lag_status status = model->residual_tangent(at, to->motion, to->rows);
+    lag_status status = tangent(model, at, to, which);
     if (status != LAG_OK) {
         return status;
     }

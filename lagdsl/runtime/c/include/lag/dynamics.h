@@ -55,6 +55,22 @@ size_t lag_dynamics_memory(const lag_model *model);
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
 
+/* What elimination_lanes() gave, or, where qdd is null, dynamics_lanes(): every array in groups of lanes. */
+typedef struct lag_formed {
+    const double *qdd, *pivot;                     /* (nq) () */
+    const double *mass, *force, *jacobian, *gamma; /* (nq, nq) (nq) (nc, nq) (nc) */
+} lag_formed;
+
+/* The same for the state of one lane. LAG_MISSING: elimination is no way to solve this one. */
+lag_status lag_forward_dynamics_of_lane(
+    const lag_model *model,
+    const lag_formed *formed,
+    size_t lane,
+    double *memory,
+    double *qdd,
+    double *lam,
+    size_t *coordinate);
+
 /*
  * d(qd, qdd, zd)/d(q, qd, z) (2 nq + nz, 2 nq + nz) at t q qd z u w p, after prepare(). Exact: M dqdd - J'dlam = -dr and
  * J dqdd = -ds with the directional derivatives of the residuals.

@@ -41,7 +41,11 @@ typedef struct lag_batch {
         dqd_stride, dz_stride, du_stride, dp_stride, dqdd_stride, dlam_stride;
     double *workspace; /* of the model */
     double *memory;    /* lag_dynamics_memory() */
+    double *lanes;     /* lag_batch_memory(), or null: one state after the other */
 } lag_batch;
+
+/* Doubles that a batch of several states at once needs beside; 0 where the model has none. */
+size_t lag_batch_memory(const lag_model *model);
 
 /* State i's results start at results + i * width. Calls prepare() itself. Returns the first status that is not LAG_OK. */
 lag_status lag_batch_evaluate(

@@ -18,6 +18,9 @@
 typedef double lag_lanes __attribute__((vector_size(8 * LAG_LANES)));
 typedef unsigned long long lag_lanes_bits __attribute__((vector_size(8 * LAG_LANES)));
 
+/* A vector in an array of doubles. */
+typedef double lag_lanes_memory __attribute__((vector_size(8 * LAG_LANES), aligned(8), may_alias));
+
 /* All of this is inlined, so how vectors are handed over does not matter. */
 #pragma GCC diagnostic ignored "-Wpsabi"
 

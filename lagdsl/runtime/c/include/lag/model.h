@@ -50,6 +50,7 @@ typedef struct lag_arguments {
     const unsigned char *relations;
     /* (workspace) owned by the caller, flat and without pointers; its first `prepared` entries hold what prepare() wrote */
     double *workspace;
+    const double *times; /* (lanes) instead of t, for functions of several states at once */
 } lag_arguments;
 
 typedef struct lag_model {
@@ -127,7 +128,11 @@ typedef struct lag_model {
     lag_status (*contact_modes)(const lag_arguments *at, double *gap, double *gap_rate);
     lag_status (*when)(const lag_arguments *at, size_t which, double *q, double *qd, double *z, double *w);
     lag_status (*next_sample)(const lag_arguments *at, double *instant);
-    /* `lanes` states, or directions, at once: every array has its entries in groups of `lanes` */
+    /*
+     * `lanes` states at once (0: not there): every array, that of the workspace with its `workspace_lanes` doubles too, has
+     * its entries in groups of `lanes`; `times` stands for t. And `lanes` directions at once: only directions and results are
+     * in groups, and residual_tangent_primal() has been called for the state with the same workspace, after prepare().
+     */
     size_t lanes;
     lag_status (*dynamics_lanes)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
     lag_status (*residual_tangent_lanes)(const lag_arguments *at, double *motion, double *rows);
@@ -138,11 +143,16 @@ typedef struct lag_model {
     /* t q qd z u w p, dq dqd dz du dp -> dphi (nc), d(J qd + b) (nc) */
     lag_status (*constraint_tangent)(const lag_arguments *at, double *phi, double *residual);
 
+    size_t workspace_lanes;
+    lag_status (*residual_tangent_primal)(const lag_arguments *at);
+
     /*
      * t q qd z u w p -> M^-1 f (nq), M^-1 J' row by row (nc, nq), J (nc, nq), gamma (nc), and what is left of the smallest
      * pivot, relatively; null where forming M and solving costs less
      */
     lag_status (*elimination)(
+        const lag_arguments *at, double *qdd, double *response, double *jacobian, double *gamma, double *pivot);
+    lag_status (*elimination_lanes)(
         const lag_arguments *at, double *qdd, double *response, double *jacobian, double *gamma, double *pivot);
 } lag_model;
 

@@ -82,10 +82,16 @@ static inline void lag_lanes_sincos(const lag_lanes *x, lag_lanes *s, lag_lanes 
 }
 
 /* s[i], c[i] of x[i], each a vector. */
-static inline void lag_lanes_sincos_many(size_t count, const lag_lanes *x, lag_lanes *s, lag_lanes *c)
+static inline void lag_lanes_sincos_many(
+    size_t count, const lag_lanes_memory *x, lag_lanes_memory *s, lag_lanes_memory *c)
 {
     for (size_t i = 0; i < count; ++i) {
-        lag_lanes_sincos(x + i, s + i, c + i);
+        const lag_lanes argument = x[i];
+        lag_lanes sine;
+        lag_lanes cosine;
+        lag_lanes_sincos(&argument, &sine, &cosine);
+        s[i] = sine;
+        c[i] = cosine;
     }
 }
 
