@@ -19,7 +19,7 @@ _READ = ("frame", "point", "algebraic", "output", "input", "energy", "load")
 class Uses:
     """Searches all that acts on the motion, through definitions; outputs and drawings do not count.
 
-    `values` are the coordinates found, `required` those that must be unknowns whatever it costs.
+    `values` are the angles found, `required` those that must be unknowns whatever it costs.
     """
 
     def __init__(self, ctx: Context, contents: Contents) -> None:
@@ -84,7 +84,7 @@ class Uses:
 
     def _read(self, symbol: Symbol, *, displaced: bool) -> None:
         if symbol.kind == "coordinate":
-            if not displaced:
+            if not displaced and _may_wind(symbol):
                 self.values.add(symbol)
             return
         if symbol.kind not in _READ or (symbol, displaced) in self._seen:
@@ -100,6 +100,11 @@ class Uses:
             self._displaced(binding.scope, binding.node)
         else:
             self._walk(binding.scope, binding.node)
+
+
+def _may_wind(symbol: Symbol) -> bool:
+    """Whether whole turns may be counted in it: angles and quaternions, not lengths."""
+    return symbol.info is None or symbol.info.dimension is None or symbol.info.dimension.is_dimensionless
 
 
 def _is_call(node: nodes.Node, function: str) -> bool:
