@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
-from lagdsl.record import record
 from lagdsl.semantics import constraints, flat_model, quantities
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.assembly.computed import Formula, NoFormulaError, Solver
+from lagdsl.semantics.assembly.cuts import Cut, Place, ReadAs, Tied
 from lagdsl.semantics.assembly.linear import variables
-from lagdsl.semantics.assembly.net import Link, Net, Port
+from lagdsl.semantics.assembly.net import Net
 from lagdsl.semantics.assembly.pose import displacement, misalignment
 from lagdsl.semantics.assembly.relative import Ancestry, is_relative, speaks_of_its_frames
 from lagdsl.semantics.assembly.routes import Routes
-from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
 from lagdsl.semantics.flat_expression import FlatExpression
@@ -23,53 +22,9 @@ from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.quantity_fields import QuantityFields
 from lagdsl.semantics.scope import Symbol
 from lagdsl.semantics.values import FrameValue, Order, Scalar
-from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
-
-
-@record()
-class _Place:
-    """What the rows of one closure have in common. `span` is the `connect` that closes the loop."""
-
-    name: str
-    joint: str | None
-    loop: tuple[str, ...]
-    span: Span
-    spans: tuple[Span, ...]
-
-
-@dataclass(eq=False, slots=True)
-class Cut:
-    """A link that closes a loop. `computed`: its coordinates are to follow from the frames, by `equations`. `hidden` is
-    the frame that stands for the end of the link in all that closes it, so that it can be released alone, `start` the
-    one that stands for its base; `steps` lead from there to the end."""
-
-    link: Link
-    loop: tuple[str, ...]
-    span: Span
-    equations: tuple[Placed, ...]
-    computed: bool
-    start: str = ""
-    hidden: str = ""
-    steps: tuple[FrameStep, ...] = ()
-    started: bool = False
-    outputs: list[Output] = field(default_factory=list)
-
-    @property
-    def place(self) -> _Place:
-        joint, binding = self.link.instance.name, self.link.binding
-        return _Place(f"closure({joint})", joint, self.loop, self.span, (binding.span, *binding.scope.spans))
-
-
-@dataclass(frozen=True, slots=True)
-class Tied:
-    """A port with a place of its own, joined to frames that have theirs: both must be one."""
-
-    port: int
-    loop: tuple[str, ...]
-    span: Span
 
 
 class Closures:
@@ -194,7 +149,7 @@ class Closures:
         second = self._routes.value(tied.port)
         if isinstance(first, FrameValue) and isinstance(second, FrameValue):
             scope = (port.symbol or port.binding).scope  # type: ignore[union-attr]
-            place = _Place(f"closure({port.name})", None, tied.loop, tied.span, (tied.span, *scope.spans))
+            place = Place(f"closure({port.name})", None, tied.loop, tied.span, (tied.span, *scope.spans))
             start = self._frame(place, first.name, first.steps, "start") if first.steps else first.name
             end = self._frame(place, second.name, second.steps, "end")
             self._pose(place, start, end)
@@ -209,7 +164,7 @@ class Closures:
             return
         self._pose(cut.place, self._frame(cut.place, cut.start, cut.steps, "start"), cut.hidden)
 
-    def _pose(self, place: _Place, start: str, end: str) -> None:
+    def _pose(self, place: Place, start: str, end: str) -> None:
         self._rows(place, displacement(start, end), self._ctx.dimension(LENGTH), 0)
         self._rows(place, misalignment(start, end), DIMENSIONLESS, 3)
 
@@ -217,7 +172,7 @@ class Closures:
         """The equations of the closure section, the end of the link read as the hidden frame."""
         ports = self._net.ports
         count = 0
-        with _Read(ports[cut.link.child], cut.hidden), _Read(ports[cut.link.base], cut.start):
+        with ReadAs(ports[cut.link.child], cut.hidden), ReadAs(ports[cut.link.base], cut.start):
             for placed in cut.equations:
                 assert isinstance(placed.node, nodes.Equation)
                 residual = constraints.difference(self._ctx, placed.scope, placed.node)
@@ -231,7 +186,7 @@ class Closures:
                 self._rows(place, parts, residual.dimension or DIMENSIONLESS, count)
                 count += len(parts)
 
-    def _rows(self, place: _Place, residuals: tuple[FlatExpression, ...], dimension: Dimension, before: int) -> None:
+    def _rows(self, place: Place, residuals: tuple[FlatExpression, ...], dimension: Dimension, before: int) -> None:
         rows = tuple(f"{place.name}[{before + k}]" for k in range(1, len(residuals) + 1))
         self._ctx.constraints.append(
             Constraint(
@@ -246,29 +201,11 @@ class Closures:
         )
 
     def _frame(
-        self, place: _Place, parent: str, steps: tuple[FrameStep, ...], what: str, image: Image | None = None
+        self, place: Place, parent: str, steps: tuple[FrameStep, ...], what: str, image: Image | None = None
     ) -> str:
         name = self._ctx.unique(f"{place.name}.{what}")
         self._ctx.named.append(Frame(spans=place.spans, name=name, parent=parent, steps=steps, image=image))
         return name
-
-
-class _Read:
-    """Reads a port as another frame while texts of the closure are elaborated."""
-
-    def __init__(self, port: Port, name: str) -> None:
-        self._port, self._name = port, name
-
-    def __enter__(self) -> None:
-        if self._port.symbol is None:
-            return
-        self._before = self._port.symbol.cells[self._port.indices]
-        self._port.symbol.cells[self._port.indices] = FrameValue(self._name)
-
-    def __exit__(self, *_: object) -> None:
-        if self._port.symbol is None:
-            return
-        self._port.symbol.cells[self._port.indices] = self._before
 
 
 def _needs(item: Definition, names: dict[str, FlatExpression]) -> bool:

@@ -102,7 +102,8 @@ class Routes:
         symbol = base.symbol
         assert symbol is not None
         mark = len(self._ctx.named)
-        symbol.cells[base.indices] = FrameValue(base.name)
+        # steps that mention the base are refused, so only what they themselves depend on counts
+        symbol.cells[base.indices] = FrameValue(base.name, (), WORLD_FRAME.variability, WORLD_FRAME.order)
         binding = link.binding
         try:
             value = self._ctx.elaborate(self._ctx, binding.scope, binding.node, False)
