@@ -14,13 +14,22 @@ import numpy as np
 
 from lagdsl.analysis.linearize import Named, holonomic_rows, reduce
 from lagdsl.analysis.partition import partition
-from lagdsl.analysis.point import Changes, Directions, Point, Subject, changes, constraint_changes, flow
+from lagdsl.analysis.point import (
+    Changes,
+    Directions,
+    Point,
+    Subject,
+    changes,
+    constraint_changes,
+    coordinate_sizes,
+    flow,
+)
 from lagdsl.analysis.steady import Steadiness, first_order_sizes, steadiness
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import configuration
 from lagdsl.mechanics.structure_newton import Descent, descend
-from lagdsl.mechanics.structure_points import natural_sizes, random_points
+from lagdsl.mechanics.structure_points import random_points
 from lagdsl.units.naming import rate_text
 
 _TRIES = 24
@@ -142,7 +151,7 @@ def _task(subject: Subject, start: Point, free: Sequence[int], hold: Sequence[in
     default += [2 * n + j for j, s in enumerate(flat.states) if not s.fixed]
     unknown = sorted((set(default) | set(following) | set(free)) - set(hold))
     at_rest = not np.any(start.qd) and not any(n <= j < 2 * n for j in free)
-    sizes = natural_sizes(flat.coordinates, start.q)
+    sizes = coordinate_sizes(subject, start.p)
     states = first_order_sizes(subject, start)
     inputs = np.maximum(np.abs(start.u), 1.0)
     widths = np.concatenate([sizes, sizes, states, inputs])
