@@ -117,13 +117,21 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
     if name in LATER:
         ctx.sink.report("E0311", span, what=f"`{name}`", hint=f"{LATER[name]} comes with components")
     elif name in KNOWN and not prefix:
-        ctx.sink.report("E0213", span, name=name, what=symbol.title)
+        ctx.sink.report("E0213", span, *_declared(symbol, modifier), name=name, what=symbol.title)
     else:
         meant = nearest(name, names)
         type_name = symbol.info.name if symbol.info is not None else symbol.kind
         hint = f"did you mean `{meant}`?" if meant is not None else None
         listed = ", ".join(names) if names else "none"
-        ctx.sink.report("E0202", span, name=name, type=type_name, attributes=listed, help=hint)
+        place = _declared(symbol, modifier)
+        ctx.sink.report("E0202", span, *place, name=name, type=type_name, attributes=listed, help=hint)
+
+
+def _declared(symbol: Symbol, modifier: nodes.Modifier) -> tuple[Label, ...]:
+    """Where the quantity is declared, for a modifier that stands elsewhere."""
+    if symbol.declarator is None or modifier in symbol.declarator.modifiers:
+        return ()
+    return (Label(symbol.span, f"`{symbol.short}` is declared here as {symbol.title}"),)
 
 
 def _is_free(ctx: Context, symbol: Symbol) -> bool:

@@ -203,11 +203,11 @@ class Definitions:
         active = self.ctx.active
         if (symbol, key) in active:
             circle = active[active.index((symbol, key)) :]
-            names = [element_name(member.short, indices or ()) for member, indices in circle]
+            names = [element_name(member.name, indices or ()) for member, indices in circle]
             names.append(names[0])
             links = [f"`{a}` on `{b}`" for a, b in pairwise(names)]
             path = ", ".join([links[0].replace(" on ", " depends on ", 1), *links[1:]])
-            places = [Label(member.span, f"`{member.short}` is defined here") for member, _ in circle]
+            places = [Label(member.span, f"`{member.name}` is defined here") for member, _ in circle]
             self.ctx.sink.report("E0305", span, *places, path=path)
             for member, indices in circle:
                 self._poison(member, indices)

@@ -20,7 +20,13 @@ class InstanceSink(Sink):
         self._told: set[tuple[str, str, int, int]] = set()
 
     def add(self, diagnostic: Diagnostic) -> None:
-        """The same code at the same place of a class is kept for the first instance only."""
+        """The same code at the same place of a class is kept for the first instance only; nothing is told twice."""
+        if diagnostic.labels:
+            first = diagnostic.labels[0].span
+            said = (diagnostic.code + diagnostic.message, first.file.name, first.start, first.end)
+            if said in self._told:
+                return
+            self._told.add(said)
         if self.ctx is not None and diagnostic.labels:
             span = diagnostic.labels[0].span
             places = list(_places(_instance_at(self.ctx, span)))
