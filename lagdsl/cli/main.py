@@ -19,6 +19,9 @@ from lagdsl.cli.status import INTERNAL, INTERRUPTED, SUCCESS, USAGE
 _COMMANDS = {
     "check": "Find everything that is wrong with a model.",
     "run": "Simulate a model.",
+    "linearize": "Show the matrices of the motion about a state.",
+    "modes": "Show frequencies, damping, mode shapes, stability and thresholds.",
+    "trim": "Find an equilibrium.",
     "derive": "Show the derivation of the equations of motion, step by step.",
     "build": "Write the equations as a module that stands alone.",
     "flat": "Show the flat model: coordinates, energies, loads, constraints.",
