@@ -50,8 +50,8 @@ def _parts(found: Linearization, where: str) -> list[str]:
         ("D: y by u", found.D, "y", "u"),
     ):
         if matrix.size:
-            prefix = "d/dt " if rows == "x" else ""
-            body = _matrix(matrix, [prefix + _label(n) for n in names[rows]], [_label(n) for n in names[columns]])
+            labels = [f"d/dt {n.name}" if rows == "x" else _label(n) for n in names[rows]]
+            body = _matrix(matrix, labels, [_label(n) for n in names[columns]])
             parts.append(f"{title}\n{body}")
     return parts
 

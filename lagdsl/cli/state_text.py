@@ -29,7 +29,7 @@ def steadiness_text(found: Steadiness) -> str:
         case "equilibrium":
             return "This is an equilibrium."
         case "steady motion":
-            return f"This is a steady motion: {', '.join(found.running)} run, and have no influence."
+            return f"This is a steady motion; what runs has no influence: {', '.join(found.running)}."
         case "neither":
             left = ", ".join(f"{name} = {value:.4g}" for name, value in found.unbalanced[:4])
             return f"This is neither an equilibrium nor a steady motion: {left} (SI units)."
