@@ -95,7 +95,7 @@ def _panels(rows: int, columns: int, size: tuple[float, float], *, share: bool) 
 
 def _draw_shape(panel: Axes, modes: Modes, i: int, places: int) -> None:
     shape = modes.shapes[i, :places]
-    real = bool(np.all(np.abs(shape.imag) <= 1e-6 * np.abs(shape)))
+    real = bool(np.all(np.abs(shape.imag) <= 1e-6))
     heights = shape.real if real else np.abs(shape)
     positions = np.arange(places)
     panel.barh(positions, heights, height=0.6, color=COLORS[0] if real else COLORS[5])
