@@ -153,8 +153,7 @@ def _usual(lengths: Floats) -> Floats:
     """
     usual = np.zeros(lengths.shape[1:])
     for row, found in enumerate(lengths.T):
-        finite = np.sort(found[np.isfinite(found)])
-        counted = finite[finite > _ROUNDING * np.max(finite, initial=0.0)]
+        counted = np.sort(found[np.isfinite(found) & (found > 0.0)])
         if len(counted):
             usual[row] = counted[(len(counted) - 1) // 2]
     return usual
