@@ -266,7 +266,10 @@ class Definitions:
         if binding is None or shape is None or symbol.info is None:
             return
         part = shape[len(key or ()) :]
-        expected = Expected(f"`{symbol.short}`", symbol.info.dimension, part, symbol.info.base, symbol.info.unit)
+        # A plain `Real` variable is of the dimension of its binding; what an input is says its class.
+        dimension = DIMENSIONLESS if symbol.kind == "input" else None
+        dimension = symbol.info.dimension or dimension
+        expected = Expected(f"`{symbol.short}`", dimension, part, symbol.info.base, symbol.info.unit)
         value = bound(self.ctx, binding.scope, binding.node, expected)
         if isinstance(value, Scalar):
             symbol.cells[indices] = self._named(symbol, indices, value)

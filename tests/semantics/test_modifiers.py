@@ -153,3 +153,11 @@ def test_size_of_an_array_of_components() -> None:
 def test_circles_name_the_components() -> None:
     _, sink = run(SLIDER + "model M\n  Slider a(m = 2*b.m), b(m = a.m/3);\nend M;\n", model="M")
     assert [d.message for d in sink.diagnostics] == ["circular definition: `a.m` depends on `b.m`, `b.m` on `a.m`"]
+
+
+def test_a_signal_is_a_number() -> None:
+    """The unit mistake is told at the modifier, not in the text of the block."""
+    block = "model Gain\n  input Real u;\n  output Real y = 2*u + 1;\nend Gain;\n"
+    body = "model M\n  extends Slider;\n  Gain g(u = x{});\n  force g.y*(1 N) on x;\nend M;\n"
+    assert errors(SLIDER + block + body.format("/(1 m)")) == []
+    assert errors(SLIDER + block + body.format("")) == [("E0407", "x")]
