@@ -24,7 +24,7 @@ lint: $(READY)
 	$(BIN)/lint-imports
 
 test: $(READY)  ## all tests, branch coverage of at least 95 %
-	$(BIN)/python -m pytest -n auto --cov --cov-report=term
+	$(BIN)/python -m pytest -n auto --dist loadgroup --cov --cov-report=term
 
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
