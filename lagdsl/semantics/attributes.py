@@ -32,7 +32,7 @@ ALLOWED: dict[str, tuple[str, ...]] = {
 QUATERNION = ("start", "fixed", "symbol", "der.start", "der.fixed", "omega.start", "omega.fixed", "prefer")
 # Attributes of Modelica that exist but may not fit the thing they stand at.
 KNOWN = ("start", "fixed", "min", "max", "nominal", "unit", "displayUnit", "symbol", "smooth", "der", "omega")
-LATER = {"stateSelect": "the choice of states"}
+LATER = {"stateSelect": "joints whose coordinates are the unknowns are chosen by `prefer = always` or `prefer = never`"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +115,7 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
     else:
         names = list(dict.fromkeys(each.partition(".")[0] for each in allowed))
     if name in LATER:
-        ctx.sink.report("E0311", span, what=f"`{name}`", hint=f"{LATER[name]} comes with components")
+        ctx.sink.report("E0311", span, what=f"`{name}`", hint=LATER[name])
     elif name in KNOWN and not prefix:
         ctx.sink.report("E0213", span, *_declared(symbol, modifier), name=name, what=symbol.title)
     else:
