@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from lagdsl.analysis.point import Directions, Point, Subject, constraint_changes
+from lagdsl.analysis.point import Directions, Point, Subject, constraint_changes, coordinate_sizes
 from lagdsl.mechanics.rank import Floats, null_space
-from lagdsl.mechanics.structure_points import Probe, geometry, natural_sizes, probes
+from lagdsl.mechanics.structure_points import Probe, geometry, probes
 
 _CLOSED = 1e-9
 
@@ -41,7 +41,7 @@ def _closed(forms: Floats, curl: Floats, rows: list[int]) -> bool:
 
 
 def _scale(subject: Subject, point: Point) -> Floats:
-    return np.append(natural_sizes(subject.flat.coordinates, point.q), 1.0)
+    return np.append(coordinate_sizes(subject, point.p), 1.0)
 
 
 def _forms(subject: Subject, point: Point, place: Probe) -> Floats:

@@ -23,7 +23,8 @@ class Modes:
     """`eigenvalues` (n,) [1/s], the zeros last; a row of `shapes` (n, ns) is one mode over `places`.
 
     `places` are all coordinates and first-order states; the largest entry of a shape is 1, others are relative to it in
-    SI units, complex numbers telling amplitude and phase. `vectors` (nx, n) are eigenvectors of the minimal state.
+    SI units, complex numbers telling amplitude and phase. `vectors` (nx, n) are eigenvectors of the minimal state,
+    generalized ones for the zeros.
     `dropped` counts zeros that were left out, one for each integrable row of velocity level.
     """
 
@@ -136,4 +137,7 @@ def statement(modes: Modes) -> str:
         return f"asymptotically stable {subject}: all real parts are negative"
     parts = [f"{marginal} on the imaginary axis"] if marginal else []
     parts += [f"{zeros} zero"] if zeros else []
+    rest = len(values) - marginal - zeros
+    if rest and not marginal:
+        return f"stable {subject} but for drift: {zeros} of {len(values)} eigenvalues are zero, all others decay"
     return f"no growing mode about this {subject}: {' and '.join(parts)}; the linear equations decide no more"

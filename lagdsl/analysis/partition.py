@@ -14,10 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lagdsl.analysis.point import Directions, Point, Subject, constraint_changes
+from lagdsl.analysis.point import Directions, Point, Subject, constraint_changes, coordinate_sizes
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats, rank
-from lagdsl.mechanics.structure_points import natural_sizes
 
 # Of coordinates that can be left out equally well, the last ones are.
 _PREFERENCE = 1e-3
@@ -61,7 +60,7 @@ class Partition:
 def partition(subject: Subject, point: Point, held: Sequence[int], sink: Sink) -> Partition | None:
     """The chart about `point`; E0850 where the constraints lose rank, so that there is none."""
     layout = subject.engine.layout
-    sizes = natural_sizes(subject.flat.coordinates, point.q)
+    sizes = coordinate_sizes(subject, point.p)
     jacobian = subject.engine.evaluate("velocity_constraint", *point.arguments)[1]
     rows = jacobian * sizes
     rows = rows / _lengths(rows)[:, None]

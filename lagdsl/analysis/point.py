@@ -11,6 +11,7 @@ from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_points import natural_sizes
 from lagdsl.program.program import Program
 from lagdsl.runtime.broadcast import BatchEngine
 from lagdsl.runtime.engine import SingularSystem
@@ -71,6 +72,12 @@ def point_of(
     inputs = defaults if u is None else u
     w = np.zeros(len(layout.discretes))
     return Point(t=state.t, q=state.q, qd=state.qd, z=state.z, u=inputs, w=w, p=parameters)
+
+
+def coordinate_sizes(subject: Subject, p: Floats) -> Floats:
+    """Natural sizes of the coordinates, from the start values of the model: they do not depend on the point."""
+    start = subject.engine.evaluate("start", subject.flat.experiment.start_time, p)[0]
+    return natural_sizes(subject.flat.coordinates, start)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,8 @@
 
 Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
 constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
-method, damped, with exact derivatives; where there are more unknowns than equations, the nearest solution.
+method, damped, with exact derivatives, from the start itself and from where a spring to the start lets the residuals
+become least; the nearer solution is taken, others are tried where there is none.
 """
 
 from __future__ import annotations
@@ -14,18 +15,28 @@ import numpy as np
 
 from lagdsl.analysis.linearize import Named, holonomic_rows, reduce
 from lagdsl.analysis.partition import partition
-from lagdsl.analysis.point import Changes, Directions, Point, Subject, changes, constraint_changes, flow
+from lagdsl.analysis.point import (
+    Changes,
+    Directions,
+    Point,
+    Subject,
+    changes,
+    constraint_changes,
+    coordinate_sizes,
+    flow,
+)
 from lagdsl.analysis.steady import Steadiness, first_order_sizes, steadiness
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import configuration
-from lagdsl.mechanics.structure_newton import Descent, descend
-from lagdsl.mechanics.structure_points import natural_sizes, random_points
+from lagdsl.mechanics.structure_newton import Descent, Equations, descend
+from lagdsl.mechanics.structure_points import random_points
 from lagdsl.units.naming import rate_text
 
 _TRIES = 24
 _HOLDS = 1e-9
 _MOST_TOLD = 4
+_STIFFNESSES = (1.0, 0.3, 0.1, 0.03, 0.01)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -142,7 +153,7 @@ def _task(subject: Subject, start: Point, free: Sequence[int], hold: Sequence[in
     default += [2 * n + j for j, s in enumerate(flat.states) if not s.fixed]
     unknown = sorted((set(default) | set(following) | set(free)) - set(hold))
     at_rest = not np.any(start.qd) and not any(n <= j < 2 * n for j in free)
-    sizes = natural_sizes(flat.coordinates, start.q)
+    sizes = coordinate_sizes(subject, start.p)
     states = first_order_sizes(subject, start)
     inputs = np.maximum(np.abs(start.u), 1.0)
     widths = np.concatenate([sizes, sizes, states, inputs])
@@ -159,7 +170,9 @@ def _search(task: _Task) -> tuple[Descent, Floats]:
         residual, jacobian = task.equations(x)
         return residual / scale, jacobian / scale[:, None]
 
-    best = descend(equations, np.zeros(len(task.free)), target=1e-12)
+    origin = np.zeros(len(task.free))
+    ways = [descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin))]
+    best = min(ways, key=lambda way: (not way.size <= _HOLDS, float(np.linalg.norm(way.point)), way.size))
     n = len(start.q)
     for other in random_points(flat.coordinates, start.q, task.widths[:n], _TRIES):
         if best.size <= _HOLDS:
@@ -168,6 +181,19 @@ def _search(task: _Task) -> tuple[Descent, Floats]:
         found = descend(equations, np.array(beginning), target=1e-12)
         best = found if found.size < best.size else best
     return best, scale
+
+
+def _sprung(equations: Equations, origin: Floats) -> Floats:
+    """The least of |equations(y)|^2 + e |y|^2 for ever smaller e, each from the last: it stays near the start."""
+    point, identity = origin, np.eye(len(origin))
+    for stiffness in _STIFFNESSES:
+
+        def sprung(y: Floats, stiffness: float = stiffness) -> tuple[Floats, Floats]:
+            residual, jacobian = equations(y)
+            return np.concatenate([residual, stiffness * y]), np.vstack([jacobian, stiffness * identity])
+
+        point = descend(sprung, point, iterations=10).point
+    return point
 
 
 def _report(task: _Task, found: Descent, scale: Floats, sink: Sink) -> None:
@@ -185,5 +211,8 @@ def _report(task: _Task, found: Descent, scale: Floats, sink: Sink) -> None:
     told = [f"{named[i].name} = {found.residual[i] * scale[i]:.4g} {named[i].unit}".rstrip() for i in order]
     left = f"{told[0]} remains" if told and np.isfinite(found.size) else "the accelerations are not finite"
     closest = configuration(flat, task.point(found.point).q)
-    notes = (f"left over: {', '.join(told)}", f"closest configuration: {closest}")
-    sink.report("E0852", None, notes=notes, left=left)
+    notes = [f"left over: {', '.join(told)}", f"closest configuration: {closest}"]
+    held = [c.name for j, c in enumerate(flat.coordinates) if j not in task.free]
+    if held:
+        notes.append(f"not free: {', '.join(f'`{name}`' for name in held[:_MOST_TOLD])}")
+    sink.report("E0852", None, notes=tuple(notes), left=left)

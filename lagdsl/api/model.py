@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,17 +11,22 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.api.names import known
+from lagdsl.api.names import Given, entries, known
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.interface import Interface
-from lagdsl.diagnostics import Diagnostic
+from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.semantics.admissible import require_value
 
 if TYPE_CHECKING:
     import xarray
 
+    from lagdsl.analysis.linearization import Linearization
+    from lagdsl.analysis.modes import Modes
+    from lagdsl.analysis.point import Subject
+    from lagdsl.analysis.trim import Equilibrium
+    from lagdsl.analysis.variation import Variation
+    from lagdsl.analysis.where import Where
     from lagdsl.api.trajectory import Trajectory
-    from lagdsl.diagnostics import Sink
     from lagdsl.pipeline import Compilation
     from lagdsl.program.program import Slot
     from lagdsl.runtime.broadcast import BatchEngine
@@ -243,6 +249,115 @@ class Model(Interface):
             scheduler=scheduler,
             progress=progress,
         )
+
+    # ---- small motions -----------------------------------------------------------------------------------------------
+
+    def linearize(
+        self,
+        *,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+        sink: Sink | None = None,
+    ) -> Linearization:
+        """`.A .B .C .D` on the minimal state, exact, in SI units, with `.states .inputs .outputs`.
+
+        Vectors in the order of the model's names, or mappings of some of them; what is left out is that of the initial
+        state. The point is the consistent state nearest to it, `.point`. Raises CompilationFailed where there is no
+        linearization.
+        """
+        from lagdsl.analysis.where import linearize
+
+        return linearize(self._subject, self._where(t, q, qd, z, u, p), Sink() if sink is None else sink)
+
+    def modes(
+        self,
+        *,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+        trim: bool = False,
+        sink: Sink | None = None,
+    ) -> Modes:
+        """`.eigenvalues .frequencies [Hz] .damping .shapes .stability` of the linearized motion.
+
+        The point is as for `linearize`; with `trim` it is the equilibrium next to it. Warnings go to `sink`. Raises
+        CompilationFailed.
+        """
+        from lagdsl.analysis.where import modes
+
+        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
+        return modes(self._subject, where, Sink() if sink is None else sink)
+
+    def vary(
+        self,
+        name: str,
+        values: ArrayLike,
+        *,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+        trim: bool = False,
+    ) -> Variation:
+        """Eigenvalues for `values` of the parameter, input or start value `name`, and `.thresholds` between them.
+
+        With `trim` each value has the equilibrium next to the given state, else the state itself. Raises
+        CompilationFailed.
+        """
+        from lagdsl.analysis.where import vary
+
+        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
+        grid = np.atleast_1d(np.asarray(values, dtype=np.float64))
+        return vary(self._subject, where, name, grid, Sink())
+
+    def trim(
+        self,
+        *,
+        free: Sequence[str] = (),
+        hold: Sequence[str] = (),
+        steady: bool = False,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+    ) -> Equilibrium:
+        """The equilibrium nearest to a state: `.point` with `.q .qd .z .u`.
+
+        Unknown are coordinates and states that are not fixed, without those in `hold` and with those in `free`, which
+        may be inputs and rates, too. Rates that are not given are zero, or with `steady` those of the start. Raises
+        CompilationFailed with what is left over where there is none.
+        """
+        from lagdsl.analysis.where import trim
+
+        chosen = self._where(t, q, qd, z, u, p)
+        where = replace(chosen, trim=True, free=tuple(free), hold=tuple(hold), steady=steady)
+        return trim(self._subject, where, Sink())
+
+    @property
+    def _subject(self) -> Subject:
+        from lagdsl.analysis.point import Subject
+
+        return Subject(self._compilation.flat, self._compilation.program, self._engine)
+
+    def _where(self, t: float | None, q: Given, qd: Given, z: Given, u: Given, p: Given) -> Where:
+        from lagdsl.analysis.where import Where
+
+        rates = entries("qd", qd, self.coordinates).items()
+        start = {**entries("q", q, self.coordinates), **{f"der({name})": value for name, value in rates}}
+        start |= entries("z", z, self.states)
+        parameters = self._parameter_vector(entries("p", p, self.parameters))
+        return Where(p=parameters, t=t, start=start, inputs=entries("u", u, self.inputs))
 
     def _parameter_vector(self, given: Mapping[str, float] | None) -> Floats:
         """The defaults with some replaced by name. Raises KeyError and ValueError for what does not fit."""

@@ -4,8 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from math import isfinite
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
 
 from lagdsl.diagnostics.suggest import nearest
+
+# A vector in the order of the model's names, or some of its entries by name.
+Given: TypeAlias = ArrayLike | Mapping[str, float] | None
 
 
 def known(what: str, given: Mapping[str, float] | None, names: Sequence[str]) -> dict[str, float]:
@@ -19,6 +26,17 @@ def known(what: str, given: Mapping[str, float] | None, names: Sequence[str]) ->
             raise KeyError(f"no {what} `{name}`; {hint}")
         values[name] = _number(name, value)
     return values
+
+
+def entries(what: str, given: Given, names: Sequence[str]) -> dict[str, float]:
+    """A vector in the order of `names`, or some of its entries by name, as entries by name. Raises KeyError and
+    ValueError for what does not fit."""
+    if given is None or isinstance(given, Mapping):
+        return known(what, given, names)
+    array = np.asarray(given, dtype=np.float64)
+    if array.shape != (len(names),) and not (array.ndim == 0 and len(names) == 1):
+        raise ValueError(f"{what} must have {len(names)} entries, its shape is {array.shape}")
+    return known(what, dict(zip(names, array.reshape(-1).tolist(), strict=True)), names)
 
 
 def _number(name: str, value: object) -> float:

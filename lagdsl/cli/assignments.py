@@ -68,15 +68,28 @@ def settings(flat: FlatModel, pairs: dict[str, str]) -> Settings:
             target = result.structural if parameter.structural else result.parameters
             target[name] = _parameter_value(parameter, text)
         elif name != base and base in starts:
-            result.start[base] = _fitting(name, starts[base].dimension, starts[base].unit, literal(name, text))
+            result.start[base] = fitting(starts[base], name, text)
         elif name != base and base in rates:
-            rate = rates[base]
-            result.start[base] = _fitting(
-                name, rate.dimension / TIME, rate_text(rate.dimension, rate.unit), literal(name, text)
-            )
+            result.start[base] = fitting(rates[base], name, text, rate=True)
         else:
             raise click.UsageError(_unknown(flat, name, [*parameters, *(f"{s}.start" for s in [*starts, *rates])]))
     return result
+
+
+def constants(flat: FlatModel, pairs: dict[str, str]) -> dict[str, float]:
+    """Inputs by name, SI units. Raises UsageError for unknown names and values that do not fit."""
+    inputs = {item.name: item for item in flat.inputs}
+    for name in pairs:
+        if name not in inputs:
+            raise click.UsageError(f"{flat.name} has no input `{_short(name)}`; inputs: {', '.join(inputs) or 'none'}")
+    return {name: fitting(inputs[name], name, text) for name, text in pairs.items()}
+
+
+def fitting(quantity: Quantity, name: str, text: str, *, rate: bool = False) -> float:
+    """A value of `quantity`, or of its rate, in SI units. Raises UsageError where it does not fit."""
+    dimension = quantity.dimension / TIME if rate else quantity.dimension
+    unit = rate_text(quantity.dimension, quantity.unit) if rate else quantity.unit
+    return _fitting(name, dimension, unit, literal(name, text))
 
 
 def seconds(option: str, text: str | None) -> float | None:

@@ -53,3 +53,15 @@ def write_text(text: str, path: Path | None) -> None:
         return
     with draft_of(path) as draft:
         draft.write_text(text, encoding="utf-8", newline="\n")
+
+
+def require_figure(picture: Path) -> None:
+    """Leave with status 2, before the work is done, where no figure of that ending can be drawn."""
+    from importlib.util import find_spec
+
+    from lagdsl.plot.figure import FORMS
+
+    if picture.suffix.lower() not in ("", *FORMS):
+        raise click.UsageError(f"{picture.name}: figures are written as {', '.join(FORMS)}")
+    if find_spec("matplotlib") is None:
+        raise click.UsageError("figures need matplotlib: pip install 'lagdsl[plot]'")

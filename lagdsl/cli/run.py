@@ -9,17 +9,17 @@ from typing import NoReturn
 import click
 
 from lagdsl.api.model import Model
-from lagdsl.cli.assignments import Settings, seconds, settings, split
+from lagdsl.cli.assignments import seconds, split
+from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.output import draft_of, require_writable
+from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.pipeline import Compilation, Derivation, EngineName, engine_of, findings, front, middle
+from lagdsl.pipeline import Derivation, EngineName, engine_of, findings
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.table_io import Tables, has_writer, read_inputs, write_table
 from lagdsl.simulate.trajectory import Trajectory
-from lagdsl.source import SourceFile
 
 _SECONDS = "e.g. 10, '500 ms'"
 
@@ -64,7 +64,7 @@ def command(
     source = read_or_leave(file, style)
     signals = _read_inputs(inputs, style)
     sink = Sink()
-    compilation, chosen = _compile(source, sink, style, model, derivation, split(assignments))
+    compilation, chosen = compile_or_leave(source, sink, style, model, derivation, split(assignments))
     try:
         compiled = Model(compilation, engine_of(compilation.program, engine))
         with progress(compiled.name) as report:
@@ -108,14 +108,7 @@ def _require_forms(output: Path | None, picture: Path | None, style: Format) -> 
     if output is not None and not has_writer(output, sink):
         _leave_with_usage(sink, style)
     if picture is not None:
-        from importlib.util import find_spec
-
-        from lagdsl.plot.figure import FORMS
-
-        if picture.suffix.lower() not in ("", *FORMS):
-            raise click.UsageError(f"{picture.name}: figures are written as {', '.join(FORMS)}")
-        if find_spec("matplotlib") is None:
-            raise click.UsageError("figures need matplotlib: pip install 'lagdsl[plot]'")
+        require_figure(picture)
 
 
 def _read_inputs(path: Path | None, style: Format) -> Tables:
@@ -140,27 +133,3 @@ def _write(motion: Trajectory, output: Path | None, style: Format) -> None:
 def _leave_with_usage(sink: Sink, style: Format) -> NoReturn:
     tell(sink.diagnostics, style)
     click.get_current_context().exit(USAGE)
-
-
-def _compile(
-    source: SourceFile,
-    sink: Sink,
-    style: Format,
-    name: str | None,
-    derivation: Derivation,
-    pairs: dict[str, str],
-) -> tuple[Compilation, Settings]:
-    """The model with structural parameters as set, and what else was set; leaves where it is wrong."""
-    try:
-        flat = front(source, sink, model=name)
-        chosen = settings(flat, pairs) if flat is not None else Settings()
-        if flat is not None and chosen.structural:
-            sink = Sink()
-            flat = front(source, sink, model=name, structural=chosen.structural)
-            chosen = settings(flat, pairs) if flat is not None else chosen
-        compilation = middle(flat, sink, derivation) if flat is not None else None
-        if compilation is None:
-            leave_with_errors(sink.diagnostics, style)
-    except CompilationFailed as failure:
-        leave_with_errors(findings(sink, failure), style)
-    return compilation, chosen

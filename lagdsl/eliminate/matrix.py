@@ -105,9 +105,7 @@ class SparseSystem:
             for other in range(position):
                 self._rotate_block(rotation, rotations[other], rows[other])
 
-    def _mirror(
-        self, rows: Sequence[Pair], rotations: Sequence[Rotation], at: int
-    ) -> None:
+    def _mirror(self, rows: Sequence[Pair], rotations: Sequence[Rotation], at: int) -> None:
         """Change the sign of y', so that the pair is turned only."""
         graph, (_, y) = self.graph, rotations[at].after
         own = rows[at][1]
@@ -122,9 +120,7 @@ class SparseSystem:
             if y in side:
                 side[y] = graph.negate(side[y])
 
-    def _rotate_outside(
-        self, rotation: Rotation, rows: Pair, inside: Mapping[int, None]
-    ) -> None:
+    def _rotate_outside(self, rotation: Rotation, rows: Pair, inside: Mapping[int, None]) -> None:
         """W of the pair with all other variables, and the right-hand sides."""
         graph, (x, y) = self.graph, rotation.before
         for k in dict.fromkeys((*rows[0], *rows[1])):

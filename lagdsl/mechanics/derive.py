@@ -49,29 +49,33 @@ def form_equations(flat: FlatModel) -> Derivation:
     )
 
 
-def derive(flat: FlatModel) -> Program:
-    """All functions of `lagdsl.program.functions`.
+def derive(flat: FlatModel, *, dense: bool = True) -> Program:
+    """All functions of `lagdsl.program.functions`; without `dense`, those that write out M are left out (see
+    `lagdsl.program.lanes`).
 
     Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that
     has none (E0304).
     """
     derivation = form_equations(flat)
     blocks = {
-        **_equations(derivation),
+        **_equations(derivation, dense),
         **_energies(derivation),
         **_observed(derivation),
         **_start(derivation),
     }
     functions = tuple(
-        Function(name=name, arguments=arguments, results=tuple(blocks[name])) for name, arguments in SIGNATURES.items()
+        Function(name=name, arguments=arguments, results=tuple(blocks[name]))
+        for name, arguments in SIGNATURES.items()
+        if name in blocks
     )
-    dense = [node for block in blocks["dynamics"] for node in block.elements]
-    directions = derivation.symbols.directions
-    functions += eliminated_equations(derivation.lowering, flat, derivation.dynamics, directions, dense)
+    if dense:
+        written_out = [node for block in blocks["dynamics"] for node in block.elements]
+        directions = derivation.symbols.directions
+        functions += eliminated_equations(derivation.lowering, flat, derivation.dynamics, directions, written_out)
     return Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
 
 
-def _equations(derivation: Derivation) -> dict[str, list[Block]]:
+def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
     graph, symbols, lowering = derivation.graph, derivation.symbols, derivation.lowering
     directions, rows, terms = symbols.directions, derivation.rows, derivation.dynamics.terms
     phi = [
@@ -80,7 +84,6 @@ def _equations(derivation: Derivation) -> dict[str, list[Block]]:
     ]
     velocity = constraints.velocity_residuals(lowering, rows)
     jacobian = _matrix("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
-    mass = _matrix("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
     gamma = [graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity]
     f = lagrange.forcing(lowering, terms)
     _refuse_accelerating_states(derivation, [*f, *gamma])
@@ -88,15 +91,21 @@ def _equations(derivation: Derivation) -> dict[str, list[Block]]:
     pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
     r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
     s = [lowering.rate.of(residual) for residual in velocity]
+    written_out: dict[str, list[Block]] = {}
+    if dense:
+        mass = _matrix("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
+        written_out = {
+            "mass_matrix": [mass],
+            "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)],
+        }
     return {
+        **written_out,
         "position_constraint": [_vector("phi", phi), jacobian],
         "velocity_constraint": [_vector("residual", velocity), jacobian],
         "constraint_tangent": [
             _vector("dphi", directional(graph, phi, STATE_GROUPS)),
             _vector("drate", directional(graph, velocity, STATE_GROUPS)),
         ],
-        "mass_matrix": [mass],
-        "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)],
         "inverse_dynamics": [_vector("tau", tau)],
         "residual": [_vector("r", r), _vector("s", s)],
         "residual_tangent": [

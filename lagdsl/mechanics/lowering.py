@@ -119,6 +119,8 @@ class Lowering:
             return []
         frame = self._frames[name]
         parent: list[FlatExpression] = [self._origins[frame.parent]] if frame.parent in self._origins else []
+        if frame.image is not None and frame.image.within in self._origins:
+            parent.append(self._origins[frame.image.within])
         return parent + [x for step in frame.steps for x in step_expressions(step)]
 
     # ---- values ------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import frames, velocities
 from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, SetTo, Shift
-from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_world
+from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_own, to_world
 from lagdsl.mechanics.velocities import Rates, Twist
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import (
@@ -39,14 +39,21 @@ class Release:
             position = add(graph, position, scale(graph, graph.symbol(Group.RELEASE, index), direction))
         return position
 
-    def move_frame(self, graph: Graph, name: str, pose: Pose) -> Pose:
+    def move_frame(self, graph: Graph, name: str, pose: Pose, within: Axes | None) -> Pose:
+        """The pose after the release of the frame `name`, which is given in the world; `within`: axes of the frame
+        that the pose is seen from."""
+
+        def seen(group: Group, first: int) -> Vector:
+            given = _triple(graph, group, first)
+            return given if within is None else to_own(graph, within, given)
+
         if name in self.origins:
-            origin = add(graph, pose.origin, _triple(graph, Group.RELEASE, self.origins[name]))
-            loosened = Loosened(_triple(graph, Group.RELEASE_RATE, self.origins[name]), pose.axes)
+            origin = add(graph, pose.origin, seen(Group.RELEASE, self.origins[name]))
+            loosened = Loosened(seen(Group.RELEASE_RATE, self.origins[name]), pose.axes)
             pose = replace(pose, origin=origin, motions=(*pose.motions, loosened))
         if name in self.turns:
-            angle = _triple(graph, Group.RELEASE, self.turns[name])
-            rate = _triple(graph, Group.RELEASE_RATE, self.turns[name])
+            angle = seen(Group.RELEASE, self.turns[name])
+            rate = seen(Group.RELEASE_RATE, self.turns[name])
             axes, motion = frames.release(graph, pose.axes, angle, rate)
             pose = replace(pose, axes=axes, motions=(*pose.motions, motion))
         return pose
@@ -90,7 +97,11 @@ class Poses:
                 axes, motion = self._turn(axes, step, node, triple)
                 motions.append(motion)
         pose = Pose(frame.parent, axes, origin, tuple(motions))
-        self._poses[frame.name] = self._release.move_frame(self._graph, frame.name, pose)
+        within = self._poses[frame.image.within].axes if frame.image is not None else None
+        pose = self._release.move_frame(self._graph, frame.name, pose, within)
+        if frame.image is not None and frame.image.of is not None:
+            pose = self._release.move_frame(self._graph, frame.image.of, pose, within)
+        self._poses[frame.name] = pose
 
     def _turn(
         self,

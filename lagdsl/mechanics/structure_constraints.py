@@ -20,6 +20,9 @@ _TRIES = 24
 _MANY = 60
 _FEWER_TRIES = 8
 _LEAST_TRIES = 2
+# What moves by itself less than this part of its size per second stands still: in a loop on a base that moves, the
+# motion of the base cancels but for round-off.
+_ROUNDING = 1e-12
 # So many independent parts of a mechanism that cannot be assembled are looked into.
 _EXAMINED = 2
 
@@ -131,16 +134,23 @@ def _contradiction(
 def _report_contradiction(
     flat: FlatModel, others: Sequence[Constraint], constraint: Constraint, sink: Sink, notes: tuple[str, ...]
 ) -> None:
+    own = subject(flat, constraint)
+    # Rows of one closure are several constraints, and one thing to the reader.
+    others = [other for other in others if subject(flat, other) != own]
+    if not others:
+        verb = "hold" if constraint.closure is None else "close"
+        sink.report("E0602", place(constraint), notes=notes, subject=own, verb=verb)
+        return
     closures = [other.closure is not None for other in others]
-    names = listed(
-        [subject(flat, o) if closure else f"`{o.name}`" for o, closure in zip(others, closures, strict=True)]
-    )
+    found = [subject(flat, o) if closure else f"`{o.name}`" for o, closure in zip(others, closures, strict=True)]
+    names = listed(list(dict.fromkeys(found)))
     labels = [
         Label(span, "closes alone" if closure else "each holds alone")
         for other, closure in zip(others, closures, strict=True)
         if (span := place(other)) is not None and span != place(constraint)
     ]
-    sink.report("E0603", place(constraint), *labels, notes=notes, subject=subject(flat, constraint), others=names)
+    labels = list(dict.fromkeys(labels))
+    sink.report("E0603", place(constraint), *labels, notes=notes, subject=own, others=names)
 
 
 def report_inconsistent_rates(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> bool:
@@ -150,15 +160,13 @@ def report_inconsistent_rates(flat: FlatModel, space: Geometry, points: list[Pro
         every = list(range(len(right)))
         left_over = np.abs(point.rows @ solved(point.rows, right, space.parts(every)) - right)
         size = float(np.max(np.abs(right), initial=0.0))
-        if not np.isfinite(size) or float(np.max(left_over, initial=0.0)) <= 1e-6 * size:
+        most = max(1e-6 * size, _ROUNDING)
+        if not np.isfinite(size) or float(np.max(left_over, initial=0.0)) <= most:
             continue
-        items = [i for i in located(flat) if any(left_over[row] > 1e-6 * size for row in i.rows)]
+        items = [i for i in located(flat) if any(left_over[row] > most for row in i.rows)]
         constraint = items[-1].constraint
-        if len(items) == 1:
-            note = "no rates of the coordinates satisfy it"
-            sink.report("E0602", place(constraint), notes=(note,), subject=subject(flat, constraint), verb="hold")
-        else:
-            others = [item.constraint for item in items[:-1]]
-            _report_contradiction(flat, others, constraint, sink, ("no rates of the coordinates satisfy all of them",))
+        others = [item.constraint for item in items[:-1]]
+        what = "all of them" if others else "it"
+        _report_contradiction(flat, others, constraint, sink, (f"no rates of the coordinates satisfy {what}",))
         return True
     return False

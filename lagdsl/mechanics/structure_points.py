@@ -27,7 +27,7 @@ _ROW = 1e-3
 _ROUNDING = 1e-12
 # An entry of J that is smaller, as a part of its row, at every point looked at is none.
 _ABSENT = 1e-13
-# So many points that the largest of a row's lengths hardly depends on which they are.
+# So many points that the median of a row's lengths hardly depends on which they are.
 _SIZED_AT = 8
 
 
@@ -123,8 +123,8 @@ class Geometry:
 
 
 def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, seed: int = SEED) -> Geometry:
-    """The constraints of `flat` at its start time and start values; rows are as large as their derivatives come out at
-    the largest, at the start and at points about it."""
+    """The constraints of `flat` at its start time and start values; rows are as large as their derivatives usually
+    come out, at the start and at points about it."""
     layout = functions.layout
     parameters = np.array(layout.defaults, dtype=np.float64) if p is None else p
     t = flat.experiment.start_time
@@ -132,18 +132,31 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
     sizes = natural_sizes(flat.coordinates, q)
     every = np.ones((len(layout.constraints), len(q)), dtype=np.bool_)
     plain = Geometry(functions, t, q, qd, z, u, np.zeros(len(layout.discretes)), parameters, sizes, np.ones(0), every)
-    row_sizes = np.zeros(len(layout.constraints))
+    lengths = []
     largest = np.zeros_like(every, dtype=np.float64)
     for point in [q, *random_points(flat.coordinates, q, sizes, _SIZED_AT, seed)] if layout.constraints else []:
         scaled = plain.velocity(point, qd)[1] * sizes
-        lengths = np.linalg.norm(scaled, axis=1)
-        row_sizes = np.maximum(row_sizes, np.where(np.isfinite(lengths), lengths, 0.0))
+        lengths.append(np.linalg.norm(scaled, axis=1))
         largest = np.maximum(largest, np.where(np.isfinite(scaled), np.abs(scaled), np.inf))
+    row_sizes = _usual(np.array(lengths)) if lengths else np.zeros(0)
     # Rows that are zero but for round-off have no size of their own.
     rounding = _ROUNDING * np.max(row_sizes, initial=0.0)
     pattern = largest > np.maximum(_ABSENT * row_sizes[:, None], rounding)
     row_sizes = np.where(row_sizes > rounding, row_sizes, 1.0)
     return Geometry(functions, t, q, qd, z, u, plain.w, parameters, sizes, row_sizes, pattern)
+
+
+def _usual(lengths: Floats) -> Floats:
+    """The median (m,) of the lengths (k, m) of each row over k points, of those at which it does not vanish.
+
+    Not the largest: rows that turn tan(a/2) to zero are as long as one likes where a is near half a turn.
+    """
+    usual = np.zeros(lengths.shape[1:])
+    for row, found in enumerate(lengths.T):
+        counted = np.sort(found[np.isfinite(found) & (found > 0.0)])
+        if len(counted):
+            usual[row] = counted[(len(counted) - 1) // 2]
+    return usual
 
 
 def random_points(

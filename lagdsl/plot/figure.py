@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 # Endings of files that a figure can be written to.
 FORMS = (".eps", ".jpg", ".pdf", ".png", ".svg", ".webp")
 # Okabe and Ito's colors, told apart with any kind of color vision.
-_COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
-_LINES = ("-", "--", ":", "-.")
+COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+LINES = ("-", "--", ":", "-.")
 _MOST_CURVES = 14
-_STYLE: dict[str, Any] = {
+STYLE: dict[str, Any] = {
     "font.size": 9,
     "axes.spines.top": False,
     "axes.spines.right": False,
@@ -54,7 +54,7 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
     heights = [1.5, *([1.0] * (len(panels) - 1))] if panels else []
     energy = bool(np.any(np.isfinite(trajectory.energy)) and np.any(trajectory.energy))
     rows = len(panels) + energy
-    with mpl.rc_context(cast(Any, _STYLE)):
+    with mpl.rc_context(cast(Any, STYLE)):
         figure = Figure(figsize=(8.0, 1.2 + 1.75 * max(sum(heights) + energy, 1.0)), layout="constrained")
         FigureCanvasAgg(figure)
         grid = figure.subplots(
@@ -70,11 +70,15 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
         axes[-1].set_xlim(float(trajectory.time[0]), float(trajectory.time[-1]) if len(trajectory) > 1 else None)
         figure.align_ylabels(axes)
         if path is not None:
-            # A file without a suffix, as drafts of atomic writing have, is a PNG.
-            suffix = Path(path).suffix.lstrip(".").lower()
-            known = suffix in figure.canvas.get_supported_filetypes()
-            figure.savefig(path, dpi=150, format=suffix if known else "png")
+            save(figure, path)
     return figure
+
+
+def save(figure: Figure, path: Path | str) -> None:
+    """In the form of the suffix; a file without one, as drafts of atomic writing have, is a PNG."""
+    suffix = Path(path).suffix.lstrip(".").lower()
+    known = suffix in figure.canvas.get_supported_filetypes()
+    figure.savefig(path, dpi=150, format=suffix if known else "png")
 
 
 def _panels(trajectory: Trajectory) -> list[list[Column]]:
@@ -91,9 +95,9 @@ def _draw(panel: Axes, trajectory: Trajectory, columns: Sequence[Column]) -> Non
         panel.plot(
             trajectory.time,
             values,
-            color=_COLORS[index % len(_COLORS)],
-            linestyle=_LINES[index // len(_COLORS) % len(_LINES)],
-            label=_escaped(column.name),
+            color=COLORS[index % len(COLORS)],
+            linestyle=LINES[index // len(COLORS) % len(LINES)],
+            label=escaped(column.name),
         )
     panel.set_ylabel(_label(columns))
     panel.margins(y=0.08)
@@ -107,7 +111,7 @@ def _draw(panel: Axes, trajectory: Trajectory, columns: Sequence[Column]) -> Non
 def _label(columns: Sequence[Column]) -> str:
     """The name of a lone curve, else what the curves have in common; and the unit."""
     plural = {"coordinate": "coordinates", "rate": "rates", "state": "states", "discrete": "discretes"}
-    name = _escaped(columns[0].name) if len(columns) == 1 else plural.get(columns[0].kind, "outputs")
+    name = escaped(columns[0].name) if len(columns) == 1 else plural.get(columns[0].kind, "outputs")
     unit = columns[0].display.unit
     return f"{name}\n[{unit}]" if unit not in ("", "1") else name
 
@@ -134,7 +138,7 @@ def _draw_energy(panel: Axes, trajectory: Trajectory) -> None:
         )
 
 
-def _escaped(name: str) -> str:
+def escaped(name: str) -> str:
     """Names are plain text: `$` would start a formula, a leading `_` would hide a legend entry."""
     text = name.replace("$", r"\$")
     return f" {text}" if text.startswith("_") else text

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import cached_property
 from types import SimpleNamespace
 from typing import Any
 
@@ -19,6 +20,7 @@ from lagdsl.backends.python.support.vectorize import apply, split
 from lagdsl.graph.fold import SCALAR
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group, Op
 from lagdsl.program.functions import STATE
+from lagdsl.program.lanes import OMITTED, Lanes
 from lagdsl.program.program import Block, Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.cores import share_out
@@ -61,6 +63,8 @@ class NumpyEngine:
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of any function of the program."""
+        if function in OMITTED and function not in self._functions:
+            return self._lanes.evaluate(function, *arguments)
         try:
             values = self._body(function)(_ON_NUMBERS, *(_plain(argument) for argument in arguments))
         except (ArithmeticError, ValueError):  # not a finite number somewhere: NumPy goes on where Python stops
@@ -109,6 +113,10 @@ class NumpyEngine:
             return differentiate_motion(self.evaluate_many, self._sizes, *map(np.asarray, state))
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate) from None
+
+    @cached_property
+    def _lanes(self) -> Lanes:
+        return Lanes(self._program)
 
     def _body(self, function: str) -> Callable[..., Sequence[float]]:
         """The compiled body: it returns the elements that are no constants. Its text is our own: names of the user

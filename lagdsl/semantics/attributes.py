@@ -32,7 +32,7 @@ ALLOWED: dict[str, tuple[str, ...]] = {
 QUATERNION = ("start", "fixed", "symbol", "der.start", "der.fixed", "omega.start", "omega.fixed", "prefer")
 # Attributes of Modelica that exist but may not fit the thing they stand at.
 KNOWN = ("start", "fixed", "min", "max", "nominal", "unit", "displayUnit", "symbol", "smooth", "der", "omega")
-LATER = {"stateSelect": "the choice of states"}
+LATER = {"stateSelect": "joints whose coordinates are the unknowns are chosen by `prefer = always` or `prefer = never`"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,15 +115,23 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
     else:
         names = list(dict.fromkeys(each.partition(".")[0] for each in allowed))
     if name in LATER:
-        ctx.sink.report("E0311", span, what=f"`{name}`", hint=f"{LATER[name]} comes with components")
+        ctx.sink.report("E0311", span, what=f"`{name}`", hint=LATER[name])
     elif name in KNOWN and not prefix:
-        ctx.sink.report("E0213", span, name=name, what=symbol.title)
+        ctx.sink.report("E0213", span, *_declared(symbol, modifier), name=name, what=symbol.title)
     else:
         meant = nearest(name, names)
         type_name = symbol.info.name if symbol.info is not None else symbol.kind
         hint = f"did you mean `{meant}`?" if meant is not None else None
         listed = ", ".join(names) if names else "none"
-        ctx.sink.report("E0202", span, name=name, type=type_name, attributes=listed, help=hint)
+        place = _declared(symbol, modifier)
+        ctx.sink.report("E0202", span, *place, name=name, type=type_name, attributes=listed, help=hint)
+
+
+def _declared(symbol: Symbol, modifier: nodes.Modifier) -> tuple[Label, ...]:
+    """Where the quantity is declared, for a modifier that stands elsewhere."""
+    if symbol.declarator is None or modifier in symbol.declarator.modifiers:
+        return ()
+    return (Label(symbol.span, f"`{symbol.short}` is declared here as {symbol.title}"),)
 
 
 def _is_free(ctx: Context, symbol: Symbol) -> bool:

@@ -16,12 +16,14 @@ from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
 from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import arguments_text, kind_of, quantity
+from lagdsl.semantics.scope import InstanceArray
 from lagdsl.semantics.tables import table
 from lagdsl.semantics.values import (
     NUMERIC,
     POISON,
     AnyDimension,
     Array,
+    Component,
     Poison,
     Scalar,
     Text,
@@ -324,6 +326,8 @@ def _size(call: Application) -> Value:
     if isinstance(value, Poison):
         return POISON
     shape = value.shape if isinstance(value, Array) else (3,) if isinstance(value, Vector) else ()
+    if isinstance(value, Component) and isinstance(value.instance, InstanceArray):
+        shape = value.instance.shape
     sizes = Array(tuple(flat.Number(float(n)) for n in shape), (len(shape),), DIMENSIONLESS, kind="Integer")
     if len(call.arguments) == 1:
         return sizes

@@ -53,6 +53,7 @@ class Context:
     `splits` are modifiers whose values are split over an array of components, `split_values` what they
     are worth, by the identity of their node.
     `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
+    `withheld` is an unknown name about which nothing was said, as something before must have been.
     `named` is therefore sorted: what a definition uses was complete before it.
     """
 
@@ -79,6 +80,7 @@ class Context:
     calls: int = 0
     exceeded: set[str] = field(default_factory=set)
     reported: set[str] = field(default_factory=set)
+    withheld: Span | None = None
     assembly: Places | None = None
 
     def dimension(self, dimension: Dimension) -> Dimension:

@@ -156,8 +156,7 @@ def _symbol(
         return None
     ctx.names.add(symbol.name)
     if declarator.condition is not None and checked:
-        hint = "put it into a structural `if` item"
-        ctx.sink.report("E0311", declarator.condition.span, what="a conditional declaration", hint=hint)
+        ctx.sink.report("E0246", declarator.condition.span, name=declarator.name)
     if declarator.value is not None:
         key = None if declarator.subscripts or kind not in ("point", "frame") else ()
         symbol.bindings[key] = Binding(declarator.value, scope, declarator.name_span)

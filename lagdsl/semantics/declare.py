@@ -13,10 +13,19 @@ from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import declared, enter
-from lagdsl.semantics.inheritance import Body, Part, body_of, class_at, enter_class, expand_short
+from lagdsl.semantics.inheritance import Body, Part, body_of, enter_class, expand_short, names_in
 from lagdsl.semantics.limits import another_turn
-from lagdsl.semantics.modification import Changes, Given, check_duplicates, modify, report_unknown
+from lagdsl.semantics.modification import (
+    Changes,
+    Given,
+    check_duplicates,
+    modify,
+    report_no_such,
+    report_unknown,
+    target,
+)
 from lagdsl.semantics.naming import element_name
+from lagdsl.semantics.redeclaration import replaced, stands_in
 from lagdsl.semantics.scope import ClassSymbol, Indices, Instance, InstanceArray, Scope, Symbol, lookup_path
 from lagdsl.semantics.splitting import Said, Splits
 from lagdsl.semantics.values import POISON, Scalar
@@ -48,6 +57,7 @@ class Declarer:
         self._check_units()
         self.children: dict[str, list[Declarer]] = {}
         self.texts: dict[str, tuple[nodes.Component, nodes.Declarator]] = {}
+        self._components: set[int] = set()
         with ctx.inside(self.scope):
             self.declare(self.body.parts)
 
@@ -89,6 +99,7 @@ class Declarer:
             else:
                 assert isinstance(item, nodes.Component)
                 prefixes.check_component(self.ctx, item)
+                self._components.add(id(item))
                 components += [(part, declarator, symbol) for declarator in item.declarators]
         for part, declarator, symbol in components:
             self._component(part, declarator, symbol)
@@ -123,9 +134,10 @@ class Declarer:
             return
         check_duplicates(ctx, declarator.modifiers)
         given: list[Said] = [((), modifier, scope) for modifier in declarator.modifiers]
-        symbol = self._replaced(part, declarator, symbol, given)
+        symbol = replaced(ctx, part, declarator, symbol, self._taken(part, name, declarator.name_span), given)
         expanded = expand_short(ctx, symbol)
         known = expanded is not None and self._may_stand(declarator, expanded[0])
+        known = known and stands_in(ctx, symbol, declarator, self.body.parts)
         condition = condition_of(ctx, scope, declarator.condition) if known else None
         shape = self._shape(declarator, scope) if condition is not None else None
         if expanded is None or condition is None or shape is None:
@@ -158,34 +170,6 @@ class Declarer:
         other, text = self.texts.setdefault(declarator.name, (item, declarator))
         words = (other.prefixes, other.type_name, text) == (item.prefixes, item.type_name, declarator)
         return words and text is not declarator and text.name_span != declarator.name_span
-
-    def _replaced(
-        self, part: Part, declarator: nodes.Declarator, symbol: ClassSymbol, given: list[Said]
-    ) -> ClassSymbol:
-        """The class, which modifiers from outside may redeclare; what else they say is added to `given`."""
-        assert isinstance(part.item, nodes.Component)
-        sealed: Span | None = None
-        for modifier, scope in self._taken(part, declarator.name, declarator.name_span):
-            label = Label(declarator.name_span, "declared here")
-            if sealed is not None or "final" in part.item.prefixes:
-                place = Label(sealed, "given as `final` here") if sealed is not None else label
-                self.ctx.sink.report("E0224", modifier.span, place, name=declarator.name)
-                continue
-            match modifier:
-                case nodes.Modifier():
-                    if modifier.value is not None:
-                        self.ctx.sink.report("E0227", modifier.value.span, label, name=declarator.name)
-                    given += [(modifier.subscripts, nested, scope) for nested in modifier.modifiers]
-                    sealed = modifier.span if "final" in modifier.prefixes else None
-                case nodes.RedeclareClass():
-                    hint = f"write `redeclare {modifier.type_name.span.text} {declarator.name}`"
-                    self.ctx.sink.report("E0236", modifier.span, label, name=declarator.name, help=hint)
-                case nodes.RedeclareComponent() if "replaceable" not in part.item.prefixes:
-                    self.ctx.sink.report("E0235", modifier.span, label, name=declarator.name, kind="component")
-                case nodes.RedeclareComponent():
-                    symbol = class_at(self.ctx, scope, modifier.type_name) or symbol
-                    given += [((), nested, scope) for nested in modifier.modifiers]
-        return symbol
 
     def _may_stand(self, declarator: nodes.Declarator, symbol: ClassSymbol) -> bool:
         """E0225 for a component that contains itself, E0231 for a partial class, E0227 for a value."""
@@ -234,10 +218,25 @@ class Declarer:
     def _fill(self, declarator: nodes.Declarator, made: Instance, given: list[Given]) -> None:
         self.ctx.names.add(made.name)
         if not made.present:
+            self._check_absent(made, given)
             return
         self.contents.instances.append(made)
         child = Declarer(self.ctx, self.contents, made, given, self.line)
         self.children.setdefault(declarator.name, []).append(child)
+
+    def _check_absent(self, made: Instance, given: list[Given]) -> None:
+        """E0223 for modifiers of a component that is not there: nothing else is read of it."""
+        node = made.definition.node
+        assert isinstance(node, nodes.Class)
+        body = body_of(self.ctx, node, made.scope, given)
+        known = list(names_in(part.item for part in body.parts))
+        for modifier, _ in given:
+            if target(modifier) not in known:
+                report_no_such(self.ctx, modifier, target(modifier), node, known)
+
+    def declares(self, item: nodes.Component) -> bool:
+        """Whether the item declares components; its names may hide that of the class by now."""
+        return id(item) in self._components
 
     def finish(self) -> None:
         """E0223 for the modifiers that nothing took."""

@@ -203,11 +203,11 @@ class Definitions:
         active = self.ctx.active
         if (symbol, key) in active:
             circle = active[active.index((symbol, key)) :]
-            names = [element_name(member.short, indices or ()) for member, indices in circle]
+            names = [element_name(member.name, indices or ()) for member, indices in circle]
             names.append(names[0])
             links = [f"`{a}` on `{b}`" for a, b in pairwise(names)]
             path = ", ".join([links[0].replace(" on ", " depends on ", 1), *links[1:]])
-            places = [Label(member.span, f"`{member.short}` is defined here") for member, _ in circle]
+            places = [Label(member.span, f"`{member.name}` is defined here") for member, _ in circle]
             self.ctx.sink.report("E0305", span, *places, path=path)
             for member, indices in circle:
                 self._poison(member, indices)
@@ -266,7 +266,10 @@ class Definitions:
         if binding is None or shape is None or symbol.info is None:
             return
         part = shape[len(key or ()) :]
-        expected = Expected(f"`{symbol.short}`", symbol.info.dimension, part, symbol.info.base, symbol.info.unit)
+        # A plain `Real` variable is of the dimension of its binding; what an input is says its class.
+        dimension = DIMENSIONLESS if symbol.kind == "input" else None
+        dimension = symbol.info.dimension or dimension
+        expected = Expected(f"`{symbol.short}`", dimension, part, symbol.info.base, symbol.info.unit)
         value = bound(self.ctx, binding.scope, binding.node, expected)
         if isinstance(value, Scalar):
             symbol.cells[indices] = self._named(symbol, indices, value)

@@ -8,6 +8,7 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.paths import designated
 from lagdsl.semantics.scope import Binding, Indices, Scope, Symbol
+from lagdsl.semantics.values import Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
@@ -89,8 +90,16 @@ def _bind(
     if isinstance(side, nodes.Index):
         indices = element_indices(ctx, scope, symbol, side.subscripts, side.span)
         if indices is None:
+            if any(_is_unknown(ctx, scope, subscript) for subscript in side.subscripts):
+                symbol.kind = "unknown"  # which element was meant to get its value here nobody knows
             return
     bind(ctx, symbol, indices, binding, derivative=derivative)
+
+
+def _is_unknown(ctx: Context, scope: Scope, subscript: nodes.Subscript) -> bool:
+    if isinstance(subscript, nodes.All | nodes.Range):
+        return False
+    return isinstance(ctx.elaborate(ctx, scope, subscript, False), Poison)
 
 
 def bind(ctx: Context, symbol: Symbol, indices: Indices | None, binding: Binding, *, derivative: bool = False) -> None:

@@ -74,7 +74,7 @@ class Expander:
                 self._for(item, part)
             case nodes.If():
                 self._if(item, part)
-            case nodes.Component() if component_class(item, scope) is not None:
+            case nodes.Component() if self.declarer.declares(item) or component_class(item, scope) is not None:
                 self._components(item, scope)
             case nodes.Geometry() | nodes.Component() if scope.kind == "local":
                 self._elements(item, scope)

@@ -198,6 +198,15 @@ FrameStep: TypeAlias = "Rotate | RotateAbout | RotateQuaternion | SetAxes | Move
 
 
 @record(kw_only=True)
+class Image:
+    """The frame is that of a loop seen from the frame `within`: where `within` is the world. `of` names the frame that
+    it copies, if it is a copy: a release of that one, given in the world, moves this one, too."""
+
+    of: str | None
+    within: str
+
+
+@record(kw_only=True)
 class Frame(Item):
     """`parent` is a frame of the model or `world`; the steps are applied in order."""
 
@@ -205,6 +214,7 @@ class Frame(Item):
     parent: str
     steps: tuple[FrameStep, ...]
     doc: str | None = None
+    image: Image | None = None
 
 
 Named: TypeAlias = "Definition | Point | Frame"

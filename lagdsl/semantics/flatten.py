@@ -101,6 +101,8 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     flat = replace(_model(ctx, node, contents, assembly), name=chosen.node.name, doc=chosen.node.doc or node.doc)
     for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)
+    if ctx.withheld is not None and not ctx.sink.has_errors:
+        ctx.sink.report("E0201", ctx.withheld, name=ctx.withheld.text, scope=root.scope.title)
     if ctx.sink.has_errors:
         return None
     warn_unused_imports(ctx, outer, unit)

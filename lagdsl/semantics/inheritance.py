@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import enter
 from lagdsl.semantics.imports import check_imports, declare_imports
-from lagdsl.semantics.modification import Given, check_duplicates, target
+from lagdsl.semantics.modification import Given, check_duplicates, report_no_such, target
 from lagdsl.semantics.scope import ClassSymbol, FunctionSymbol, Scope, TypeSymbol, lookup_path
 from lagdsl.semantics.types import report_unknown_type
 from lagdsl.source import Span
@@ -33,6 +33,20 @@ class Body:
     parts: list[Part] = field(default_factory=list)
     given: list[Given] = field(default_factory=list)
     line: list[nodes.Class] = field(default_factory=list)
+    ways: dict[int, Way] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """How a base came in: its names, the `extends` that says so, the modifiers on the way there."""
+
+    names: frozenset[str]
+    item: nodes.Extends
+    given: list[Given]
+
+    def said(self) -> list[nodes.AnyModifier]:
+        """The modifiers that concern the base."""
+        return [modifier for modifier, _ in self.given if target(modifier) in self.names]
 
 
 def class_at(ctx: Context, scope: Scope, name: nodes.Name) -> ClassSymbol | None:
@@ -51,8 +65,7 @@ def expand_short(ctx: Context, symbol: ClassSymbol) -> tuple[ClassSymbol, list[G
     while isinstance(symbol.node, nodes.ShortClass):
         node = symbol.node
         if node.subscripts:
-            hint = "give the size where the component is declared"
-            ctx.sink.report("E0311", node.span, what="an array of models", hint=hint)
+            ctx.sink.report("E0245", node.subscripts[0].span, name=node.name, base=".".join(node.base.parts))
             return None
         if any(node is other for other in seen):
             ctx.sink.report("E0305", node.span, path=f"model `{node.name}` is defined by itself")
@@ -87,7 +100,8 @@ def _collect(
     *,
     protected: bool,
     below: tuple[nodes.Class, ...],
-) -> None:
+) -> frozenset[str]:
+    """Adds the parts of the class; its names, inherited ones included."""
     body.line.append(node)
     own = [Part(item, scope, keyword, protected or keyword == "protected") for item, keyword in items_of(node)]
     declare_imports(ctx.sink, scope, [part.item for part in own])
@@ -95,11 +109,13 @@ def _collect(
         check_imports(scope)
     for part in own:
         enter_class(ctx, part, given)
+    names = set(names_in(part.item for part in own))
     for part in own:
         if isinstance(part.item, nodes.Extends):
-            _extend(ctx, part.item, part, given, body, (*below, node))
+            names |= _extend(ctx, part.item, part, given, body, (*below, node))
         else:
             body.parts.append(part)
+    return frozenset(names)
 
 
 def items_of(node: nodes.Class) -> Iterator[tuple[nodes.Item, str]]:
@@ -109,6 +125,24 @@ def items_of(node: nodes.Class) -> Iterator[tuple[nodes.Item, str]]:
     for section in node.sections:
         for item in section.items:
             yield item, section.keyword
+
+
+def names_in(items: Iterable[nodes.Item]) -> Iterator[str]:
+    """The names that items of a class declare, those in branches and loops included."""
+    for item in items:
+        match item:
+            case nodes.Component() | nodes.Coordinate() | nodes.Geometry():
+                yield from (declarator.name for declarator in item.declarators)
+            case nodes.Class() | nodes.ShortClass():
+                yield item.name
+            case nodes.For():
+                yield from names_in(item.body)
+            case nodes.If():
+                for branch in item.branches:
+                    yield from names_in(branch.body)
+                yield from names_in(item.otherwise or ())
+            case _:
+                pass
 
 
 def enter_class(ctx: Context, part: Part, given: list[Given]) -> None:
@@ -151,31 +185,46 @@ def _redeclared(
         modifiers=modifier.modifiers,
         doc=None,
     )
-    return ClassSymbol(short, scope)
+    return ClassSymbol(short, scope, instead=(modifier.span, item.name))
 
 
 def _extend(
     ctx: Context, item: nodes.Extends, part: Part, given: list[Given], body: Body, below: tuple[nodes.Class, ...]
-) -> None:
+) -> frozenset[str]:
+    """Adds the parts of the base; its names."""
     symbol = class_at(ctx, part.scope, item.base)
     expanded = expand_short(ctx, symbol) if symbol is not None else None
     if expanded is None:
         ctx.incomplete = True
-        return
+        return frozenset()
     base, short = expanded
     assert isinstance(base.node, nodes.Class)
     if any(base.node is other for other in below):
-        names = [each.name for each in below[[each is base.node for each in below].index(True) :]] + [base.node.name]
-        path = " extends ".join(f"`{name}`" for name in names)
-        labels = [Label(each.name_span, f"`{each.name}` is declared here") for each in below]
-        ctx.sink.report("E0226", item.span, *labels, path=path)
-        return
+        _report_circle(ctx, item, base.node, below)
+        return frozenset()
     check_duplicates(ctx, item.modifiers)
     own = [*short, *((modifier, part.scope) for modifier in item.modifiers)]
-    if not any(base.node is other for other in body.line):
+    known = body.ways.get(id(base.node))
+    if known is None:
         view = _view(base, base.node, part.scope)
-        _collect(ctx, base.node, view, [*own, *given], body, protected=part.protected, below=below)
-    body.given += own
+        names = _collect(ctx, base.node, view, [*own, *given], body, protected=part.protected, below=below)
+        known = body.ways[id(base.node)] = Way(names, item, [*own, *given])
+    elif known.said() != Way(known.names, item, [*own, *given]).said():
+        label = Label(known.item.span, "with other modifiers here")
+        ctx.sink.report("E0243", item.span, label, name=base.node.name)
+    for modifier, scope in own:
+        if target(modifier) in known.names:
+            body.given.append((modifier, scope))
+        elif not ctx.incomplete:
+            report_no_such(ctx, modifier, target(modifier), base.node, sorted(known.names))
+    return known.names
+
+
+def _report_circle(ctx: Context, item: nodes.Extends, base: nodes.Class, below: tuple[nodes.Class, ...]) -> None:
+    names = [each.name for each in below[[each is base for each in below].index(True) :]] + [base.name]
+    path = " extends ".join(f"`{name}`" for name in names)
+    labels = [Label(each.name_span, f"`{each.name}` is declared here") for each in below]
+    ctx.sink.report("E0226", item.span, *labels, path=path)
 
 
 def _view(base: ClassSymbol, node: nodes.Class, scope: Scope) -> Scope:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
@@ -10,6 +10,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Binding, ClassSymbol, Entry, Instance, InstanceArray, Scope, Symbol
+from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
 Given: TypeAlias = "tuple[nodes.AnyModifier, Scope]"
@@ -54,15 +55,48 @@ def _unfolded(modifier: nodes.AnyModifier) -> nodes.AnyModifier:
 
 
 def check_duplicates(ctx: Context, modifiers: Iterable[nodes.AnyModifier]) -> None:
-    """E0212 where one list names the same thing twice."""
-    seen: set[str] = set()
+    """E0212 where one list says two things about the same."""
+    whole: dict[str, Span] = {}
+    values: list[tuple[Place, Span]] = []
     for modifier in modifiers:
         name = ".".join(modifier.name.parts) if isinstance(modifier, nodes.Modifier) else modifier.name
-        if isinstance(modifier, nodes.Modifier) and modifier.subscripts:
-            continue  # of one element
-        if name in seen:
-            ctx.sink.report("E0212", modifier.span, name=name)
-        seen.add(name)
+        plain = not isinstance(modifier, nodes.Modifier) or not modifier.subscripts
+        if plain and name in whole:
+            ctx.sink.report("E0212", modifier.span, Label(whole[name], "given here first"), name=name)
+            continue
+        for place, span in _valued(modifier, ()):
+            first = next((known for other, known in values if _meet(place, other)), None)
+            if first is not None:
+                ctx.sink.report("E0212", span, Label(first, "given here first"), name=place[-1][0])
+            values.append((place, span))
+        if plain:
+            whole[name] = modifier.span
+
+
+# What a modifier gives a value to: the names on the way, each with its subscripts as written.
+Place: TypeAlias = "tuple[tuple[str, str], ...]"
+
+
+def _valued(modifier: nodes.AnyModifier, around: Place) -> Iterator[tuple[Place, Span]]:
+    if not isinstance(modifier, nodes.Modifier):
+        for nested in modifier.modifiers:
+            yield from _valued(nested, (*around, (modifier.name, "")))
+        return
+    subscripts = ",".join(subscript.span.text for subscript in modifier.subscripts)
+    names = modifier.name.parts
+    place = (*around, *((name, "") for name in names[:-1]), (names[-1], subscripts))
+    if modifier.value is not None:
+        yield place, modifier.span
+    for nested in modifier.modifiers:
+        yield from _valued(nested, place)
+
+
+def _meet(one: Place, two: Place) -> bool:
+    """Whether two places may be the same: no subscripts stand for all elements."""
+    return len(one) == len(two) and all(
+        name == other and (at == there or not at or not there)
+        for (name, at), (other, there) in zip(one, two, strict=True)
+    )
 
 
 def modify(ctx: Context, symbol: Symbol, given: Iterable[Given]) -> None:
@@ -70,6 +104,10 @@ def modify(ctx: Context, symbol: Symbol, given: Iterable[Given]) -> None:
     for modifier, outer in given:
         if not isinstance(modifier, nodes.Modifier):
             ctx.sink.report("E0240", modifier.span, Label(symbol.span, "declared here"), what="a quantity")
+            continue
+        if modifier.subscripts:
+            label = Label(symbol.span, "declared here")
+            ctx.sink.report("E0241", modifier.span, label, name=symbol.short)
             continue
         if symbol.sealed is not None:
             label = Label(symbol.sealed, "given as `final` here")
@@ -104,18 +142,24 @@ def _rebind(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, value: nodes
 
 def report_unknown(ctx: Context, changes: Changes, instance: Instance) -> None:
     """E0223 for modifiers of what the class does not have."""
-    node = instance.definition.node
-    place = node.name_span if isinstance(node, nodes.Class) else node.span
     entries = instance.scope.entries.items()
     known = [name for name, entry in entries if _is_modifiable(entry) and name not in instance.protected]
     for name, given in changes.by_name.items():
-        meant = nearest(name, known)
-        hint = f"did you mean `{meant}`?" if meant else _listed(known)
         instance.misfit = True
         for modifier, _ in given:
-            span = modifier.name.span if isinstance(modifier, nodes.Modifier) else modifier.span
-            label = Label(place, f"{instance.scope.title} is declared here")
-            ctx.sink.report("E0223", span, label, name=name, model=instance.scope.title, help=hint)
+            report_no_such(ctx, modifier, name, instance.definition.node, known)
+
+
+def report_no_such(
+    ctx: Context, modifier: nodes.AnyModifier, name: str, node: nodes.Class | nodes.ShortClass, known: list[str]
+) -> None:
+    """E0223 for a modifier of `name`, which the class does not have; `known` are the names that it has."""
+    meant = nearest(name, known)
+    hint = f"did you mean `{meant}`?" if meant else _listed(known)
+    span = modifier.name.span if isinstance(modifier, nodes.Modifier) else modifier.span
+    place = node.name_span if isinstance(node, nodes.Class) else node.span
+    label = Label(place, f"`{node.name}` is declared here")
+    ctx.sink.report("E0223", span, label, name=name, model=f"`{node.name}`", help=hint)
 
 
 def _is_modifiable(entry: Entry) -> bool:

@@ -84,6 +84,7 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     """E0201, once for each name, with the nearest declared one."""
     key = f"{scope.title}.{node.name}"
     if key in ctx.reported or ctx.incomplete or is_guess(scope):
+        ctx.withheld = node.span
         return
     ctx.reported.add(key)
     if node.name in BUILTINS or node.name == "der":

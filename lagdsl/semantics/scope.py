@@ -135,11 +135,15 @@ class TypeSymbol:
 
 @dataclass(slots=True)
 class ClassSymbol:
-    """A class; `inner` holds the names of a package."""
+    """A class; `inner` holds the names of a package.
+
+    `instead`: the place of the `redeclare` that put it in, and the name of the class it stands in for.
+    """
 
     node: nodes.Class | nodes.ShortClass
     scope: Scope
     inner: Scope | None = None
+    instead: tuple[Span, str] | None = None
 
 
 @dataclass(eq=False, slots=True)

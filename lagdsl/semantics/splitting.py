@@ -63,17 +63,19 @@ class Splits:
 
     def _note(self, modifier: nodes.AnyModifier, scope: Scope) -> None:
         """Sizes are checked when everything has its name."""
-        if not isinstance(modifier, nodes.Modifier) or "each" in modifier.prefixes:
+        if isinstance(modifier, nodes.Modifier) and "each" in modifier.prefixes:
             return
         for nested in modifier.modifiers:
             self._note(nested, scope)
-        if modifier.value is not None:
+        if isinstance(modifier, nodes.Modifier) and modifier.value is not None:
             self.ctx.splits.append((modifier, self.shape, scope))
 
 
 def _split(modifier: nodes.AnyModifier, indices: Indices) -> nodes.AnyModifier:
-    if not isinstance(modifier, nodes.Modifier) or not indices:
+    if not indices:
         return modifier
+    if not isinstance(modifier, nodes.Modifier):
+        return replace(modifier, modifiers=tuple(_split(nested, indices) for nested in modifier.modifiers))
     if "each" in modifier.prefixes:
         return replace(modifier, prefixes=tuple(prefix for prefix in modifier.prefixes if prefix != "each"))
     inner = tuple(_split(nested, indices) for nested in modifier.modifiers)
@@ -105,7 +107,10 @@ def check_splits(ctx: Context) -> None:
                 continue
             ctx.split_values[id(modifier.value)] = POISON
             if found == ():
-                ctx.sink.report("E0335", modifier.span, text=modifier.span.text)
+                text = modifier.span.text
+                inner = text.removeprefix("each ")
+                hint = f"`each` counts for one array; the one inside needs its own: `each name({text})`"
+                ctx.sink.report("E0335", modifier.span, text=text, help=hint if inner != text else None)
                 continue
             shown, wanted = (" by ".join(str(extent) for extent in extents) for extents in (found, shape))
             ctx.sink.report("E0234", modifier.value.span, name=name, found=shown, count=wanted)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -9,6 +10,8 @@ from lagdsl.diagnostics import Diagnostic, Label, Sink
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Instance, Scope, Symbol
 from lagdsl.source import Span
+
+_NUMBER = re.compile(r"\b\d+\b")  # turns of one loop, elements of one array: the same fault
 
 
 class InstanceSink(Sink):
@@ -20,7 +23,13 @@ class InstanceSink(Sink):
         self._told: set[tuple[str, str, int, int]] = set()
 
     def add(self, diagnostic: Diagnostic) -> None:
-        """The same code at the same place of a class is kept for the first instance only."""
+        """The same code at the same place of a class is kept for the first instance only; nothing is told twice."""
+        if diagnostic.labels:
+            first = diagnostic.labels[0].span
+            said = (diagnostic.code + _NUMBER.sub("", diagnostic.message), first.file.name, first.start, first.end)
+            if said in self._told:
+                return
+            self._told.add(said)
         if self.ctx is not None and diagnostic.labels:
             span = diagnostic.labels[0].span
             places = list(_places(_instance_at(self.ctx, span)))

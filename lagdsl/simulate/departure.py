@@ -10,6 +10,7 @@ Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equat
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,13 +32,13 @@ _SETTLED = 1e-4
 # Estimated errors, as a part of the change of state: good enough at once, and not good enough at all.
 _ACCURATE = 1e-6
 _USELESS = 1e-4
-# A crossing, in distances to the singular position: how far, at least how far, and where in between constraints are
-# looked at; by how much, as a part of the natural size of the rows, they may be missed.
-_ACROSS = 8.0
+# A crossing, in distances to the singular position: how far (shorter where the motion bends, longer where round-off is
+# magnified), at least how far, and where in between constraints are looked at; by how much, as a part of the natural
+# size of the rows, they may be missed.
+_ACROSS = (8.0, 32.0, 4.0, 128.0)
 _LEAST_ACROSS = 4.0
 _BETWEEN = np.array([0.06, 0.125, 0.19, 0.25, 0.6])
 _KEPT = 1e-9
-_SMOOTH = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,27 +85,35 @@ def depart(
 
 
 def cross(
-    system: RightHandSide, projection: Projection, t: float, y: Floats, distance: float, end: float
+    system: RightHandSide,
+    projection: Projection,
+    t: float,
+    y: Floats,
+    distance: float,
+    end: float,
+    *,
+    meets: Callable[[float, Floats], bool],
+    tolerances: Floats,
 ) -> Departure | None:
     """The motion across a singular position that lies `distance` seconds ahead; None if this one has to be looked at
-    closer.
+    closer, or if branches do not meet there, by `meets(time, state)`.
 
-    Accelerations are wild there, the motion along a branch is not: the nodes lie beyond. The fitted motion must keep to
-    the constraints all the way; where branches do not meet but turn away from each other it does not.
+    Accelerations are wild there, the motion along a branch is not: the nodes lie beyond. The fitted motion must be
+    smooth, to these `tolerances` of rates and states, and keep to the constraints all the way.
     """
-    length = min(_ACROSS * distance, 0.999 * (end - t))
-    if length < _LEAST_ACROSS * distance:
-        return None
-    slopes = _collocated(system, projection, t, y, length)
-    if slopes is None or _error(slopes) > _SMOOTH:
-        return None
-    states = _states(y, slopes, system.n, length, _BETWEEN)
-    times = (t + length * _BETWEEN).tolist()
-    off = [projection.distance(time, state) for time, state in zip(times, states, strict=True)]
-    reached = projection(t + length, _states(y, slopes, system.n, length, _NODES[-1:])[0])
-    if reached is None or not max(off) <= _KEPT:
-        return None
-    return Departure(t, length, y, slopes, system.n, reached)
+    for across in _ACROSS:
+        length = min(across * distance, 0.999 * (end - t))
+        slopes = _collocated(system, projection, t, y, length) if length >= _LEAST_ACROSS * distance else None
+        if slopes is None or not np.all(length * _doubt(slopes) <= tolerances):
+            continue
+        parts = np.array([*_BETWEEN, distance / length, 1.0])
+        states = _states(y, slopes, system.n, length, parts)
+        times = (t + length * parts).tolist()
+        off = [projection.distance(time, state) for time, state in zip(times[:-1], states[:-1], strict=True)]
+        reached = projection(times[-1], states[-1])
+        if reached is not None and max(off) <= _KEPT and meets(times[-2], states[-2]):
+            return Departure(t, length, y, slopes, system.n, reached)
+    return None
 
 
 def _collocated(system: RightHandSide, projection: Projection, t: float, y: Floats, length: float) -> Floats | None:
@@ -127,11 +136,15 @@ def _collocated(system: RightHandSide, projection: Projection, t: float, y: Floa
 
 
 def _error(slopes: Floats) -> float:
-    """What leaving out the first node changes, as a part of the change of rates and states: far more than the error of
-    all nodes."""
+    """The doubt about the change of rates and states, as a part of it."""
+    change = _integrals(_NODES, slopes, np.ones(1))[0]
+    return float(np.max(_doubt(slopes)) / (np.max(np.abs(change)) or 1.0))
+
+
+def _doubt(slopes: Floats) -> Floats:
+    """What leaving out the first node changes, per second: far more than the error of all nodes."""
     end = np.ones(1)
-    full, fewer = _integrals(_NODES, slopes, end)[0], _integrals(_NODES[1:], slopes[1:], end)[0]
-    return float(np.max(np.abs(full - fewer)) / (np.max(np.abs(full)) or 1.0))
+    return np.asarray(np.abs(_integrals(_NODES, slopes, end)[0] - _integrals(_NODES[1:], slopes[1:], end)[0]))
 
 
 def _pace(system: RightHandSide, sizes: Floats, t: float, y: Floats) -> float:

@@ -14,6 +14,7 @@ from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.initial_equations import joint_state
 from lagdsl.simulate.initial_positions import positions
 from lagdsl.simulate.initial_problem import Problem, problem
+from lagdsl.simulate.initial_ranks import redundant_rows
 from lagdsl.simulate.initial_rates import rates
 from lagdsl.simulate.moved import MovedRow, loops_of, moved_rows, moved_text, report_moved
 
@@ -21,7 +22,8 @@ from lagdsl.simulate.moved import MovedRow, loops_of, moved_rows, moved_text, re
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InitialState:
     """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the
-    rates that the constraints leave free here, `loops` names the joints at which loops are cut."""
+    rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant` flags the
+    rows that depend on others near this state."""
 
     model: str
     t: float
@@ -30,6 +32,7 @@ class InitialState:
     z: Floats
     freedom: int
     moved: tuple[MovedRow, ...]
+    redundant: tuple[bool, ...]
     loops: tuple[str, ...] = ()
 
     def __str__(self) -> str:
@@ -63,13 +66,24 @@ def initial_state(
     else:
         q = positions(task, own)
         qd, z = (task.space.qd if _wrong(own, before) else rates(task, q, own)), task.space.z
+    redundant = engine.layout.redundant
+    if not _wrong(own, before) and (start or not np.array_equal(parameters, engine.layout.defaults)):
+        redundant = redundant_rows(task, q, own)
     if sink is None:
         own.raise_if_errors()
     rows = () if _wrong(own, before) else moved_rows(task, q, qd)
     if not flat.initial_equations:  # these say themselves that starts are to be moved
         report_moved(task, rows, own)
     return InitialState(
-        model=flat.name, t=task.space.t, q=q, qd=qd, z=z, freedom=_freedom(task, q), moved=rows, loops=loops_of(flat)
+        model=flat.name,
+        t=task.space.t,
+        q=q,
+        qd=qd,
+        z=z,
+        freedom=_freedom(task, q),
+        moved=rows,
+        redundant=redundant,
+        loops=loops_of(flat),
     )
 
 

@@ -15,7 +15,7 @@ from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.accuracy import Accuracy
-from lagdsl.simulate.departure import cross, depart
+from lagdsl.simulate.departure import Departure, cross, depart
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.integrators import METHODS, Method
@@ -23,14 +23,23 @@ from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.recorder import Recorder
 from lagdsl.simulate.right_hand_side import RightHandSide
 from lagdsl.simulate.signals import Signals
+from lagdsl.simulate.singular import LOST, MEETING, NEAR, Look, Ranks, saddle_height
 from lagdsl.simulate.stiffness import Stiffness
 from lagdsl.simulate.trajectory import Statistics, Trajectory
 from lagdsl.simulate.trouble import component_name, report_trouble, state_text, state_values, time_text
-from lagdsl.simulate.watch import RankWatch, Watch
+from lagdsl.simulate.watch import Watch
 
 # Language reference, section 6.4: residuals below this part of the tolerance need no projection.
 PROJECTION_PART = 1e-3
 _PROGRESS_STEP = 0.002
+# J has turned by much in a step where less than this part of a direction is left; so often a step is halved to see
+# whether it turned steadily.
+_TURNED = 0.25
+_HALVINGS = 6
+# Nearer to a lost rank than this the branches are not told apart any more.
+_UNDECIDED = 1e-5
+# A fitted crossing is as smooth as this, in tolerances, within these bounds.
+_SMOOTH, _SMOOTHEST, _ROUGHEST = 10.0, 1e-9, 1e-7
 _EPSILON = float(np.finfo(np.float64).eps)
 
 
@@ -64,7 +73,11 @@ class Motion:
         self._projection = Projection(self._system, self._space, PROJECTION_PART * task.tolerance)
         self._recorder = Recorder(flat, engine, self._system, self._projection)
         self._watch = Watch(flat, engine, self._system, task.tolerance)
-        self._ranks = RankWatch(self._space, engine.layout.redundant.count(False))
+        self._exact = Projection(self._system, self._space, 0.0)
+        self._ranks = Ranks(self._space, task.initial.redundant)
+        self._look: Look | None = None
+        self._times = (-np.inf, -np.inf)
+        self._margins = (np.inf, np.inf)
         self._stiffness = Stiffness() if task.solver == "auto" else None
         self._method = METHODS["dop853" if task.solver == "auto" else task.solver]
         self._accuracy = Accuracy(flat, self._space.sizes, self._method.factor * task.tolerance)
@@ -84,7 +97,7 @@ class Motion:
         self._begin(t, y)
         for end in [*stops, float(times[-1])]:
             self._system.enter(end)
-            if self._ranks.inside:
+            if self._margins[1] <= LOST:
                 t, y = self._leave_singular_position(t, y, end)
             y = self._segment(t, y, end)
             t = end
@@ -109,41 +122,118 @@ class Motion:
             before, y_before = float(stepper.t), stepper.y
             self._step(stepper)
             step = float(stepper.t) - before
-            projected = self._projection(float(stepper.t), stepper.y)
+            projected = self._projected(float(stepper.t), stepper.y)
             if projected is None:
                 self._require_progress(before, y_before, step / 4.0, lost=(float(stepper.t), stepper.y))
                 stepper = self._stepper(before, y_before, end, step / 4.0)
                 continue
+            lost = self._lost_at(before, y_before, float(stepper.t), projected, stepper.dense_output)
+            if lost is not None:
+                crossed = self._cross(before, y_before, lost - before, end)
+                if crossed is None:
+                    self._require_decided(before, y_before, step / 4.0)
+                    stepper = self._stepper(before, y_before, end, step / 4.0)
+                else:
+                    stepper = self._stepper(*crossed, end, None)
+                continue
             self._accept(stepper, projected)
-            crossed = self._cross_singular_position(float(stepper.t), stepper.y, end)
+            distance = self._distance()
+            crossed = None if distance is None else self._cross(float(stepper.t), stepper.y, distance, end)
             if crossed is not None:
                 stepper = self._stepper(*crossed, end, None)
             else:
+                self._require_decided(float(stepper.t), stepper.y, np.inf)
                 stepper = self._reconsider(stepper, step, end)
         return np.asarray(stepper.y)
 
+    # ---- singular positions ------------------------------------------------------------------------------------------
+
+    def _projected(self, t: float, y: Floats) -> Floats | None:
+        """Branches are told apart by the constraints alone where rank is nearly lost."""
+        return (self._exact if self._margins[1] < NEAR else self._projection)(t, y)
+
     def _leave_singular_position(self, t: float, y: Floats, end: float) -> tuple[float, Floats]:
         """The state at which integration begins."""
-        exact = Projection(self._system, self._space, 0.0)
-        found = depart(self._system, exact, self._space.sizes, t, y, end)
-        if found is None:
-            return t, y
+        found = depart(self._system, self._exact, self._space.sizes, t, y, end)
+        return (t, y) if found is None else self._follow(found)
+
+    def _cross(self, t: float, y: Floats, distance: float, end: float) -> tuple[float, Floats] | None:
+        """The state beyond a singular position so far ahead, if there is one and the motion leads across."""
+        if t >= end:
+            return None
+
+        def meets(time: float, state: Floats) -> bool:
+            return self._saddle_height(time, state) <= MEETING
+
+        n = self._system.n
+        ahead = np.concatenate([y[:n] + distance * y[n : 2 * n], y[n:]])
+        if MEETING < self._saddle_height(t + distance, ahead) < np.inf:  # a first look, much cheaper than a fit
+            return None
+        relative = float(np.clip(_SMOOTH * self._task.tolerance, _SMOOTHEST, _ROUGHEST))
+        tolerances = self._accuracy.after(y)[n:] * relative / self._accuracy.relative
+        found = cross(self._system, self._exact, t, y, distance, end, meets=meets, tolerances=tolerances)
+        if found is None or self._ranks.look(self._jacobian(t + found.length, found.y)).margin <= LOST:
+            return None
+        return self._follow(found)
+
+    def _saddle_height(self, t: float, y: Floats) -> float:
+        return saddle_height(self._system, replace(self._space, t=t), self._ranks.general, t, y)
+
+    def _follow(self, found: Departure) -> tuple[float, Floats]:
         self._record_inside(found.t + found.length, lambda: found.at)
         self._reached(found.t + found.length, found.y)
         return found.t + found.length, found.y
 
-    def _cross_singular_position(self, t: float, y: Floats, end: float) -> tuple[float, Floats] | None:
-        """The state beyond a singular position just ahead, if there is one and the motion leads across."""
-        distance = self._ranks.ahead()
-        if distance is None or t >= end:
+    def _jacobian(self, t: float, y: Floats) -> Floats:
+        q, _, z = self._system.split(y)
+        space = replace(self._space, t=t, z=z.copy(), u=self._system.inputs(t))
+        return space.velocity(np.ascontiguousarray(q), self._space.qd)[1]
+
+    def _lost_at(
+        self, t: float, y: Floats, after: float, reached: Floats, dense: Callable[[], Callable[[float], Floats]]
+    ) -> float | None:
+        """The time in a step at which rank was lost, about; None where it was not."""
+        look = self._look
+        if look is None or not look.directions:
             return None
-        exact = Projection(self._system, self._space, 0.0)
-        found = cross(self._system, exact, t, y, distance, end)
-        if found is None:
+        jacobian = self._jacobian(after, reached)
+        turn = self._ranks.turn(look, jacobian)
+        if turn >= _TURNED:
             return None
-        self._record_inside(found.t + found.length, lambda: found.at)
-        self._reached(found.t + found.length, found.y)
-        return found.t + found.length, found.y
+        state, first, last = dense(), t, after
+        for _ in range(_HALVINGS):
+            middle = 0.5 * (first + last)
+            between = self._jacobian(middle, np.asarray(state(middle)))
+            if self._ranks.turn(look, between) < _TURNED:
+                last, jacobian = middle, between
+            else:
+                first, look = middle, self._ranks.look(between)
+            turn = self._ranks.turn(look, jacobian)
+            if turn >= _TURNED:
+                if last >= after:
+                    return None
+                first, look, last, jacobian = last, self._ranks.look(jacobian), after, self._jacobian(after, reached)
+        return first + (last - first) / (1.0 - min(turn, 0.0))
+
+    def _distance(self) -> float | None:
+        """The time until rank is lost, if the last two states lead to that and it is near."""
+        (earlier, later), (before, now) = self._times, self._margins
+        if not now < min(NEAR, before) or not np.isfinite(before):
+            return None
+        return now * (later - earlier) / (before - now)
+
+    def _require_decided(self, t: float, y: Floats, step: float) -> None:
+        """End the run where branches cannot be told apart. Where none meet rates run away; that shows by itself."""
+        span = float(self._task.times[-1] - self._task.times[0])
+        margin = self._margins[1]
+        if margin > _UNDECIDED and step >= 16.0 * _EPSILON * max(abs(t), span):
+            return
+        if margin > LOST and not np.isfinite(self._saddle_height(t, y)):
+            return
+        row = self._ranks.weakest(self._jacobian(t, y))
+        item = next(item for item in located(self._flat) if row in item.rows)
+        name = self._task.engine.layout.constraints[row].name
+        self._fail("E0830", t, y, (place(item.constraint),), name=name)
 
     def _stepper(self, t: float, y: Floats, end: float, first_step: float | None) -> Any:
         if not np.all(np.isfinite(self._system(t, y))):
@@ -234,18 +324,21 @@ class Motion:
     def _look_at_rank(self, t: float, y: Floats) -> None:
         if not self._projection.active:
             return
-        q = np.ascontiguousarray(self._system.split(y)[0])
-        space = replace(self._space, t=t, z=self._system.split(y)[2].copy(), u=self._system.inputs(t))
-        jacobian = space.velocity(q, self._space.qd)[1]
-        now = self._ranks.singular(t, jacobian)
-        if now is None:
-            return
+        jacobian = self._jacobian(t, y)
+        look = self._ranks.look(jacobian)
+        self._times, self._margins = (self._times[1], t), (self._margins[1], look.margin)
+        if self._look is None and look.margin <= LOST:
+            self._tell_lost_rank(t, jacobian, look.rank)
+        self._look = look
+
+    def _tell_lost_rank(self, t: float, jacobian: Floats, rank: int) -> None:
         row = self._ranks.weakest(jacobian)
         item = next(item for item in located(self._flat) if row in item.rows)
         name = self._task.engine.layout.constraints[row].name
-        general = self._task.engine.layout.redundant.count(False)
-        self._task.sink.report("W0608", place(item.constraint), time=time_text(t), rank=now, general=general, name=name)
-        self._notes.append(f"the constraints lost rank at t = {time_text(t)} s ({now} instead of {general}) at {name}")
+        general = self._ranks.general
+        at = place(item.constraint)
+        self._task.sink.report("W0608", at, time=time_text(t), rank=rank, general=general, name=name)
+        self._notes.append(f"the constraints lost rank at t = {time_text(t)} s ({rank} instead of {general}) at {name}")
 
     # ---- ends --------------------------------------------------------------------------------------------------------
 

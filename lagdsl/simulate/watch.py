@@ -1,4 +1,4 @@
-"""What must stay true along the motion: invariants, assertions, and the rank of the constraints."""
+"""What must stay true along the motion: invariants and assertions."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_points import Geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.right_hand_side import RightHandSide, Solved
@@ -15,9 +14,6 @@ from lagdsl.simulate.trouble import time_text
 
 # Ruling 32: the default tolerance of an invariant in integration tolerances.
 _DEFAULT_FACTOR = 1e3
-# Singular values of J, rows of size one: where rank counts as lost, and where that seems near.
-_LOST = 1e-7
-_NEAR = 0.02
 
 
 class Watch:
@@ -108,43 +104,3 @@ class Watch:
         if value == 0.0:
             return "no declared load or dissipation has power now"
         return f"largest power: {value:.3g} W by the {kind} along `{name}`"
-
-
-class RankWatch:
-    """Notices when the constraints lose rank on the way (ruling 23); `inside` while they have lost it.
-
-    Rows of J are of size one, so its singular values are those of the mechanism.
-    """
-
-    def __init__(self, space: Geometry, general: int) -> None:
-        self._space = space
-        self._general = general
-        self._times = (-np.inf, -np.inf)
-        self._margins = (np.inf, np.inf)
-        self.inside = False
-
-    def singular(self, t: float, jacobian: Floats) -> int | None:
-        """The rank, if it has just fallen below that of general positions."""
-        if not self._general:
-            return None
-        scaled = jacobian * self._space.sizes / self._space.row_sizes[:, None]
-        values = np.linalg.svd(scaled, compute_uv=False)
-        now = int(np.count_nonzero(values > _LOST))
-        self._times = (self._times[1], t)
-        self._margins = (self._margins[1], float(values[self._general - 1]))
-        entered = now < self._general and not self.inside
-        self.inside = now < self._general
-        return now if entered else None
-
-    def ahead(self) -> float | None:
-        """The time until rank is lost, if the last two states lead to that and it is near."""
-        (earlier, later), (before, now) = self._times, self._margins
-        if not _LOST < now < min(_NEAR, before) or not np.isfinite(before):
-            return None
-        return now * (later - earlier) / (before - now)
-
-    def weakest(self, jacobian: Floats) -> int:
-        """The row that has the largest share in the combination of rows that vanishes."""
-        kept = [row for row, redundant in enumerate(self._space.functions.layout.redundant) if not redundant]
-        left = np.linalg.svd((jacobian * self._space.sizes / self._space.row_sizes[:, None])[kept])[0]
-        return kept[int(np.argmax(np.abs(left[:, -1])))]

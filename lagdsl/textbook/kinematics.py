@@ -70,13 +70,17 @@ class Kinematics:
         for step in frame.steps:
             pose = self._step(pose, step)
         release = self.release
-        if release is not None and release.name == frame.name:
+        image = frame.image
+        if release is not None and release.name in (frame.name, image.of if image is not None else None):
+            # The release is given in the world, the pose as seen from another frame.
+            seen = geometry.transpose(self.poses[image.within].rotation) if image is not None else geometry.IDENTITY
             match release.kind:
                 case "displace frame":
-                    shift = geometry.scale(RELEASE, geometry.IDENTITY[release.axis])
+                    shift = geometry.scale(RELEASE, geometry.apply(seen, geometry.IDENTITY[release.axis]))
                     pose = Pose(pose.rotation, geometry.add(pose.origin, shift))
                 case "turn frame":
                     turn = geometry.turn(release.axis, RELEASE)
+                    turn = geometry.multiply(seen, geometry.multiply(turn, geometry.transpose(seen)))
                     pose = Pose(geometry.multiply(turn, pose.rotation), pose.origin)
                 case "point":
                     pass

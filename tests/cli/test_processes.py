@@ -71,8 +71,12 @@ def test_no_color_where_nobody_looks(broken: Path) -> None:
 def test_an_interrupt_is_status_130_and_leaves_no_file(pendulum: Path, tmp_path: Path) -> None:
     out, pipe = tmp_path / "out.csv", tmp_path / "inputs.csv"
     os.mkfifo(pipe)  # the run waits for its inputs until somebody writes them
+    # A shell starts jobs of the background with interrupts ignored, and children inherit that.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     process = subprocess.Popen(
-        [*LAG, "run", str(pendulum), "--input", str(pipe), "-o", str(out)], stderr=subprocess.PIPE, text=True
+        [*LAG, "run", str(pendulum), "--input", str(pipe), "-o", str(out)],
+        stderr=subprocess.PIPE,
+        text=True,
     )
     with pipe.open("w"):
         process.send_signal(signal.SIGINT)

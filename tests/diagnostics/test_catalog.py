@@ -5,7 +5,18 @@ import string
 import pytest
 
 from lagdsl.diagnostics import CompilationFailed, Label, Sink
-from lagdsl.diagnostics.catalog import ROWS, assembly, constraints, dimensions, initial, names, physics, runtime, syntax, values
+from lagdsl.diagnostics.catalog import (
+    ROWS,
+    assembly,
+    constraints,
+    dimensions,
+    initial,
+    names,
+    physics,
+    runtime,
+    syntax,
+    values,
+)
 from lagdsl.source import SourceFile, Span
 
 FAMILIES = {

@@ -8,6 +8,7 @@ import pytest
 from lagdsl.diagnostics import Sink
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
+from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.program import Program
 from lagdsl.runtime.engine import Engine
 from lagdsl.semantics.flat_text import flat_text
@@ -31,7 +32,8 @@ from models.corpus import (
     values_with_size,
 )
 
-EVERY = pytest.mark.parametrize("name", MODELS)
+# All tests of a model run in one process, which compiles it once.
+EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in MODELS])
 STEP = 1e-30
 ROUNDING = 1e-12  # of the size of the terms
 
@@ -75,29 +77,12 @@ def test_the_flat_text_lists_every_coordinate_and_parameter(name: str) -> None:
 
 # ---- two derivations, three ways to compute -------------------------------------------------------------------------
 
-_COMPARED = (
-    "start",
-    "position_constraint",
-    "velocity_constraint",
-    "mass_matrix",
-    "dynamics",
-    "inverse_dynamics",
-    "residual",
-    "state_derivative",
-    "output",
-    "energies",
-    "momenta",
-    "power",
-    "monitor",
-    "initial_equation",
-)
-
 
 @EVERY
 def test_both_derivations_agree(name: str) -> None:
     graph, symbolic = compiled(name).graph, textbook(name)
     states = random_states(name)
-    for function in _COMPARED:
+    for function in SIGNATURES:
         pairs = zip(
             values_with_size(graph, function, states), values_with_size(symbolic, function, states), strict=True
         )

@@ -14,7 +14,7 @@ from lagdsl.cli.main import lag
 from models.corpus import MODELS, expectations, path_of
 from models.references import REFERENCES, pendulums
 
-EVERY = pytest.mark.parametrize("name", MODELS)
+EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in MODELS])
 CONSERVED = 1e-9
 
 

@@ -258,6 +258,55 @@ def test_reactions_of_a_reversed_cantilever():
     assert [found[f"M[{k}]"][0] for k in (1, 2, 3)] == pytest.approx([0, 0, 40], abs=1e-9)
 
 
+ON_A_SWING = """%s
+model Swing
+  import Lag.Planar.*;
+  Revolute hinge(q(start = 20 deg, fixed = true, der(start = 1 rad/s)));
+  Link arm(l = 0.7 m, m = 2 kg);
+  Link crank(l = 0.4 m, m = 1 kg), coupler(l = 1 m, m = 2 kg), rocker(l = 0.8 m, m = 1.5 kg);
+  Revolute A(q(start = 60 deg, fixed = true)), B(q(start = -33 deg)), C(q(start = -123 deg));
+  %s D(q(prefer = %s));
+  FixedTranslation base(r = {1 m, 0});
+  gravity = -g_n*world.y;
+  torque 2 N.m on D.q;
+  connect(world, hinge, arm, A, crank, B, coupler, C, rocker, D, base.frame_b);
+  connect(arm.frame_b, base);
+  %s
+end Swing;
+"""
+IN_THE_WORLD = """joint Pin "Its closure speaks of the world: nothing is seen from elsewhere"
+  frame frame_a, frame_b;
+  coordinate Angle q;
+kinematics
+  frame_b = frame_a.rotz(q);
+closure
+  frame_b.origin = frame_a.origin + (0 m)*world.x;
+  frame_b.z = frame_a.z;
+end Pin;
+"""
+
+
+def test_a_loop_on_a_moving_base_is_seen_from_there():
+    """The same motion and reactions in the world, whether the closure is formed there or on the swing."""
+    outputs = "\n  ".join(
+        f"output {quantity} {kind}_{part}[3] = reaction({part}).{word};"
+        for part in ("hinge", "arm", *JOINTS, *LINKS, "base")
+        for kind, quantity, word in (("f", "Force", "force"), ("t", "Torque", "torque"))
+    )
+    here = lagdsl.compile(ON_A_SWING % ("", "Revolute", "never", outputs))
+    there = lagdsl.compile(ON_A_SWING % (IN_THE_WORLD, "Pin", "never", outputs))
+    one, two = (model.simulate(stop=0.6, interval=0.1, tolerance=1e-11) for model in (here, there))
+    assert np.ptp(one["hinge.q"]) > 0.5
+    for name in here.coordinates:
+        np.testing.assert_allclose(two[name], one[name], rtol=0, atol=1e-9, err_msg=name)
+    for name in here.outputs:
+        np.testing.assert_allclose(two[name], one[name], rtol=0, atol=3e-8, err_msg=name)
+    by_text = lagdsl.compile(ON_A_SWING % ("", "Revolute", "never", outputs), derivation="textbook")
+    q = np.array([[one[name][3] for name in here.coordinates]])
+    qd = np.array([[one[f"der({name})"][3] for name in here.coordinates]])
+    np.testing.assert_allclose(by_text.output(0.3, q, qd), here.output(0.3, q, qd), rtol=0, atol=1e-9)
+
+
 def test_pin_forces_against_points_and_constraints():
     """The four-bar from rods between points, its pins as vector constraints: multipliers are the pin forces."""
     points = lagdsl.compile(

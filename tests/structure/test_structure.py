@@ -14,6 +14,7 @@ from mechanics.mechanics_models import body, constraint, coordinate, derive, ene
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.structure import Structure, analyze, structure_text
 from lagdsl.mechanics.structure_display import Display, display, display_rate, quantity_text
+from lagdsl.mechanics.structure_points import random_points
 from lagdsl.semantics.flat_expression import Variable
 from lagdsl.semantics.flat_model import FlatModel, RotateQuaternion
 from lagdsl.units.dimension import LENGTH, dimension
@@ -38,6 +39,7 @@ def plane(*constraints: Any, **more: Any) -> FlatModel:
     return model(**(parts | more))
 
 
+UNBOUNDED = (coordinate("a", 0.0), coordinate("b", 0.0))
 CIRCLE = constraint("a", "x^2 + y^2 - 0.25")
 
 
@@ -127,6 +129,17 @@ def test_a_triangle_that_does_not_close_is_told_with_its_gap() -> None:
     _, sink = examined(plane(replace(lengths, dimension=LENGTH), energies=(energy("kinetic", "der(x)^2 + der(y)^2"),)))
     (error,) = sink.diagnostics
     assert error.code == "E0602" and error.notes[0].startswith("closest approach is 0.5 m, at ")
+
+
+def test_a_row_that_is_steep_somewhere_is_met_exactly_and_restricts() -> None:
+    """tan(a/2) is as long as one likes near half a turn, where one of the points that tell the sizes of rows lies."""
+    offset = np.array([point[0] for point in random_points(UNBOUNDED, np.zeros(2), np.ones(2), 8)])
+    for steep in offset[np.argsort(np.abs(offset))[-3:]].tolist():
+        zero = steep - float(np.copysign(np.pi, steep)) + 1e-7
+        rows = constraint("one", f"sin((a - ({zero!r}))/2)/cos((a - ({zero!r}))/2)"), constraint("two", "b - 2*a")
+        turning = energy("kinetic", "1/2*der(a)^2 + 1/2*der(b)^2")
+        found, sink = examined(model(coordinates=UNBOUNDED, energies=(turning,), constraints=rows))
+        assert (found.freedom, found.redundant, codes(sink)) == (0, (False, False), [])
 
 
 def test_contradiction_names_both() -> None:

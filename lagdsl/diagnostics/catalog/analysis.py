@@ -6,7 +6,7 @@ ROWS: dict[str, Row] = {
     "E0850": error(
         "the constraints lose rank at this point: there is no linearization",
         None,
-        "choose a state beside it, e.g. with --set; of the independent rows {names} fewer are independent here",
+        "choose a state beside it, for example with --set; {names} are not independent of each other here",
     ),
     "E0851": error(
         "no linearization at this point: `{name}` has no inertia there",

@@ -137,4 +137,16 @@ ROWS: dict[str, Row] = {
         "names of the columns",
         "each input has one column",
     ),
+    "E0830": error(
+        "the motion cannot be continued at t = {time} s: near a singular position, where `{name}` loses its effect, "
+        "its branch is not decided",
+        "without effect there",
+        "a smaller tolerance may lead across; lengths or start values that avoid the position decide it",
+    ),
+    "E0831": error(
+        "with these parameters and starts {now} rows of the constraints are independent instead of {before}: "
+        "`{name}` does not follow from the others any more",
+        "redundant with the values of the model",
+        "the degrees of freedom would be {freedom}; write the values into the model, so that it is compiled with them",
+    ),
 }

@@ -50,7 +50,9 @@ ROWS: dict[str, Row] = {
         label="a component of a class that it is part of",
         help="what repeats is an array of components in the class around: `Link link[n]`",
     ),
-    "E0226": error("a class cannot extend itself: {path}", label="closes the circle", help="delete one of the `extends`"),
+    "E0226": error(
+        "a class cannot extend itself: {path}", label="closes the circle", help="delete one of the `extends`"
+    ),
     "E0227": error(
         "component `{name}` cannot be given a value",
         label="a component is no quantity",
@@ -94,6 +96,28 @@ ROWS: dict[str, Row] = {
     ),
     "E0240": error(
         "only components and classes can be redeclared", label="this is {what}", help="give it another value instead"
+    ),
+    "E0241": error(
+        "one element of `{name}` cannot be modified by itself",
+        label="a modifier is for the whole array",
+        help="give all elements: `{name} = {{...}}`",
+    ),
+    "E0242": error("a redeclaration keeps the size of `{name}`", label="says a size", help="delete the subscripts"),
+    "E0243": error(
+        "`{name}` is inherited on two ways with different modifiers",
+        label="which ones hold?",
+        help="say the same on both ways, or modify it where the class is used",
+    ),
+    "E0244": error("`{new}` cannot stand in for `{old}`: it has no {missing}", label="put in here"),
+    "E0245": error(
+        "a short class stands for one component, not for an array",
+        label="no size here",
+        help="give the size where components are declared: `{name} name[n]` with `model {name} = {base};`",
+    ),
+    "E0246": error(
+        "`{name}` cannot be declared under a condition here",
+        label="conditions after a declaration are for components",
+        help="put the declaration into `if ... then ... end if;` with a structural condition",
     ),
     "E0250": error("there is no package or class `{name}`", label="not found"),
     "E0252": error(

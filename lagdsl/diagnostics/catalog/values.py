@@ -128,11 +128,11 @@ ROWS: dict[str, Row] = {
         label="given again here",
         help="keep one of the two",
     ),
+    "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
     "E0361": error(
         "the {which} must be known while compiling",
         label="a parameter may change later",
         help="write numbers, or use `structural parameter`",
     ),
     "E0362": error("the points of a table must increase: {second} follows {first}", label="not in increasing order"),
-    "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
 }

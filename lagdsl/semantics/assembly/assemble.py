@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from lagdsl.diagnostics import Severity
 from lagdsl.semantics.assembly import graph, kinematics
 from lagdsl.semantics.assembly.assembly import Assembly, Parts
 from lagdsl.semantics.assembly.chains import Chains
@@ -29,7 +28,6 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     Called when all names, modifiers and items are known and nothing is elaborated yet. Single frames and coordinates
     are made when they are asked for.
     """
-    before = _errors(ctx)
     net = Net(ctx, Mentions(ctx))
     for placed in contents.kinematics:
         with ctx.inside(placed.scope):
@@ -41,7 +39,7 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
         assert isinstance(placed.node, nodes.Connect)
         with ctx.inside(placed.scope):
             connections.connect(placed.scope, placed.node)
-    whole = _errors(ctx) == before
+    whole = not ctx.sink.has_errors  # else what hangs loose may be held by what was not understood
     merges.settle()
     networks.settle()
     net.shared.update(merges.merged)
@@ -68,10 +66,6 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     ctx.assembly = assembly
     report_islands(ctx, net, routes, contents.instances if whole else ())
     return assembly
-
-
-def _errors(ctx: Context) -> int:
-    return sum(diagnostic.severity == Severity.ERROR for diagnostic in ctx.sink.diagnostics)
 
 
 def _solvable(net: Net, equations: dict[Instance, list[Placed]]) -> list[bool]:

@@ -3,69 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
-from lagdsl.record import record
 from lagdsl.semantics import constraints, flat_model, quantities
 from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.assembly.computed import Formula, NoFormulaError, Solver
+from lagdsl.semantics.assembly.cuts import Cut, Place, ReadAs, Tied
 from lagdsl.semantics.assembly.linear import variables
-from lagdsl.semantics.assembly.net import Link, Net, Port
+from lagdsl.semantics.assembly.net import Net
 from lagdsl.semantics.assembly.pose import displacement, misalignment
+from lagdsl.semantics.assembly.relative import Ancestry, is_relative, speaks_of_its_frames
 from lagdsl.semantics.assembly.routes import Routes
-from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
 from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Closure, Constraint, Definition, Frame, FrameStep, Output, Variability
+from lagdsl.semantics.flat_model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output, Variability
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.quantity_fields import QuantityFields
 from lagdsl.semantics.scope import Symbol
 from lagdsl.semantics.values import FrameValue, Order, Scalar
-from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
-
-
-@record()
-class _Place:
-    """What the rows of one closure have in common. `span` is the `connect` that closes the loop."""
-
-    name: str
-    joint: str | None
-    loop: tuple[str, ...]
-    span: Span
-    spans: tuple[Span, ...]
-
-
-@dataclass(eq=False, slots=True)
-class Cut:
-    """A link that closes a loop. `computed`: its coordinates are to follow from the frames, by `equations`. `hidden` is
-    the frame that stands for the end of the link in all that closes it, so that it can be released alone."""
-
-    link: Link
-    loop: tuple[str, ...]
-    span: Span
-    equations: tuple[Placed, ...]
-    computed: bool
-    hidden: str = ""
-    started: bool = False
-    outputs: list[Output] = field(default_factory=list)
-
-    @property
-    def place(self) -> _Place:
-        joint, binding = self.link.instance.name, self.link.binding
-        return _Place(f"closure({joint})", joint, self.loop, self.span, (binding.span, *binding.scope.spans))
-
-
-@dataclass(frozen=True, slots=True)
-class Tied:
-    """A port with a place of its own, joined to frames that have theirs: both must be one."""
-
-    port: int
-    loop: tuple[str, ...]
-    span: Span
 
 
 class Closures:
@@ -77,6 +36,7 @@ class Closures:
         self._ctx, self._net, self._routes = ctx, net, routes
         self.cuts, self._ties = tuple(cuts), tuple(ties)
         self._values = values
+        self._ancestry = Ancestry(ctx)
         self._of = {symbol: cut for cut in cuts if cut.computed for symbol in cut.link.own}
 
     def is_computed(self, symbol: Symbol) -> bool:
@@ -97,12 +57,29 @@ class Closures:
         if not isinstance(end, FrameValue) or not isinstance(base, FrameValue):
             cut.computed = False
             return
-        cut.hidden = self._frame(cut.place, end.name, end.steps, "end")
+        mark = len(self._ctx.named)
+        value = self._ctx.elaborate(self._ctx, cut.link.binding.scope, cut.link.binding.node, False)
+        behind = self._ctx.named[mark:]
+        if not isinstance(value, FrameValue):
+            cut.computed = False
+            return
+        relative = is_relative(value.steps) and value.name == base.name and not behind
         if cut.computed:
-            self._compute(cut, base.name)
+            relative = relative and speaks_of_its_frames(self._ctx, self._net, cut.link, cut.equations)
+        cut.start, stop, within = value.name, end.name, None
+        if relative:
+            cut.start, stop, within = self._ancestry.copied(
+                base.name, end.name, lambda parent, steps, image: self._frame(cut.place, parent, steps, "frame", image)
+            )
+        image = Image(of=None, within=within) if within is not None else None
+        cut.hidden = self._frame(cut.place, stop, (), "end", image)
+        cut.steps = value.steps
+        if cut.computed:
+            self._compute(cut, behind, plain=value.name == base.name)
 
-    def _compute(self, cut: Cut, base: str) -> None:
-        """Formulas for the coordinates; where there are none they are kept and tied by the pose."""
+    def _compute(self, cut: Cut, made: list[flat_model.Named], *, plain: bool) -> None:
+        """Formulas for the coordinates; where there are none they are kept and tied by the pose. `made` are the items
+        that came with the kinematics, `plain`: it starts from the base of the link."""
         ctx = self._ctx
         known = self._coordinates(cut)
         starts = {item.name: item.start for item in known}
@@ -113,9 +90,7 @@ class Closures:
             for indices in every(ctx.resolver.shape(symbol) or ())
         }
         by_name = {item.name: item for item in known}
-        mark = len(ctx.named)
-        value = ctx.elaborate(ctx, cut.link.binding.scope, cut.link.binding.node, False)
-        behind = [item for item in ctx.named[mark:] if not isinstance(item, Definition) or _needs(item, starts)]
+        behind = [item for item in made if not isinstance(item, Definition) or _needs(item, starts)]
         mark = len(ctx.named)
 
         def frame(parent: str, steps: tuple[FrameStep, ...]) -> str:
@@ -132,9 +107,9 @@ class Closures:
             cut.outputs.append(Output(**fields, value=value, joint=joint, turning=formula.turning))
 
         try:
-            if behind or not isinstance(value, FrameValue) or value.name != base:
+            if behind or not plain:
                 raise NoFormulaError
-            Solver(base, cut.hidden, starts, frame, found).solve(value.steps)
+            Solver(cut.start, cut.hidden, starts, frame, found).solve(cut.steps)
         except NoFormulaError:
             del ctx.named[mark:]
             cut.outputs.clear()
@@ -174,7 +149,7 @@ class Closures:
         second = self._routes.value(tied.port)
         if isinstance(first, FrameValue) and isinstance(second, FrameValue):
             scope = (port.symbol or port.binding).scope  # type: ignore[union-attr]
-            place = _Place(f"closure({port.name})", None, tied.loop, tied.span, (tied.span, *scope.spans))
+            place = Place(f"closure({port.name})", None, tied.loop, tied.span, (tied.span, *scope.spans))
             start = self._frame(place, first.name, first.steps, "start") if first.steps else first.name
             end = self._frame(place, second.name, second.steps, "end")
             self._pose(place, start, end)
@@ -187,20 +162,17 @@ class Closures:
         if cut.computed:
             self._own(cut)
             return
-        value = self._ctx.elaborate(self._ctx, cut.link.binding.scope, cut.link.binding.node, False)
-        if isinstance(value, FrameValue):
-            start = self._frame(cut.place, value.name, value.steps, "start")
-            self._pose(cut.place, start, cut.hidden)
+        self._pose(cut.place, self._frame(cut.place, cut.start, cut.steps, "start"), cut.hidden)
 
-    def _pose(self, place: _Place, start: str, end: str) -> None:
+    def _pose(self, place: Place, start: str, end: str) -> None:
         self._rows(place, displacement(start, end), self._ctx.dimension(LENGTH), 0)
         self._rows(place, misalignment(start, end), DIMENSIONLESS, 3)
 
     def _own(self, cut: Cut) -> None:
         """The equations of the closure section, the end of the link read as the hidden frame."""
-        port = self._net.ports[cut.link.child]
+        ports = self._net.ports
         count = 0
-        with _Read(port, cut.hidden):
+        with ReadAs(ports[cut.link.child], cut.hidden), ReadAs(ports[cut.link.base], cut.start):
             for placed in cut.equations:
                 assert isinstance(placed.node, nodes.Equation)
                 residual = constraints.difference(self._ctx, placed.scope, placed.node)
@@ -214,7 +186,7 @@ class Closures:
                 self._rows(place, parts, residual.dimension or DIMENSIONLESS, count)
                 count += len(parts)
 
-    def _rows(self, place: _Place, residuals: tuple[FlatExpression, ...], dimension: Dimension, before: int) -> None:
+    def _rows(self, place: Place, residuals: tuple[FlatExpression, ...], dimension: Dimension, before: int) -> None:
         rows = tuple(f"{place.name}[{before + k}]" for k in range(1, len(residuals) + 1))
         self._ctx.constraints.append(
             Constraint(
@@ -228,26 +200,12 @@ class Closures:
             )
         )
 
-    def _frame(self, place: _Place, parent: str, steps: tuple[FrameStep, ...], what: str) -> str:
+    def _frame(
+        self, place: Place, parent: str, steps: tuple[FrameStep, ...], what: str, image: Image | None = None
+    ) -> str:
         name = self._ctx.unique(f"{place.name}.{what}")
-        self._ctx.named.append(Frame(spans=place.spans, name=name, parent=parent, steps=steps))
+        self._ctx.named.append(Frame(spans=place.spans, name=name, parent=parent, steps=steps, image=image))
         return name
-
-
-class _Read:
-    """Reads a port as another frame while texts of the closure are elaborated."""
-
-    def __init__(self, port: Port, name: str) -> None:
-        self._port, self._name = port, name
-
-    def __enter__(self) -> None:
-        assert self._port.symbol is not None
-        self._before = self._port.symbol.cells[self._port.indices]
-        self._port.symbol.cells[self._port.indices] = FrameValue(self._name)
-
-    def __exit__(self, *_: object) -> None:
-        assert self._port.symbol is not None
-        self._port.symbol.cells[self._port.indices] = self._before
 
 
 def _needs(item: Definition, names: dict[str, FlatExpression]) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics.assembly.closures import Cut, Tied
+from lagdsl.semantics.assembly.cuts import Cut, Tied
 from lagdsl.semantics.assembly.graph import Step, Tree
 from lagdsl.semantics.assembly.net import Link, Net
 from lagdsl.semantics.contents import Placed

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from lagdsl.semantics.assembly.paths import Element, target_of
+from lagdsl.semantics.assembly.paths import Element, inner_texts, target_of
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
 from lagdsl.semantics.scope import Binding, Indices, Scope, Symbol
 from lagdsl.syntax import nodes
-from lagdsl.syntax.walk import children
 
 Key: TypeAlias = "tuple[Symbol, Indices]"
 # Dictionaries are used as ordered sets.
@@ -27,16 +26,16 @@ class Mentions:
         """The frames without a binding and the coordinates below `node`, in the order of the text."""
         frames: dict[Key, None] = {}
         coordinates: dict[Symbol, None] = {}
-        stack = [node]
+        stack = [(scope, node)]
         while stack:
-            current = stack.pop()
+            at, current = stack.pop()
             target = None
             if isinstance(current, nodes.Reference | nodes.Member | nodes.Index):
-                target = target_of(self._ctx, scope, current)
+                target = target_of(self._ctx, at, current)
             if isinstance(target, Element):
                 self._element(target, frames, coordinates)
             else:
-                stack.extend(reversed(list(children(current))))
+                stack.extend(reversed(list(inner_texts(self._ctx, at, current))))
         return frames, coordinates
 
     def of_binding(self, binding: Binding) -> Needs:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TypeAlias
 
-from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.record import record
-from lagdsl.semantics.arrays import subscript_indices
+from lagdsl.semantics.arrays import subscript_indices, turns
 from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.geometry import METHODS
 from lagdsl.semantics.scope import Entry, Indices, Instance, InstanceArray, Scope, Symbol, lookup
-from lagdsl.semantics.values import FrameValue
+from lagdsl.semantics.values import POISON, FrameValue
 from lagdsl.syntax import nodes
+from lagdsl.syntax.walk import children, descendants
 
 
 @record()
@@ -83,15 +86,71 @@ def _indexed(ctx: Context, scope: Scope, node: nodes.Index) -> Target | None:
 
 
 def _indices(ctx: Context, scope: Scope, node: nodes.Index, shape: tuple[int, ...]) -> Indices | None:
-    before, ctx.sink = ctx.sink, Sink()
-    try:
+    with _quietly(ctx):
         found = subscript_indices(ctx, scope, node.subscripts, shape, node)
-    finally:
-        ctx.sink = before
     if found is None or len(found) != len(shape):
         return None
     indices = tuple(index for index in found if isinstance(index, int))
     return indices if len(indices) == len(shape) else None
+
+
+class _Quiet(Sink):
+    """Drops what is said about the text at hand, which is said when it is elaborated, and keeps the rest.
+
+    A symbol that gets its value on the way has it for good, and so what is wrong with it is said here or never.
+    """
+
+    def __init__(self, ctx: Context, kept: Sink) -> None:
+        super().__init__()
+        self._ctx, self._kept, self._depth = ctx, kept, len(ctx.active)
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        if len(self._ctx.active) > self._depth:
+            self._kept.add(diagnostic)
+
+
+@contextmanager
+def _quietly(ctx: Context) -> Iterator[None]:
+    sink, reported, turns = ctx.sink, set(ctx.reported), ctx.turns
+    ctx.sink = _Quiet(ctx, sink)
+    try:
+        yield
+    finally:
+        ctx.sink, ctx.reported, ctx.turns = sink, reported, turns
+
+
+def inner_texts(ctx: Context, scope: Scope, node: nodes.Node) -> Iterator[tuple[Scope, nodes.Node]]:
+    """The children of a node with the scopes they are read in: those of a comprehension know its indices.
+
+    Each turn counts by itself where components are chosen by the index; else one text stands for all.
+    """
+    if not isinstance(node, nodes.Comprehension | nodes.Reduction):
+        yield from ((scope, child) for child in children(node))
+        return
+    unknown = scope.local({iterator.name: POISON for iterator in node.iterators})
+    yield from ((unknown, iterator.range) for iterator in node.iterators)
+    turned: list[Scope] | None = None
+    if _chooses_components(ctx, unknown, node.body):
+        order = node.iterators if isinstance(node, nodes.Reduction) else node.iterators[::-1]
+        with _quietly(ctx):
+            turned = turns(ctx, scope, order)
+    yield from ((turn, node.body) for turn in turned or (unknown,))
+
+
+def texts_of(ctx: Context, scope: Scope, node: nodes.Node) -> Iterator[tuple[Scope, nodes.Node]]:
+    """The node and all below it, with their scopes."""
+    stack = [(scope, node)]
+    while stack:
+        at, current = stack.pop()
+        yield at, current
+        stack.extend(inner_texts(ctx, at, current))
+
+
+def _chooses_components(ctx: Context, scope: Scope, node: nodes.Node) -> bool:
+    return any(
+        isinstance(part, nodes.Index) and isinstance(target_of(ctx, scope, part.target), InstanceArray)
+        for part in descendants(node)
+    )
 
 
 def base_of(ctx: Context, scope: Scope, node: nodes.Expression) -> nodes.Expression | None:

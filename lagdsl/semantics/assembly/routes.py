@@ -13,7 +13,7 @@ from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.flat_model import Frame, FrameStep
 from lagdsl.semantics.flat_traversal import postorder, step_expressions
 from lagdsl.semantics.geometry import WORLD as WORLD_FRAME
-from lagdsl.semantics.values import POISON, FrameValue, Value
+from lagdsl.semantics.values import POISON, FrameValue, Value, highest, latest
 from lagdsl.source import Span
 
 
@@ -94,14 +94,16 @@ class Routes:
         if undone is None or self._mentions(steps.steps, base.name):
             self._ctx.sink.report("E0706", link.binding.node.span, Label(link.instance.span, "entered from behind"))
             return POISON
-        return FrameValue(start.name, (*start.steps, *undone), start.variability, max(start.order, steps.order))
+        both = (start, steps)
+        return FrameValue(start.name, (*start.steps, *undone), latest(*both), highest(*both))
 
     def _steps_from(self, link: Link, base: Port) -> FrameValue | None:
         """The steps of a link, its base taken as known while they are read."""
         symbol = base.symbol
         assert symbol is not None
         mark = len(self._ctx.named)
-        symbol.cells[base.indices] = FrameValue(base.name)
+        # steps that mention the base are refused, so only what they themselves depend on counts
+        symbol.cells[base.indices] = FrameValue(base.name, (), WORLD_FRAME.variability, WORLD_FRAME.order)
         binding = link.binding
         try:
             value = self._ctx.elaborate(self._ctx, binding.scope, binding.node, False)

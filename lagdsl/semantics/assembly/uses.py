@@ -6,12 +6,12 @@ that is wound up further.
 
 from __future__ import annotations
 
-from lagdsl.semantics.assembly.paths import Element, target_of
+from lagdsl.semantics.assembly.paths import Element, inner_texts, target_of, texts_of
 from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Binding, Scope, Symbol
 from lagdsl.syntax import nodes
-from lagdsl.syntax.walk import children, descendants
+from lagdsl.syntax.walk import children
 
 _READ = ("frame", "point", "algebraic", "output", "input", "energy", "load")
 
@@ -19,7 +19,7 @@ _READ = ("frame", "point", "algebraic", "output", "input", "energy", "load")
 class Uses:
     """Searches all that acts on the motion, through definitions; outputs and drawings do not count.
 
-    `values` are the coordinates found, `required` those that must be unknowns whatever it costs.
+    `values` are the angles found, `required` those that must be unknowns whatever it costs.
     """
 
     def __init__(self, ctx: Context, contents: Contents) -> None:
@@ -41,11 +41,11 @@ class Uses:
         """`momentum(q)` belongs to an unknown of the equations of motion."""
         if "momentum" not in node.span.text:  # most texts: no need to walk them
             return
-        for part in descendants(node):
+        for at, part in texts_of(self._ctx, scope, node):
             if _is_call(part, "momentum"):
                 assert isinstance(part, nodes.Call)
                 argument = part.arguments[0]
-                target = target_of(self._ctx, scope, argument) if not isinstance(argument, nodes.Named) else None
+                target = target_of(self._ctx, at, argument) if not isinstance(argument, nodes.Named) else None
                 if isinstance(target, Element):
                     self.required.add(target.symbol)
 
@@ -58,19 +58,19 @@ class Uses:
                 self._walk(scope, part)
 
     def _walk(self, scope: Scope, node: nodes.Node) -> None:
-        stack = [node]
+        stack = [(scope, node)]
         while stack:
-            current = stack.pop()
+            at, current = stack.pop()
             target = None
             if isinstance(current, nodes.Reference | nodes.Member | nodes.Index):
-                target = target_of(self._ctx, scope, current)
+                target = target_of(self._ctx, at, current)
             if isinstance(target, Element):
                 self._read(target.symbol, displaced=False)
             elif _is_call(current, "der"):
                 assert isinstance(current, nodes.Call)
-                self._displaced(scope, current.arguments[0])
+                self._displaced(at, current.arguments[0])
             else:
-                stack.extend(children(current))
+                stack.extend(inner_texts(self._ctx, at, current))
 
     def _displaced(self, scope: Scope, node: nodes.Node) -> None:
         """A text of which only the derivative matters: harmless where it is the name of a coordinate."""
@@ -84,7 +84,7 @@ class Uses:
 
     def _read(self, symbol: Symbol, *, displaced: bool) -> None:
         if symbol.kind == "coordinate":
-            if not displaced:
+            if not displaced and _may_wind(symbol):
                 self.values.add(symbol)
             return
         if symbol.kind not in _READ or (symbol, displaced) in self._seen:
@@ -100,6 +100,11 @@ class Uses:
             self._displaced(binding.scope, binding.node)
         else:
             self._walk(binding.scope, binding.node)
+
+
+def _may_wind(symbol: Symbol) -> bool:
+    """Whether whole turns may be counted in it: angles and quaternions, not lengths."""
+    return symbol.info is None or symbol.info.dimension is None or symbol.info.dimension.is_dimensionless
 
 
 def _is_call(node: nodes.Node, function: str) -> bool:

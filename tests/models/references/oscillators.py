@@ -101,3 +101,27 @@ def two_masses_and_spring(p: Parameters, t: Floats) -> dict[str, Floats]:
 def centrifugal_governor(p: Parameters, t: Floats) -> dict[str, Floats]:
     """Equilibrium: cos(theta) = (m + ms) g/(m l Omega^2)."""
     return {"theta": np.arccos((p["m"] + p["ms"]) * G_N / (p["m"] * p["l"] * p["Omega"] ** 2)) + 0 * t}
+
+
+def three_masses(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Standing waves: frequency 2 sqrt(k/m) sin(n pi/8), shape sin(i n pi/4) (Landau, Lifshitz, Mechanics, 23)."""
+    n, i = np.arange(1, 4), np.arange(1, 4)[:, None]
+    shapes = np.sin(i * n * np.pi / 4) / np.sqrt(2)
+    waves = np.cos(np.outer(2 * np.sqrt(p["k"] / p["m"]) * np.sin(n * np.pi / 8), t))
+    x = 0.05 * shapes @ (shapes[0][:, None] * waves)
+    return {f"x[{k + 1}]": x[k] for k in range(3)}
+
+
+def ziegler_column(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Newton's equations of both masses without small angles; the follower force works on the lower link only."""
+    inertia, c, moment = p["m"] * p["l"] ** 2, p["c"], p["P"] * p["l"]
+
+    def rates(_: float, x: Floats) -> list[float]:
+        a, b, da, db = x
+        s, k = np.sin(a - b), np.cos(a - b)
+        right = [moment * s - inertia * s * db**2 - c * (2 * a - b), inertia * s * da**2 - c * (b - a)]
+        dda, ddb = np.linalg.solve(inertia * np.array([[3, k], [k, 1]]), right)
+        return [da, db, dda, ddb]
+
+    x = solve(rates, [np.radians(1), 0, 0, 0], t)
+    return {"a": x[0], "b": x[1]}

@@ -208,3 +208,18 @@ def free_rigid_body(p: Parameters, t: Floats) -> dict[str, Floats]:
         lambda _, w: [(b - c) / a * w[1] * w[2], (c - a) / b * w[2] * w[0], (a - b) / c * w[0] * w[1]], [0.1, 5, 0], t
     )
     return {"spin": x[1]}
+
+
+def sleeping_top(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Angular momentum about the tip, A e x e' + C w e for the unit vector e of the axis; w is constant."""
+    a, spin, moment = p["A"], p["C"] * p["n"], p["m"] * G_N * p["l"]
+    up = np.array([0.0, 0.0, 1.0])
+
+    def rates(_: float, x: Floats) -> Floats:
+        e, de = x[:3], x[3:]
+        turned = spin * np.cross(e, de) + moment * np.cross(e, np.cross(e, up))
+        return np.concatenate([de, turned / a - (de @ de) * e])
+
+    tilt = np.radians(1)
+    e = solve(rates, [0, -np.sin(tilt), np.cos(tilt), 0, 0, 0], t)
+    return {"alpha": np.arctan2(-e[1], e[2]), "beta": np.arcsin(e[0])}

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from models.references.integrate import G_N, Floats, solve
+from models.references.integrate import G_N, Floats, linear, solve
 
 Parameters = Mapping[str, float]
 
@@ -32,10 +32,18 @@ def ball_on_turntable(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 
 def rolling_coin(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """A thin disc."""
+    return _rolling_wheel(p["m"], p["R"], 1 / 2, np.radians(10), 40.0, t)
+
+
+def rolling_hoop(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """The same about upright."""
+    return _rolling_wheel(p["m"], p["R"], p["k"], np.radians(1), p["w"], t)
+
+
+def _rolling_wheel(m: float, R: float, inertia: float, lean: float, spin: float, t: Floats) -> dict[str, Floats]:
     """Angular momentum about the mass center in axes that do not spin, contact force eliminated."""
-    m, R = p["m"], p["R"]
-    a, c = m * R**2 / 4, m * R**2 / 2
-    lean, spin = np.radians(10), 40.0
+    a, c = inertia * m * R**2 / 2, inertia * m * R**2
 
     def rates(_: float, x: Floats) -> list[float]:
         tilt, w1, w2, w3 = x[0], x[1], x[2], x[3]
@@ -55,3 +63,16 @@ def rolling_coin(p: Parameters, t: Floats) -> dict[str, Floats]:
     heading = -spin * m * R**2 * s / (m * R**2 * s**2 + a * k**2 + c * s**2)
     x = solve(rates, [lean, 0, spin + heading * s, heading * k, 0, 0], t)
     return {"lean": x[0], "psi": x[4], "spin": x[5]}
+
+
+def bicycle(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """The benchmark's equations of roll and steering; a hundred thousandth of a radian has no higher order."""
+    v = p["v"]
+    mass = np.array([[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]])
+    damping = v * np.array([[0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]])
+    weight = p["g"] * np.array([[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]])
+    stiffness = weight + v**2 * np.array([[0, 76.59734589573222], [0, 2.65431523794604]])
+    inverse = np.linalg.inv(mass)
+    a = np.block([[np.zeros((2, 2)), np.eye(2)], [-inverse @ stiffness, -inverse @ damping]])
+    x = linear(a, [np.radians(0.001), 0, 0, 0], t)
+    return {"phi": x[0], "delta": -x[1]}

@@ -7,6 +7,7 @@ from time import process_time
 import pytest
 
 from lagdsl.diagnostics import Sink
+from lagdsl.semantics.flat_dependence import Dependence
 from lagdsl.semantics.flat_model import FlatModel, Frame
 from lagdsl.semantics.flat_text import flat_text
 from lagdsl.semantics.flatten import flatten
@@ -298,3 +299,17 @@ def test_a_hundred_four_bars_in_a_chain():
     assert len(flat.coordinates) == 300
     loops = [constraint.closure.loop for constraint in flat.constraints if constraint.closure is not None]
     assert loops[-1] == ("base99", "D99", "rocker99", "C99", "coupler99", "B99", "crank99", "A99")
+
+
+def test_closures_depend_on_their_own_loop_only():
+    flat, _ = flat_of(chain(4))
+    dependence = Dependence(flat)
+    for constraint in flat.constraints:
+        assert constraint.closure is not None
+        assert constraint.closure.joint is not None
+        k = constraint.closure.joint[1:]
+        found = {name for residual in constraint.residuals for name in dependence.of(residual) if name.endswith(".q")}
+        assert found <= {f"{joint}{k}.q" for joint in "ABCD"}
+    for output in flat.outputs:
+        found = {name for name in dependence.of(output.value) if name.endswith(".q")}
+        assert found <= {f"{joint}{output.name[1:-2]}.q" for joint in "ABCD"}

@@ -2,7 +2,7 @@
 
 A threshold is bracketed by two values with different numbers of growing modes and bisected. Where eigenvalues leave
 the axis by colliding on it (no damping), real parts begin as a square root, and a bound of 1e-7 of the magnitude
-places the threshold to 1e-14; where they cross it with finite speed the bound is taken down to the round-off.
+places the threshold to 1e-14; where they cross it with finite slope, the root of the real part is found by secants.
 """
 
 from __future__ import annotations
@@ -22,9 +22,12 @@ from lagdsl.mechanics.rank import Floats
 
 Place: TypeAlias = Callable[[float], Point]
 
-_ROUNDING = 1e-13
+_ROUNDING = 1e-12
 _WIDTH = 2e-13
 _HALVINGS = 100
+_MOST = 8
+# The part of a step between values at which a crossing eigenvalue is looked at.
+_BESIDE = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,7 +49,7 @@ class Threshold:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Sweep:
+class Variation:
     """`eigenvalues` (k, n) [1/s], each column a branch, nan where there is no linearization; `unstable` (k,) numbers
     of growing modes, -1 there."""
 
@@ -58,7 +61,7 @@ class Sweep:
     thresholds: tuple[Threshold, ...]
 
 
-def sweep(subject: Subject, varied: Named, values: Sequence[float], place: Place, held: Sequence[int]) -> Sweep:
+def variation(subject: Subject, varied: Named, values: Sequence[float], place: Place, held: Sequence[int]) -> Variation:
     """Eigenvalues at `place(value)` for each value, and the thresholds between neighbors. Raises CompilationFailed
     where no value has a linearization."""
     spectrum = _Spectrum(subject, place, tuple(held))
@@ -70,7 +73,7 @@ def sweep(subject: Subject, varied: Named, values: Sequence[float], place: Place
     for i in range(len(values) - 1):
         if min(counts[i], counts[i + 1]) >= 0 and counts[i] != counts[i + 1]:
             thresholds += _between(spectrum, (values[i], counts[i]), (values[i + 1], counts[i + 1]))
-    return Sweep(
+    return Variation(
         model=subject.flat.name,
         varied=varied,
         values=np.array(values, dtype=np.float64),
@@ -107,27 +110,26 @@ def _growing(values: Complexes, bound: float) -> int:
 
 
 def _between(spectrum: _Spectrum, low: tuple[float, int], high: tuple[float, int]) -> list[Threshold]:
-    """Thresholds between two values, from the lower on."""
+    """Thresholds between two values, from the first on."""
     result: list[Threshold] = []
-    while low[1] != high[1] and len(result) < 8:
-        inner, outer = _bisect(spectrum, low, high, AXIS)
-        step = 1e-5 * abs(high[0] - low[0])
-        inner, outer = _sharpened(spectrum, low, inner, outer, step)
-        result.append(_threshold(spectrum, inner, outer))
+    step = abs(high[0] - low[0])
+    while low[1] != high[1] and len(result) < _MOST:
+        inner, outer = _bisect(spectrum, low, high)
+        result.append(_threshold(spectrum, inner, outer, step))
         low = outer
     return result
 
 
 def _bisect(
-    spectrum: _Spectrum, low: tuple[float, int], high: tuple[float, int], bound: float
+    spectrum: _Spectrum, low: tuple[float, int], high: tuple[float, int]
 ) -> tuple[tuple[float, int], tuple[float, int]]:
-    """Two values next to each other between which the count leaves that of `low`."""
+    """Two values next to each other between which the number of growing modes leaves that of `low`."""
     for _ in range(_HALVINGS):
         middle = 0.5 * (low[0] + high[0])
         if abs(high[0] - low[0]) <= _WIDTH * max(abs(low[0]), abs(high[0])) or middle in (low[0], high[0]):
             break
         values = spectrum(middle)
-        count = low[1] if values is None else _growing(values, bound)
+        count = low[1] if values is None else _growing(values, AXIS)
         if count == low[1]:
             low = (middle, count)
         else:
@@ -135,47 +137,47 @@ def _bisect(
     return low, high
 
 
-def _sharpened(
-    spectrum: _Spectrum, first: tuple[float, int], inner: tuple[float, int], outer: tuple[float, int], step: float
-) -> tuple[tuple[float, int], tuple[float, int]]:
-    """Bisect again with the bound at the round-off if real parts grow in proportion to the distance."""
-    more = outer[1] > inner[1]
-    sign = np.sign(outer[0] - first[0]) * (1.0 if more else -1.0)
-    growth = []
-    for distance in (step, 4.0 * step):
-        values = spectrum(outer[0] + sign * distance)
-        growth.append(0.0 if values is None else float(np.max(values.real, initial=0.0)))
-    if not growth[0] > 0.0 or growth[1] < 2.8 * growth[0]:
-        return inner, outer
-    reach = 10.0 * step * float(np.sign(outer[0] - first[0]))
-    near, far = outer[0] - reach, outer[0] + reach
-    at_near, at_far = spectrum(near), spectrum(far)
-    if at_near is None or at_far is None:
-        return inner, outer
-    low, high = (near, _growing(at_near, _ROUNDING)), (far, _growing(at_far, _ROUNDING))
-    if low[1] == high[1]:
-        return inner, outer
-    return _bisect(spectrum, low, high, _ROUNDING)
-
-
-def _threshold(spectrum: _Spectrum, inner: tuple[float, int], outer: tuple[float, int]) -> Threshold:
+def _threshold(spectrum: _Spectrum, inner: tuple[float, int], outer: tuple[float, int], step: float) -> Threshold:
+    """Between neighboring values; where the real part crosses zero with finite slope, its root by the secant."""
     value = 0.5 * (inner[0] + outer[0])
-    grown = max(inner, outer, key=lambda each: each[1])
-    distance = 1e-8 * max(abs(value), 1e-300) * (1.0 if grown[0] >= value else -1.0)
-    values = spectrum(grown[0] + distance)
-    values = spectrum(grown[0]) if values is None else values
-    assert values is not None
-    size = float(np.max(np.abs(values), initial=0.0))
-    growing = values[values.real > 1e-12 * size]
-    # of several growing modes the one that has just begun to
-    crossing = complex(growing[int(np.argmin(growing.real))]) if len(growing) else 0j
-    oscillates = abs(crossing.imag) > 1e-3 * abs(crossing.real) and abs(crossing.imag) > 1e-6 * size
+    above = (inner[1] < outer[1]) == (inner[0] < outer[0])
+    side = 1.0 if above else -1.0
+    near = 100.0 * _BESIDE * step * side
+    crossing = _crossing(spectrum, value, near)
+    if crossing is None:
+        return Threshold(value=value, kind="divergence", eigenvalue=0j, unstable_above=above)
+    further = _crossing(spectrum, value, 4.0 * near)
+    if further is not None and further.real > 2.8 * crossing.real:  # in proportion to the distance, no square root
+        value = _root(spectrum, value, near, crossing)
+        value = _root(spectrum, value, side * _BESIDE * step, crossing)
+    crossing = _crossing(spectrum, value, side * _BESIDE * step) or crossing
+    oscillates = abs(crossing.imag) > 1e-2 * abs(crossing.real)
     return Threshold(
         value=value,
         kind="flutter" if oscillates else "divergence",
         eigenvalue=complex(0.0, abs(crossing.imag)) if oscillates else 0j,
-        unstable_above=grown[0] > min(inner[0], outer[0]),
+        unstable_above=above,
     )
+
+
+def _crossing(spectrum: _Spectrum, value: float, distance: float) -> complex | None:
+    """The mode that has just begun to grow at `distance` beyond the threshold."""
+    values = spectrum(value + distance)
+    growing = [] if values is None else [complex(v) for v in values if v.real > _ROUNDING * abs(v)]
+    return min(growing, key=lambda v: v.real, default=None)
+
+
+def _root(spectrum: _Spectrum, value: float, distance: float, crossing: complex) -> float:
+    """Where the line through the real parts on both sides is zero."""
+    beyond, before = spectrum(value + distance), spectrum(value - distance)
+    if beyond is None or before is None:
+        return value
+    # zeros of ignorable coordinates lie nearer than the eigenvalue on the other side
+    moving = [each[each != 0.0] for each in (beyond, before)]
+    if not all(len(each) for each in moving):
+        return value
+    a, b = (complex(each[int(np.argmin(np.abs(each - crossing)))]).real for each in moving)
+    return value - distance * (a + b) / (a - b) if a > 0.0 > b else value
 
 
 def _branches(found: Sequence[Complexes | None]) -> Complexes:

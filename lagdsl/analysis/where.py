@@ -1,0 +1,133 @@
+"""Which state is meant: starts and inputs by name, parameters, and whether an equilibrium is looked for from there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TypeVar
+
+import numpy as np
+
+from lagdsl.analysis.integrable import integrable_rows
+from lagdsl.analysis.linearization import Linearization, linearize_at
+from lagdsl.analysis.linearize import Named, holonomic_rows
+from lagdsl.analysis.modes import Modes, modes_at
+from lagdsl.analysis.point import Point, Subject, point_of
+from lagdsl.analysis.trim import Equilibrium, trim_at
+from lagdsl.analysis.variation import Variation, variation
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.mechanics.rank import Floats
+from lagdsl.units.naming import rate_text
+
+_Result = TypeVar("_Result")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Where:
+    """`start`: coordinates, rates `der(x)` and states by name, SI units; what is left out are the model's.
+
+    With `trim` the equilibrium nearest to it is meant; `free` and `hold` then name unknowns, and rates that are not
+    named are zero, or with `steady` the model's.
+    """
+
+    p: Floats
+    t: float | None = None
+    start: Mapping[str, float] = field(default_factory=dict)
+    inputs: Mapping[str, float] = field(default_factory=dict)
+    trim: bool = False
+    free: tuple[str, ...] = ()
+    hold: tuple[str, ...] = ()
+    steady: bool = False
+
+
+def linearize(subject: Subject, where: Where, sink: Sink) -> Linearization:
+    """Raises CompilationFailed; warnings go to `sink`."""
+    return _found(sink, lambda own: linearize_at(subject, point(subject, where, own), own))
+
+
+def modes(subject: Subject, where: Where, sink: Sink) -> Modes:
+    """Raises CompilationFailed; warnings go to `sink`."""
+    return _found(sink, lambda own: modes_at(subject, point(subject, where, own), own))
+
+
+def trim(subject: Subject, where: Where, sink: Sink) -> Equilibrium:
+    """Raises CompilationFailed; warnings go to `sink`."""
+    return _found(sink, lambda own: _equilibrium(subject, where, own))
+
+
+def vary(subject: Subject, where: Where, name: str, values: Floats, sink: Sink) -> Variation:
+    """Eigenvalues for values of a parameter, an input or a start value. Raises CompilationFailed."""
+    varied = _varied(subject, name, sink)
+    held = [*holonomic_rows(subject), *integrable_rows(subject, point(subject, replace(where, trim=False), Sink()))]
+
+    def place(value: float) -> Point:
+        own = Sink()
+        found = point(subject, _with(subject, where, varied.name, value), own)
+        own.raise_if_errors()
+        return found
+
+    return variation(subject, varied, values.tolist(), place, held)
+
+
+def point(subject: Subject, where: Where, sink: Sink) -> Point:
+    """The consistent state, or the equilibrium near it. Raises CompilationFailed."""
+    if where.trim:
+        found = _equilibrium(subject, where, sink)
+        if found is None:
+            raise CompilationFailed(sink.diagnostics)
+        return found.point
+    return _state(subject, where, where.start, sink)
+
+
+def _equilibrium(subject: Subject, where: Where, sink: Sink) -> Equilibrium | None:
+    start = dict(where.start)
+    if not where.steady:
+        start = {**{f"der({c.name})": 0.0 for c in subject.flat.coordinates}, **start}
+    return trim_at(subject, _state(subject, where, start, None), free=where.free, hold=where.hold, sink=sink)
+
+
+def _state(subject: Subject, where: Where, start: Mapping[str, float], sink: Sink | None) -> Point:
+    inputs = None
+    if where.inputs:
+        time = subject.flat.experiment.start_time if where.t is None else where.t
+        defaults = subject.engine.evaluate("start", time, where.p)[3].tolist()
+        slots = subject.engine.layout.inputs
+        inputs = np.array([where.inputs.get(s.name, value) for s, value in zip(slots, defaults, strict=True)])
+    given = bool(where.start) or where.trim
+    return point_of(subject, t=where.t, start=start, u=inputs, p=where.p, given=given, sink=sink)
+
+
+def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:
+    own = Sink()
+    result = search(own)
+    for diagnostic in own.diagnostics:
+        sink.add(diagnostic)
+    if result is None:
+        raise CompilationFailed(own.diagnostics)
+    return result
+
+
+def _varied(subject: Subject, name: str, sink: Sink) -> Named:
+    """What `name` or `name.start` means; E0853 for what cannot be varied."""
+    flat, layout = subject.flat, subject.engine.layout
+    known = {slot.name: slot.unit for slot in (*layout.parameters, *layout.inputs)}
+    starts = {item.name: item.unit for item in (*flat.coordinates, *flat.states)}
+    starts |= {f"der({c.name})": rate_text(c.dimension, c.unit) for c in flat.coordinates}
+    found = name if name in known else name.removesuffix(".start")
+    if found in known or found in starts:
+        return Named(found, {**starts, **known}[found])
+    own = Sink()
+    own.report("E0853", None, name=name, what="varied", known=", ".join([*known, *(f"{s}.start" for s in starts)]))
+    sink.add(own.diagnostics[0])
+    raise CompilationFailed(own.diagnostics)
+
+
+def _with(subject: Subject, where: Where, name: str, value: float) -> Where:
+    parameters = [slot.name for slot in subject.engine.layout.parameters]
+    if name in parameters:
+        p = where.p.copy()
+        p[parameters.index(name)] = value
+        return replace(where, p=p)
+    if any(slot.name == name for slot in subject.engine.layout.inputs):
+        return replace(where, inputs={**where.inputs, name: value})
+    return replace(where, start={**where.start, name: value})

@@ -1,0 +1,109 @@
+"""Modes and thresholds as tables for people."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+
+from lagdsl.analysis.modes import AXIS, Modes
+from lagdsl.analysis.point import Subject
+from lagdsl.analysis.variation import Variation
+from lagdsl.cli.state_text import point_text, steadiness_text
+from lagdsl.cli.text_table import number, text_table
+
+_MOST_ENTRIES = 8
+_NEGLIGIBLE = 1e-9
+
+
+def modes_text(subject: Subject, found: Modes) -> str:
+    """Where, eigenvalues, shapes, stability. Of a pair of conjugate eigenvalues one is shown."""
+    shown = [i for i, s in enumerate(found.eigenvalues.tolist()) if not s.imag < 0.0 and s != 0.0]
+    zeros = int(np.count_nonzero(found.eigenvalues == 0.0))
+    header = ["mode", "eigenvalue [1/s]", "frequency [Hz]", "damping", "time constant [s]"]
+    rows = [[str(k + 1), *_figures(found, i)] for k, i in enumerate(shown)]
+    if zeros:
+        rows.append(["", "0" if zeros == 1 else f"0 ({zeros} times)", "-", "-", "-"])
+    shapes = [_shape(found, k, i) for k, i in enumerate(shown)]
+    parts = [
+        f"{found.model}: {len(found.eigenvalues)} eigenvalues about",
+        f"{point_text(subject, found.point)}\n{steadiness_text(found.steadiness)}",
+        text_table(header, rows) if rows else "",
+        "\n".join(["shapes, largest entry 1 (SI units)", *shapes]) if shapes else "",
+    ]
+    if found.dropped:
+        names = ", ".join(found.integrable)
+        parts.append(f"{found.dropped} zero eigenvalue(s) left out: velocity constraint {names} is integrable")
+    parts.append(f"{found.stability[0].upper()}{found.stability[1:]}.")
+    return "\n\n".join(part for part in parts if part)
+
+
+def _figures(found: Modes, i: int) -> list[str]:
+    s, f = complex(found.eigenvalues[i]), float(found.frequencies[i])
+    real = s.real if abs(s.real) > AXIS * abs(s) else 0.0
+    value = f"{number(real)} ± {number(s.imag)}i" if f > 0.0 else number(real)
+    damping, tau = float(found.damping[i]), float(found.time_constants[i])
+    return [
+        value,
+        number(f) if f > 0.0 else "-",
+        "-" if math.isnan(damping) or f == 0.0 else number(damping if abs(damping) > AXIS else 0.0),
+        "-" if math.isinf(tau) else number(tau),
+    ]
+
+
+def _shape(found: Modes, k: int, i: int) -> str:
+    """`1  x = 1, y = 0.5 at -90 deg`, largest entries first come as declared."""
+    shape = found.shapes[i]
+    entries = [j for j in range(len(shape)) if abs(shape[j]) > _NEGLIGIBLE]
+    largest = sorted(sorted(entries, key=lambda j: -abs(shape[j]))[:_MOST_ENTRIES])
+    texts = [f"{found.places[j].name} = {_phasor(complex(shape[j]))}" for j in largest]
+    more = [f"and {len(entries) - len(largest)} more"] if len(entries) > len(largest) else []
+    return f"  {k + 1}  " + (", ".join([*texts, *more]) or "rates only")
+
+
+def _phasor(value: complex) -> str:
+    """Real entries with their sign, others by magnitude and phase."""
+    if abs(value.imag) <= 1e-6 * abs(value):
+        return number(value.real)
+    return f"{number(abs(value))} at {math.degrees(math.atan2(value.imag, value.real)):.4g} deg"
+
+
+def variation_text(found: Variation) -> str:
+    """Thresholds, then the intervals between them."""
+    unit = "" if found.varied.unit in ("", "1") else f" {found.varied.unit}"
+    name = found.varied.name
+    first, last = float(found.values[0]), float(found.values[-1])
+    lines = [f"{found.model}: eigenvalues for {len(found.values)} values of {name} from {first:g} to {last:g}{unit}"]
+    for each in found.thresholds:
+        how = f"flutter at {number(each.frequency)} Hz" if each.kind == "flutter" else "divergence"
+        side = "above" if each.unstable_above else "below"
+        lines.append(f"  threshold {name} = {each.value:.12g}{unit}: {how}, growing {side}")
+    if not found.thresholds:
+        lines.append("  no eigenvalue crosses the imaginary axis")
+    missing = sum(count < 0 for count in found.unstable)
+    if missing:
+        lines.append(f"  {missing} value(s) have no linearization")
+    rows = [_interval(found, *part) for part in _parts(found.unstable)]
+    return "\n".join(
+        [
+            *lines,
+            "",
+            text_table(
+                [f"{name}{f' [{unit.strip()}]' if unit else ''}", "growing modes", "fastest growth [1/s]"], rows
+            ),
+        ]
+    )
+
+
+def _parts(counts: tuple[int, ...]) -> list[tuple[int, int]]:
+    """First and last index of each run of equal counts."""
+    edges = [0, *(i for i in range(1, len(counts)) if counts[i] != counts[i - 1]), len(counts)]
+    return [(a, b - 1) for a, b in pairwise(edges)]
+
+
+def _interval(found: Variation, first: int, last: int) -> list[str]:
+    values = found.eigenvalues[first : last + 1].real
+    growth = float(np.nanmax(values, initial=0.0)) if found.unstable[first] > 0 else 0.0
+    count = "no linearization" if found.unstable[first] < 0 else str(found.unstable[first])
+    return [f"{found.values[first]:g} to {found.values[last]:g}", count, number(growth) if growth > 0.0 else "-"]

@@ -1,0 +1,35 @@
+"""A state and what it is, as people read it: display units, only what is not zero."""
+
+from __future__ import annotations
+
+from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.steady import Steadiness
+from lagdsl.mechanics.structure_display import Display, display, display_rate
+
+_MOST = 12
+
+
+def point_text(subject: Subject, point: Point) -> str:
+    """`theta = 30 deg, der(phi) = 5 rad/s`; what is zero is left out."""
+    flat = subject.flat
+    groups: list[tuple[str, float, Display]] = [
+        *((c.name, value, display(c)) for c, value in zip(flat.coordinates, point.q.tolist(), strict=True)),
+        *((f"der({c.name})", v, display_rate(c)) for c, v in zip(flat.coordinates, point.qd.tolist(), strict=True)),
+        *((s.name, value, display(s)) for s, value in zip(flat.states, point.z.tolist(), strict=True)),
+        *((i.name, value, display(i)) for i, value in zip(flat.inputs, point.u.tolist(), strict=True)),
+    ]
+    shown = [f"{name} = {unit(value):.6g} {unit.unit}".rstrip() for name, value, unit in groups if abs(value) > 1e-12]
+    more = [f"and {len(shown) - _MOST} more"] if len(shown) > _MOST else []
+    return "  " + (", ".join([*shown[:_MOST], *more]) or "all zero")
+
+
+def steadiness_text(found: Steadiness) -> str:
+    """What the point is, and what runs there."""
+    match found.kind:
+        case "equilibrium":
+            return "This is an equilibrium."
+        case "steady motion":
+            return f"This is a steady motion; what runs has no influence: {', '.join(found.running)}."
+        case "neither":
+            left = ", ".join(f"{name} = {value:.4g}" for name, value in found.unbalanced[:4])
+            return f"This is neither an equilibrium nor a steady motion: {left} (SI units)."
