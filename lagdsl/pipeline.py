@@ -17,16 +17,16 @@ from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.semantics.flatten import flatten
 from lagdsl.semantics.library import read_source
 from lagdsl.semantics.selection import complete_models
-from lagdsl.semantics.wellformed import check as check_physics
+from lagdsl.semantics.wellformed.check import check as check_physics
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse
 
 if TYPE_CHECKING:
+    from lagdsl.flat.model import FlatModel
     from lagdsl.mechanics.structure import Structure
     from lagdsl.program.program import Program
     from lagdsl.runtime.broadcast import BatchEngine
-    from lagdsl.semantics.flat_model import FlatModel
 
 Derivation: TypeAlias = Literal["graph", "textbook"]
 EngineName: TypeAlias = Literal["numpy", "c"]

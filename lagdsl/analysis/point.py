@@ -10,12 +10,12 @@ import numpy as np
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_points import natural_sizes
 from lagdsl.program.program import Program
 from lagdsl.runtime.broadcast import BatchEngine
 from lagdsl.runtime.engine import SingularSystem
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.initialize import initial_state
 
 

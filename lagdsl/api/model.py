@@ -15,7 +15,7 @@ from lagdsl.api.names import Given, entries, known
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic, Sink
-from lagdsl.semantics.admissible import require_value
+from lagdsl.flat.admissible import require_value
 
 if TYPE_CHECKING:
     import xarray

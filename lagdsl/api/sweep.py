@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.api.names import known
+from lagdsl.flat.admissible import require_value
 from lagdsl.pipeline import Compilation, EngineName
-from lagdsl.semantics.admissible import require_value
 from lagdsl.simulate.signals import Signal
 from lagdsl.sweep.plan import Axis, Plan, Target
 from lagdsl.sweep.run import Options, Subject

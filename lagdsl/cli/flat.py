@@ -8,7 +8,7 @@ import click
 
 from lagdsl.cli.model_file import Format, flat_or_leave, takes_model
 from lagdsl.cli.output import require_writable, write_text
-from lagdsl.semantics.flat_text import flat_text
+from lagdsl.flat.text import flat_text
 
 
 @click.command("flat")

@@ -16,7 +16,7 @@ from lagdsl.semantics.library import read_source
 from lagdsl.source import SourceFile
 
 if TYPE_CHECKING:
-    from lagdsl.semantics.flat_model import FlatModel
+    from lagdsl.flat.model import FlatModel
 
 Format: TypeAlias = Literal["text", "json"]
 _Command = TypeVar("_Command", bound=Callable[..., Any])

@@ -18,8 +18,8 @@ from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.output import draft_of, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import EngineName, engine_of, findings
-from lagdsl.semantics.flat_model import FlatModel
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 _Result = TypeVar("_Result")

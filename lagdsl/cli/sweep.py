@@ -15,8 +15,8 @@ from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, INTERRUPTED, USAGE
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, EngineName, front, middle
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.table_io import Tables, read_inputs
 from lagdsl.source import SourceFile
 

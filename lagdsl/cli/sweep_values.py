@@ -12,8 +12,8 @@ import click
 import numpy as np
 
 from lagdsl.cli.assignments import Settings, settings
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.sweep.plan import LARGEST, Axis, Plan, Target
 from lagdsl.units.naming import rate_text
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.model import Spans
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
-from lagdsl.semantics.flat_model import Spans
 
 
 def refuse_accelerations(graph: Graph, nodes: Iterable[int], spans: Spans, what: str) -> None:

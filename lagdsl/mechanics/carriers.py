@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from lagdsl.flat.model import FlatModel, RigidBody
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics import vectors
 from lagdsl.mechanics.frames import Pose, Put, Shift
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.vectors import Axes, Vector
 from lagdsl.record import record
-from lagdsl.semantics.flat_model import FlatModel, RigidBody
 
 
 @record()

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import adjoints, jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.symbols import Directions
-from lagdsl.semantics.flat_model import FlatModel
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import FlatModel, Item
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints, energies, lagrange
@@ -18,8 +20,6 @@ from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.program import Block, Function, Program
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import FlatModel, Item
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,13 +8,13 @@ from lagdsl.diagnostics import CompilationFailed
 from lagdsl.eliminate.count import flops
 from lagdsl.eliminate.form import NotApplicable
 from lagdsl.eliminate.solve import Solution, solve
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.inertia import acceleration_form
 from lagdsl.mechanics.lagrange import Dynamics
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.symbols import Directions
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.program import Block, Function
-from lagdsl.semantics.flat_model import FlatModel
 
 
 def eliminated_equations(

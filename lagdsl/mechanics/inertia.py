@@ -8,6 +8,7 @@ dL/ds needs no further terms, however they depend on the coordinates, and d2L/dv
 from __future__ import annotations
 
 from lagdsl.eliminate.form import AccelerationForm, NotApplicable
+from lagdsl.flat.model import FlatModel, RigidBody
 from lagdsl.graph.differentiate import adjoints, mask_of
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
@@ -19,7 +20,6 @@ from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.own_accelerations import Accelerations, Moving, spread_of
 from lagdsl.mechanics.symbols import Directions
 from lagdsl.mechanics.vectors import Axes, Vector, cross, scale
-from lagdsl.semantics.flat_model import FlatModel, RigidBody
 
 _VELOCITY = (Group.QD, Group.RELEASE_RATE)
 _HELD = mask_of((Group.P,))

@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.expression import FlatExpression, GeneralizedMomentum, SystemEnergy, Variable
+from lagdsl.flat.model import Definition, FlatModel
+from lagdsl.flat.spans import around
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.constraints import constraint_jacobian, velocity_residuals
 from lagdsl.mechanics.derive import Derivation
 from lagdsl.mechanics.vanishing import vanish
-from lagdsl.semantics.flat_expression import FlatExpression, GeneralizedMomentum, SystemEnergy, Variable
-from lagdsl.semantics.flat_model import Definition, FlatModel
-from lagdsl.semantics.flat_spans import around
 
 
 def report_proofs(derivation: Derivation, sink: Sink) -> None:

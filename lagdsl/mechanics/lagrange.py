@@ -9,6 +9,7 @@ energies: velocity-dependent and non-quadratic Lagrangians take the same path.
 
 from __future__ import annotations
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import adjoints, symmetric_jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.lagrangian import Energies, energies
@@ -16,7 +17,6 @@ from lagdsl.mechanics.loads import VirtualWork, generalized_forces, virtual_work
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.symbols import Directions
 from lagdsl.record import record
-from lagdsl.semantics.flat_model import FlatModel
 
 
 @record(kw_only=True)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.carriers import Carrier, carriers, kinetic_energy
 from lagdsl.mechanics.lowering import Lowering
-from lagdsl.semantics.flat_model import FlatModel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

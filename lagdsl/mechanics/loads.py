@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import assert_never
 
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics import vectors
@@ -16,8 +18,6 @@ from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.symbols import Directions
 from lagdsl.mechanics.vectors import Vector
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce
 
 
 @dataclass(slots=True)

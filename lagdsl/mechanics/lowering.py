@@ -9,6 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias, assert_never, cast
 
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Definition, FlatModel, Frame, Point, Spans
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 from lagdsl.graph.taylor import TimeDerivative
@@ -19,9 +22,6 @@ from lagdsl.mechanics.operations import binary, function
 from lagdsl.mechanics.poses import Poses, Release
 from lagdsl.mechanics.symbols import Symbols, input_rates
 from lagdsl.mechanics.vectors import Vector
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Definition, FlatModel, Frame, Point, Spans
 
 Value: TypeAlias = "int | Vector"
 Provided: TypeAlias = (

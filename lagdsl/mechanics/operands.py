@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 
 
 def operands(expression: FlatExpression) -> list[FlatExpression]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from lagdsl.flat.expression import BinaryOperator
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
-from lagdsl.semantics.flat_expression import BinaryOperator
 
 _BINARY: dict[str, Op] = {
     "+": Op.ADD,

@@ -6,14 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import TypeVar, assert_never
 
-from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Group
-from lagdsl.mechanics import frames, velocities
-from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, SetTo, Shift
-from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_own, to_world
-from lagdsl.mechanics.velocities import Rates, Twist
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import (
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import (
     Frame,
     Move,
     Place,
@@ -22,6 +16,12 @@ from lagdsl.semantics.flat_model import (
     RotateQuaternion,
     SetAxes,
 )
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics import frames, velocities
+from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, SetTo, Shift
+from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_own, to_world
+from lagdsl.mechanics.velocities import Rates, Twist
 
 Value = TypeVar("Value", Vector, Twist)
 

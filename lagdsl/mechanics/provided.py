@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.mechanics.carriers import angular_momentum, linear_momentum
 from lagdsl.mechanics.energies import SystemEnergies
 from lagdsl.mechanics.lagrange import Dynamics
@@ -13,9 +16,6 @@ from lagdsl.mechanics.operands import operands
 from lagdsl.mechanics.reactions import Releases, plan_releases, reactions
 from lagdsl.mechanics.symbols import Symbols
 from lagdsl.mechanics.vectors import Vector
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Definition, FlatModel
 
 
 class Provider:

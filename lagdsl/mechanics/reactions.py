@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from lagdsl.flat.expression import FrameReaction, ReactionAlong
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.graph.substitute import Substitution
@@ -19,8 +21,6 @@ from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.poses import Release
 from lagdsl.mechanics.symbols import Directions, Symbols
 from lagdsl.mechanics.vectors import Vector
-from lagdsl.semantics.flat_expression import FrameReaction, ReactionAlong
-from lagdsl.semantics.flat_model import FlatModel
 
 
 @dataclass(slots=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.structure_constraints import report_impossible, report_inconsistent_rates
 from lagdsl.mechanics.structure_count import Count, count, count_text
 from lagdsl.mechanics.structure_dependence import Dependence, dependence, report_dependence
@@ -17,7 +18,6 @@ from lagdsl.mechanics.structure_points import Functions, geometry, probes
 from lagdsl.mechanics.structure_rates import report_integrable, report_nonlinear
 from lagdsl.program.program import Program
 from lagdsl.record import record
-from lagdsl.semantics.flat_model import FlatModel
 
 
 @record(kw_only=True)

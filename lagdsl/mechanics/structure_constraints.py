@@ -7,13 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.mechanics.partition import Partition
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import Located, configuration, listed, located, place, subject, unit_suffix
 from lagdsl.mechanics.structure_newton import Descent
 from lagdsl.mechanics.structure_points import HOLDS, Geometry, Probe, random_points, solved
 from lagdsl.record import record
-from lagdsl.semantics.flat_model import Constraint, FlatModel
 
 _TRIES = 24
 # Beyond so many coordinates one evaluation costs so much that fewer beginnings are tried.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.flat.model import FlatModel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

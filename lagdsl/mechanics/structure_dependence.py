@@ -9,12 +9,12 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import Closure, FlatModel
 from lagdsl.mechanics.partition import Partition, entries
 from lagdsl.mechanics.rank import independent_rows, minimum_norm
 from lagdsl.mechanics.structure_names import joint_text, listed, located, loop_text, place
 from lagdsl.mechanics.structure_points import Geometry, Probe, part_ranks
 from lagdsl.record import record
-from lagdsl.semantics.flat_model import Closure, FlatModel
 
 _GROUND = "the potentials are known up to a constant only; in a circuit a `Ground` at one node settles it"
 

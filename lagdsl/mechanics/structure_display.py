@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from lagdsl.semantics.flat_model import Coordinate, Quantity
+from lagdsl.flat.model import Coordinate, Quantity
 from lagdsl.units.parse import parse_unit
 
 

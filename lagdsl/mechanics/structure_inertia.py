@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
+from lagdsl.flat.spans import around, place
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_points import Geometry, Probe, free_directions
-from lagdsl.semantics.flat_model import FlatModel
-from lagdsl.semantics.flat_spans import around, place
 from lagdsl.units.dimension import CHARGE
 
 # Smallest inertia in a direction the constraints leave free, relative to the largest, that still counts as inertia.

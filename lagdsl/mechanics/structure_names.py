@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.flat.model import Closure, Constraint, FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import quantity_text
 from lagdsl.record import record
-from lagdsl.semantics.flat_model import Closure, Constraint, FlatModel
 from lagdsl.source import Span
 from lagdsl.units.dimension import BASE_UNITS
 

@@ -8,13 +8,13 @@ from typing import Protocol
 
 import numpy as np
 
+from lagdsl.flat.model import Coordinate, FlatModel
 from lagdsl.mechanics.partition import Flags, Partition, entries, partition
 from lagdsl.mechanics.rank import RANK_TOLERANCE, Floats, minimum_norms, null_space
 from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.mechanics.structure_newton import Descent, descend
 from lagdsl.program.program import Layout
 from lagdsl.record import record
-from lagdsl.semantics.flat_model import Coordinate, FlatModel
 
 SEED = 20011
 # Residuals, as a part of the row's natural size, below which a constraint counts as met; generous, because a

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats, null_space
 from lagdsl.mechanics.structure_names import located, place
 from lagdsl.mechanics.structure_points import Geometry, Probe, random_rates
-from lagdsl.semantics.flat_model import FlatModel
 
 
 def report_nonlinear(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> bool:

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.model import FlatModel, Input
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
-from lagdsl.semantics.flat_model import FlatModel, Input
 
 
 @dataclass(frozen=True, slots=True)

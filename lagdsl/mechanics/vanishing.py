@@ -10,10 +10,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from lagdsl.flat.model import Parameter
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.graph.operation import STEPS, Group, Op
 from lagdsl.mechanics.derive import Derivation
-from lagdsl.semantics.flat_model import Parameter
 
 _POINTS = 12
 _ROUNDING = 1e-11

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from lagdsl.flat.model import FlatModel, Item, Quantity
 from lagdsl.program.program import Layout, Slot
-from lagdsl.semantics.flat_model import FlatModel, Item, Quantity
 from lagdsl.units.naming import unit_text
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Literal, TypeAlias
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.report.document import Block, Document
 from lagdsl.report.forces import loads
 from lagdsl.report.html import html
@@ -17,7 +18,6 @@ from lagdsl.report.page import Page
 from lagdsl.report.plain import plain
 from lagdsl.report.results import abbreviations, conserved, constraints, equations, outputs, states
 from lagdsl.report.typeset import Typesetter
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.recipe import Derivation, Recipe
 from lagdsl.units.dimension import MASS

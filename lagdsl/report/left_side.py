@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from sympy import Expr
 
+from lagdsl.flat.model import Parameter, Quantity
 from lagdsl.report.boxes import Box, Name, Row, Subscript, Sum, Upright
 from lagdsl.report.counting import count_blocks
 from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text
 from lagdsl.report.names import indexed
 from lagdsl.report.page import LAGRANGIAN, Page, by_time, partial
-from lagdsl.semantics.flat_model import Parameter, Quantity
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.units.naming import to_display
 

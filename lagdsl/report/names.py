@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from lagdsl.flat.expression import FrameOrigin, PointReference
+from lagdsl.flat.model import FlatModel, Item, PointMass
 from lagdsl.report.boxes import Box, Name, Number, Subscript, Upright
 from lagdsl.report.notation import name_box
 from lagdsl.report.unicode_math import line
-from lagdsl.semantics.flat_expression import FrameOrigin, PointReference
-from lagdsl.semantics.flat_model import FlatModel, Item, PointMass
 
 _LONGEST_STATEMENT = 100
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from lagdsl.flat.model import FlatModel, Item
 from lagdsl.report.boxes import (
     Box,
     Bracket,
@@ -34,7 +35,6 @@ from lagdsl.report.document import (
 )
 from lagdsl.report.names import statement
 from lagdsl.report.notation import name_box
-from lagdsl.semantics.flat_model import FlatModel, Item
 from lagdsl.textbook.extent import Extent
 
 _MOST = 12

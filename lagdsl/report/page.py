@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from sympy import Symbol
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.report.boxes import Box, Bracket, Derivative, Name, Sum
 from lagdsl.report.names import carrier_labels
 from lagdsl.report.notation import Notation
 from lagdsl.report.typeset import Typesetter
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.contributions import AppliedForce, AppliedTorque, Inertial
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.recipe import Derivation

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat.model import Experiment
 from lagdsl.semantics.constants import structural_number
 from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import require
-from lagdsl.semantics.flat_model import Experiment
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import Poison, Scalar
 from lagdsl.syntax import nodes

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.arithmetic import Operand, added
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
-from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import operand
 from lagdsl.semantics.limits import another_turn, range_fits
 from lagdsl.semantics.naming import an, kind_of

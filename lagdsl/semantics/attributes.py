@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Variability
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.scope import Scope, Symbol
 from lagdsl.semantics.values import AnyDimension, Array, Scalar, Text, is_structural, rank
 from lagdsl.syntax import nodes

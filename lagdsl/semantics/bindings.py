@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, require
 from lagdsl.semantics.naming import an, kind_of

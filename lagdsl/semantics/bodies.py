@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics import flat_model
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.conditions import switched
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import as_frame
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.scope import Scope, Symbol

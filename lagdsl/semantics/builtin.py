@@ -7,13 +7,13 @@ from fractions import Fraction
 from math import pi, prod
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.application import Application
 from lagdsl.semantics.arithmetic import Operand, divided, dot
 from lagdsl.semantics.arrays import elements_of, linspace, reduced
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
-from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import arguments_text, kind_of, quantity
 from lagdsl.semantics.scope import InstanceArray

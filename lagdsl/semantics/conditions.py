@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Variability
 from lagdsl.semantics.arithmetic import Operand, boolean
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import Scalar, Vector, is_structural, latest, rank
 from lagdsl.syntax import nodes

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Variability
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.values import Scalar, Value, is_structural
 from lagdsl.syntax import nodes

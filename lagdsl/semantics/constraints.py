@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics import flat_model
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.arithmetic import Operand, added
 from lagdsl.semantics.conditions import structural_condition
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, report_unequal
-from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import operand
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.scope import Scope

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics import flat_model
+from lagdsl.flat import model as flat_model
 from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
 from lagdsl.semantics.values import AnyDimension, Value
 from lagdsl.source import SourceFile, Span

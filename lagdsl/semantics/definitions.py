@@ -12,13 +12,14 @@ from itertools import pairwise
 from itertools import product as cartesian
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import constraints, flat_model, labels, parameters
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.model import Variability
+from lagdsl.semantics import constraints, labels, parameters
 from lagdsl.semantics.attributes import sign_of
 from lagdsl.semantics.bindings import Expected, bound
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.geometry import as_point
 from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import element_name, kind_of

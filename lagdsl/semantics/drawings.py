@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Literal
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics import flat_model
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.conditions import structural_condition
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import require
-from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.geometry import as_frame, as_point
 from lagdsl.semantics.naming import kind_of, name_span
 from lagdsl.semantics.scope import Scope

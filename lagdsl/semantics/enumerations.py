@@ -7,7 +7,7 @@ A value is the number of its place, from 1, of a kind of its own: values of one 
 from __future__ import annotations
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import TypeInfo, TypeSymbol, lookup_path
 from lagdsl.semantics.values import POISON, Scalar, Value

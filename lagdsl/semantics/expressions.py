@@ -6,8 +6,8 @@ was wrong is reported once, at its place, and becomes poison.
 
 from __future__ import annotations
 
+from lagdsl.flat import expression as flat
 from lagdsl.semantics import arithmetic, arrays, calls, geometry, references
-from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context

@@ -9,6 +9,8 @@ from dataclasses import replace
 
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
 from lagdsl.semantics import annotations as notes
 from lagdsl.semantics import quantities
 from lagdsl.semantics.assembly.assemble import assemble
@@ -20,8 +22,6 @@ from lagdsl.semantics.declare import instance_of
 from lagdsl.semantics.definitions import Definitions, every
 from lagdsl.semantics.expand import collect
 from lagdsl.semantics.expressions import elaborate
-from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_model import Coordinate, FlatModel, Input, Output, Parameter, State
 from lagdsl.semantics.inheritance import expand_short
 from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation

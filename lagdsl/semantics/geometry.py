@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics import flat_model
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import FrameStep, Variability
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, require
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import FrameStep, Variability
 from lagdsl.semantics.naming import arguments_text, kind_of, quantity
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.model import Variability
 from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.limits import another_call
 from lagdsl.semantics.naming import arguments_text, kind_of, name_span
 from lagdsl.semantics.scope import Entry, FunctionSymbol, Scope, TypeInfo

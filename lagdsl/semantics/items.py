@@ -7,8 +7,9 @@ from typing import Literal
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import constraints, drawings, flat_model, labels, loads
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.semantics import constraints, drawings, labels, loads
 from lagdsl.semantics.arithmetic import Operand, boolean
 from lagdsl.semantics.bodies import rigid_body
 from lagdsl.semantics.conditions import condition_of, switched

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics import flat_model
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.model import Variability
 from lagdsl.semantics.conditions import condition_of, switched
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import require
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.geometry import as_direction, operand
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.scope import Indices, LabelInstance, Scope, Symbol

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Literal
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics import flat_model, labels
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.semantics import labels
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, hidden_variables, report_unequal
 from lagdsl.semantics.geometry import as_frame, as_point

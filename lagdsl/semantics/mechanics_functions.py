@@ -7,12 +7,12 @@ from typing import Literal
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.model import Variability
 from lagdsl.semantics.arrays import subscript_indices
 from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.geometry import (
     ANGULAR_MOMENTUM,
     MOMENTUM,

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from itertools import product as cartesian
 
-from lagdsl.semantics import attributes, flat_model
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.model import Variability
+from lagdsl.semantics import attributes
 from lagdsl.semantics.bindings import Expected, bound
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.quantity_fields import QuantityFields, quantity_fields
 from lagdsl.semantics.scope import Indices, Symbol

@@ -5,15 +5,16 @@ from __future__ import annotations
 import math
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import attributes, flat_model
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Variability
+from lagdsl.semantics import attributes
 from lagdsl.semantics.attributes import Attribute
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.quantity_fields import quantity_fields
 from lagdsl.semantics.quaternion import normalisation, rate_starts

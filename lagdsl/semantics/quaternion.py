@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 
-from lagdsl.semantics import attributes, flat_model
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.semantics import attributes
 from lagdsl.semantics.attributes import Attribute
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import Symbol
 from lagdsl.semantics.values import balanced_sum

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics.flat_degree import RateDegree
-from lagdsl.semantics.flat_dependence import Dependence, Orders
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import FlatModel, Input, Item
-from lagdsl.semantics.flat_spans import around, place
-from lagdsl.semantics.wellformed_effect import load_expressions
+from lagdsl.flat.degree import RateDegree
+from lagdsl.flat.dependence import Dependence, Orders
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import FlatModel, Input, Item
+from lagdsl.flat.spans import around, place
+from lagdsl.semantics.wellformed.effect import load_expressions
 
 
 def check_linear(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:

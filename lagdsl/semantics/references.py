@@ -6,11 +6,11 @@ import re
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat import expression as flat
+from lagdsl.flat.model import Variability
 from lagdsl.semantics import arrays, enumerations, geometry, prelude
-from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.builtin import BUILTINS
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_model import Variability
 from lagdsl.semantics.imports import import_hint
 from lagdsl.semantics.naming import an, kind_of
 from lagdsl.semantics.paths import designated

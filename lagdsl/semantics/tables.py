@@ -16,12 +16,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.application import Application
 from lagdsl.semantics.arithmetic import negative
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.dimensions import fits, report_unequal
-from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.values import NUMERIC, POISON, Array, Poison, Scalar, Text, Value, highest, is_structural, latest
 

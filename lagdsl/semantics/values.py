@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from enum import IntEnum
 from typing import TYPE_CHECKING, TypeAlias, final
 
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import FrameStep, Variability
 from lagdsl.record import record
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import FrameStep, Variability
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import LENGTH
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
-from lagdsl.semantics.flat_model import FlatModel
 
 _FLOOR = 1e-4
 _ROUNDING = 1e-15

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.runtime.engine import Engine
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.right_hand_side import RightHandSide
 from lagdsl.simulate.signals import signals

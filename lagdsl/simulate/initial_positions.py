@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.model import Coordinate
 from lagdsl.mechanics.partition import partition
 from lagdsl.mechanics.rank import Floats, rank
 from lagdsl.mechanics.structure_names import Located, configuration, located, place, seat, unit_suffix
 from lagdsl.mechanics.structure_points import HOLDS, random_points
-from lagdsl.semantics.flat_model import Coordinate
 from lagdsl.simulate.initial_problem import Problem
 from lagdsl.simulate.nearest import search
 

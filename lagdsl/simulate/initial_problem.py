@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_points import SEED, Geometry, geometry
 from lagdsl.runtime.engine import Engine
-from lagdsl.semantics.flat_model import FlatModel
 
 Flags = NDArray[np.bool_]
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from lagdsl.diagnostics import Severity, Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats, rank
 from lagdsl.runtime.engine import Engine
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.initial_equations import joint_state
 from lagdsl.simulate.initial_positions import positions
 from lagdsl.simulate.initial_problem import Problem, problem

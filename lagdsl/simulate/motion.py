@@ -9,11 +9,11 @@ from typing import Any, NoReturn
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import located, place
 from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.accuracy import Accuracy
 from lagdsl.simulate.departure import Departure, cross, depart
 from lagdsl.simulate.failure import SimulationFailed

@@ -8,10 +8,10 @@ from typing import Literal
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import Display, display, display_rate
 from lagdsl.mechanics.structure_names import located
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.initial_problem import Problem
 
 # Parts of the natural size: what counts as moved at all, and as more than the digits of a typed number.

@@ -12,8 +12,8 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat.model import FlatModel, Input
 from lagdsl.mechanics.rank import Floats
-from lagdsl.semantics.flat_model import FlatModel, Input
 
 # A pair is (times, values), or an array of these two rows, straight lines between them. Two equal times are a jump.
 Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]] | Floats"

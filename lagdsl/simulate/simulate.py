@@ -8,9 +8,9 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.engine import Engine
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.initialize import initial_state
 from lagdsl.simulate.integrators import METHODS
 from lagdsl.simulate.motion import Motion, Task

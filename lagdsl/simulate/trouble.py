@@ -8,11 +8,11 @@ from dataclasses import fields, is_dataclass
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.expression import Norm
+from lagdsl.flat.model import FlatModel, Item
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import display_rate, quantity_text
-from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.semantics.flat_expression import Norm
-from lagdsl.semantics.flat_model import FlatModel, Item
 from lagdsl.simulate.right_hand_side import RightHandSide, Trouble
 
 _ZERO_NORM = 1e-150

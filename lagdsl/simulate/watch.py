@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.engine import Engine
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.right_hand_side import RightHandSide, Solved
 from lagdsl.simulate.trajectory import InvariantRecord
 from lagdsl.simulate.trouble import time_text

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 import numpy as np
 
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity
+from lagdsl.flat.admissible import require_value
+from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.pipeline import EngineName, engine_of
 from lagdsl.program.program import Program
-from lagdsl.semantics.admissible import require_value
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.signals import Signal
 from lagdsl.simulate.simulate import simulate

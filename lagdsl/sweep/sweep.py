@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import lagdsl
+from lagdsl.flat.model import FlatModel
+from lagdsl.flat.text import flat_text
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.cores import cores
-from lagdsl.semantics.flat_model import FlatModel
-from lagdsl.semantics.flat_text import flat_text
 from lagdsl.simulate.simulate import check_options, grid
 from lagdsl.sweep.dataset import dataset, require_writer, write
 from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes

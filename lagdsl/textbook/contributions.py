@@ -7,7 +7,7 @@ from typing import TypeAlias, assert_never
 
 from sympy import Add, Expr, Integer, Rational, Symbol
 
-from lagdsl.semantics.flat_model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce, PointMass, RigidBody
+from lagdsl.flat.model import FlatModel, FrameTorque, GeneralizedForce, Load, PointForce, PointMass, RigidBody
 from lagdsl.textbook import geometry
 from lagdsl.textbook.convert import Converter
 from lagdsl.textbook.differentiate import partial

@@ -10,8 +10,8 @@ from typing import TypeAlias
 import sympy
 from sympy import Expr, Float, Integer, Rational, Symbol
 
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.flat_model import Definition, FlatModel, Frame, Point
+from lagdsl.flat import expression as flat
+from lagdsl.flat.model import Definition, FlatModel, Frame, Point
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.differentiate import along
 from lagdsl.textbook.geometry import Vector

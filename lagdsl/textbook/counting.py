@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.contributions import Contributions
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.symbols import Symbols

@@ -11,8 +11,8 @@ from itertools import chain
 
 from sympy import Add, Expr, ImmutableDenseMatrix, Integer
 
-from lagdsl.semantics.flat_expression import Binary, FlatExpression, SystemEnergy, Unary
-from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.flat.expression import Binary, FlatExpression, SystemEnergy, Unary
+from lagdsl.flat.model import FlatModel
 from lagdsl.textbook.contributions import Contributions, contributions, generalized_force
 from lagdsl.textbook.convert import Converter
 from lagdsl.textbook.differentiate import partial

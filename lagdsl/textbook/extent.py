@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics.flat_model import (
+from lagdsl.flat import expression as fx
+from lagdsl.flat.model import (
     Definition,
     FlatModel,
     Frame,
@@ -16,7 +16,7 @@ from lagdsl.semantics.flat_model import (
     RotateQuaternion,
     SetAxes,
 )
-from lagdsl.semantics.flat_traversal import operands, postorder, step_expressions
+from lagdsl.flat.traversal import operands, postorder, step_expressions
 
 _MOST_COORDINATES = 6
 _MOST_CARRIERS = 12

@@ -12,8 +12,8 @@ from typing import Literal, assert_never
 
 from sympy import Expr, Symbol
 
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Frame, Move, Place, Point, Rotate, RotateAbout, RotateQuaternion, SetAxes
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Frame, Move, Place, Point, Rotate, RotateAbout, RotateQuaternion, SetAxes
 from lagdsl.textbook import geometry
 from lagdsl.textbook.geometry import Rotation, Vector
 

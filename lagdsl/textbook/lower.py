@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 from sympy import Expr, ImmutableDenseMatrix, Symbol
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import Tangent
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import DIRECTION_OF, Group, Op
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.program import Block, Function, Program
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.equations import EquationsOfMotion
 from lagdsl.textbook.symbols import Symbols
 from lagdsl.textbook.to_graph import ToGraph

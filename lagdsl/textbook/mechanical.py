@@ -8,8 +8,8 @@ from typing import assert_never
 
 from sympy import Add, Expr, Integer
 
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.flat import expression as flat
+from lagdsl.flat.model import FlatModel
 from lagdsl.textbook import geometry
 from lagdsl.textbook.contributions import Contributions, Inertial, contributions, generalized_force
 from lagdsl.textbook.convert import Converter, Mechanical

@@ -16,7 +16,7 @@ from enum import StrEnum
 
 from sympy import Add, Expr, Symbol
 
-from lagdsl.semantics.flat_model import Definition, FlatModel
+from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.textbook import geometry
 from lagdsl.textbook.contributions import (
     Applied,

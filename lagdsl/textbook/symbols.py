@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Integer, Symbol
 
-from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.flat.model import FlatModel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

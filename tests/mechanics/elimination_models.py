@@ -6,6 +6,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.eliminate.solve import Solution, solve
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.operation import Group
 from lagdsl.graph.tape import Tape
 from lagdsl.mechanics.constraints import constraint_jacobian
@@ -13,7 +14,6 @@ from lagdsl.mechanics.derive import Derivation, form_equations
 from lagdsl.mechanics.inertia import acceleration_form
 from lagdsl.mechanics.lagrange import forcing, mass_matrix
 from lagdsl.pipeline import front
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.source import SourceFile
 
 PLANAR = """model Chain

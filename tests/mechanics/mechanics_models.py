@@ -7,14 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from lagdsl.graph.evaluate import evaluate
-from lagdsl.graph.operation import Group
-from lagdsl.mechanics.derive import derive
-from lagdsl.program.functions import SIGNATURES
-from lagdsl.program.program import Program
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import (
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import (
     Assertion,
     Constraint,
     Coordinate,
@@ -38,6 +33,11 @@ from lagdsl.semantics.flat_model import (
     State,
     Variability,
 )
+from lagdsl.graph.evaluate import evaluate
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics.derive import derive
+from lagdsl.program.functions import SIGNATURES
+from lagdsl.program.program import Program
 from lagdsl.source import SourceFile, Span
 from lagdsl.units.dimension import DIMENSIONLESS
 

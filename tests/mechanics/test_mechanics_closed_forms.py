@@ -18,9 +18,9 @@ from mechanics_models import (
     torque,
 )
 
+from lagdsl.flat.expression import Variable
+from lagdsl.flat.model import Rotate
 from lagdsl.mechanics.derive import derive
-from lagdsl.semantics.flat_expression import Variable
-from lagdsl.semantics.flat_model import Rotate
 
 G = 9.81
 

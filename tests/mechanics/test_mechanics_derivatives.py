@@ -24,12 +24,12 @@ from mechanics_models import (
 )
 from mechanics_models import expression as ex
 
+from lagdsl.flat.expression import Variable
+from lagdsl.flat.model import Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.derive import derive
 from lagdsl.program.program import Program
-from lagdsl.semantics.flat_expression import Variable
-from lagdsl.semantics.flat_model import Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 
 QUATERNION = ("e0", "e1", "e2", "e3")
 N = 7

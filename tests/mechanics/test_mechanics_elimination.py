@@ -4,9 +4,9 @@ import pytest
 from elimination_models import PLANAR, SCALARS, SPATIAL, eliminated, flat_model, largest_residual
 from mechanics_models import body, constraint, definition, energy, expression, frame, mass, model, point, triple
 
+from lagdsl.flat.model import Move, Rotate, RotateAbout
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
-from lagdsl.semantics.flat_model import Move, Rotate, RotateAbout
 
 
 @pytest.mark.parametrize(("text", "per_link"), [(PLANAR, 75), (SPATIAL, 400), (SCALARS, 90)])

@@ -26,14 +26,14 @@ from mechanics_models import (
 )
 
 from lagdsl.diagnostics import CompilationFailed
+from lagdsl.flat.expression import Binary, Number, Variable
+from lagdsl.flat.model import FlatModel, Move, Parameter, Rotate, SetAxes
 from lagdsl.graph import Graph, Group, Op
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.mechanics.derive import derive
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.program import Program
-from lagdsl.semantics.flat_expression import Binary, Number, Variable
-from lagdsl.semantics.flat_model import FlatModel, Move, Parameter, Rotate, SetAxes
 from lagdsl.units.dimension import DIMENSIONLESS
 
 

@@ -23,9 +23,9 @@ from mechanics_models import (
     triple,
 )
 
+from lagdsl.flat.expression import Variable
+from lagdsl.flat.model import Move, Rotate
 from lagdsl.mechanics.derive import derive
-from lagdsl.semantics.flat_expression import Variable
-from lagdsl.semantics.flat_model import Move, Rotate
 
 G = 9.81
 

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from lagdsl.diagnostics import Diagnostic, Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.graph.operation import Group
 from lagdsl.pipeline import Compilation, derive, front, middle, read
 from lagdsl.program.program import Program
 from lagdsl.runtime.engine import Engine
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.source import SourceFile
 
 ROOT = Path(__file__).parents[2]

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.text import flat_text
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.program import Program
 from lagdsl.runtime.engine import Engine
-from lagdsl.semantics.flat_text import flat_text
 from lagdsl.syntax.parser import parse
 from lagdsl.syntax.printer import format_text
 from models.corpus import (

@@ -10,8 +10,8 @@ from dataclasses import replace
 from math import asin, atan, degrees, radians, sin, tan
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import Closure, FlatModel
 from lagdsl.pipeline import Compilation, elaborate, middle, tree
-from lagdsl.semantics.flat_model import Closure, FlatModel
 from lagdsl.source import SourceFile, Span
 
 BENNETT_TWIST = radians(30.0), asin(2.0 * sin(radians(30.0)) * 0.45)

@@ -27,6 +27,8 @@ from textbook.build import (
     when,
 )
 
+from lagdsl.flat import expression as fx
+from lagdsl.flat.model import FlatModel
 from lagdsl.report.boxes import (
     Bracket,
     Call,
@@ -53,8 +55,6 @@ from lagdsl.report.latex_math import escape, tex
 from lagdsl.report.mathml import mathml
 from lagdsl.report.notation import name_box
 from lagdsl.report.unicode_math import line
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.recipe import recipe
 
 HOSTILE = "<script>alert(1)</script> $x$ \\input{/etc/passwd} %{ [a](javascript:b) `c` | \x1b[31m _d_ \u202e ∫"

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import front, read
 from lagdsl.report.derivation import FORMATS, render
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.recipe import recipe
 
 _CORPUS = Path(__file__).parents[1] / "corpus" / "derive"

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_evaluate import Values, evaluate
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.evaluate import Values, evaluate
 from lagdsl.semantics.flatten import flatten
 from lagdsl.source import SourceFile
 from lagdsl.syntax.parser import parse

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
 from lagdsl.source import SourceFile, Span
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY
 

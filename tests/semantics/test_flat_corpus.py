@@ -9,7 +9,7 @@ import pytest
 from flattening import run
 
 from lagdsl.diagnostics import Severity
-from lagdsl.semantics.flat_text import flat_text
+from lagdsl.flat.text import flat_text
 
 CORPUS = Path(__file__).parents[1] / "corpus" / "flat"
 MODELS = Path(__file__).parents[2] / "models"

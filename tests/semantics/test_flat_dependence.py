@@ -3,10 +3,10 @@
 import pytest
 from handmade import coordinate, definition, der, frame, model, num, op, plus, point, sin, square, var, vec
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_traversal import operands, postorder
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.traversal import operands, postorder
 
 Q, R, S = var("q"), var("r"), var("s")
 FLAT = model(

@@ -26,9 +26,9 @@ from handmade import (
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values, evaluate
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values, evaluate
 
 Q = var("q")
 EMPTY = model(coordinates=(coordinate("q"), coordinate("r")), parameters=(parameter("l", 2.0),))

@@ -8,8 +8,8 @@ from handmade import call, cos, der, num, op, plus, square, times, var, vec
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics.flat_expression_text import flat_expression_text, number_text
+from lagdsl.flat import expression as fx
+from lagdsl.flat.expression_text import flat_expression_text, number_text
 
 A, B, C = var("a"), var("b"), var("c")
 

@@ -23,9 +23,9 @@ from handmade import (
     vec,
 )
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_text import flat_text
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.text import flat_text
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH
 
 Q = var("q")

@@ -9,9 +9,9 @@ from flattening import output, run, said
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_text import flat_text
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.text import flat_text
 
 LIBRARY = """
 model Spring "Between two points"

@@ -7,7 +7,7 @@ import time
 
 from flattening import run, said
 
-from lagdsl.semantics import flat_model as fm
+from lagdsl.flat import model as fm
 from lagdsl.semantics.limits import MAX_TURNS
 
 HEAD = "model A\n  coordinate Length x;\n"

@@ -7,9 +7,9 @@ import math
 import pytest
 from flattening import accepted, output, pendulum, run, said, value_of
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_evaluate import Values, evaluate
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.evaluate import Values, evaluate
 
 X, Y = 0.7, -1.3
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from flattening import run
 
-from lagdsl.semantics import flat_model as fm
+from lagdsl.flat import model as fm
 
 SLIDER = """
 model Slider

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from flattening import run
 
-from lagdsl.semantics.flat_model import FlatModel
+from lagdsl.flat.model import FlatModel
 
 ROTOR = """
 model Rotor

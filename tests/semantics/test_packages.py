@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.resources import library_folder
 from lagdsl.semantics import library
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.semantics.flatten import flatten
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics.flat_evaluate import Values, evaluate
+from lagdsl.flat import expression as fx
+from lagdsl.flat.evaluate import Values, evaluate
 from lagdsl.semantics.tables import interpolation
 
 PLACES = [0.0, 0.5, 2.0, 3.0, 4.5]

@@ -28,9 +28,9 @@ from handmade import (
 )
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.wellformed import check
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.semantics.wellformed.check import check
 from lagdsl.source import SourceFile, Span
 
 Q, R, M, L = var("q"), var("r"), var("m"), var("l")

@@ -7,11 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.mechanics.rank import minimum_norm, null_space
-from lagdsl.program.program import Layout, Slot
-from lagdsl.runtime.engine import SingularSystem
-from lagdsl.semantics.flat_expression import Number
-from lagdsl.semantics.flat_model import (
+from lagdsl.flat.expression import Number
+from lagdsl.flat.model import (
     Assertion,
     Constraint,
     Coordinate,
@@ -23,6 +20,9 @@ from lagdsl.semantics.flat_model import (
     Output,
     State,
 )
+from lagdsl.mechanics.rank import minimum_norm, null_space
+from lagdsl.program.program import Layout, Slot
+from lagdsl.runtime.engine import SingularSystem
 from lagdsl.source import SourceFile, Span
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, LENGTH
 

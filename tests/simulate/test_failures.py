@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from simulate.hand import FourBar, Hand, Pendulum, constraint, coordinate, flat_model, four_bar, length, span
 
-from lagdsl.semantics.flat_expression import Binary, Derivative, Norm, Number, PointReference, Variable, Vector
-from lagdsl.semantics.flat_model import EnergyTerm, Experiment, Point
+from lagdsl.flat.expression import Binary, Derivative, Norm, Number, PointReference, Variable, Vector
+from lagdsl.flat.model import EnergyTerm, Experiment, Point
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.simulate import simulate
 

@@ -10,7 +10,7 @@ import pytest
 from simulate.hand import FourBar, Hand, TwiceTied, constraint, coordinate, flat_model, four_bar, length
 
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.semantics.flat_expression import Number
+from lagdsl.flat.expression import Number
 from lagdsl.simulate.initial_positions import positions
 from lagdsl.simulate.initial_problem import problem
 from lagdsl.simulate.initialize import InitialState, initial_state

@@ -12,11 +12,11 @@ import pytest
 from mechanics.mechanics_models import body, constraint, coordinate, derive, energy, frame, mass, model, point
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.expression import Variable
+from lagdsl.flat.model import FlatModel, RotateQuaternion
 from lagdsl.mechanics.structure import Structure, analyze, structure_text
 from lagdsl.mechanics.structure_display import Display, display, display_rate, quantity_text
 from lagdsl.mechanics.structure_points import random_points
-from lagdsl.semantics.flat_expression import Variable
-from lagdsl.semantics.flat_model import FlatModel, RotateQuaternion
 from lagdsl.units.dimension import LENGTH, dimension
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics.flat_model import (
+from lagdsl.flat import expression as fx
+from lagdsl.flat.model import (
     Assertion,
     FlatModel,
     InitialEquation,

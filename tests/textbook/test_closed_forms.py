@@ -8,10 +8,10 @@ import numpy as np
 import sympy
 from sympy import Matrix, cos, sin, symbols
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
-from lagdsl.semantics.flat_model import FlatModel
 from lagdsl.textbook.derive import derive
 from lagdsl.textbook.equations import EquationsOfMotion
 from lagdsl.textbook.to_graph import ToGraph

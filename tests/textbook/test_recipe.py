@@ -9,11 +9,11 @@ import pytest
 from sympy import Add, Expr, Symbol
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel, Rotate
 from lagdsl.graph.evaluate import evaluate, evaluate_with_size
 from lagdsl.graph.graph import Graph
 from lagdsl.pipeline import front
 from lagdsl.report.derivation import FORMATS, render
-from lagdsl.semantics.flat_model import FlatModel, Rotate
 from lagdsl.source import SourceFile
 from lagdsl.textbook.derive import derive
 from lagdsl.textbook.lower import lower, symbol_nodes

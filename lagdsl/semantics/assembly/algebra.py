@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics import flat_expression as flat
-from lagdsl.semantics.flat_expression import FlatExpression
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
 
 
 def negative(a: FlatExpression) -> FlatExpression:

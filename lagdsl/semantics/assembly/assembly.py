@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from lagdsl.diagnostics import Label
+from lagdsl.flat.model import Coordinate, Joint, Output
 from lagdsl.record import record
 from lagdsl.semantics.assembly.chains import ports_of
 from lagdsl.semantics.assembly.closures import Closures
@@ -15,7 +16,6 @@ from lagdsl.semantics.assembly.networks import Networks
 from lagdsl.semantics.assembly.routes import Routes
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
-from lagdsl.semantics.flat_model import Coordinate, Joint, Output
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import Indices, Instance, Symbol
 from lagdsl.semantics.values import POISON, Poison, Reaction, Value

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from lagdsl.semantics import constraints, flat_model, quantities
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output, Variability
+from lagdsl.semantics import constraints, quantities
 from lagdsl.semantics.assembly.computed import Formula, NoFormulaError, Solver
 from lagdsl.semantics.assembly.cuts import Cut, Place, ReadAs, Tied
 from lagdsl.semantics.assembly.linear import variables
@@ -16,8 +19,6 @@ from lagdsl.semantics.assembly.relative import Ancestry, is_relative, speaks_of_
 from lagdsl.semantics.assembly.routes import Routes
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output, Variability
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.quantity_fields import QuantityFields
 from lagdsl.semantics.scope import Symbol

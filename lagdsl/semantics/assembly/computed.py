@@ -11,14 +11,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import pairwise
 
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 from lagdsl.record import record
-from lagdsl.semantics import flat_expression as flat
 from lagdsl.semantics.assembly.algebra import minus, negative, over, plus, times, total
 from lagdsl.semantics.assembly.axes import axis_of, origin_of
 from lagdsl.semantics.assembly.inverse import inverse
 from lagdsl.semantics.assembly.linear import linear, variables
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 
 
 class NoFormulaError(Exception):

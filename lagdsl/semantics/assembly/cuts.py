@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from lagdsl.flat.model import FrameStep, Output
 from lagdsl.record import record
 from lagdsl.semantics.assembly.net import Link, Port
 from lagdsl.semantics.contents import Placed
-from lagdsl.semantics.flat_model import FrameStep, Output
 from lagdsl.semantics.values import FrameValue
 from lagdsl.source import Span
 

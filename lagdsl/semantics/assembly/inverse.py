@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.model import FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 from lagdsl.semantics.assembly.algebra import negative
-from lagdsl.semantics.flat_model import FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 
 
 def inverse(steps: tuple[FrameStep, ...]) -> tuple[FrameStep, ...] | None:

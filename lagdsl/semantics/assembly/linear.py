@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.traversal import postorder
 from lagdsl.semantics.assembly.algebra import minus, negative, over, plus, times
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_traversal import postorder
 
 
 def variables(parts: Iterable[FlatExpression]) -> dict[str, None]:

@@ -7,13 +7,13 @@ from dataclasses import replace
 from typing import TypeAlias
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Coordinate, Variability
 from lagdsl.semantics.assembly.sets import Sets
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Coordinate, Variability
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import Indices, Symbol
 from lagdsl.semantics.values import Order, Scalar

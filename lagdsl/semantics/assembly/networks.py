@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.model import Constraint, Variability
 from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import Net
 from lagdsl.semantics.assembly.sets import Sets
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_model import Constraint, Variability
 from lagdsl.semantics.scope import Indices, Instance, Symbol
 from lagdsl.semantics.values import Order, Poison, Scalar, Value, balanced_sum
 from lagdsl.source import Span

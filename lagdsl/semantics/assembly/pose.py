@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.assembly.axes import axis_of, origin_of
-from lagdsl.semantics.flat_expression import FlatExpression
 
 
 def displacement(base: str, end: str) -> tuple[FlatExpression, ...]:

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from lagdsl.semantics import flat_expression as flat
+from lagdsl.flat import expression as flat
+from lagdsl.flat.model import Frame, FrameStep, Image, Move, Rotate, RotateAbout, RotateQuaternion
+from lagdsl.flat.traversal import postorder, step_expressions
 from lagdsl.semantics.assembly.net import Link, Net
 from lagdsl.semantics.assembly.paths import Element, World, target_of
 from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_model import Frame, FrameStep, Image, Move, Rotate, RotateAbout, RotateQuaternion
-from lagdsl.semantics.flat_traversal import postorder, step_expressions
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import children
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Label
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import Frame, FrameStep
+from lagdsl.flat.traversal import postorder, step_expressions
 from lagdsl.record import record
-from lagdsl.semantics import flat_model
 from lagdsl.semantics.assembly.graph import Step, Tree
 from lagdsl.semantics.assembly.inverse import inverse, names_frame
 from lagdsl.semantics.assembly.net import WORLD, Link, Net, Port
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.flat_expression import FlatExpression
-from lagdsl.semantics.flat_model import Frame, FrameStep
-from lagdsl.semantics.flat_traversal import postorder, step_expressions
 from lagdsl.semantics.geometry import WORLD as WORLD_FRAME
 from lagdsl.semantics.values import POISON, FrameValue, Value, highest, latest
 from lagdsl.source import Span

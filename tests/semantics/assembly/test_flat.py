@@ -7,9 +7,9 @@ from time import process_time
 import pytest
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_model import FlatModel, Frame
-from lagdsl.semantics.flat_text import flat_text
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.model import FlatModel, Frame
+from lagdsl.flat.text import flat_text
 from lagdsl.semantics.flatten import flatten
 from lagdsl.source import SourceFile
 from lagdsl.syntax.parser import parse

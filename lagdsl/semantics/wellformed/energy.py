@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_degree import RateDegree
-from lagdsl.semantics.flat_dependence import Dependence, Orders
-from lagdsl.semantics.flat_evaluate import NotEvaluable, Values, evaluate
-from lagdsl.semantics.flat_probe import probes
-from lagdsl.semantics.flat_spans import around, place
+from lagdsl.flat import model as fm
+from lagdsl.flat.degree import RateDegree
+from lagdsl.flat.dependence import Dependence, Orders
+from lagdsl.flat.evaluate import NotEvaluable, Values, evaluate
+from lagdsl.flat.probe import probes
+from lagdsl.flat.spans import around, place
 
 _POINTS = 6
 # Through zero for abs(v); on one side of it for what is defined there only.

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.semantics.flat_probe import probes
-from lagdsl.semantics.flat_spans import around, place
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.probe import probes
+from lagdsl.flat.spans import around, place
 
 _TOLERANCE = 1e-9
 _MOMENTS = 3

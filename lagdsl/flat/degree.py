@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_traversal import postorder
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.traversal import postorder
 
 INFINITE = math.inf
 

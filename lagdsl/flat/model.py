@@ -11,8 +11,8 @@ from dataclasses import field
 from enum import StrEnum
 from typing import Literal, TypeAlias
 
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.record import record
-from lagdsl.semantics.flat_expression import FlatExpression
 from lagdsl.source import Span
 from lagdsl.units import Dimension
 

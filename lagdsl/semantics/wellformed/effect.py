@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_dependence import Dependence, Orders
-from lagdsl.semantics.flat_spans import around, place
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence, Orders
+from lagdsl.flat.spans import around, place
 from lagdsl.source import Span
 
 

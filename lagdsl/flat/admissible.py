@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagdsl.semantics.flat_model import Parameter
+from lagdsl.flat.model import Parameter
 
 
 def require_value(parameter: Parameter, value: float) -> None:

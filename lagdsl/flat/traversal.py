@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Container, Iterator
 from typing import assert_never
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
 
 
 def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  # noqa: C901, PLR0912 a case per node

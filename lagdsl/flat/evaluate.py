@@ -15,11 +15,11 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.rotation import quaternion_rotation, rotation, rotation_about
+from lagdsl.flat.traversal import postorder
 from lagdsl.record import record
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_rotation import quaternion_rotation, rotation, rotation_about
-from lagdsl.semantics.flat_traversal import postorder
 
 Complexes: TypeAlias = NDArray[np.complex128]
 _Value: TypeAlias = "complex | Complexes"

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.semantics.flat_spans import around, place
+from lagdsl.flat import model as fm
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.spans import around, place
 
 
 def check_bounds(flat: fm.FlatModel, sink: Sink) -> None:

@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.probe import probes
+from lagdsl.flat.spans import around, place
 from lagdsl.record import record
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.semantics.flat_probe import probes
-from lagdsl.semantics.flat_spans import around, place
 
 _MOST_TERMS = 40  # additive terms of a potential that are told apart
 _TOLERANCE = 1e-9

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_traversal import operands, postorder, step_expressions
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.traversal import operands, postorder, step_expressions
 
 Orders = dict[str, int]
 """Variable -> highest number of time derivatives: {"theta": 1} for an expression of theta and der(theta)."""

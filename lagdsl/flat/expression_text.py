@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics.flat_traversal import operands, postorder
+from lagdsl.flat import expression as fx
+from lagdsl.flat.traversal import operands, postorder
 
 # Precedence of the grammar, weakest first.
 _CONDITIONAL, _OR, _AND, _NOT, _RELATION, _SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(10)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.wellformed_bounds import check_bounds
-from lagdsl.semantics.wellformed_effect import check_effects, check_unused_coordinates
-from lagdsl.semantics.wellformed_energy import check_energies
-from lagdsl.semantics.wellformed_frames import check_frames
-from lagdsl.semantics.wellformed_gravity import check_gravity
-from lagdsl.semantics.wellformed_inertia import check_inertias
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
+from lagdsl.semantics.wellformed.bounds import check_bounds
+from lagdsl.semantics.wellformed.effect import check_effects, check_unused_coordinates
+from lagdsl.semantics.wellformed.energy import check_energies
+from lagdsl.semantics.wellformed.frames import check_frames
+from lagdsl.semantics.wellformed.gravity import check_gravity
+from lagdsl.semantics.wellformed.inertia import check_inertias
 
 
 def check(flat: fm.FlatModel, sink: Sink) -> None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.evaluate import Evaluator, Values
+from lagdsl.flat.spans import around, place
 from lagdsl.record import record
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_dependence import Dependence
-from lagdsl.semantics.flat_evaluate import Evaluator, Values
-from lagdsl.semantics.flat_spans import around, place
 
 _MOMENTS = ("Ixx", "Iyy", "Izz")
 _SLACK = 1e-9  # a thin disc lies on the boundary, up to rounding

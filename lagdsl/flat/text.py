@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from typing import assert_never
 
 from lagdsl.diagnostics.excerpt import printable
-from lagdsl.semantics import flat_expression as fx
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_expression_text import flat_expression_text as text_of
-from lagdsl.semantics.flat_expression_text import number_text
-from lagdsl.semantics.flat_spans import place
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.expression_text import flat_expression_text as text_of
+from lagdsl.flat.expression_text import number_text
+from lagdsl.flat.spans import place
 from lagdsl.source import Span
 from lagdsl.units.naming import to_display, unit_text
 

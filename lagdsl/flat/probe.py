@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from random import Random
 
-from lagdsl.semantics import flat_model as fm
-from lagdsl.semantics.flat_evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat import model as fm
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 
 
 @dataclass(frozen=True, slots=True)

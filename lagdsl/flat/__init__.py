@@ -1,0 +1,1 @@
+"""The flat model: what the semantics makes of a text, and all that is derived from reads."""

@@ -1,0 +1,1 @@
+"""Physics that can be checked on the flat model alone."""
