@@ -10,7 +10,8 @@ import click
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.admissible import require_value
-from lagdsl.flat.model import Coordinate, FlatModel, Parameter, Quantity
+from lagdsl.flat.model import Coordinate, FlatModel, Parameter
+from lagdsl.flat.quantity import Quantity
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse_expression

@@ -8,42 +8,14 @@ Every item keeps the stack of source spans that produced it, innermost first (to
 from __future__ import annotations
 
 from dataclasses import field
-from enum import StrEnum
 from typing import Literal, TypeAlias
 
+from lagdsl.flat.events import Events
 from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Item, Quantity, Variability
 from lagdsl.record import record
 from lagdsl.source import Span
 from lagdsl.units import Dimension
-
-Spans: TypeAlias = tuple[Span, ...]
-
-
-class Variability(StrEnum):
-    CONSTANT = "constant"
-    STRUCTURAL = "structural"
-    PARAMETER = "parameter"
-    DISCRETE = "discrete"
-    CONTINUOUS = "continuous"
-
-
-@record(kw_only=True)
-class Item:
-    spans: Spans = field(compare=False, repr=False)
-
-
-@record(kw_only=True)
-class Quantity(Item):
-    """What every named scalar has. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see,
-    `symbol` how reports typeset the name (LaTeX)."""
-
-    name: str
-    dimension: Dimension
-    unit: str = "1"
-    display_unit: str | None = None
-    doc: str | None = None
-    type_name: str = "Real"
-    symbol: str | None = None
 
 
 @record(kw_only=True)
@@ -384,3 +356,4 @@ class FlatModel:
     drawings: tuple[Drawing, ...]
     experiment: Experiment
     joints: tuple[Joint, ...] = ()
+    events: Events = Events()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Label
-from lagdsl.flat.model import Item
+from lagdsl.flat.quantity import Item
 from lagdsl.source import Span
 
 

@@ -14,6 +14,7 @@ from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.expression_text import flat_expression_text as text_of
 from lagdsl.flat.expression_text import number_text
+from lagdsl.flat.quantity import Item, Quantity
 from lagdsl.flat.spans import place
 from lagdsl.source import Span
 from lagdsl.units.naming import to_display, unit_text
@@ -24,7 +25,7 @@ _WIDEST = 72  # columns after which a place is no longer aligned with the others
 @dataclass(frozen=True, slots=True)
 class _Line:
     text: str
-    source: fm.Item | Span | None
+    source: Item | Span | None
 
 
 def flat_text(flat: fm.FlatModel) -> str:
@@ -57,7 +58,7 @@ def _section(title: str, items: list[_Line], always: bool = False) -> list[str]:
 
 
 def _placed(line: _Line, width: int) -> str:
-    span = place(line.source) if isinstance(line.source, fm.Item) else line.source
+    span = place(line.source) if isinstance(line.source, Item) else line.source
     shown = f"  {printable(line.text)}"
     return shown if span is None else f"{shown:<{width + 2}}  // {printable(span.file.name)}:{span.first.line}"
 
@@ -144,7 +145,7 @@ def _joint(joint: fm.Joint) -> _Line:
 # ---- around them -----------------------------------------------------------------------------------------------------
 
 
-def _quantity(item: fm.Quantity, value: str) -> _Line:
+def _quantity(item: Quantity, value: str) -> _Line:
     return _Line(f"{item.type_name} {item.name} [{item.unit}] = {value}{_doc(item.doc)}", item)
 
 

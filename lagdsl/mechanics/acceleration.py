@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.flat.model import Spans
+from lagdsl.flat.quantity import Spans
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 

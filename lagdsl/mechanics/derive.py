@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import FlatModel, Item
+from lagdsl.flat.model import FlatModel
+from lagdsl.flat.quantity import Item
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints, energies, lagrange

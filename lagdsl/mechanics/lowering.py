@@ -11,7 +11,8 @@ from typing import TypeAlias, assert_never, cast
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Definition, FlatModel, Frame, Point, Spans
+from lagdsl.flat.model import Definition, FlatModel, Frame, Point
+from lagdsl.flat.quantity import Spans
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 from lagdsl.graph.taylor import TimeDerivative

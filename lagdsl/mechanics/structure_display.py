@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from lagdsl.flat.model import Coordinate, Quantity
+from lagdsl.flat.model import Coordinate
+from lagdsl.flat.quantity import Quantity
 from lagdsl.units.parse import parse_unit
 
 

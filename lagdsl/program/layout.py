@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from lagdsl.flat.model import FlatModel, Item, Quantity
+from lagdsl.flat.model import FlatModel
+from lagdsl.flat.quantity import Item, Quantity
 from lagdsl.program.program import Layout, Slot
 from lagdsl.units.naming import unit_text
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from sympy import Expr
 
-from lagdsl.flat.model import Parameter, Quantity
+from lagdsl.flat.model import Parameter
+from lagdsl.flat.quantity import Quantity
 from lagdsl.report.boxes import Box, Name, Row, Subscript, Sum, Upright
 from lagdsl.report.counting import count_blocks
 from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from lagdsl.flat.expression import FrameOrigin, PointReference
-from lagdsl.flat.model import FlatModel, Item, PointMass
+from lagdsl.flat.model import FlatModel, PointMass
+from lagdsl.flat.quantity import Item
 from lagdsl.report.boxes import Box, Name, Number, Subscript, Upright
 from lagdsl.report.notation import name_box
 from lagdsl.report.unicode_math import line

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from lagdsl.flat.model import FlatModel, Item
+from lagdsl.flat.model import FlatModel
+from lagdsl.flat.quantity import Item
 from lagdsl.report.boxes import (
     Box,
     Bracket,

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, quotient, report_unequal

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context

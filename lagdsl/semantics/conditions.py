@@ -6,7 +6,7 @@ from typing import TypeVar
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.arithmetic import Operand, boolean
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context

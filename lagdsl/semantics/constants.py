@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.values import Scalar, Value, is_structural

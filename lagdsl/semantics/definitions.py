@@ -14,7 +14,7 @@ from itertools import product as cartesian
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics import constraints, labels, parameters
 from lagdsl.semantics.attributes import sign_of
 from lagdsl.semantics.bindings import Expected, bound

@@ -8,7 +8,8 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import FrameStep, Variability
+from lagdsl.flat.model import FrameStep
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, require
 from lagdsl.semantics.naming import arguments_text, kind_of, quantity

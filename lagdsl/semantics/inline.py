@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import structural_integer

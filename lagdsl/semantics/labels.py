@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.conditions import condition_of, switched
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import require

@@ -8,7 +8,7 @@ from typing import Literal
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.arrays import subscript_indices
 from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.constants import structural_integer

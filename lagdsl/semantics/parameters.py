@@ -6,7 +6,7 @@ from itertools import product as cartesian
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics import attributes
 from lagdsl.semantics.bindings import Expected, bound
 from lagdsl.semantics.constants import NoValue, evaluate

@@ -8,7 +8,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics import attributes
 from lagdsl.semantics.attributes import Attribute
 from lagdsl.semantics.bindings import Expected, conform

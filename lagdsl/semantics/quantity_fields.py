@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from lagdsl.flat.model import Spans
+from lagdsl.flat.quantity import Spans
 from lagdsl.semantics.naming import element_name
 from lagdsl.semantics.scope import Indices, Symbol
 from lagdsl.semantics.values import AnyDimension

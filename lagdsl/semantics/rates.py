@@ -8,7 +8,8 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.degree import RateDegree
 from lagdsl.flat.dependence import Dependence, Orders
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import FlatModel, Input, Item
+from lagdsl.flat.model import FlatModel, Input
+from lagdsl.flat.quantity import Item
 from lagdsl.flat.spans import around, place
 from lagdsl.semantics.wellformed.effect import load_expressions
 

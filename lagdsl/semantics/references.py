@@ -7,7 +7,7 @@ import re
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
-from lagdsl.flat.model import Variability
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics import arrays, enumerations, geometry, prelude
 from lagdsl.semantics.builtin import BUILTINS
 from lagdsl.semantics.context import Context

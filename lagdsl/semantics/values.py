@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, TypeAlias, final
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import FrameStep, Variability
+from lagdsl.flat.model import FrameStep
+from lagdsl.flat.quantity import Variability
 from lagdsl.record import record
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import LENGTH

@@ -10,7 +10,8 @@ import numpy as np
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.expression import Norm
-from lagdsl.flat.model import FlatModel, Item
+from lagdsl.flat.model import FlatModel
+from lagdsl.flat.quantity import Item
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import display_rate, quantity_text
 from lagdsl.simulate.right_hand_side import RightHandSide, Trouble

@@ -12,7 +12,8 @@ from fractions import Fraction
 import sympy
 from sympy import Expr, Float, Rational, Symbol
 
-from lagdsl.flat.model import Definition, FlatModel, Variability
+from lagdsl.flat.model import Definition, FlatModel
+from lagdsl.flat.quantity import Variability
 from lagdsl.textbook.contributions import Contributions, contributions
 from lagdsl.textbook.convert import Converter
 from lagdsl.textbook.symbols import Symbols, symbols

@@ -31,8 +31,8 @@ from lagdsl.flat.model import (
     PointMass,
     RigidBody,
     State,
-    Variability,
 )
+from lagdsl.flat.quantity import Variability
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.derive import derive

@@ -25,8 +25,8 @@ from lagdsl.flat.model import (
     PointMass,
     RigidBody,
     State,
-    Variability,
 )
+from lagdsl.flat.quantity import Variability
 from lagdsl.units.dimension import DIMENSIONLESS
 
 

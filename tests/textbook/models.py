@@ -16,8 +16,8 @@ from lagdsl.flat.model import (
     RotateAbout,
     RotateQuaternion,
     SetAxes,
-    Variability,
 )
+from lagdsl.flat.quantity import Variability
 from lagdsl.textbook.recipe import Recipe, recipe
 from lagdsl.units.dimension import DIMENSIONLESS
 from textbook.build import (

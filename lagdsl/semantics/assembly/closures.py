@@ -8,7 +8,8 @@ from dataclasses import replace
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output, Variability
+from lagdsl.flat.model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics import constraints, quantities
 from lagdsl.semantics.assembly.computed import Formula, NoFormulaError, Solver
 from lagdsl.semantics.assembly.cuts import Cut, Place, ReadAs, Tied

@@ -9,7 +9,8 @@ from typing import TypeAlias
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import Coordinate, Variability
+from lagdsl.flat.model import Coordinate
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.assembly.sets import Sets
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context

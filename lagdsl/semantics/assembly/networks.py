@@ -12,7 +12,8 @@ from collections.abc import Sequence
 
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
-from lagdsl.flat.model import Constraint, Variability
+from lagdsl.flat.model import Constraint
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import Net
 from lagdsl.semantics.assembly.sets import Sets

@@ -9,6 +9,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence, Orders
+from lagdsl.flat.quantity import Item
 from lagdsl.flat.spans import around, place
 from lagdsl.source import Span
 
@@ -122,7 +123,7 @@ def _displaced(load: fm.Load, dependence: Dependence) -> tuple[str, Orders]:
             return load.keyword, dependence.of_all(scalars)
 
 
-def _check_place(flat: fm.FlatModel, item: fm.Item, where: _Place, sink: Sink) -> None:
+def _check_place(flat: fm.FlatModel, item: Item, where: _Place, sink: Sink) -> None:
     coordinates = [coordinate.name for coordinate in flat.coordinates]
     rates = [name for name in coordinates if where.orders.get(name)]
     if rates:
@@ -133,7 +134,7 @@ def _check_place(flat: fm.FlatModel, item: fm.Item, where: _Place, sink: Sink) -
 
 
 def _anywhere(flat: fm.FlatModel) -> Span | None:
-    items: tuple[fm.Item, ...] = (
+    items: tuple[Item, ...] = (
         *flat.parameters,
         *flat.inputs,
         *flat.named,

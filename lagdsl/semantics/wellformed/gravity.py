@@ -11,6 +11,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.probe import probes
+from lagdsl.flat.quantity import Item
 from lagdsl.flat.spans import around, place
 from lagdsl.record import record
 
@@ -40,8 +41,8 @@ def _check_forgotten(flat: fm.FlatModel, sink: Sink) -> None:
         sink.report("W0510", place(heavy[0]), *around(heavy[0]))
 
 
-def _heavy(flat: fm.FlatModel) -> list[fm.Item]:
-    masses: list[fm.Item] = [mass for mass in flat.masses if mass.mass != fx.ZERO]
+def _heavy(flat: fm.FlatModel) -> list[Item]:
+    masses: list[Item] = [mass for mass in flat.masses if mass.mass != fx.ZERO]
     return masses + [body for body in flat.bodies if body.mass != fx.ZERO]
 
 
@@ -52,7 +53,7 @@ def _heavy(flat: fm.FlatModel) -> list[fm.Item]:
 class _Weight:
     """-m g.r of one mass or body at the probed moments, up to a constant."""
 
-    item: fm.Item
+    item: Item
     values: NDArray[np.float64]
 
 
@@ -87,7 +88,7 @@ def _check_twice(flat: fm.FlatModel, sink: Sink) -> None:
             sink.report("W0511", place(energy), *around(energy), *others, item=_statement(weight.item))
 
 
-def _statement(item: fm.Item) -> str:
+def _statement(item: Item) -> str:
     """The text of an item, cut to a length that fits a label."""
     span = place(item)
     text = "mass" if span is None else " ".join(span.text.rstrip(";").split())
@@ -121,7 +122,7 @@ def _terms(expression: fx.FlatExpression, sign: int = 1) -> list[fx.FlatExpressi
 def _weights(flat: fm.FlatModel, evaluators: list[Evaluator]) -> list[_Weight]:
     """Of each mass and body, and of all of them together where there are several."""
     assert flat.gravity is not None
-    items: list[tuple[fm.Item, list[float]]] = [(item, []) for item in (*flat.masses, *flat.bodies)]
+    items: list[tuple[Item, list[float]]] = [(item, []) for item in (*flat.masses, *flat.bodies)]
     for evaluator in evaluators:
         gravity = evaluator.vector(flat.gravity)
         for item, values in items:
@@ -132,7 +133,7 @@ def _weights(flat: fm.FlatModel, evaluators: list[Evaluator]) -> list[_Weight]:
     return weights
 
 
-def _moment_of_mass(evaluator: Evaluator, item: fm.Item) -> NDArray[np.float64]:
+def _moment_of_mass(evaluator: Evaluator, item: Item) -> NDArray[np.float64]:
     """m r of a mass or body, shape (3,)."""
     if isinstance(item, fm.PointMass):
         return evaluator.scalar(item.mass) * evaluator.vector(item.position)

@@ -9,6 +9,7 @@ from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, Values
+from lagdsl.flat.quantity import Item
 from lagdsl.flat.spans import around, place
 from lagdsl.record import record
 
@@ -48,14 +49,14 @@ class _Checks:
             if all(sound):
                 self._triangle(body)
 
-    def constant(self, item: fm.Item, what: str, value: fx.FlatExpression) -> bool:
+    def constant(self, item: Item, what: str, value: fx.FlatExpression) -> bool:
         """E0505 unless the value is built from parameters (ruling 13)."""
         changing = [name for name in self.dependence.of(value) if name not in self.parameters]
         if changing:
             self.sink.report("E0505", place(item), *around(item), what=what, name=changing[0])
         return not changing
 
-    def not_negative(self, item: fm.Item, what: str, value: fx.FlatExpression, unit: str) -> bool:
+    def not_negative(self, item: Item, what: str, value: fx.FlatExpression, unit: str) -> bool:
         number = self.moment.scalar(value)
         if number < 0.0:
             self.sink.report("E0506", place(item), *around(item), what=what, value=f"{number:.6g}", unit=unit)

@@ -6,7 +6,15 @@ typedef enum lag_status {
     LAG_OK = 0,
     LAG_SINGULAR = 1,    /* M is singular on the null space of J: some accelerations are not determined */
     LAG_NOT_FINITE = 2,  /* a value is infinite or not a number; results hold what came out */
-    LAG_MISSING = 3      /* the model lacks this function */
+    LAG_MISSING = 3,     /* the model lacks this function */
+    /* of integration */
+    LAG_STUCK = 4,       /* the steps became as short as the round-off of time */
+    LAG_TOO_LONG = 5,    /* more steps than allowed */
+    LAG_OFF = 6,         /* the constraints cannot be reached from where a step led */
+    LAG_ATTENTION = 7,   /* the constraints are about to lose rank, or turned by much in one step */
+    LAG_VIOLATED = 8,    /* an assertion failed or an invariant left its tolerance */
+    LAG_STOPPED = 9,     /* a callback asked for it */
+    LAG_CHATTER = 10     /* events follow each other without time passing */
 } lag_status;
 
 #endif

@@ -1,0 +1,175 @@
+"""What happens at instants: relations that are located, discrete variables, `when` clauses, clocks, contacts.
+
+Each of them has entries in the vector of discretes; expressions read those as variables by their names (see
+`discretes`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import field
+from typing import Literal, TypeAlias
+
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Item, Quantity
+from lagdsl.record import record
+from lagdsl.units import Dimension
+
+INITIAL = "initial()"
+TERMINAL = "terminal()"
+
+
+@record(kw_only=True)
+class Discrete(Quantity):
+    """A variable that keeps its value between events. Booleans are 0 and 1."""
+
+    start: FlatExpression
+    start_explicit: bool
+    kind: Literal["Real", "Integer", "Boolean"] = "Real"
+    minimum: float | None = None
+    maximum: float | None = None
+
+
+@record(kw_only=True)
+class Relation(Item):
+    """The truth of `difference > 0` or, where it is not `strict`, of `difference >= 0`; `name` is as written."""
+
+    name: str
+    difference: FlatExpression
+    dimension: Dimension
+    strict: bool
+
+
+@record(kw_only=True)
+class Clock(Item):
+    """`sample(start, period)`: ticks at start + k*period, k = 0, 1, 2 ...; both depend on parameters only."""
+
+    name: str
+    start: FlatExpression
+    period: FlatExpression
+
+
+@record(kw_only=True)
+class Contact(Item):
+    """`gap >= 0` with an impact law. `row` is the constraint that holds while it is closed.
+
+    `stick` is the rebound speed below which it closes, `rest` the time left of a series of impacts below which it does;
+    None: a thousandth of the largest approach speed so far, a millionth of the length of the experiment.
+    """
+
+    name: str
+    gap: FlatExpression
+    dimension: Dimension
+    restitution: FlatExpression
+    stick: FlatExpression | None
+    rest: FlatExpression | None
+
+    @property
+    def closed(self) -> str:
+        return f"closed({self.name})"
+
+    @property
+    def impacts(self) -> str:
+        return f"impacts({self.name})"
+
+
+# ---- when ------------------------------------------------------------------------------------------------------------
+
+
+@record(kw_only=True)
+class Assign(Item):
+    """`variable = value` where `guard` holds (None: always), else the variable keeps its value."""
+
+    variable: str
+    value: FlatExpression
+    guard: FlatExpression | None
+
+
+@record(kw_only=True)
+class Reset(Item):
+    """`reinit(x, value)` of a state or, with `rate`, of the rate of a coordinate."""
+
+    name: str
+    rate: bool
+    value: FlatExpression
+    guard: FlatExpression | None
+
+
+@record(kw_only=True)
+class Impact(Item):
+    """`impact(gap, restitution)`: as in a contact, once."""
+
+    gap: FlatExpression
+    restitution: FlatExpression
+    guard: FlatExpression | None
+
+
+@record(kw_only=True)
+class Terminate(Item):
+    message: str
+    guard: FlatExpression | None
+
+
+@record(kw_only=True)
+class Check(Item):
+    """`assert(condition, message)` at the event only."""
+
+    condition: FlatExpression
+    message: str
+    guard: FlatExpression | None
+
+
+Action: TypeAlias = "Assign | Reset | Impact | Terminate | Check"
+
+
+@record(kw_only=True)
+class Branch(Item):
+    """Acts where one of `conditions` becomes true; `memories` are the names of the truths they had before."""
+
+    conditions: tuple[FlatExpression, ...]
+    memories: tuple[str, ...]
+    actions: tuple[Action, ...]
+
+
+@record(kw_only=True)
+class When(Item):
+    """`when ... elsewhen ...`: the first branch that acts, acts alone."""
+
+    branches: tuple[Branch, ...]
+
+
+@record(kw_only=True)
+class Events:
+    """All of a model that changes at instants. `instants` are those of INITIAL and TERMINAL that occur."""
+
+    discretes: tuple[Discrete, ...] = ()
+    contacts: tuple[Contact, ...] = ()
+    relations: tuple[Relation, ...] = ()
+    whens: tuple[When, ...] = ()
+    clocks: tuple[Clock, ...] = ()
+    instants: tuple[str, ...] = ()
+
+
+Kind: TypeAlias = Literal["variable", "contact", "impacts", "relation", "condition", "clock", "instant"]
+
+
+@record()
+class Entry:
+    """One entry of the vector of discretes; `item` is what it belongs to."""
+
+    name: str
+    kind: Kind
+    item: Item | None = field(default=None, compare=False, repr=False)
+
+
+def entries(events: Events) -> tuple[Entry, ...]:
+    """The vector of discretes in its order."""
+    branches = [branch for when in events.whens for branch in when.branches]
+    return (
+        *(Entry(each.name, "variable", each) for each in events.discretes),
+        *(Entry(each.closed, "contact", each) for each in events.contacts),
+        *(Entry(each.impacts, "impacts", each) for each in events.contacts),
+        *(Entry(each.name, "relation", each) for each in events.relations),
+        *(Entry(name, "condition", branch) for branch in branches for name in branch.memories),
+        *(Entry(each.name, "clock", each) for each in events.clocks),
+        *(Entry(name, "instant") for name in events.instants),
+    )

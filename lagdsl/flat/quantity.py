@@ -1,0 +1,40 @@
+"""What every named or declared thing of the flat model has."""
+
+from __future__ import annotations
+
+from dataclasses import field
+from enum import StrEnum
+from typing import TypeAlias
+
+from lagdsl.record import record
+from lagdsl.source import Span
+from lagdsl.units import Dimension
+
+Spans: TypeAlias = tuple[Span, ...]
+
+
+class Variability(StrEnum):
+    CONSTANT = "constant"
+    STRUCTURAL = "structural"
+    PARAMETER = "parameter"
+    DISCRETE = "discrete"
+    CONTINUOUS = "continuous"
+
+
+@record(kw_only=True)
+class Item:
+    spans: Spans = field(compare=False, repr=False)
+
+
+@record(kw_only=True)
+class Quantity(Item):
+    """What every named scalar has. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see,
+    `symbol` how reports typeset the name (LaTeX)."""
+
+    name: str
+    dimension: Dimension
+    unit: str = "1"
+    display_unit: str | None = None
+    doc: str | None = None
+    type_name: str = "Real"
+    symbol: str | None = None

@@ -1,0 +1,18 @@
+/* A first-order system x' = f(t, x), as the methods see it. */
+#ifndef LAG_ODE_H
+#define LAG_ODE_H
+
+#include <stddef.h>
+
+#include "lag/status.h"
+
+typedef struct lag_ode {
+    size_t size; /* of x */
+    void *context;
+    /* xd (size) = f(t, x). What is not LAG_OK makes a method try a shorter step. */
+    lag_status (*rates)(void *context, double t, const double *x, double *xd);
+    /* df/dx (size, size), row by row; null where only explicit methods are used */
+    lag_status (*jacobian)(void *context, double t, const double *x, double *jacobian);
+} lag_ode;
+
+#endif
