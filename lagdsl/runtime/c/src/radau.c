@@ -41,7 +41,7 @@ static const double DENSE[3][3] = {
     {1.0 / 3.0, -8.0 / 3.0, 10.0 / 3.0}};
 
 /* Errors of the stage equations, as a part of the tolerance. */
-static const double NEWTON_TOLERANCE = 1e-3;
+static const double NEWTON_TOLERANCE = 1e-2;
 static const double SAFETY = 0.9;
 static const double SHRINK = 0.2;
 static const double GROW = 8.0;
@@ -345,7 +345,7 @@ static lag_status step(lag_stepper *s, double limit)
         const double proposed = fmin(s->h, s->h_most);
         const double h = lag_stepper_length(s, limit);
         const double t_new = lag_stepper_end(s, h, limit);
-        outcome solved;
+        outcome solved = {0, 0, 0.0};
         lag_status status = solve_step(s, &at, h, &solved);
         if (status != LAG_OK) {
             return status;

@@ -1,0 +1,213 @@
+/* Orders, error control, dense output of the methods that choose their steps. */
+#include <string.h>
+
+#include "check.h"
+#include "lag/stepper.h"
+#include "problems.h"
+
+enum { MOST_MEMORY = 4096 };
+
+static double block[MOST_MEMORY];
+
+static lag_stepper *place(lag_stepper *s, const lag_ode *ode, const double *x, double tolerance)
+{
+    CHECK(lag_stepper_memory(ode->size) <= MOST_MEMORY);
+    lag_stepper_place(s, ode, block);
+    memcpy(s->x, x, ode->size * sizeof(double));
+    for (size_t i = 0; i < ode->size; ++i) {
+        s->tolerance[i] = tolerance;
+    }
+    s->h_least = 1e-14;
+    return s;
+}
+
+static lag_status go(lag_stepper *s, const lag_method *method, double stop)
+{
+    lag_status status = lag_stepper_begin(s, method, stop - s->t);
+    while (status == LAG_OK && s->t < stop) {
+        status = lag_stepper_step(s, stop);
+    }
+    return status;
+}
+
+/* Absolute and relative tolerance alike, as the test sets of the literature have it. */
+static lag_status go_relatively(lag_stepper *s, const lag_method *method, double stop, double tolerance)
+{
+    lag_status status = lag_stepper_begin(s, method, stop - s->t);
+    while (status == LAG_OK && s->t < stop) {
+        for (size_t i = 0; i < s->ode->size; ++i) {
+            s->tolerance[i] = tolerance * (1.0 + fabs(s->x[i]));
+        }
+        status = lag_stepper_step(s, stop);
+    }
+    return status;
+}
+
+static double distance(size_t size, const double *x, const double *y)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < size; ++i) {
+        most = fmax(most, fabs(x[i] - y[i]));
+    }
+    return most;
+}
+
+static const lag_ode SMOOTH = {3, NULL, smooth_rates, smooth_jacobian};
+
+/* The errors at the end, and halfway through steps by dense output, of `count` equal steps. */
+static void errors(const lag_method *method, size_t count, double *at_end, double *inside)
+{
+    static const double stop = 2.0;
+    double exact[3];
+    double x[3];
+    lag_stepper s;
+    smooth_exact(0.0, x);
+    place(&s, &SMOOTH, x, 1e10); /* no step is rejected, all have the largest length */
+    for (int i = 0; i < 3; ++i) {
+        s.tolerance[i] = method->implicit ? 1e-9 : 1e10;
+    }
+    s.h = s.h_most = stop / (double)count;
+    CHECK(lag_stepper_begin(&s, method, stop) == LAG_OK);
+    *inside = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        const double limit = i + 1 == count ? stop : 10.0;
+        for (int k = 0; k < 3; ++k) {
+            s.tolerance[k] = method->implicit ? 1e3 : 1e10;
+        }
+        CHECK(lag_stepper_step(&s, limit) == LAG_OK);
+        for (int part = 1; part < 8; ++part) {
+            const double t = s.t_before + (s.t - s.t_before) * (double)part / 8.0;
+            CHECK(lag_stepper_dense(&s, t, x) == LAG_OK);
+            smooth_exact(t, exact);
+            *inside = fmax(*inside, distance(3, x, exact));
+        }
+    }
+    CHECK(s.steps == count);
+    smooth_exact(stop, exact);
+    *at_end = distance(3, s.x, exact);
+}
+
+static void orders(const lag_method *method, size_t count)
+{
+    double end[2];
+    double inside[2];
+    errors(method, count, end, inside);
+    errors(method, 2 * count, end + 1, inside + 1);
+    const double order = log2(end[0] / end[1]);
+    const double dense = log2(inside[0] / inside[1]);
+    (void)printf("%s: order %.2f (nominal %u), of its dense output %.2f (%u)\n", method->name, order, method->order, dense,
+        method->dense_order);
+    CHECK(order >= (double)method->order - 0.3);
+    CHECK(dense >= (double)method->dense_order - 0.3);
+}
+
+static double arenstorf_error(double tolerance)
+{
+    static const lag_ode ode = {4, NULL, arenstorf_rates, NULL};
+    lag_stepper s;
+    place(&s, &ode, ARENSTORF_START, tolerance);
+    CHECK(go(&s, &lag_dop853, ARENSTORF_PERIOD) == LAG_OK);
+    CHECK(s.t == ARENSTORF_PERIOD);
+    const double error = distance(4, s.x, ARENSTORF_START);
+    (void)printf("dop853: Arenstorf, tolerance %.0e: error %.1e, %zu steps, %zu rejected, %zu evaluations\n", tolerance, error,
+        s.steps, s.rejections, s.evaluations);
+    return error;
+}
+
+/* Values at t = 2 from the Test Set for Initial Value Problem Solvers (Mazzia and Magherini 2008), problem vdpol. */
+static void van_der_pol(double tolerance, double worst, size_t most)
+{
+    static double epsilon = 1e-6;
+    static const lag_ode ode = {2, &epsilon, van_der_pol_rates, van_der_pol_jacobian};
+    static const double start[2] = {2.0, 0.0};
+    static const double exact[2] = {0.1706167732170483e1, -0.8928097010247975};
+    lag_stepper s;
+    place(&s, &ode, start, tolerance);
+    CHECK(go_relatively(&s, &lag_radau, 2.0, tolerance) == LAG_OK);
+    const double error = distance(2, s.x, exact);
+    (void)printf("radau: van der Pol, tolerance %.0e: error %.1e, %zu steps, %zu rejected, %zu evaluations, %zu Jacobians, %zu "
+                 "decompositions\n",
+        tolerance, error, s.steps, s.rejections, s.evaluations, s.jacobians, s.decompositions);
+    CHECK(error <= worst);
+    CHECK(s.evaluations <= most);
+}
+
+/* The error against a run that is far more accurate goes with the tolerance. */
+static void double_pendulum(void)
+{
+    static const lag_ode ode = {4, NULL, double_pendulum_rates, NULL};
+    static const double start[4] = {1.0, 1.5, 0.0, 0.0};
+    double reference[4];
+    lag_stepper s;
+    place(&s, &ode, start, 1e-14);
+    CHECK(go(&s, &lag_dop853, 10.0) == LAG_OK);
+    memcpy(reference, s.x, sizeof reference);
+    CHECK_NEAR(double_pendulum_energy(reference), double_pendulum_energy(start), 1e-12);
+    for (double tolerance = 1e-6; tolerance > 1e-13; tolerance *= 1e-2) {
+        place(&s, &ode, start, tolerance);
+        CHECK(go(&s, &lag_dop853, 10.0) == LAG_OK);
+        const double error = distance(4, s.x, reference);
+        (void)printf("dop853: double pendulum, tolerance %.0e: error %.1e, %zu evaluations\n", tolerance, error, s.evaluations);
+        CHECK(error <= 1e3 * tolerance);
+    }
+}
+
+static lag_status wall_rates(void *context, double t, const double *x, double *xd)
+{
+    (void)context;
+    (void)t;
+    xd[0] = 1.0;
+    return x[0] > 1.0 ? LAG_SINGULAR : LAG_OK;
+}
+
+static void trouble_stops_at_the_wall(void)
+{
+    static const lag_ode ode = {1, NULL, wall_rates, NULL};
+    static const double start[1] = {0.0};
+    lag_stepper s;
+    place(&s, &ode, start, 1e-8);
+    CHECK(go(&s, &lag_dop853, 2.0) == LAG_STUCK);
+    CHECK(s.trouble == LAG_SINGULAR);
+    CHECK_NEAR(s.t, 1.0, 1e-9);
+    CHECK_NEAR(s.x[0], s.t, 1e-12);
+}
+
+static void a_step_can_be_taken_back(const lag_method *method)
+{
+    double x[3];
+    double once[3];
+    lag_stepper s;
+    smooth_exact(0.0, x);
+    place(&s, &SMOOTH, x, 1e-8);
+    s.h = 0.01;
+    CHECK(lag_stepper_begin(&s, method, 2.0) == LAG_OK);
+    CHECK(lag_stepper_step(&s, 2.0) == LAG_OK);
+    memcpy(once, s.x, sizeof once);
+    const double t = s.t;
+    lag_stepper_undo(&s, 0.01);
+    CHECK(s.t == 0.0 && distance(3, s.x, x) == 0.0);
+    CHECK(lag_stepper_step(&s, 2.0) == LAG_OK);
+    CHECK(s.t == t && distance(3, s.x, once) == 0.0);
+}
+
+int main(void)
+{
+    orders(&lag_dop853, 6);
+    orders(&lag_radau, 24);
+    double before = 1.0;
+    for (double tolerance = 1e-6; tolerance > 1e-13; tolerance *= 1e-2) {
+        const double error = arenstorf_error(tolerance);
+        CHECK(error < 0.1 * before);
+        before = error;
+    }
+    CHECK(before <= 1e-6);
+    van_der_pol(1e-4, 1e-5, 3000);
+    van_der_pol(1e-6, 1e-7, 7500);
+    van_der_pol(1e-8, 1e-9, 22000);
+    double_pendulum();
+    trouble_stops_at_the_wall();
+    a_step_can_be_taken_back(&lag_dop853);
+    a_step_can_be_taken_back(&lag_radau);
+    (void)printf("steppers: ok\n");
+    return EXIT_SUCCESS;
+}
