@@ -1,0 +1,31 @@
+/*
+ * From the one tolerance of a motion to absolute tolerances of every number of its state.
+ *
+ * A number is as accurate as the tolerance times its scale: the largest magnitude seen so far among the numbers of the same kind
+ * (coordinates of one unit, their rates, one state), at least 1e-4 of the natural size, and for angles at most 1: an angle that
+ * has turned a thousand times still enters through its sine.
+ */
+#ifndef LAG_ACCURACY_H
+#define LAG_ACCURACY_H
+
+#include "lag/model.h"
+
+typedef struct lag_accuracy {
+    size_t size;           /* of the state */
+    const double *group;   /* (size) numbers of the same kind have the same one, below `size` */
+    const double *natural; /* (size) natural sizes */
+    const double *cap;     /* (size) largest scales; may be infinite */
+    double *largest;       /* (size) magnitudes seen so far, by group */
+    double relative;       /* tolerance of one step */
+} lag_accuracy;
+
+/* Absolute tolerances (size), now that x was reached. */
+void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *tolerance);
+
+/*
+ * Groups by unit, natural sizes and caps of a model's state, each (2 nq + nz): angles and numbers have size 1, other coordinates
+ * the largest start value of the same unit, where all are zero 1.
+ */
+void lag_accuracy_groups(const lag_model *model, const double *start, double *group, double *natural, double *cap);
+
+#endif

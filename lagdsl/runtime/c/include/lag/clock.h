@@ -1,0 +1,24 @@
+/*
+ * Instants first + k period, k = 0, 1, ..., counted in whole numbers: nothing adds up. Where both are short fractions (0.1 is 1/10)
+ * an instant is that fraction, rounded once, so clocks of 0.1 s and 0.3 s strike together.
+ */
+#ifndef LAG_CLOCK_H
+#define LAG_CLOCK_H
+
+typedef struct lag_clock {
+    double first, period;          /* [s]; period > 0 */
+    unsigned long long next;       /* k of the next instant */
+    double first_part, period_part; /* whole numbers of 1/denominator s */
+    double denominator;            /* 0: no short fractions */
+} lag_clock;
+
+/* A clock before its first instant. */
+lag_clock lag_clock_of(double first, double period);
+
+/* The time of instant k. */
+double lag_clock_instant(const lag_clock *clock, unsigned long long k);
+
+/* Lets the next instant be the first that is not before t. */
+void lag_clock_seek(lag_clock *clock, double t);
+
+#endif

@@ -1,0 +1,167 @@
+/*
+ * Simulation of a model: steps with error control, projection onto the constraints after each of them, rows at requested times
+ * from dense output, events located on it, clocks, and a watch over what must stay true.
+ *
+ *     lag_run_options options = {.tolerance = 1e-8, .count = 101, .times = times, .rows = rows};
+ *     lag_run *run = lag_run_place(malloc(lag_run_size(&Model, &options)), &Model, &options);
+ *     lag_status status = lag_run_begin(run, 0.0, NULL);
+ *     if (status == LAG_OK) status = lag_run_to(run, 10.0);
+ *
+ * All state of a run lies in the one block that the caller gives; nothing is allocated, nothing is global, so runs in different
+ * threads do not know of each other. The model, the options' arrays and the parameters must outlive it.
+ */
+#ifndef LAG_RUN_H
+#define LAG_RUN_H
+
+#include "lag/accuracy.h"
+#include "lag/clock.h"
+#include "lag/motion.h"
+#include "lag/projection.h"
+#include "lag/rank.h"
+#include "lag/stepper.h"
+#include "lag/stiffness.h"
+#include "lag/watch.h"
+
+typedef struct lag_run lag_run;
+
+/* What happened at an instant. */
+typedef struct lag_event {
+    double t;
+    const double *crossed; /* (indicators) 1: became >= 0, -1: became < 0, 0: neither */
+    const double *ticked;  /* (clocks) 1: its instant is now */
+    unsigned pass;         /* 0, and more where the event itself let indicators change their signs */
+} lag_event;
+
+typedef struct lag_run_options {
+    double tolerance;         /* of the motion as a whole; 0: 1e-8 */
+    const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
+    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound */
+    size_t most_steps;        /* in one call of lag_run_to; 0: without bound */
+    double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
+
+    const double *p;          /* (np) parameters; null: the defaults */
+    void *context;            /* of all callbacks */
+    lag_inputs *inputs;       /* null: the default inputs, constant */
+
+    /* What counts as a change of order one; null: found at the first state (see lag/accuracy.h). */
+    const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
+    const double *row_sizes;             /* (nc) of the constraints */
+    int careful;                         /* 1: LAG_ATTENTION before the constraints lose rank */
+
+    /* Rows: states (2 nq + nz) at `count` increasing times, where `rows` (count, 2 nq + nz) or `output` is given. */
+    size_t count;
+    const double *times;
+    double *rows;
+    lag_status (*output)(void *context, lag_run *run, double t, const double *x);
+
+    /* Events. Indicators are looked at `looks` times in each step (0: 4) and located to `time_tolerance` (0: round-off). */
+    size_t indicators;
+    lag_status (*indicate)(void *context, lag_run *run, double t, const double *x, double *value);
+    size_t clocks;
+    const double *first, *period; /* (clocks) [s] */
+    /*
+     * At an event: may change x, which run->stepper.x is, and run->motion.w. Rates are moved onto the constraints afterwards.
+     * Called again where that lets indicators change their signs.
+     */
+    lag_status (*event)(void *context, lag_run *run, const lag_event *event);
+    unsigned looks;
+    double time_tolerance;
+
+    /* Invariants and assertions; null tolerances: not watched. The arrays may be null, the block holds them then. */
+    const double *invariant_tolerance;                      /* (ni) */
+    double *invariant_start, *invariant_size, *invariant_drift; /* (ni), as an earlier run left them where `continued` */
+    int continued;
+} lag_run_options;
+
+/* A change of the method. */
+typedef struct lag_change {
+    double t;
+    int implicit; /* to an implicit one */
+} lag_change;
+
+enum { LAG_CHANGES = 16 };
+
+struct lag_run {
+    lag_run_options options;
+    lag_motion motion;
+    lag_stepper stepper;
+    lag_projection projection;
+    lag_accuracy accuracy;
+    lag_look look;
+    lag_watch watch;
+    lag_stiffness stiffness;
+    int sized;                /* natural sizes are known */
+    double *group, *natural, *cap, *row_sizes;
+    double *point;            /* (2 nq + nz) */
+    double *sign, *value, *crossed, *other; /* (indicators) */
+    double *ticked;           /* (clocks) */
+    lag_clock *clock;         /* (clocks) */
+    size_t row;               /* the next one */
+    size_t steps;             /* of this call */
+    size_t events;            /* all */
+    unsigned idle;            /* events in a row between which no time passed */
+    double event_time;        /* of the last one */
+    lag_change change[LAG_CHANGES];
+    size_t changes;           /* all; the first LAG_CHANGES are kept */
+};
+
+/* Where a run is and what it took. */
+typedef struct lag_run_report {
+    double t, h, trouble_time;
+    const double *x;            /* (2 nq + nz) */
+    size_t row;                 /* rows recorded */
+    size_t steps;               /* in the last call of lag_run_to; all others count from the beginning */
+    size_t all_steps, rejections, evaluations, jacobians, decompositions, projections, events, changes;
+    const lag_change *change;   /* the first LAG_CHANGES of them */
+    int implicit;               /* the present method is */
+} lag_run_report;
+
+/* Bytes of the block for a run, and its layout; the block is aligned as malloc does. */
+size_t lag_run_size(const lag_model *model, const lag_run_options *options);
+lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options);
+
+/*
+ * Starts at time t from x (2 nq + nz), or, where x is null, from the model's start values moved onto the constraints. Clocks strike
+ * if it is their instant; the row of this time is recorded. LAG_OFF: the constraints are out of reach.
+ */
+lag_status lag_run_begin(lag_run *run, double t, const double *x);
+
+/*
+ * Goes on from another state, as it is: x (null: the model's start values), with h as the length of the next step (0: to be found).
+ * Nothing strikes, nothing is recorded.
+ */
+lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
+
+/*
+ * On to `stop`, which is hit exactly; run->stepper.t and .x are the state then, and at any failure the last good one.
+ * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
+ * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_ATTENTION, LAG_VIOLATED, LAG_CHATTER: see lag/status.h. What callbacks return other than
+ * LAG_OK comes back.
+ */
+lag_status lag_run_to(lag_run *run, double stop);
+
+/*
+ * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no events, no rows.
+ * `memory`: lag_fixed_memory() doubles.
+ */
+lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
+    double *memory);
+
+void lag_run_tell(const lag_run *run, lag_run_report *report);
+
+/* For the parts of a run. */
+
+/* Records the rows before time t, or up to it, from the last step. */
+lag_status lag_run_rows(lag_run *run, double t, int up_to);
+/* Takes the signs of the indicators at the present state. */
+lag_status lag_run_signs(lag_run *run);
+/* The first crossing within the last step: *t its time, or infinite. */
+lag_status lag_run_crossing(lag_run *run, double *t);
+/* The time at which the next clock strikes; infinite without. */
+double lag_run_instant(const lag_run *run);
+/* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
+lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
+/* The state on the constraints at a time within the last step. */
+lag_status lag_run_inside(lag_run *run, double t, double *x);
+
+#endif

@@ -1,0 +1,55 @@
+#include "lag/accuracy.h"
+
+#include <math.h>
+
+static const double FLOOR = 1e-4;
+static const double ROUNDING = 1e-15;
+
+void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *tolerance)
+{
+    for (size_t i = 0; i < accuracy->size; ++i) {
+        double *largest = accuracy->largest + (size_t)accuracy->group[i];
+        *largest = fmax(*largest, fabs(x[i]));
+    }
+    for (size_t i = 0; i < accuracy->size; ++i) {
+        const double floor = FLOOR * accuracy->natural[i];
+        const double scale = fmin(fmax(accuracy->largest[(size_t)accuracy->group[i]], floor), fmax(accuracy->cap[i], floor));
+        tolerance[i] = fmax(accuracy->relative * scale, ROUNDING * accuracy->natural[i]);
+    }
+}
+
+static int same(const char *a, const char *b)
+{
+    while (*a != '\0' && *a == *b) {
+        ++a;
+        ++b;
+    }
+    return *a == *b;
+}
+
+void lag_accuracy_groups(const lag_model *model, const double *start, double *group, double *natural, double *cap)
+{
+    const size_t n = model->nq;
+    for (size_t i = 0; i < n; ++i) {
+        const char *unit = model->coordinates[i].unit;
+        const int angle = same(unit, "rad") || same(unit, "1");
+        size_t first = 0;
+        double most = 0.0;
+        while (!same(unit, model->coordinates[first].unit)) {
+            ++first;
+        }
+        for (size_t j = 0; j < n; ++j) {
+            most = same(unit, model->coordinates[j].unit) ? fmax(most, fabs(start[j])) : most;
+        }
+        group[i] = (double)first;
+        group[n + i] = (double)(n + first);
+        natural[i] = natural[n + i] = angle || !(most > 0.0 && isfinite(most)) ? 1.0 : most;
+        cap[i] = angle ? 1.0 : (double)INFINITY;
+        cap[n + i] = (double)INFINITY;
+    }
+    for (size_t i = 2 * n; i < 2 * n + model->nz; ++i) {
+        group[i] = (double)i;
+        natural[i] = 1.0;
+        cap[i] = (double)INFINITY;
+    }
+}

@@ -1,0 +1,347 @@
+#include "lag/run.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "lag/fixed.h"
+
+static const double TOLERANCE = 1e-8;
+static const double PART = 1e-3;
+/* Steps are at least so many units in the last place of time. */
+static const double ULPS = 16.0;
+/* A step from which the constraints are out of reach is tried again with this part of its length. */
+static const double SHORTER = 0.25;
+
+static size_t doubles(const lag_model *model, const lag_run_options *options)
+{
+    const size_t size = lag_motion_size(model);
+    return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
+           lag_look_memory(model->nc, model->nq) + lag_watch_memory(model) + lag_stiffness_memory(size) + 5 * size + model->nc +
+           3 * model->ni + 4 * options->indicators + options->clocks + 1;
+}
+
+static size_t padded(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+size_t lag_run_size(const lag_model *model, const lag_run_options *options)
+{
+    return padded(sizeof(lag_run)) + padded(options->clocks * sizeof(lag_clock)) + doubles(model, options) * sizeof(double);
+}
+
+static double *take(double **memory, size_t count)
+{
+    double *start = *memory;
+    *memory += count;
+    return start;
+}
+
+static void place_watch(lag_run *run, const lag_model *model, double **memory)
+{
+    const lag_run_options *options = &run->options;
+    const size_t ni = model->ni;
+    double *own = take(memory, 3 * ni);
+    run->watch.motion = &run->motion;
+    run->watch.begun = options->continued;
+    run->watch.start = options->invariant_start != NULL ? options->invariant_start : own;
+    run->watch.size = options->invariant_size != NULL ? options->invariant_size : own + ni;
+    run->watch.drift = options->invariant_drift != NULL ? options->invariant_drift : own + 2 * ni;
+    run->watch.tolerance = options->invariant_tolerance;
+    run->watch.value = take(memory, lag_watch_memory(model));
+    run->watch.scale = run->watch.value + ni;
+    run->watch.held = run->watch.scale + ni;
+}
+
+lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options)
+{
+    const size_t size = lag_motion_size(model);
+    char *bytes = block;
+    memset(block, 0, lag_run_size(model, options));
+    lag_run *run = block;
+    run->options = *options;
+    run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
+    double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) + padded(options->clocks * sizeof(lag_clock)));
+    run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
+    run->options.part = options->part > 0.0 ? options->part : PART;
+    run->options.looks = options->looks > 0 ? options->looks : 4;
+    lag_motion_place(&run->motion, model, take(&memory, lag_motion_memory(model)));
+    run->motion.inputs = options->inputs;
+    run->motion.context = options->context;
+    lag_stepper_place(&run->stepper, &run->motion.ode, take(&memory, lag_stepper_memory(size)));
+    lag_projection_place(&run->projection, &run->motion, take(&memory, lag_projection_memory(model)));
+    run->group = take(&memory, size);
+    run->natural = take(&memory, size);
+    run->cap = take(&memory, size);
+    run->row_sizes = take(&memory, model->nc);
+    lag_look_place(&run->look, model, run->natural, run->row_sizes, take(&memory, lag_look_memory(model->nc, model->nq)));
+    run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, take(&memory, size), 0.0};
+    run->point = take(&memory, size);
+    place_watch(run, model, &memory);
+    lag_stiffness_place(&run->stiffness, size, take(&memory, lag_stiffness_memory(size)));
+    run->sign = take(&memory, options->indicators);
+    run->value = take(&memory, options->indicators);
+    run->crossed = take(&memory, options->indicators);
+    run->other = take(&memory, options->indicators);
+    run->ticked = take(&memory, options->clocks);
+    return run;
+}
+
+/* Natural sizes, from the options or from the state x. */
+static lag_status find_sizes(lag_run *run, double t, const double *x)
+{
+    const lag_model *model = run->motion.model;
+    const lag_run_options *options = &run->options;
+    const size_t size = lag_motion_size(model);
+    lag_status status = LAG_OK;
+    lag_accuracy_groups(model, x, run->group, run->natural, run->cap);
+    if (options->group != NULL) {
+        memcpy(run->group, options->group, size * sizeof(double));
+        memcpy(run->natural, options->natural, size * sizeof(double));
+        memcpy(run->cap, options->cap, size * sizeof(double));
+    }
+    if (model->nc > 0 && options->row_sizes == NULL) {
+        lag_motion_look(&run->motion, t, x);
+        status = model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        double sum = 0.0;
+        for (size_t j = 0; j < model->nq; ++j) {
+            const double entry = run->projection.jacobian[i * model->nq + j] * run->natural[j];
+            sum += entry * entry;
+        }
+        run->row_sizes[i] = options->row_sizes != NULL ? options->row_sizes[i] : sum > 0.0 ? sqrt(sum) : 1.0;
+    }
+    memcpy(run->projection.sizes, run->natural, model->nq * sizeof(double));
+    lag_projection_limits(&run->projection, options->part * options->tolerance, run->row_sizes);
+    run->sized = 1;
+    return status;
+}
+
+static double least_length(const lag_run *run, double stop)
+{
+    return ULPS * DBL_EPSILON * fmax(fmax(fabs(run->stepper.t), fabs(stop)), DBL_MIN);
+}
+
+/* The method starts (again) at the present state; h is what the stepper proposes. */
+static lag_status restart(lag_run *run, const lag_method *method, double span)
+{
+    lag_stepper *s = &run->stepper;
+    run->accuracy.relative = method->factor * run->options.tolerance;
+    lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
+    return lag_stepper_begin(s, method, span);
+}
+
+lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
+{
+    const lag_model *model = run->motion.model;
+    lag_stepper *s = &run->stepper;
+    lag_status status = LAG_OK;
+    if (run->motion.at.p == NULL) {
+        status = lag_motion_parameters(&run->motion, run->options.p != NULL ? run->options.p : model->defaults);
+        if (status == LAG_OK) {
+            status = lag_motion_start(&run->motion, t, run->point);
+        }
+        s->method = run->options.method != NULL ? run->options.method : &lag_dop853;
+    }
+    memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
+    s->t = s->t_before = run->event_time = t;
+    s->h = h;
+    s->h_most = run->options.h_most > 0.0 ? run->options.h_most : (double)INFINITY;
+    run->look.rank = 0;
+    return status == LAG_OK && !run->sized ? find_sizes(run, t, s->x) : status;
+}
+
+lag_status lag_run_begin(lag_run *run, double t, const double *x)
+{
+    lag_stepper *s = &run->stepper;
+    int moved = 0;
+    int happened = 0;
+    lag_status status = lag_run_move(run, t, x, run->options.h_first);
+    if (status == LAG_OK && x == NULL) {
+        status = lag_projection_apply(&run->projection, t, s->x, &moved);
+    }
+    for (size_t i = 0; i < run->options.clocks; ++i) {
+        run->clock[i] = lag_clock_of(run->options.first[i], run->options.period[i]);
+        lag_clock_seek(&run->clock[i], t);
+    }
+    while (run->row < run->options.count && run->options.times[run->row] < t) {
+        ++run->row;
+    }
+    if (status == LAG_OK) {
+        status = lag_run_signs(run);
+    }
+    if (status == LAG_OK) {
+        status = lag_run_fire(run, 0, &happened);
+    }
+    if (status == LAG_OK) {
+        status = lag_watch_look(&run->watch, t, s->x);
+    }
+    return status == LAG_OK ? lag_run_rows(run, t, 1) : status;
+}
+
+void lag_run_tell(const lag_run *run, lag_run_report *report)
+{
+    const lag_stepper *s = &run->stepper;
+    *report = (lag_run_report){
+        .t = s->t,
+        .h = s->h,
+        .trouble_time = s->trouble_time,
+        .x = s->x,
+        .row = run->row,
+        .steps = run->steps,
+        .all_steps = s->steps,
+        .rejections = s->rejections,
+        .evaluations = s->evaluations,
+        .jacobians = s->jacobians,
+        .decompositions = s->decompositions,
+        .projections = run->projection.count,
+        .events = run->events,
+        .changes = run->changes,
+        .change = run->change,
+        .implicit = s->method->implicit,
+    };
+}
+
+/* Back onto the constraints after a step. LAG_OFF: it was too long. */
+static lag_status settle(lag_run *run)
+{
+    lag_stepper *s = &run->stepper;
+    int moved = 0;
+    lag_status status = lag_projection_apply(&run->projection, s->t, s->x, &moved);
+    if (status == LAG_OK && moved) {
+        status = lag_stepper_correct(s);
+    }
+    return status == LAG_OK ? LAG_OK : LAG_OFF;
+}
+
+/* One step that ends on the constraints; where that looks dangerous it is taken back. */
+static lag_status advance(lag_run *run, double limit)
+{
+    lag_stepper *s = &run->stepper;
+    for (;;) {
+        lag_status status = lag_stepper_step(s, limit);
+        if (status != LAG_OK) {
+            return status == LAG_STUCK && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
+        }
+        const double h = s->t - s->t_before;
+        status = settle(run);
+        if (status == LAG_OFF && SHORTER * h > s->h_least) {
+            lag_stepper_undo(s, SHORTER * h);
+            continue;
+        }
+        if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
+            status = lag_look_at(&run->look, run->projection.jacobian);
+        }
+        if (status == LAG_OK) {
+            status = lag_watch_look(&run->watch, s->t, s->x);
+        }
+        if (status != LAG_OK) {
+            lag_stepper_undo(s, h);
+        }
+        return status;
+    }
+}
+
+/* After a step without event: the tolerances follow the motion, the method may change. */
+static lag_status follow(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    const lag_method *method = run->options.method == NULL ? lag_stiffness_method(&run->stiffness, s) : s->method;
+    if (method == s->method || s->t >= stop) {
+        lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
+        return LAG_OK;
+    }
+    if (run->changes < LAG_CHANGES) {
+        run->change[run->changes] = (lag_change){s->t, method->implicit};
+    }
+    ++run->changes;
+    return restart(run, method, stop - s->t);
+}
+
+/* One step and what follows from it: rows, an event, other tolerances. */
+static lag_status go_on(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    const double t = s->t;
+    const double limit = fmin(stop, lag_run_instant(run));
+    double crossing = (double)INFINITY;
+    int happened = 0;
+    lag_status status = advance(run, limit);
+    const double h = s->h;
+    if (status == LAG_OK && run->options.indicators > 0) {
+        status = lag_run_crossing(run, &crossing);
+    }
+    if (status == LAG_OK && crossing < (double)INFINITY) {
+        status = lag_run_rows(run, crossing, 0);
+        if (status == LAG_OK) {
+            status = lag_run_inside(run, crossing, run->point);
+        }
+        if (status == LAG_OK) {
+            memcpy(s->x, run->point, s->ode->size * sizeof(double));
+            s->t = crossing;
+        }
+    }
+    if (status == LAG_OK && crossing == (double)INFINITY) {
+        status = lag_run_rows(run, s->t, 0);
+    }
+    if (status != LAG_OK) {
+        if (s->t > t) {
+            lag_stepper_undo(s, 0.5 * (s->t - t));
+        }
+        return status;
+    }
+    status = lag_run_fire(run, crossing < (double)INFINITY, &happened);
+    if (status == LAG_OK && happened) {
+        s->h = fmin(h, s->h_most);
+        run->look.rank = 0;
+        status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
+    } else if (status == LAG_OK) {
+        status = follow(run, stop);
+    }
+    return status == LAG_OK ? lag_run_rows(run, s->t, 1) : status;
+}
+
+lag_status lag_run_to(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    run->steps = 0;
+    if (!(stop > s->t)) {
+        return LAG_OK;
+    }
+    s->h_least = least_length(run, stop);
+    lag_status status = restart(run, s->method, stop - s->t);
+    if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
+        lag_motion_look(&run->motion, s->t, s->x);
+        status = run->motion.model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
+        run->look.rank = 0;
+        status = status == LAG_OK ? lag_look_at(&run->look, run->projection.jacobian) : status;
+    }
+    while (status == LAG_OK && s->t < stop) {
+        if (run->options.most_steps > 0 && run->steps >= run->options.most_steps) {
+            return LAG_TOO_LONG;
+        }
+        ++run->steps;
+        status = go_on(run, stop);
+    }
+    return status;
+}
+
+lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
+    double *memory)
+{
+    lag_stepper *s = &run->stepper;
+    const unsigned iterations = run->projection.iterations;
+    int moved = 0;
+    lag_status status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
+    if (status == LAG_OK) {
+        s->t_before = s->t;
+        s->t += h;
+        run->projection.iterations = 2;
+        (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
+        run->projection.iterations = iterations;
+    }
+    return status;
+}

@@ -1,0 +1,44 @@
+/* Rows of a run at requested times. */
+#include "lag/run.h"
+
+lag_status lag_run_inside(lag_run *run, double t, double *x)
+{
+    int moved = 0;
+    const lag_status status = lag_stepper_dense(&run->stepper, t, x);
+    if (status == LAG_OK) {
+        (void)lag_projection_apply(&run->projection, t, x, &moved); /* where it cannot, the row is as the method found it */
+    }
+    return status;
+}
+
+static lag_status record(lag_run *run, double t, const double *x)
+{
+    const size_t size = run->stepper.ode->size;
+    if (run->options.rows != NULL) {
+        for (size_t i = 0; i < size; ++i) {
+            run->options.rows[run->row * size + i] = x[i];
+        }
+    }
+    ++run->row;
+    return run->options.output != NULL ? run->options.output(run->options.context, run, t, x) : LAG_OK;
+}
+
+lag_status lag_run_rows(lag_run *run, double t, int up_to)
+{
+    const lag_run_options *options = &run->options;
+    lag_status status = LAG_OK;
+    while (status == LAG_OK && run->row < options->count && options->times[run->row] < t) {
+        const double time = options->times[run->row];
+        status = lag_run_inside(run, time, run->point);
+        if (status == LAG_OK) {
+            status = lag_watch_look(&run->watch, time, run->point);
+        }
+        if (status == LAG_OK) {
+            status = record(run, time, run->point);
+        }
+    }
+    while (status == LAG_OK && up_to && run->row < options->count && options->times[run->row] == t) {
+        status = record(run, t, run->stepper.x);
+    }
+    return status;
+}

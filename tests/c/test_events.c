@@ -1,0 +1,84 @@
+/* What events are made of: zeros and clocks. */
+#include "check.h"
+#include "lag/clock.h"
+#include "lag/root.h"
+
+typedef struct counted {
+    int kind, calls;
+} counted;
+
+static double value(void *context, double x)
+{
+    counted *c = context;
+    ++c->calls;
+    switch (c->kind) {
+    case 0:
+        return x - 0.3;
+    case 1:
+        return x * x * x * x * x * x * x * x * x - 1e-6; /* flat */
+    case 2:
+        return x < 0.7 ? -1.0 : 1.0; /* a jump */
+    case 3:
+        return cos(3.0 * x) - 0.5;
+    default:
+        return exp(-50.0 * x) - 1e-10;
+    }
+}
+
+static void roots(void)
+{
+    const double exact[5] = {0.3, pow(1e-6, 1.0 / 9.0), 0.7, acos(0.5) / 3.0, log(1e10) / 50.0};
+    for (int kind = 0; kind < 5; ++kind) {
+        counted c = {kind, 0};
+        const double a = 0.0;
+        const double b = 1.0;
+        const double fa = value(&c, a);
+        const double fb = value(&c, b);
+        c.calls = 0;
+        const double x = lag_root(value, &c, a, fa, b, fb, 1e-14);
+        CHECK_NEAR(x, exact[kind], 2e-14);
+        CHECK(lag_root_sign(value(&c, x)) == lag_root_sign(fb));
+        CHECK(c.calls <= 52);
+    }
+    counted smooth = {3, 0};
+    (void)lag_root(value, &smooth, 0.0, 0.5, 1.0, cos(3.0) - 0.5, 1e-14);
+    CHECK(smooth.calls <= 15);
+}
+
+static void clocks_count(void)
+{
+    const lag_clock fast = lag_clock_of(0.0, 0.1);
+    const lag_clock slow = lag_clock_of(0.0, 0.3);
+    const lag_clock late = lag_clock_of(0.05, 0.1);
+    const lag_clock odd = lag_clock_of(0.0, 3.14159265358979312);
+    for (unsigned long long k = 0; k < 100000; ++k) {
+        CHECK(lag_clock_instant(&fast, 3 * k) == lag_clock_instant(&slow, k));
+        CHECK(lag_clock_instant(&fast, k) == (double)k / 10.0);
+        CHECK(lag_clock_instant(&late, k) == (double)(2 * k + 1) / 20.0);
+        CHECK(lag_clock_instant(&odd, k) == (double)k * 3.14159265358979312);
+    }
+}
+
+static void clocks_seek(void)
+{
+    lag_clock clock = lag_clock_of(0.5, 0.1);
+    lag_clock_seek(&clock, -3.0);
+    CHECK(clock.next == 0);
+    lag_clock_seek(&clock, 0.5);
+    CHECK(clock.next == 0);
+    lag_clock_seek(&clock, 0.55);
+    CHECK(clock.next == 1);
+    lag_clock_seek(&clock, 0.8);
+    CHECK(clock.next == 3);
+    lag_clock_seek(&clock, 1e6);
+    CHECK(lag_clock_instant(&clock, clock.next) == 1e6);
+}
+
+int main(void)
+{
+    roots();
+    clocks_count();
+    clocks_seek();
+    (void)printf("events: ok\n");
+    return EXIT_SUCCESS;
+}

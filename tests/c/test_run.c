@@ -1,0 +1,501 @@
+/* Whole runs of small models that are written by hand. */
+#include <string.h>
+
+#include "check.h"
+#include "lag/fixed.h"
+#include "lag/run.h"
+
+static lag_status no_preparation(const double *p, double *workspace)
+{
+    (void)p;
+    (void)workspace;
+    return LAG_OK;
+}
+
+static lag_status no_rates(const lag_arguments *at, double *rates)
+{
+    (void)at;
+    (void)rates;
+    return LAG_OK;
+}
+
+/* ---- a mass 1 on a circle of radius 1, g = 10, in Cartesian coordinates; the constraint stated twice ---- */
+
+static lag_status circle_start(const lag_arguments *at, double *q, double *qd, double *z, double *u)
+{
+    (void)at;
+    (void)z;
+    (void)u;
+    q[0] = 0.7;
+    q[1] = 0.1; /* off the circle */
+    qd[0] = qd[1] = 0.0;
+    return LAG_OK;
+}
+
+static lag_status circle_position(const lag_arguments *at, double *phi, double *jacobian)
+{
+    const double *q = at->q;
+    phi[0] = q[0] * q[0] + q[1] * q[1] - 1.0;
+    phi[1] = 3.0 * phi[0];
+    for (int i = 0; i < 2; ++i) {
+        jacobian[i] = 2.0 * q[i];
+        jacobian[2 + i] = 6.0 * q[i];
+    }
+    return LAG_OK;
+}
+
+static lag_status circle_velocity(const lag_arguments *at, double *residual, double *jacobian)
+{
+    const lag_status status = circle_position(at, residual, jacobian);
+    residual[0] = jacobian[0] * at->qd[0] + jacobian[1] * at->qd[1];
+    residual[1] = 3.0 * residual[0];
+    return status;
+}
+
+static lag_status circle_mass(const lag_arguments *at, double *mass)
+{
+    (void)at;
+    mass[0] = mass[3] = 1.0;
+    mass[1] = mass[2] = 0.0;
+    return LAG_OK;
+}
+
+static lag_status circle_dynamics(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma)
+{
+    double phi[2];
+    (void)circle_position(at, phi, jacobian);
+    force[0] = 0.0;
+    force[1] = -10.0;
+    gamma[0] = -2.0 * (at->qd[0] * at->qd[0] + at->qd[1] * at->qd[1]);
+    gamma[1] = 3.0 * gamma[0];
+    return circle_mass(at, mass);
+}
+
+static lag_status circle_tangent(const lag_arguments *at, double *motion, double *rows)
+{
+    for (int i = 0; i < 2; ++i) {
+        motion[i] = -2.0 * at->dq[i] * (at->lam[0] + 3.0 * at->lam[1]);
+    }
+    rows[0] = 2.0 * (at->dq[0] * at->qdd[0] + at->dq[1] * at->qdd[1]) + 4.0 * (at->qd[0] * at->dqd[0] + at->qd[1] * at->dqd[1]);
+    rows[1] = 3.0 * rows[0];
+    return LAG_OK;
+}
+
+/* The energy, and that the mass stays below y = 0.5. */
+static lag_status circle_monitor(const lag_arguments *at, double *invariant, double *scale, double *assertion)
+{
+    invariant[0] = 0.5 * (at->qd[0] * at->qd[0] + at->qd[1] * at->qd[1]) + 10.0 * at->q[1];
+    scale[0] = 10.0;
+    assertion[0] = at->q[1] < 0.5 ? 1.0 : 0.0;
+    return LAG_OK;
+}
+
+static const lag_slot CIRCLE_Q[2] = {{"x", "m", NULL}, {"y", "m", NULL}};
+static const unsigned char BOTH[2] = {1, 1};
+
+static const lag_model CIRCLE = {
+    .version = LAG_MODEL_VERSION,
+    .size = sizeof(lag_model),
+    .name = "Circle",
+    .nq = 2,
+    .nc = 2,
+    .ni = 1,
+    .na = 1,
+    .rank = 1,
+    .coordinates = CIRCLE_Q,
+    .position_level = BOTH,
+    .prepare = no_preparation,
+    .start = circle_start,
+    .position_constraint = circle_position,
+    .velocity_constraint = circle_velocity,
+    .mass_matrix = circle_mass,
+    .dynamics = circle_dynamics,
+    .residual_tangent = circle_tangent,
+    .state_derivative = no_rates,
+    .state_derivative_tangent = no_rates,
+    .monitor = circle_monitor,
+};
+
+/* Exactly the block that was asked for: the sanitizer sees one step beyond. */
+static lag_run *place(const lag_model *model, const lag_run_options *options)
+{
+    void *block = malloc(lag_run_size(model, options));
+    CHECK(block != NULL);
+    return lag_run_place(block, model, options);
+}
+
+static double circle_gap(const double *x)
+{
+    const double gap = fabs(x[0] * x[0] + x[1] * x[1] - 1.0);
+    return fmax(gap, fabs(2.0 * (x[0] * x[2] + x[1] * x[3])));
+}
+
+static void constraints_hold(const lag_method *method)
+{
+    static const double tolerance = 1e3;
+    double times[201];
+    double rows[201 * 4];
+    for (int i = 0; i <= 200; ++i) {
+        times[i] = (double)i / 20.0;
+    }
+    const lag_run_options options = {
+        .tolerance = 1e-9, .method = method, .count = 201, .times = times, .rows = rows, .invariant_tolerance = &tolerance};
+    lag_run *run = place(&CIRCLE, &options);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    CHECK(circle_gap(run->stepper.x) < 1e-11);
+    CHECK_NEAR(rows[1] / rows[0], 0.1 / 0.7, 1e-4);
+    CHECK(lag_run_to(run, 10.0) == LAG_OK);
+    CHECK(run->stepper.t == 10.0 && run->row == 201);
+    CHECK(run->projection.count > 10);
+    for (size_t i = 0; i <= 200; ++i) {
+        const double *x = rows + 4 * i;
+        CHECK(circle_gap(x) < 1e-11);
+        CHECK_NEAR(0.5 * (x[2] * x[2] + x[3] * x[3]) + 10.0 * (x[1] - rows[1]), 0.0, 2e-7);
+    }
+    CHECK(run->watch.drift[0] < 2e-7);
+    free(run);
+}
+
+static void what_is_violated_stops(void)
+{
+    static const double tolerance = 1e-6;
+    static const double high[4] = {0.6, -0.8, 6.0, 4.5};
+    const lag_run_options options = {.invariant_tolerance = &tolerance};
+    lag_run *run = place(&CIRCLE, &options);
+    CHECK(lag_run_begin(run, 0.0, high) == LAG_OK);
+    CHECK(lag_run_to(run, 10.0) == LAG_VIOLATED);
+    CHECK(run->stepper.t > 0.1 && run->stepper.t < 1.0 && run->stepper.x[1] < 0.5);
+    free(run);
+}
+
+static void attention_before_rank_is_lost(void)
+{
+    static const double small[2] = {100.0, 100.0}; /* rows that are small in these sizes */
+    const lag_run_options options = {.careful = 1, .row_sizes = small};
+    lag_run *run = place(&CIRCLE, &options);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_to(run, 1.0) == LAG_ATTENTION);
+    CHECK(run->stepper.t == 0.0);
+    free(run);
+    const lag_run_options usual = {.careful = 1};
+    run = place(&CIRCLE, &usual);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_to(run, 1.0) == LAG_OK);
+    free(run);
+}
+
+/* Two runs in turns are what each is alone, to the bit. */
+static void runs_do_not_know_of_each_other(void)
+{
+    static const double other[4] = {1.0, 0.0, 0.0, 1.0};
+    const lag_run_options options = {.tolerance = 1e-7};
+    lag_run *alone = place(&CIRCLE, &options);
+    lag_run *first = place(&CIRCLE, &options);
+    lag_run *second = place(&CIRCLE, &options);
+    CHECK(lag_run_begin(alone, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_begin(first, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_begin(second, 0.0, other) == LAG_OK);
+    for (int i = 1; i <= 5; ++i) {
+        CHECK(lag_run_to(alone, 0.3 * i) == LAG_OK);
+    }
+    for (int i = 1; i <= 5; ++i) {
+        CHECK(lag_run_to(first, 0.3 * i) == LAG_OK);
+        CHECK(lag_run_to(second, 0.2 * i) == LAG_OK);
+    }
+    CHECK(memcmp(alone->stepper.x, first->stepper.x, 4 * sizeof(double)) == 0);
+    free(alone);
+    free(first);
+    free(second);
+}
+
+static void fixed_steps_stay_on_the_circle(void)
+{
+    lag_fixed_step *const steps[3] = {lag_rk4, lag_leapfrog, lag_ros2};
+    const lag_run_options options = {0};
+    for (int k = 0; k < 3; ++k) {
+        double memory[4 * 4 + 4 * 4];
+        CHECK(lag_fixed_memory(4) <= sizeof memory / sizeof memory[0]);
+        lag_run *run = place(&CIRCLE, &options);
+        CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+        for (int i = 0; i < 2000; ++i) {
+            CHECK(lag_run_fixed(run, 0.005, steps[k], memory) == LAG_OK);
+        }
+        CHECK(circle_gap(run->stepper.x) < 1e-8);
+        free(run);
+    }
+}
+
+/* ---- a mass in a field of gravity, for bounces, and as the plant of a sampled controller ---- */
+
+static lag_status free_start(const lag_arguments *at, double *q, double *qd, double *z, double *u)
+{
+    (void)at;
+    (void)z;
+    (void)u;
+    q[0] = 1.0;
+    qd[0] = 0.0;
+    return LAG_OK;
+}
+
+static lag_status free_dynamics(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma)
+{
+    (void)jacobian;
+    (void)gamma;
+    mass[0] = 1.0;
+    force[0] = at->p[0] + at->w[0];
+    return LAG_OK;
+}
+
+static lag_status free_mass(const lag_arguments *at, double *mass)
+{
+    (void)at;
+    mass[0] = 1.0;
+    return LAG_OK;
+}
+
+static const lag_slot FREE_Q[1] = {{"h", "m", NULL}};
+static const lag_slot FREE_W[1] = {{"F", "N", NULL}};
+static const double GRAVITY[1] = {-9.81};
+
+static const lag_model FREE = {
+    .version = LAG_MODEL_VERSION,
+    .size = sizeof(lag_model),
+    .name = "Free",
+    .nq = 1,
+    .nw = 1,
+    .np = 1,
+    .coordinates = FREE_Q,
+    .discretes = FREE_W,
+    .defaults = GRAVITY,
+    .prepare = no_preparation,
+    .start = free_start,
+    .mass_matrix = free_mass,
+    .dynamics = free_dynamics,
+};
+
+typedef struct bounces {
+    size_t count;
+    double time[64];
+} bounces;
+
+static lag_status height(void *context, lag_run *run, double t, const double *x, double *value)
+{
+    (void)context;
+    (void)run;
+    (void)t;
+    value[0] = x[0];
+    return LAG_OK;
+}
+
+static lag_status bounce(void *context, lag_run *run, const lag_event *event)
+{
+    bounces *seen = context;
+    if (event->crossed[0] < 0.0) {
+        CHECK(seen->count < 64);
+        seen->time[seen->count++] = event->t;
+        run->stepper.x[1] *= -0.9;
+    }
+    return LAG_OK;
+}
+
+static void a_ball_bounces_on_time(const lag_method *method)
+{
+    bounces seen = {.count = 0};
+    const lag_run_options options = {
+        .method = method, .context = &seen, .indicators = 1, .indicate = height, .event = bounce, .tolerance = 1e-10};
+    lag_run *run = place(&FREE, &options);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_to(run, 6.0) == LAG_OK);
+    double time = sqrt(2.0 / 9.81);
+    double flight = 2.0 * time;
+    double worst = 0.0;
+    for (size_t i = 0; i < seen.count; ++i) {
+        worst = fmax(worst, fabs(seen.time[i] - time));
+        flight *= 0.9;
+        time += flight;
+    }
+    (void)printf("%s: %zu bounces, error in time %.1e, %zu steps\n", run->stepper.method->name, seen.count, worst,
+        run->stepper.steps);
+    CHECK(seen.count == 11);
+    CHECK(worst < 1e-9);
+    free(run);
+}
+
+static lag_status stays_down(void *context, lag_run *run, const lag_event *event)
+{
+    (void)context;
+    (void)event;
+    run->stepper.x[0] = event->pass % 2 == 0 ? 1.0 : -1.0; /* every pass undoes the one before */
+    return LAG_OK;
+}
+
+static void chatter_ends(void)
+{
+    const lag_run_options options = {.indicators = 1, .indicate = height, .event = stays_down};
+    lag_run *run = place(&FREE, &options);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_to(run, 1.0) == LAG_CHATTER);
+    CHECK_NEAR(run->stepper.t, sqrt(2.0 / 9.81), 1e-9);
+    free(run);
+}
+
+typedef struct control {
+    size_t count;
+    double sum;
+} control;
+
+/* A controller that samples: the force is held in between. */
+static lag_status sample(void *context, lag_run *run, const lag_event *event)
+{
+    control *c = context;
+    const double *x = run->stepper.x;
+    CHECK(event->ticked[0] == 1.0);
+    CHECK(event->t == (double)c->count / 50.0);
+    run->motion.w[0] = 9.81 - 40.0 * (x[0] - 2.0) - 8.0 * x[1];
+    ++c->count;
+    return LAG_OK;
+}
+
+/* The same bits whatever rows are asked for, and those of the closed form of a held force. */
+static void a_sampled_controller(void)
+{
+    static const double first = 0.0;
+    static const double period = 0.02;
+    double ends[2][2];
+    double times[1000];
+    double rows[2000];
+    for (int i = 0; i < 1000; ++i) {
+        times[i] = (double)i * 0.00273;
+    }
+    for (int k = 0; k < 2; ++k) {
+        control seen = {0, 0.0};
+        const lag_run_options options = {.context = &seen,
+            .clocks = 1,
+            .first = &first,
+            .period = &period,
+            .event = sample,
+            .count = k == 0 ? 0 : 1000,
+            .times = times,
+            .rows = rows};
+        lag_run *run = place(&FREE, &options);
+        CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+        CHECK(lag_run_to(run, 3.0) == LAG_OK);
+        CHECK(seen.count == 151);
+        memcpy(ends[k], run->stepper.x, sizeof ends[k]);
+        free(run);
+    }
+    CHECK(memcmp(ends[0], ends[1], sizeof ends[0]) == 0);
+    double x = 1.0;
+    double v = 0.0;
+    for (int i = 0; i < 150; ++i) {
+        const double a = -40.0 * (x - 2.0) - 8.0 * v;
+        x += v * period + 0.5 * a * period * period;
+        v += a * period;
+    }
+    CHECK_NEAR(ends[0][0], x, 1e-10);
+    CHECK_NEAR(ends[0][1], v, 1e-10);
+}
+
+/* ---- two states of first order: an oscillator that is stiff or not ---- */
+
+static lag_status oscillator_start(const lag_arguments *at, double *q, double *qd, double *z, double *u)
+{
+    (void)at;
+    (void)q;
+    (void)qd;
+    (void)u;
+    z[0] = 2.0;
+    z[1] = 0.0;
+    return LAG_OK;
+}
+
+static lag_status nothing(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma)
+{
+    (void)at;
+    (void)mass;
+    (void)force;
+    (void)jacobian;
+    (void)gamma;
+    return LAG_OK;
+}
+
+static lag_status no_residual(const lag_arguments *at, double *motion, double *rows)
+{
+    (void)at;
+    (void)motion;
+    (void)rows;
+    return LAG_OK;
+}
+
+static lag_status oscillator_rates(const lag_arguments *at, double *rates)
+{
+    const double *z = at->z;
+    rates[0] = z[1];
+    rates[1] = ((1.0 - z[0] * z[0]) * z[1] - z[0]) / at->p[0];
+    return LAG_OK;
+}
+
+static lag_status oscillator_tangent(const lag_arguments *at, double *rates)
+{
+    const double *z = at->z;
+    rates[0] = at->dz[1];
+    rates[1] = (-(2.0 * z[0] * z[1] + 1.0) * at->dz[0] + (1.0 - z[0] * z[0]) * at->dz[1]) / at->p[0];
+    return LAG_OK;
+}
+
+static const lag_slot OSCILLATOR_Z[2] = {{"x", "1", NULL}, {"v", "1/s", NULL}};
+static const double EPSILON[1] = {1e-6};
+
+static const lag_model OSCILLATOR = {
+    .version = LAG_MODEL_VERSION,
+    .size = sizeof(lag_model),
+    .name = "Oscillator",
+    .nz = 2,
+    .np = 1,
+    .states = OSCILLATOR_Z,
+    .defaults = EPSILON,
+    .prepare = no_preparation,
+    .start = oscillator_start,
+    .dynamics = nothing,
+    .residual_tangent = no_residual,
+    .state_derivative = oscillator_rates,
+    .state_derivative_tangent = oscillator_tangent,
+};
+
+static void stiffness_is_found(double epsilon, int stiff)
+{
+    const double p[1] = {epsilon};
+    const lag_run_options options = {.p = p, .tolerance = 1e-6};
+    lag_run *run = place(&OSCILLATOR, &options);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    CHECK(lag_run_to(run, 2.0) == LAG_OK);
+    (void)printf("epsilon %.0e: %zu steps, %zu evaluations, %zu Jacobians, %zu changes, now %s\n", epsilon, run->stepper.steps,
+        run->stepper.evaluations, run->stepper.jacobians, run->changes, run->stepper.method->name);
+    if (stiff) {
+        CHECK(run->changes > 0 && run->change[0].implicit);
+        CHECK_NEAR(run->stepper.x[0], 1.706167732170483, 1e-4);
+        CHECK(run->stepper.evaluations < 20000);
+    } else {
+        CHECK(run->changes == 0);
+    }
+    free(run);
+}
+
+int main(void)
+{
+    constraints_hold(&lag_dop853);
+    constraints_hold(&lag_radau);
+    constraints_hold(NULL);
+    what_is_violated_stops();
+    attention_before_rank_is_lost();
+    runs_do_not_know_of_each_other();
+    fixed_steps_stay_on_the_circle();
+    a_ball_bounces_on_time(&lag_dop853);
+    a_ball_bounces_on_time(NULL);
+    chatter_ends();
+    a_sampled_controller();
+    stiffness_is_found(1e-6, 1);
+    stiffness_is_found(1.0, 0);
+    (void)printf("run: ok\n");
+    return EXIT_SUCCESS;
+}
