@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
+from lagdsl.flat.events import Discrete, Relation, entries
 from lagdsl.flat.rotation import quaternion_rotation, rotation, rotation_about
 from lagdsl.flat.traversal import postorder
 from lagdsl.record import record
@@ -167,9 +168,23 @@ class _Moment:
         item = self.named.get(name)
         if isinstance(item, fm.Definition):
             return self.scalar(item.value)
-        if name not in self.variables:
-            raise NotEvaluable(name)
-        return complex(self.variables[name])
+        if name in self.variables:
+            return complex(self.variables[name])
+        return self._discrete(name)
+
+    def _discrete(self, name: str) -> complex:
+        """Relations as they stand, variables at their starts, contacts open, no clock ticking."""
+        for entry in entries(self.flat.events):
+            if entry.name == name:
+                match entry.item:
+                    case Relation(difference=difference, strict=strict):
+                        value = self.scalar(difference).real
+                        return _truth(value > 0.0 or (value == 0.0 and not strict))
+                    case Discrete(start=start):
+                        return self.scalar(start)
+                    case _:
+                        return 0j
+        raise NotEvaluable(name)
 
     def _binary(self, expression: fx.Binary) -> _Value:
         left, right = self._value(expression.left), self._value(expression.right)

@@ -57,6 +57,13 @@ class Variable:
 
 
 @record()
+class Previous:
+    """What the named discrete variable was before the event; in `when` only."""
+
+    name: str
+
+
+@record()
 class Derivative:
     """Total time derivative of a scalar or, in the inertial frame, of a vector.
 
@@ -234,8 +241,8 @@ class AngularMomentum:
 
 
 FlatExpression: TypeAlias = (
-    "Number | Variable | Derivative | Unary | Binary | Function | Conditional | Component | Dot | Norm | Vector "
-    "| PointReference | FrameOrigin | FrameAxis | AngularVelocity | MaterialVelocity | Cross | Multiplier "
+    "Number | Variable | Previous | Derivative | Unary | Binary | Function | Conditional | Component | Dot | Norm "
+    "| Vector | PointReference | FrameOrigin | FrameAxis | AngularVelocity | MaterialVelocity | Cross | Multiplier "
     "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | LinearMomentum | AngularMomentum"
 )
 

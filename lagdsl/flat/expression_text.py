@@ -40,7 +40,7 @@ def _text(node: fx.FlatExpression, parts: list[_Text]) -> _Text:
             text = number_text(value)
             return text, _SIGN if text.startswith("-") else _ATOM
         case fx.Variable(name) | fx.PointReference(name):
-            return name, _ATOM
+            return name, _RELATION if "<" in name or ">" in name else _ATOM
         case fx.Unary(operator, _):
             return _unary(operator, parts[0])
         case fx.Binary(operator, _, _):
@@ -65,6 +65,8 @@ def _call(node: fx.FlatExpression, arguments: str) -> str:  # noqa: C901, PLR091
     match node:
         case fx.Derivative():
             return f"der({arguments})"
+        case fx.Previous(name):
+            return f"pre({name})"
         case fx.Function(name, _):
             return f"{name}({arguments})"
         case fx.Norm():
@@ -90,7 +92,14 @@ def _call(node: fx.FlatExpression, arguments: str) -> str:  # noqa: C901, PLR091
         case fx.AngularMomentum(body, _):
             return f"angular_momentum({f'{body}, ' if body is not None else ''}about = {arguments})"
         case (
-            fx.Number() | fx.Variable() | fx.PointReference() | fx.Unary() | fx.Binary() | fx.Dot() | fx.Conditional()
+            fx.Number()
+            | fx.Variable()
+            | fx.Previous()
+            | fx.PointReference()
+            | fx.Unary()
+            | fx.Binary()
+            | fx.Dot()
+            | fx.Conditional()
         ) | (fx.Component() | fx.Vector() | fx.FrameOrigin() | fx.FrameAxis()):
             raise AssertionError("not a call")
         case _:

@@ -30,7 +30,7 @@ def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  #
             return (expression.direction,)
         case fx.AngularMomentum():
             return (expression.about,)
-        case fx.Number() | fx.Variable() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
+        case fx.Number() | fx.Variable() | fx.Previous() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
             return ()
         case fx.AngularVelocity() | fx.Multiplier() | fx.FrameReaction() | fx.SystemEnergy():
             return ()

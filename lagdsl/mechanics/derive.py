@@ -13,6 +13,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints, energies, lagrange
 from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.eliminated import eliminated_equations
+from lagdsl.mechanics.events import event_functions
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.provided import Provider
@@ -69,6 +70,7 @@ def derive(flat: FlatModel, *, dense: bool = True) -> Program:
         for name, arguments in SIGNATURES.items()
         if name in blocks
     )
+    functions += event_functions(derivation.lowering, flat)
     if dense:
         written_out = [node for block in blocks["dynamics"] for node in block.elements]
         directions = derivation.symbols.directions

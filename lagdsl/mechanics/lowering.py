@@ -128,7 +128,14 @@ class Lowering:
 
     def _combine(self, expression: FlatExpression) -> Value:
         match expression:
-            case flat.Number() | flat.Variable() | flat.Function() | flat.Derivative() | flat.Component():
+            case (
+                flat.Number()
+                | flat.Variable()
+                | flat.Previous()
+                | flat.Function()
+                | flat.Derivative()
+                | flat.Component()
+            ):
                 return self._simple(expression)
             case flat.Unary() | flat.Binary() | flat.Conditional():
                 return self._operator(expression)
@@ -156,7 +163,8 @@ class Lowering:
         return cast(Vector, self._values[id(expression)])
 
     def _simple(
-        self, expression: flat.Number | flat.Variable | flat.Function | flat.Derivative | flat.Component
+        self,
+        expression: flat.Number | flat.Variable | flat.Previous | flat.Function | flat.Derivative | flat.Component,
     ) -> Value:
         match expression:
             case flat.Number(number):
@@ -164,6 +172,8 @@ class Lowering:
             case flat.Variable(name):
                 definition = self._definitions.get(name)
                 return self.symbols.by_name[name] if definition is None else self._known(definition.value)
+            case flat.Previous(name):
+                return self.symbols.previous[name]
             case flat.Function(name, arguments):
                 return function(self.graph, name, [self._node(x) for x in arguments])
             case flat.Derivative(operand):

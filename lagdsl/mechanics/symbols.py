@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.events import entries
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
@@ -31,6 +32,8 @@ class Symbols:
         self.qdd = graph.symbols(Group.QDD, len(flat.coordinates))
         self.z = graph.symbols(Group.Z, len(flat.states))
         self.u = graph.symbols(Group.U, len(flat.inputs))
+        discretes = entries(flat.events)
+        self.w = graph.symbols(Group.W, len(discretes))
         independent = [parameter for parameter in flat.parameters if not parameter.structural]
         self.p = graph.symbols(Group.P, len(independent))
         self.rows = [row for constraint in flat.constraints for row in constraint.rows]
@@ -45,6 +48,8 @@ class Symbols:
             (flat.inputs, self.u),
         ):
             self.by_name |= {item.name: node for item, node in zip(items, nodes, strict=True)}
+        self.previous = {entry.name: node for entry, node in zip(discretes, self.w, strict=True)}
+        self.by_name |= self.previous
 
     @property
     def directions(self) -> Directions:

@@ -25,11 +25,16 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | initial_equation | t q qd z u w p qdd lam | residual (ne) of the initial equations |
 | constraint_tangent | t q qd z u w p dq dqd dz du dp | dphi (nc), and d(J qd + b) (nc), along a direction |
 | elimination | t q qd z u w p | a = M^-1 f (nq), Y (nc, nq) with rows M^-1 J', J (nc, nq), gamma (nc), and pivot |
+| discrete_start | t p | start values w (nw) |
+| indicator | t q qd z u w p qdd lam | g (nr): a relation holds where its entry is positive or, if not strict, zero |
+| contact | t q qd z u w p | gap, speed (ni), dgap/dq (ni, nq) of contacts, then of `impact`; restitution, stick, rest |
+| clock | t p | start (nk), period (nk) |
+| event | t q qd z u w p qdd lam | a pass over the `when` clauses: w; reset, value; impact, restitution; stop; fail |
 
-The last one is there only where solving the equations while they are expressions costs less than forming M and solving
+`elimination` is there only where solving the equations while they are expressions costs less than forming M and solving
 at run time. `pivot` is what subtraction left of the smallest pivot, relatively: where it is small or no number, the
-others are not to be used.
-`w` is empty until events are there. Directions `dp` hold one entry per independent parameter.
+others are not to be used. What follows it belongs to models with discretes, see `docs/adr/0030-events.md`.
+Directions `dp` hold one entry per independent parameter.
 """
 
 from lagdsl.graph.operation import Group
@@ -61,4 +66,11 @@ SIGNATURES: dict[str, tuple[Group, ...]] = {
 }
 
 # Functions that not every program has.
-OPTIONAL: dict[str, tuple[Group, ...]] = {"elimination": STATE}
+OPTIONAL: dict[str, tuple[Group, ...]] = {
+    "elimination": STATE,
+    "discrete_start": (Group.TIME, Group.P),
+    "indicator": SOLVED,
+    "contact": STATE,
+    "clock": (Group.TIME, Group.P),
+    "event": SOLVED,
+}

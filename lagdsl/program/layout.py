@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from lagdsl.flat.events import entries
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item, Quantity
 from lagdsl.program.program import Layout, Slot
@@ -18,7 +19,8 @@ def layout(flat: FlatModel) -> Layout:
         coordinates=_slots(flat.coordinates),
         states=_slots(flat.states),
         inputs=_slots(flat.inputs),
-        discretes=(),
+        discretes=tuple(Slot(name=entry.name, place=_place(entry.item)) for entry in entries(flat.events)),
+        kinds=tuple(entry.kind for entry in entries(flat.events)),
         parameters=_slots(independent),
         defaults=tuple(item.value for item in independent),
         outputs=_slots(flat.outputs),
@@ -34,9 +36,9 @@ def _slots(items: Sequence[Quantity]) -> tuple[Slot, ...]:
     return tuple(Slot(name=item.name, unit=item.unit, place=_place(item)) for item in items)
 
 
-def _place(item: Item) -> str | None:
+def _place(item: Item | None) -> str | None:
     """File and line of the declaration."""
-    if not item.spans:
+    if item is None or not item.spans:
         return None
     span = item.spans[0]
     return f"{span.file.name}:{span.first.line}"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from math import prod
 
+from lagdsl.flat.events import Kind
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.record import record
@@ -24,7 +25,9 @@ class Slot:
 
 @record(kw_only=True)
 class Layout:
-    """Names by index. `parameters` are the independent ones, with their default values beside them.
+    """Names by index. `kinds` are those of the discretes.
+
+    `parameters` are the independent ones, with their default values beside them.
 
     `redundant` flags constraint rows found dependent on others; `position_level` flags rows that restrict q itself.
     """
@@ -33,6 +36,7 @@ class Layout:
     states: tuple[Slot, ...]
     inputs: tuple[Slot, ...]
     discretes: tuple[Slot, ...]
+    kinds: tuple[Kind, ...]
     parameters: tuple[Slot, ...]
     defaults: tuple[float, ...]
     outputs: tuple[Slot, ...]

@@ -19,6 +19,7 @@ from lagdsl.semantics.values import (
     Array,
     Kind,
     Numeric,
+    Order,
     Poison,
     Scalar,
     Value,
@@ -348,16 +349,29 @@ def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, rig
     if not fits(one.dimension, two.dimension):
         report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
         return POISON
-    value = Scalar(
-        flat.Binary(_OPERATORS[node.operator], one.expression, two.expression),
-        DIMENSIONLESS,
-        latest(one, two),
-        highest(one, two),
-        "Boolean",
+    if latest(one, two) == Variability.CONTINUOUS and not ctx.quiet:
+        return _located(ctx, scope, node, one, two)
+    relation = flat.Binary(_OPERATORS[node.operator], one.expression, two.expression)
+    return Scalar(relation, DIMENSIONLESS, latest(one, two), highest(one, two), "Boolean")
+
+
+def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar) -> Value:
+    """The truth of a relation between what moves: it changes at events only, which are where its sides meet."""
+    if node.operator in ("==", "<>"):
+        ctx.sink.report("E0379", node.span, operator=node.operator)
+        return POISON
+    larger, smaller = (one, two) if node.operator in (">", ">=") else (two, one)
+    difference: FlatExpression = flat.Binary("-", larger.expression, smaller.expression)
+    if smaller.expression == flat.ZERO:
+        difference = larger.expression
+    name = ctx.occurrences.relation(
+        scope.owner.prefix + node.span.text,
+        (node.span, *scope.spans),
+        difference,
+        joined(one.dimension, two.dimension) or DIMENSIONLESS,
+        strict=node.operator in ("<", ">"),
     )
-    if value.variability == Variability.CONTINUOUS and not ctx.quiet and ctx.relation is None:
-        ctx.relation = node.span
-    return value
+    return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
 
 
 _OPERATORS: dict[str, flat.BinaryOperator] = {

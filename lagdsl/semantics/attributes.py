@@ -11,6 +11,7 @@ from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.prelude import BaseType
 from lagdsl.semantics.scope import Scope, Symbol
 from lagdsl.semantics.values import AnyDimension, Array, Scalar, Text, is_structural, rank
 from lagdsl.syntax import nodes
@@ -25,6 +26,7 @@ ALLOWED: dict[str, tuple[str, ...]] = {
     "output": _SHOWN,
     "algebraic": _SHOWN,
     "state": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN),
+    "discrete": ("start", "fixed", *_BOUNDS, *_SHOWN),
     "coordinate": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN, "der.start", "der.fixed", "prefer"),
     "point": (),
     "frame": (),
@@ -162,6 +164,7 @@ def expressions(
     shape: tuple[int, ...],
     *,
     unit: str = "1",
+    base: BaseType = "Real",
 ) -> list[FlatExpression] | None:
     """One expression for each element, of parameters at most; None after a diagnostic."""
     count = 1
@@ -174,7 +177,7 @@ def expressions(
         text = attribute.node.span.text
         ctx.sink.report("E0335", attribute.node.span, text=text)
         return None
-    expected = Expected(what, dimension, wanted, unit=unit, code="E0415")
+    expected = Expected(what, dimension, wanted, base, unit, "E0415")
     found = conform(ctx, attribute.scope, attribute.value, value, expected)
     if found is None:
         return None

@@ -9,6 +9,7 @@ from math import pi, prod
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.application import Application
 from lagdsl.semantics.arithmetic import Operand, divided, dot
 from lagdsl.semantics.arrays import elements_of, linspace, reduced
@@ -60,12 +61,20 @@ def _of_number(call: Application) -> Value:
     values = scalars(call)
     if values is None:
         return POISON
+    _note_jumps(call)
     argument = values[0]
     if not fits(argument.dimension, DIMENSIONLESS):
         span = call.arguments[0].node.span
         call.ctx.sink.report("E0402", span, function=f"`{call.name}`", found=quantity(argument.dimension))
         return POISON
     return _function(call, call.name, (argument.expression,), DIMENSIONLESS)
+
+
+def _note_jumps(call: Application) -> None:
+    """The first function whose jumps are met as they come."""
+    moving = any(value.variability == Variability.CONTINUOUS for value in call.numeric)
+    if moving and call.name in ("floor", "ceil", "mod") and not call.ctx.quiet and call.ctx.jump is None:
+        call.ctx.jump = call.node
 
 
 def _function(call: Application, name: str, arguments: tuple[FlatExpression, ...], dimension: AnyDimension) -> Scalar:
@@ -88,8 +97,19 @@ def _preserving(call: Application) -> Value:
 
 
 def _sign(call: Application) -> Value:
+    """Of what moves: two relations, so that its jumps are events."""
     values = scalars(call)
-    return POISON if values is None else _function(call, "sign", (values[0].expression,), DIMENSIONLESS)
+    if values is None:
+        return POISON
+    if call.ctx.quiet or values[0].variability != Variability.CONTINUOUS:
+        return _function(call, "sign", (values[0].expression,), DIMENSIONLESS)
+    text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", values[0].expression
+    spans, dimension = (call.node.span, *call.scope.spans), values[0].dimension or DIMENSIONLESS
+    relation = call.ctx.occurrences.relation
+    above = flat.Variable(relation(f"{text} > 0", spans, x, dimension, strict=True))
+    below = flat.Variable(relation(f"{text} < 0", spans, flat.Unary("-", x), dimension, strict=True))
+    value = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
+    return Scalar(value, DIMENSIONLESS, Variability.DISCRETE)
 
 
 def _same(call: Application, values: list[Scalar]) -> bool:
@@ -104,6 +124,7 @@ def _same(call: Application, values: list[Scalar]) -> bool:
 
 def _pair(call: Application) -> Value:
     """`atan2` and `mod`."""
+    _note_jumps(call)
     values = scalars(call)
     if values is None or not _same(call, values):
         return POISON

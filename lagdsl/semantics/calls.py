@@ -6,6 +6,7 @@ from lagdsl.semantics import builtin, geometry
 from lagdsl.semantics.application import Application
 from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.event_functions import OF_EVENTS
 from lagdsl.semantics.inline import inlined
 from lagdsl.semantics.mechanics_functions import SPECIALS
 from lagdsl.semantics.naming import name_span, quantity
@@ -13,20 +14,6 @@ from lagdsl.semantics.references import not_in_package, package_entry
 from lagdsl.semantics.scope import FunctionSymbol, Scope, Symbol, lookup, visible
 from lagdsl.semantics.values import POISON, Array, FrameValue, Poison, Scalar, Value, Vector
 from lagdsl.syntax import nodes
-
-# Functions of later releases: what they belong to.
-LATER = {
-    "pre": "events",
-    "edge": "events",
-    "change": "events",
-    "sample": "events",
-    "initial": "events",
-    "reinit": "events",
-    "terminate": "events",
-    "impact": "events",
-    "closed": "contacts",
-    "impacts": "contacts",
-}
 
 
 def call(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
@@ -42,8 +29,9 @@ def call(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         ctx.sink.report("E0209", node.function.span, name=node.function.span.text, help=None)
         return POISON
     name = node.function.name
-    if name in SPECIALS:
-        return SPECIALS[name](ctx, scope, node)
+    special = SPECIALS.get(name) or OF_EVENTS.get(name)
+    if special is not None:
+        return special(ctx, scope, node)
     if name in builtin.BUILTINS:
         return _builtin(ctx, scope, node, name)
     return _no_function(ctx, scope, node, node.function)
@@ -88,7 +76,7 @@ def _method(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.Member
 
 
 def _no_function(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.Reference) -> Value:
-    """`l(1 - cos(x))` where `l` is a variable; a misspelt function; one of a later release."""
+    """`l(1 - cos(x))` where `l` is a variable; a misspelt function."""
     name = function.name
     entry = lookup(scope, name)
     if isinstance(entry, Symbol | Scalar | Vector | Array):
@@ -96,11 +84,9 @@ def _no_function(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.R
             entry.used = True
         inside = node.span.text[len(name) :].strip()
         ctx.sink.report("E0327", function.span, name=name, what=_what(entry), arguments=inside)
-    elif name in LATER:
-        ctx.sink.report("E0311", node.span, what=f"`{name}`", hint=f"{LATER[name]} come with a later release")
     elif not ctx.incomplete:
         functions = [found for found, each in visible(scope) if isinstance(each, FunctionSymbol)]
-        meant = builtin.meant_function(name, [*functions, *SPECIALS])
+        meant = builtin.meant_function(name, [*functions, *SPECIALS, *OF_EVENTS])
         ctx.sink.report("E0209", function.span, name=name, help=f"did you mean `{meant}`?" if meant else None)
     return POISON
 

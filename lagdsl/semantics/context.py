@@ -9,8 +9,9 @@ from typing import Protocol
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
+from lagdsl.semantics.occurrences import Mode, Occurrences
 from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
-from lagdsl.semantics.values import AnyDimension, Value
+from lagdsl.semantics.values import AnyDimension, ContactValue, Value
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
@@ -29,6 +30,8 @@ class Resolver(Protocol):
     def element(self, symbol: Symbol, indices: Indices, span: Span) -> Value: ...
 
     def constraint(self, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None: ...
+
+    def contact(self, symbol: Symbol, indices: Indices) -> ContactValue | None: ...
 
 
 class Places(Protocol):
@@ -71,9 +74,12 @@ class Context:
     scopes: list[Scope] = field(default_factory=list)
     splits: list[tuple[nodes.Modifier, Indices, Scope]] = field(default_factory=list)
     split_values: dict[int, Value] = field(default_factory=dict)
-    relation: Span | None = None
+    jump: nodes.Call | None = None
     quiet: bool = False
+    mode: Mode = Mode.ALWAYS
+    occurrences: Occurrences = field(default_factory=Occurrences)
     unlabelled: int = 0
+    unlabelled_contacts: int = 0
     incomplete: bool = False
     functions: list[nodes.Function] = field(default_factory=list)
     turns: int = 0
@@ -100,13 +106,22 @@ class Context:
             self.scopes.pop()
 
     @contextmanager
-    def without_relations(self, quiet: bool = True) -> Iterator[None]:
-        """Relations inside are not to be located as events (or, with False, are again)."""
-        before, self.quiet = self.quiet, quiet
+    def without_relations(self) -> Iterator[None]:
+        """Relations inside are taken as they stand, not located as events."""
+        before, self.quiet = self.quiet, True
         try:
             yield
         finally:
             self.quiet = before
+
+    @contextmanager
+    def standing(self, mode: Mode) -> Iterator[None]:
+        """What is elaborated meanwhile stands there: a definition, which holds always, a `when` or its condition."""
+        before, self.quiet, self.mode = (self.quiet, self.mode), False, mode
+        try:
+            yield
+        finally:
+            self.quiet, self.mode = before
 
     def unique(self, name: str) -> str:
         """A name for something the user did not name."""

@@ -15,7 +15,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics import constraints, labels, parameters
+from lagdsl.semantics import constraints, contacts, labels, parameters
 from lagdsl.semantics.attributes import sign_of
 from lagdsl.semantics.bindings import Expected, bound
 from lagdsl.semantics.constants import structural_integer
@@ -23,12 +23,14 @@ from lagdsl.semantics.context import Context
 from lagdsl.semantics.geometry import as_point
 from lagdsl.semantics.limits import array_fits
 from lagdsl.semantics.naming import element_name, kind_of
+from lagdsl.semantics.occurrences import Mode
 from lagdsl.semantics.quantity_fields import quantity_fields
 from lagdsl.semantics.scope import LABELS, Binding, Indices, Symbol
 from lagdsl.semantics.stack import report_missing
 from lagdsl.semantics.values import (
     POISON,
     Array,
+    ContactValue,
     FrameValue,
     Order,
     Poison,
@@ -54,6 +56,7 @@ class Definitions:
     def __init__(self) -> None:
         self.ctx: Context
         self._constraints: dict[tuple[Symbol, Indices], flat_model.Constraint | None] = {}
+        self._contacts: dict[tuple[Symbol, Indices], ContactValue | None] = {}
 
     # ---- shapes ------------------------------------------------------------------------------------------------------
 
@@ -117,8 +120,8 @@ class Definitions:
 
     def whole(self, symbol: Symbol, span: Span) -> Value:
         """The value of the plain name."""
-        if symbol.kind in ("constraint", "body"):
-            hint = f"its force is `multiplier({span.text})`" if symbol.kind == "constraint" else _BODY
+        if symbol.kind in ("constraint", "contact", "body"):
+            hint = _BODY if symbol.kind == "body" else f"its force is `multiplier({span.text})`"
             self.ctx.sink.report("E0219", span, name=symbol.short, what=f"the name of a {symbol.kind}", help=hint)
             return POISON
         shape = self.shape(symbol)
@@ -163,7 +166,7 @@ class Definitions:
         found = symbol.cells.get(indices)
         if found is not None:
             return found
-        if symbol.kind in ("coordinate", "state", "input") and not symbol.is_name:
+        if symbol.kind in ("coordinate", "state", "input", "discrete") and not symbol.is_name:
             value: Value = self._variable(symbol, indices)
             symbol.cells[indices] = value
             if symbol.kind == "coordinate" and self.ctx.assembly is not None:
@@ -173,7 +176,7 @@ class Definitions:
         with self._entered(symbol, key, span) as free:
             if not free:
                 return POISON
-            with self.ctx.without_relations(False):
+            with self.ctx.standing(Mode.ALWAYS):
                 self._make(symbol, indices, key)
         if indices not in symbol.cells:
             if key is None:
@@ -194,9 +197,11 @@ class Definitions:
         if symbol.kind == "unknown" or symbol.info is None:
             return POISON
         dimension = symbol.info.dimension or DIMENSIONLESS
+        variable = flat.Variable(element_name(symbol.name, indices))
+        if symbol.kind == "discrete":
+            return Scalar(variable, dimension, Variability.DISCRETE, Order.STILL, symbol.info.base)
         order = Order.STILL if symbol.kind == "input" else Order.CONFIGURATION
-        name = element_name(symbol.name, indices)
-        return Scalar(flat.Variable(name), dimension, Variability.CONTINUOUS, order)
+        return Scalar(variable, dimension, Variability.CONTINUOUS, order)
 
     @contextmanager
     def _entered(self, symbol: Symbol, key: Indices | None, span: Span) -> Iterator[bool]:
@@ -352,9 +357,21 @@ class Definitions:
             self._constraints[key] = None
             instance = symbol.labels[indices]
             assert isinstance(instance.node, nodes.Constraint)
-            with self.ctx.without_relations(False):
+            with self.ctx.standing(Mode.ALWAYS):
                 self._constraints[key] = constraints.make(self.ctx, instance.scope, instance.node, instance.name)
         return self._constraints[key]
+
+    def contact(self, symbol: Symbol, indices: Indices) -> ContactValue | None:
+        """What the label of a contact gives."""
+        key = (symbol, indices)
+        if key not in self._contacts:
+            self._contacts[key] = None
+            instance = symbol.labels.get(indices)
+            if instance is not None:
+                assert isinstance(instance.node, nodes.Contact)
+                with self.ctx.standing(Mode.ALWAYS):
+                    self._contacts[key] = contacts.make(self.ctx, instance.scope, instance.node, instance.name)
+        return self._contacts[key]
 
 
 def every(shape: tuple[int, ...]) -> list[Indices]:

@@ -20,7 +20,7 @@ def attach(ctx: Context, scope: Scope, item: nodes.Equation) -> None:
     """Give the equation to the variable or state it defines, or report that it defines none."""
     sides = ((item.left, item.right), (item.right, item.left))
     for side, other in sides:
-        target = _derivative_of(side)
+        target = derivative_of(side)
         symbol = _symbol(ctx, scope, target) if target is not None else None
         if target is not None and symbol is not None and symbol.kind == "state":
             _bind(ctx, scope, symbol, target, Binding(other, scope, side.span), derivative=True)
@@ -40,7 +40,8 @@ def _is_port(symbol: Symbol) -> bool:
     return symbol.kind == "input" and bool(symbol.scope.spans)
 
 
-def _derivative_of(node: nodes.Node) -> nodes.Expression | None:
+def derivative_of(node: nodes.Node) -> nodes.Expression | None:
+    """The x of `der(x)`."""
     match node:
         case nodes.Call(function=nodes.Reference(name="der"), arguments=(argument,)) if not isinstance(
             argument, nodes.Named
@@ -57,7 +58,7 @@ def _symbol(ctx: Context, scope: Scope, node: nodes.Expression) -> Symbol | None
 
 
 def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | None) -> None:
-    target = _derivative_of(item.left) or _derivative_of(item.right)
+    target = derivative_of(item.left) or derivative_of(item.right)
     found = _symbol(ctx, scope, target) if target is not None else None
     if target is not None and found is not None and found.kind != "unknown":
         ctx.sink.report("E0321", target.span, Label(found.span, f"{found.title}"), name=found.short, kind=found.title)
@@ -68,7 +69,7 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
         return
     for node in (*descendants(item.left), *descendants(item.right)):
         unsolved = _symbol(ctx, scope, node) if isinstance(node, nodes.Reference) else None
-        rate = _derivative_of(node)
+        rate = derivative_of(node)
         state = _symbol(ctx, scope, rate) if rate is not None else None
         if state is not None and state.kind == "state" and not state.derivatives:
             state.kind = "unknown"

@@ -28,17 +28,14 @@ from lagdsl.semantics.values import Scalar
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
-Labelled = nodes.Energy | nodes.Load | nodes.Constraint | nodes.RigidBody | nodes.Invariant
+Labelled = nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.RigidBody | nodes.Invariant
 _LABEL_KINDS: dict[type, SymbolKind] = {
     nodes.Energy: "energy",
     nodes.Load: "load",
     nodes.Constraint: "constraint",
+    nodes.Contact: "contact",
     nodes.RigidBody: "body",
     nodes.Invariant: "invariant",
-}
-_LATER: dict[type, tuple[str, str]] = {
-    nodes.Contact: ("`contact`", "contacts come with events"),
-    nodes.When: ("`when`", "events come with a later release"),
 }
 
 
@@ -86,13 +83,17 @@ class Expander:
                     self.contents.annotations.append(Placed(item, scope, self.instance))
             case nodes.Equation() | nodes.CallEquation() | nodes.Connect():
                 self._equation(item, part)
-            case nodes.Energy() | nodes.Load() | nodes.Constraint() | nodes.RigidBody() | nodes.Invariant():
+            case (
+                nodes.Energy()
+                | nodes.Load()
+                | nodes.Constraint()
+                | nodes.Contact()
+                | nodes.RigidBody()
+                | nodes.Invariant()
+            ):
                 self._labelled(item, scope)
-            case nodes.Gravity() | nodes.PointMass() | nodes.Draw():
+            case nodes.Gravity() | nodes.PointMass() | nodes.Draw() | nodes.When():
                 self.contents.items.append(Placed(item, scope, self.instance))
-            case nodes.Contact() | nodes.When():
-                what, hint = _LATER[type(item)]
-                self.ctx.sink.report("E0311", _head(item), what=what, hint=hint)
             case nodes.Extends():
                 self.ctx.sink.report("E0232", _head(item))
             case nodes.Function():
@@ -234,6 +235,8 @@ def _keyword(item: Labelled) -> str:
             return item.keyword
         case nodes.Constraint():
             return "constraint"
+        case nodes.Contact():
+            return "contact"
         case nodes.RigidBody():
             return "body"
         case nodes.Invariant():

@@ -20,6 +20,7 @@ from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declare import instance_of
 from lagdsl.semantics.definitions import Definitions, every
+from lagdsl.semantics.event_order import check_events
 from lagdsl.semantics.expand import collect
 from lagdsl.semantics.expressions import elaborate
 from lagdsl.semantics.inheritance import expand_short
@@ -126,6 +127,8 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
                 states += quantities.states(ctx, symbol)
             elif symbol.kind == "input" and not symbol.is_name:
                 inputs += quantities.inputs(ctx, symbol)
+            elif symbol.kind == "discrete":
+                ctx.occurrences.discretes += quantities.discretes(ctx, symbol)
     physics = Physics()
     for placed in contents.items:
         with ctx.inside(placed.scope):
@@ -152,7 +155,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         bodies=tuple(physics.bodies),
         gravity=physics.gravity,
         gravity_span=physics.gravity_node.span if physics.gravity_node is not None else None,
-        loads=tuple(physics.loads),
+        loads=(*physics.loads, *ctx.occurrences.forces),
         constraints=tuple(ctx.constraints),
         outputs=(*outputs, *assembly.outputs()),
         invariants=tuple(physics.invariants),
@@ -161,6 +164,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         drawings=tuple(physics.drawings),
         experiment=notes.experiment(ctx, contents.annotations),
         joints=assembly.joints(),
+        events=ctx.occurrences.events(),
     )
 
 
@@ -186,8 +190,9 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     check_inputs(flat, dependence, ctx.sink)
     check_linear(flat, dependence, ctx.sink)
     warn_unused(ctx, contents.symbols)
-    if ctx.relation is not None:
-        ctx.sink.report("N0309", ctx.relation)
+    check_events(flat, dependence, ctx.sink)
+    if ctx.jump is not None:
+        ctx.sink.report("N0309", ctx.jump.span, name=ctx.jump.function.span.text)
     _check_overrides(ctx, contents)
     return None if ctx.sink.has_errors else flat
 

@@ -9,7 +9,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
-from lagdsl.semantics import constraints, drawings, labels, loads
+from lagdsl.semantics import constraints, contacts, drawings, labels, loads
 from lagdsl.semantics.arithmetic import Operand, boolean
 from lagdsl.semantics.bodies import rigid_body
 from lagdsl.semantics.conditions import condition_of, switched
@@ -21,6 +21,7 @@ from lagdsl.semantics.geometry import as_direction, as_point
 from lagdsl.semantics.naming import arguments_text, kind_of, name_span
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import Order, Poison, Scalar, Text
+from lagdsl.semantics.whens import elaborate_when
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import ACCELERATION, DIMENSIONLESS, MASS
 
@@ -50,6 +51,10 @@ def elaborate_item(ctx: Context, physics: Physics, placed: Placed) -> None:
         _gravity(ctx, physics, scope, node)
     elif isinstance(node, nodes.CallEquation):
         _call(ctx, physics, scope, node)
+    elif isinstance(node, nodes.When):
+        elaborate_when(ctx, placed)
+    elif isinstance(node, nodes.Contact):
+        _contact(ctx, placed, node)
     elif condition_of(ctx, scope, _condition(node)) not in (False, None):
         _conditional_item(ctx, physics, placed)
 
@@ -92,6 +97,14 @@ def _constraint(ctx: Context, placed: Placed, node: nodes.Constraint) -> None:
         made = constraints.make(ctx, placed.scope, node, f"constraint_{ctx.unlabelled}")
     if made is not None:
         ctx.constraints.append(made)
+
+
+def _contact(ctx: Context, placed: Placed, node: nodes.Contact) -> None:
+    if placed.symbol is not None:
+        ctx.resolver.contact(placed.symbol, placed.scope.path)
+    else:
+        ctx.unlabelled_contacts += 1
+        contacts.make(ctx, placed.scope, node, f"contact_{ctx.unlabelled_contacts}")
 
 
 def _energy(ctx: Context, physics: Physics, placed: Placed, node: nodes.Energy) -> None:
@@ -204,7 +217,7 @@ def _tolerance(ctx: Context, scope: Scope, node: nodes.Invariant) -> float | Non
 
 
 def _call(ctx: Context, physics: Physics, scope: Scope, node: nodes.CallEquation) -> None:
-    """`assert(condition, "message")`; other calls belong to events."""
+    """`assert(condition, "message")`; other calls belong into `when`."""
     call = node.call
     if not isinstance(call, nodes.Call) or call.function.span.text != "assert":
         if (

@@ -6,10 +6,9 @@ from collections.abc import Callable
 from typing import Literal
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.arrays import subscript_indices
+from lagdsl.semantics.arguments import labelled, named, named_element, positional
 from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
@@ -22,8 +21,7 @@ from lagdsl.semantics.geometry import (
     operand,
     time_derivative,
 )
-from lagdsl.semantics.naming import arguments_text, kind_of, name_span
-from lagdsl.semantics.paths import designated
+from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
 from lagdsl.semantics.values import (
     POISON,
@@ -44,45 +42,8 @@ from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, FORCE, TIME, VELOCITY
 Special = Callable[[Context, Scope, nodes.Call], Value]
 
 
-def _positional(
-    ctx: Context, node: nodes.Call, least: int, most: int, named: tuple[str, ...] = ()
-) -> list[nodes.Expression] | None:
-    """The positional arguments, or None after E0315 or E0211."""
-    found: list[nodes.Expression] = []
-    for argument in node.arguments:
-        if not isinstance(argument, nodes.Named):
-            found.append(argument)
-        elif argument.name not in named:
-            meant = nearest(argument.name, named)
-            hint = (
-                f"did you mean `{meant}`?"
-                if meant
-                else f"it takes {', '.join(f'`{name} =`' for name in named)}"
-                if named
-                else None
-            )
-            ctx.sink.report(
-                "E0211", name_span(argument), name=argument.name, function=node.function.span.text, help=hint
-            )
-            return None
-    if not least <= len(found) <= most:
-        expected = str(least) if least == most else f"{least} to {most}"
-        ctx.sink.report(
-            "E0315", node.span, function=node.function.span.text, expected=arguments_text(expected), found=len(found)
-        )
-        return None
-    return found
-
-
-def _named(node: nodes.Call, name: str) -> nodes.Expression | None:
-    for argument in node.arguments:
-        if isinstance(argument, nodes.Named) and argument.name == name:
-            return argument.value
-    return None
-
-
 def _der(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
-    arguments = _positional(ctx, node, 1, 1)
+    arguments = positional(ctx, node, 1, 1)
     if arguments is None:
         return POISON
     value = operand(ctx, ctx.elaborate(ctx, scope, arguments[0], False), arguments[0].span)
@@ -100,7 +61,7 @@ def _der(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
 def _unlocated(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     """`noEvent(x)`, `smooth(p, x)`: the value of x, its relations taken as they stand on purpose."""
     smooth = node.function.span.text == "smooth"
-    arguments = _positional(ctx, node, 2, 2) if smooth else _positional(ctx, node, 1, 1)
+    arguments = positional(ctx, node, 2, 2) if smooth else positional(ctx, node, 1, 1)
     if arguments is None:
         return POISON
     if smooth:
@@ -112,7 +73,7 @@ def _unlocated(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
 
 
 def _omega(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
-    arguments = _positional(ctx, node, 1, 1)
+    arguments = positional(ctx, node, 1, 1)
     if arguments is None:
         return POISON
     frame = as_frame(ctx, arguments[0], ctx.elaborate(ctx, scope, arguments[0], False))
@@ -127,7 +88,7 @@ def _omega(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
 
 def _vel(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     """`vel(P)`: of the point; `vel(P, B)`: of the material point of B that is at P."""
-    arguments = _positional(ctx, node, 1, 2)
+    arguments = positional(ctx, node, 1, 2)
     if arguments is None:
         return POISON
     point = as_point(ctx, scope, arguments[0], ctx.elaborate(ctx, scope, arguments[0], False))
@@ -147,34 +108,15 @@ def _vel(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
 
 def _energy(kind: Literal["total", "kinetic", "potential", "jacobi"]) -> Special:
     def energy(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
-        if _positional(ctx, node, 0, 0) is None:
+        if positional(ctx, node, 0, 0) is None:
             return POISON
         return Scalar(flat.SystemEnergy(kind), ctx.dimension(ENERGY), Variability.CONTINUOUS, Order.SOLUTION)
 
     return energy
 
 
-# ---- what takes the name of something --------------------------------------------------------------------------------
-
-
-def named_element(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Symbol, Indices] | None:
-    """The symbol and indices that `name` or `name[i, j]` stands for; None if it is no such thing."""
-    target = node.target if isinstance(node, nodes.Index) else node
-    symbol = designated(ctx, scope, target)
-    if not isinstance(symbol, Symbol):
-        return None
-    if not isinstance(node, nodes.Index):
-        return symbol, ()
-    shape = ctx.resolver.shape(symbol)
-    found = subscript_indices(ctx, scope, node.subscripts, shape, node) if shape is not None else None
-    if found is None or not all(isinstance(index, int) for index in found):
-        return None
-    symbol.used = True
-    return symbol, tuple(index for index in found if isinstance(index, int))
-
-
 def _momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
-    arguments = _positional(ctx, node, 1, 1)
+    arguments = positional(ctx, node, 1, 1)
     if arguments is None:
         return POISON
     value = ctx.elaborate(ctx, scope, arguments[0], False)
@@ -196,12 +138,12 @@ def _what(found: tuple[Symbol, Indices] | None, value: Value) -> str:
 
 def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     """`reaction(F)` of a frame, `reaction(J)` of a component, `reaction(P, along = e)` of a point."""
-    arguments = _positional(ctx, node, 1, 1, ("along",))
+    arguments = positional(ctx, node, 1, 1, ("along",))
     if arguments is None:
         return POISON
     target = arguments[0]
     value = ctx.elaborate(ctx, scope, target, False)
-    along = _named(node, "along")
+    along = named(node, "along")
     if isinstance(value, Poison):
         return POISON
     if along is None and isinstance(value, Component) and isinstance(value.instance, Instance):
@@ -227,13 +169,16 @@ def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
 
 def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     """`multiplier(c)`: J/[g] for a position row, J/([g].s) for a velocity row; an array for a vector constraint."""
-    arguments = _positional(ctx, node, 1, 1)
+    arguments = positional(ctx, node, 1, 1)
     if arguments is None:
         return POISON
-    found = _labelled(ctx, scope, arguments[0], "constraint")
+    found = labelled(ctx, scope, arguments[0], "constraint", "contact")
     if found is None:
         return POISON
     symbol, indices = found
+    if symbol.kind == "contact":
+        contact = ctx.resolver.contact(symbol, indices)
+        return contact.multiplier if contact is not None else POISON
     places = [indices] if indices in symbol.labels else list(symbol.labels)
     if not all(_present(ctx, symbol, each, arguments[0]) for each in places):
         return POISON
@@ -263,56 +208,20 @@ def _multiplier_dimension(ctx: Context, row: Dimension, level: str) -> Dimension
     return dimension if level == "position" else dimension / ctx.dimension(TIME)
 
 
-def _labelled(
-    ctx: Context, scope: Scope, node: nodes.Expression, kind: Literal["constraint", "body"]
-) -> tuple[Symbol, Indices] | None:
-    """The label of a constraint or body in an argument; a label in a loop may stand without indices for all."""
-    target = node.target if isinstance(node, nodes.Index) else node
-    entry = designated(ctx, scope, target) if isinstance(target, nodes.Reference | nodes.Member) else None
-    if isinstance(entry, Symbol) and entry.kind == kind:
-        entry.used = True
-        if not isinstance(node, nodes.Index):
-            return entry, ()
-        return named_element(ctx, scope, node)
-    if isinstance(target, nodes.Reference) and entry is None:
-        labels = [
-            name
-            for step in scope.chain()
-            for name, each in step.entries.items()
-            if isinstance(each, Symbol) and each.kind == kind
-        ]
-        meant = nearest(target.name, labels)
-        ctx.sink.report(
-            "E0201",
-            target.span,
-            name=target.name,
-            scope=scope.title,
-            help=f"did you mean `{meant}`?" if meant else None,
-        )
-        return None
-    value = ctx.elaborate(ctx, scope, node, False)
-    if isinstance(value, Poison) and not isinstance(entry, Symbol):
-        return None
-    found = entry.title if isinstance(entry, Symbol) else kind_of(value)
-    hint = f"name the {kind}: `{kind} c: ...`" if kind == "constraint" else "name the body: `body b(...) on F`"
-    ctx.sink.report("E0312", node.span, expected=f"the name of a {kind}", found=found, help=hint)
-    return None
-
-
 def _linear_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
-    if _positional(ctx, node, 0, 0) is None:
+    if positional(ctx, node, 0, 0) is None:
         return POISON
     return Vector(flat.LinearMomentum(), ctx.dimension(MOMENTUM), Variability.CONTINUOUS, Order.SOLUTION)
 
 
 def _angular_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     """Of the named body or of everything, about a point (default: the world origin)."""
-    arguments = _positional(ctx, node, 0, 1, ("about",))
+    arguments = positional(ctx, node, 0, 1, ("about",))
     if arguments is None:
         return POISON
     body = None
     if arguments:
-        found = _labelled(ctx, scope, arguments[0], "body")
+        found = labelled(ctx, scope, arguments[0], "body")
         if found is None:
             return POISON
         symbol, indices = found
@@ -322,7 +231,7 @@ def _angular_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         if not _present(ctx, symbol, indices, arguments[0]):
             return POISON
         body = symbol.labels[indices].name
-    about = _named(node, "about")
+    about = named(node, "about")
     point = Vector(flat.ZERO_VECTOR, None)
     if about is not None:
         position = as_point(ctx, scope, about, ctx.elaborate(ctx, scope, about, False))

@@ -20,13 +20,13 @@ _KINDS: dict[tuple[str, ...], SymbolKind] = {
     ("input",): "input",
     ("output",): "output",
     ("state",): "state",
+    ("discrete",): "discrete",
     ("final",): "algebraic",
     ("final", "output"): "output",
     ("flow",): "algebraic",
 }
 _VARYING = ("Real", "Integer", "Boolean")
 _LATER = {
-    "discrete": "discrete variables come with events",
     "replaceable": "components and classes are replaceable; a quantity gets another value by a modifier",
     "redeclare": "redeclare in a modifier: `extends Base(redeclare model Part = Other)`",
     "stream": "streams are not part of mechanics",

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from typing import Literal, cast
 
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
+from lagdsl.flat.events import Discrete
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics import attributes
@@ -154,6 +156,40 @@ def states(ctx: Context, symbol: Symbol) -> list[flat_model.State]:
             )
             result.append(state)
     return result
+
+
+def discretes(ctx: Context, symbol: Symbol) -> list[Discrete]:
+    """Variables that change at events; their starts default to zero and false."""
+    shape = _extent(ctx, symbol)
+    if shape is None or symbol.info is None:
+        return []
+    if symbol.bindings:
+        binding = next(iter(symbol.bindings.values()))
+        ctx.sink.report("E0370", binding.node.span, name=symbol.short)
+        return []
+    found = attributes.attributes(ctx, symbol)
+    dimension, info = _dimension(symbol), symbol.info
+    start = found.get("start")
+    starts = None
+    if start is not None:
+        what = f"the start of `{symbol.short}`"
+        starts = attributes.expressions(ctx, start, what, dimension, shape, unit=info.unit, base=info.base)
+    attributes.flags(ctx, found.get("fixed"), "`fixed`", shape)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape)
+    sign = attributes.text(ctx, found.get("symbol"))
+    kind = cast(Literal["Real", "Integer", "Boolean"], info.base)  # others have no `discrete`, see prefixes
+    return [
+        Discrete(
+            **quantity_fields(symbol, indices, sign),
+            start=starts[k] if starts is not None else flat.ZERO,
+            start_explicit=starts is not None,
+            kind=kind,
+            minimum=least[k] if least[k] is not None else info.minimum,
+            maximum=most[k],
+        )
+        for k, indices in enumerate(every(shape))
+    ]
 
 
 def _derivative(ctx: Context, symbol: Symbol, indices: Indices | None, shape: tuple[int, ...]) -> Scalar | Array | None:

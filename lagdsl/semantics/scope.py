@@ -27,6 +27,7 @@ SymbolKind: TypeAlias = Literal[
     "input",
     "output",
     "state",
+    "discrete",
     "algebraic",
     "coordinate",
     "point",
@@ -34,13 +35,14 @@ SymbolKind: TypeAlias = Literal[
     "energy",
     "load",
     "constraint",
+    "contact",
     "body",
     "invariant",
     "unknown",
 ]
 Indices: TypeAlias = "tuple[int, ...]"
 
-LABELS = ("energy", "load", "constraint", "body", "invariant")
+LABELS = ("energy", "load", "constraint", "contact", "body", "invariant")
 
 
 @record()
@@ -71,7 +73,7 @@ class Binding:
 class LabelInstance:
     """One labelled item; inside loops there is one for each set of indices."""
 
-    node: nodes.Energy | nodes.Load | nodes.Constraint | nodes.RigidBody | nodes.Invariant
+    node: nodes.Energy | nodes.Load | nodes.Constraint | nodes.Contact | nodes.RigidBody | nodes.Invariant
     scope: Scope
     name: str
 

@@ -102,6 +102,16 @@ class Reaction:
 
 
 @record()
+class ContactValue:
+    """What may be asked of a contact: the names of `closed(c)`, of `impacts(c)` (None: none are counted), its force."""
+
+    name: str
+    closed: str
+    impacts: str | None
+    multiplier: Scalar
+
+
+@record()
 class Component:
     """A component or an array of them: read its members."""
 

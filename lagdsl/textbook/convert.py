@@ -124,7 +124,7 @@ class Converter:
             scalar=self.scalar, vector=self.vector, rate=self.rate, tidy=self.tidy, release=self.release
         )
         s = self.symbols
-        known = (s.time, *s.q, *s.z, *s.u, *s.p)
+        known = (s.time, *s.q, *s.z, *s.u, *s.w, *s.p)
         self._values = {symbol.name: symbol for symbol in known}
         for parameter in self.model.parameters:
             if parameter.structural:

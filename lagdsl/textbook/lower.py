@@ -116,6 +116,7 @@ def symbol_nodes(graph: Graph, symbols: Symbols) -> dict[Symbol, int]:
         Group.QDD: symbols.qdd,
         Group.Z: symbols.z,
         Group.U: symbols.u,
+        Group.W: symbols.w,
         Group.P: symbols.p,
         Group.LAMBDA: symbols.lam,
     }

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Integer, Symbol
 
+from lagdsl.flat.events import entries
 from lagdsl.flat.model import FlatModel
 
 
@@ -24,6 +25,7 @@ class Symbols:
     qdd: tuple[Symbol, ...]
     z: tuple[Symbol, ...]
     u: tuple[Symbol, ...]
+    w: tuple[Symbol, ...]
     p: tuple[Symbol, ...]
     lam: tuple[Symbol, ...]
 
@@ -38,6 +40,7 @@ def symbols(flat: FlatModel) -> Symbols:
         qdd=tuple(Symbol(f"der(der({name}))") for name in names),
         z=tuple(Symbol(state.name) for state in flat.states),
         u=tuple(Symbol(item.name) for item in flat.inputs),
+        w=tuple(Symbol(entry.name) for entry in entries(flat.events)),
         p=tuple(Symbol(item.name) for item in flat.parameters if not item.structural),
         lam=tuple(Symbol(f"multiplier({row})") for row in rows),
     )

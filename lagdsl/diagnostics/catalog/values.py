@@ -30,9 +30,15 @@ ROWS: dict[str, Row] = {
         label="an acceleration is known only after the equations are solved",
         help="write the inertia term as an energy or a mass",
     ),
+    "E0307": error(
+        "`{name}` is given two values at the same event",
+        label="and here again",
+        help="use the branches of one `when ... elsewhen`, or an `if` in one clause",
+    ),
     "N0309": note(
-        "relations in continuous expressions are taken as they stand, their switching is not located as an event yet",
-        label="the first of them",
+        "jumps of `{name}` are not located as events",
+        label="the first place",
+        help="write a relation, `if x > ... then ...`, for a jump that matters; `noEvent(...)` says that it does not",
     ),
     "E0311": error("{what} is not supported yet", label="comes with a later release", help="{hint}"),
     "E0312": error("expected {expected}, found {found}", label="this is {found}"),

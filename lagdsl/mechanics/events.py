@@ -1,0 +1,164 @@
+"""What happens at instants, on the graph: indicators, one pass over the `when` clauses, gaps of contacts, clocks.
+
+In a pass a discrete variable means its new value wherever the flow of data has it already; `pre` and everything that is
+not assigned is an entry of `w`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import copy
+from graphlib import TopologicalSorter
+
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.event_flow import assignments, branches, needs
+from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
+from lagdsl.flat.model import FlatModel
+from lagdsl.graph.differentiate import jacobian
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group, Op
+from lagdsl.mechanics.lowering import Lowering
+from lagdsl.program.functions import OPTIONAL
+from lagdsl.program.program import Block, Function
+
+
+def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
+    """The functions of OPTIONAL that a model with discretes has; none for others."""
+    if not entries(flat.events):
+        return ()
+    graph = lowering.graph
+    found = {
+        "discrete_start": [_vector("w", _starts(lowering, flat))],
+        "indicator": [_vector("g", [lowering.scalar(each.difference) for each in flat.events.relations])],
+        "contact": _gaps(lowering, flat),
+        "clock": [
+            _vector("start", [lowering.scalar(each.start) for each in flat.events.clocks]),
+            _vector("period", [lowering.scalar(each.period) for each in flat.events.clocks]),
+        ],
+        "event": Pass(graph, lowering, flat).blocks(),
+    }
+    return tuple(Function(name=name, arguments=OPTIONAL[name], results=tuple(found[name])) for name in found)
+
+
+def _vector(name: str, nodes: Sequence[int]) -> Block:
+    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
+
+
+def _starts(lowering: Lowering, flat: FlatModel) -> list[int]:
+    """Discrete variables as declared; everything else is found by looking, at the start."""
+    values = [lowering.scalar(each.start) for each in flat.events.discretes]
+    return values + [lowering.graph.zero] * (len(entries(flat.events)) - len(values))
+
+
+def impacts(flat: FlatModel) -> list[Contact | Impact]:
+    """What may collide: contacts, then the `impact(...)` of `when` clauses."""
+    actions = (action for branch in branches(flat) for action in branch.actions)
+    return [*flat.events.contacts, *(action for action in actions if isinstance(action, Impact))]
+
+
+def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
+    graph = lowering.graph
+    found = impacts(flat)
+    gaps = [lowering.scalar(each.gap) for each in found]
+    speeds = [lowering.rate.of(gap) for gap in gaps]
+    rows = jacobian(graph, gaps, graph.symbols(Group.Q, len(flat.coordinates)))
+    contacts = flat.events.contacts
+    unknown = graph.constant(-1.0)
+    stick = [unknown if each.stick is None else lowering.scalar(each.stick) for each in contacts]
+    rest = [unknown if each.rest is None else lowering.scalar(each.rest) for each in contacts]
+    shape = (len(gaps), len(flat.coordinates))
+    return [
+        _vector("gap", gaps),
+        _vector("speed", speeds),
+        Block(name="jacobian", shape=shape, elements=tuple(node for row in rows for node in row)),
+        _vector("restitution", [lowering.scalar(each.restitution) for each in contacts]),
+        _vector("stick", stick),
+        _vector("rest", rest),
+    ]
+
+
+class Pass:
+    """One pass over the clauses of a model."""
+
+    def __init__(self, graph: Graph, lowering: Lowering, flat: FlatModel) -> None:
+        self._graph, self._flat = graph, flat
+        self._symbols = copy(lowering.symbols)
+        self._symbols.by_name = dict(lowering.symbols.by_name)
+        self._lowering = Lowering(graph, flat, self._symbols)
+        self._lowering.provide = lowering.provide
+        self._firing: dict[int, int] = {}
+        self._memories: dict[str, int] = {}
+        giver = {action.variable: when for when in flat.events.whens for action, _ in assignments(when)}
+        for variable in TopologicalSorter(needs(flat, Dependence(flat))).static_order():
+            when = giver[variable]
+            if id(when.branches[0]) not in self._firing:
+                self._fire(when)
+            self._symbols.by_name[variable] = self._assigned(when, variable)
+        for when in flat.events.whens:
+            if id(when.branches[0]) not in self._firing:
+                self._fire(when)
+
+    def blocks(self) -> list[Block]:
+        """w after the pass; what is to be done, action by action in the order of the text."""
+        values = [self._value(entry) for entry in entries(self._flat.events)]
+        actions = [(branch, action) for branch in branches(self._flat) for action in branch.actions]
+        acting = {
+            kind: [(self._acts(branch, action), action) for branch, action in actions if isinstance(action, kind)]
+            for kind in (Reset, Impact, Terminate, Check)
+        }
+        scalar = self._lowering.scalar
+        failing = [
+            self._both(flag, self._graph.unary(Op.NOT, scalar(action.condition)))
+            for flag, action in acting[Check]
+            if isinstance(action, Check)
+        ]
+        return [
+            _vector("w", values),
+            _vector("reset", [flag for flag, _ in acting[Reset]]),
+            _vector("value", [scalar(action.value) for _, action in acting[Reset] if isinstance(action, Reset)]),
+            _vector("impact", [flag for flag, _ in acting[Impact]]),
+            _vector(
+                "restitution",
+                [scalar(action.restitution) for _, action in acting[Impact] if isinstance(action, Impact)],
+            ),
+            _vector("stop", [flag for flag, _ in acting[Terminate]]),
+            _vector("fail", failing),
+        ]
+
+    def _value(self, entry: Entry) -> int:
+        match entry.kind:
+            case "variable":
+                return self._symbols.by_name[entry.name]
+            case "condition":
+                return self._memories[entry.name]
+            case _:
+                return self._symbols.previous[entry.name]
+
+    def _fire(self, when: When) -> None:
+        """The conditions of a clause, once the variables that they read have their new values."""
+        graph = self._graph
+        free = graph.one
+        for branch in when.branches:
+            rising = graph.zero
+            for condition, memory in zip(branch.conditions, branch.memories, strict=True):
+                truth = self._lowering.scalar(condition)
+                self._memories[memory] = truth
+                before = self._symbols.previous[memory]
+                rising = graph.binary(Op.OR, rising, self._both(truth, graph.unary(Op.NOT, before)))
+            self._firing[id(branch)] = self._both(free, rising)
+            free = self._both(free, graph.unary(Op.NOT, rising))
+
+    def _assigned(self, when: When, variable: str) -> int:
+        value = self._symbols.previous[variable]
+        for branch in when.branches:
+            for action in branch.actions:
+                if isinstance(action, Assign) and action.variable == variable:
+                    value = self._graph.select(self._acts(branch, action), self._lowering.scalar(action.value), value)
+        return value
+
+    def _acts(self, branch: Branch, action: Action) -> int:
+        firing = self._firing[id(branch)]
+        return firing if action.guard is None else self._both(firing, self._lowering.scalar(action.guard))
+
+    def _both(self, one: int, two: int) -> int:
+        return self._graph.binary(Op.AND, one, two)

@@ -1,0 +1,88 @@
+"""What of a model changes at instants, as it is met: located relations, clocks, the start and the end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from enum import Enum
+from itertools import count
+
+from lagdsl.flat.events import INITIAL, TERMINAL, Clock, Contact, Discrete, Events, Relation, When
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.model import GeneralizedForce
+from lagdsl.flat.quantity import Spans
+from lagdsl.units import Dimension
+
+
+class Mode(Enum):
+    """Where an expression stands: it holds all the time, is the condition of a `when`, or is computed at its event."""
+
+    ALWAYS = "always"
+    CONDITION = "condition"
+    EVENT = "event"
+
+
+@dataclass(slots=True)
+class Occurrences:
+    """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier.
+
+    `forces` are those of compliant contacts.
+    """
+
+    discretes: list[Discrete] = field(default_factory=list)
+    contacts: list[Contact] = field(default_factory=list)
+    forces: list[GeneralizedForce] = field(default_factory=list)
+    relations: dict[str, Relation] = field(default_factory=dict)
+    whens: list[When] = field(default_factory=list)
+    clocks: dict[str, Clock] = field(default_factory=dict)
+    instants: set[str] = field(default_factory=set)
+    conditions: int = 0
+
+    def relation(
+        self, text: str, spans: Spans, difference: FlatExpression, dimension: Dimension, *, strict: bool
+    ) -> str:
+        """The name of the truth of `difference > 0` (or >= 0); the same relation again has the same name."""
+        for name in _names(text):
+            known = self.relations.get(name)
+            if known is None:
+                self.relations[name] = Relation(
+                    spans=spans, name=name, difference=difference, dimension=dimension, strict=strict
+                )
+                return name
+            if known.strict == strict and known.difference == difference:
+                return name
+        raise AssertionError("there is always one more name")
+
+    def clock(self, text: str, spans: Spans, start: FlatExpression, period: FlatExpression) -> str:
+        """The name of the clock; the same one again ticks at the same instants."""
+        for name in _names(text):
+            known = self.clocks.get(name)
+            if known is None:
+                self.clocks[name] = Clock(spans=spans, name=name, start=start, period=period)
+                return name
+            if (known.start, known.period) == (start, period):
+                return name
+        raise AssertionError("there is always one more name")
+
+    def memory(self, text: str) -> str:
+        """A name for what a condition was before."""
+        self.conditions += 1
+        return f"when {text} ({self.conditions})"
+
+    def events(self) -> Events:
+        return Events(
+            discretes=tuple(self.discretes),
+            contacts=tuple(self.contacts),
+            relations=tuple(self.relations.values()),
+            whens=tuple(self.whens),
+            clocks=tuple(self.clocks.values()),
+            instants=tuple(name for name in (INITIAL, TERMINAL) if name in self.instants),
+        )
+
+
+def _names(text: str) -> Iterator[str]:
+    """The text on one line, then the same with numbers."""
+    plain = " ".join(text.split())
+    yield plain
+    for number in count(2):
+        yield f"{plain} ({number})"

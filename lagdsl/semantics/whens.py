@@ -1,0 +1,252 @@
+"""`when` clauses: conditions, and what is to be done where one becomes true."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from lagdsl.diagnostics import Label
+from lagdsl.flat import events
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.semantics import arrays
+from lagdsl.semantics.arguments import named_element, positional
+from lagdsl.semantics.arithmetic import Operand, boolean
+from lagdsl.semantics.bindings import Expected, conform
+from lagdsl.semantics.contents import Placed
+from lagdsl.semantics.context import Context
+from lagdsl.semantics.definitions import every
+from lagdsl.semantics.equations import derivative_of
+from lagdsl.semantics.naming import element_name, kind_of
+from lagdsl.semantics.occurrences import Mode
+from lagdsl.semantics.scope import Indices, Scope, Symbol
+from lagdsl.semantics.values import Order, Poison, Scalar, Text, rank
+from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
+from lagdsl.units.dimension import DIMENSIONLESS, TIME
+
+
+def elaborate_when(ctx: Context, placed: Placed) -> None:
+    """Add the clause to the model, or report why not."""
+    node = placed.node
+    assert isinstance(node, nodes.When)
+    branches = []
+    for branch in node.branches:
+        conditions = _conditions(ctx, placed.scope, branch.condition)
+        body = _Body(ctx)
+        with ctx.standing(Mode.EVENT):
+            body.read(branch.body, placed.scope, None)
+        memories = tuple(ctx.occurrences.memory(_text(branch.condition)) for _ in conditions)
+        spans = (branch.condition.span, *placed.scope.spans)
+        branches.append(
+            events.Branch(spans=spans, conditions=conditions, memories=memories, actions=tuple(body.actions))
+        )
+    spans = (node.span, *placed.scope.spans)
+    ctx.occurrences.whens.append(events.When(spans=spans, branches=tuple(branches)))
+
+
+def _text(condition: nodes.Expression) -> str:
+    return " ".join(condition.span.text.split())
+
+
+def _conditions(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[FlatExpression, ...]:
+    """One condition, or several in braces; each of them may become true by itself."""
+    with ctx.standing(Mode.CONDITION):
+        parts = node.elements if isinstance(node, nodes.Array) else (node,)
+        found = [boolean(ctx, Operand(part, ctx.elaborate(ctx, scope, part, False))) for part in parts]
+    for part, condition in zip(parts, found, strict=True):
+        if condition is None:
+            continue
+        if condition.variability == Variability.CONTINUOUS:
+            ctx.sink.report("E0371", part.span)
+        elif condition.variability != Variability.DISCRETE:
+            ctx.sink.report("E0372", part.span)
+    return tuple(condition.expression for condition in found if condition is not None)
+
+
+@dataclass(slots=True)
+class _Body:
+    """The actions of one branch in the order of the text."""
+
+    ctx: Context
+    actions: list[events.Action] = field(default_factory=list)
+
+    def read(self, items: Iterable[nodes.Item], scope: Scope, guard: FlatExpression | None) -> None:
+        for item in items:
+            match item:
+                case nodes.Equation():
+                    self._assign(item, scope, guard)
+                case nodes.CallEquation():
+                    self._call(item, scope, guard)
+                case nodes.For():
+                    for turn in arrays.turns(self.ctx, scope, item.iterators) or ():
+                        self.read(item.body, turn, guard)
+                case nodes.If():
+                    self._if(item, scope, guard)
+                case _:
+                    self.ctx.sink.report("E0378", item.span)
+
+    def _if(self, item: nodes.If, scope: Scope, guard: FlatExpression | None) -> None:
+        """What holds of the conditions before is false in the branches after."""
+        for branch in item.branches:
+            with self.ctx.without_relations():
+                condition = boolean(
+                    self.ctx, Operand(branch.condition, self.ctx.elaborate(self.ctx, scope, branch.condition, False))
+                )
+            if condition is None:
+                return
+            self.read(branch.body, scope, _both(guard, condition.expression))
+            guard = _both(guard, flat.Unary("not", condition.expression))
+        if item.otherwise is not None:
+            self.read(item.otherwise, scope, guard)
+
+    # ---- v = e -------------------------------------------------------------------------------------------------------
+
+    def _assign(self, item: nodes.Equation, scope: Scope, guard: FlatExpression | None) -> None:
+        ctx = self.ctx
+        found = next(filter(None, (_target(ctx, scope, side) for side in (item.left, item.right))), None)
+        if found is None:
+            ctx.sink.report("E0373", item.left.span, *_what_it_is(ctx, scope, item.left), name=item.left.span.text)
+            return
+        symbol, indices = found
+        side, other = (item.left, item.right)
+        if _target(ctx, scope, item.left) is None:
+            side, other = other, side
+        shape = ctx.resolver.shape(symbol)
+        if shape is None or symbol.info is None:
+            return
+        shape = shape[len(indices) :]
+        with ctx.without_relations():
+            value = ctx.elaborate(ctx, scope, other, True)
+        expected = Expected(
+            f"`{symbol.short}`", symbol.info.dimension or DIMENSIONLESS, shape, symbol.info.base, symbol.info.unit
+        )
+        got = conform(ctx, scope, other, value, expected)
+        if got is None:
+            return
+        parts = (got.expression,) if isinstance(got, Scalar) else got.elements
+        spans = (item.span, *scope.spans)
+        for rest, part in zip(every(shape), parts, strict=True):
+            name = element_name(symbol.name, (*indices, *rest))
+            self.actions.append(events.Assign(spans=spans, variable=name, value=part, guard=guard))
+
+    # ---- calls -------------------------------------------------------------------------------------------------------
+
+    def _call(self, item: nodes.CallEquation, scope: Scope, guard: FlatExpression | None) -> None:
+        call, ctx = item.call, self.ctx
+        name = call.function.span.text if isinstance(call, nodes.Call) else ""
+        spans = (item.span, *scope.spans)
+        match name:
+            case "reinit":
+                self._reset(call, scope, spans, guard)
+            case "terminate":
+                message = self._message(call, scope, 1)
+                if message is not None:
+                    self.actions.append(events.Terminate(spans=spans, message=message, guard=guard))
+            case "assert":
+                self._check(call, scope, spans, guard)
+            case "impact":
+                self._impact(call, scope, spans, guard)
+            case _:
+                ctx.sink.report("E0378", item.span)
+
+    def _reset(self, call: nodes.Expression, scope: Scope, spans: Spans, guard: FlatExpression | None) -> None:
+        ctx = self.ctx
+        assert isinstance(call, nodes.Call)
+        arguments = positional(ctx, call, 2, 2)
+        if arguments is None:
+            return
+        target, value_node = arguments
+        inner = derivative_of(target)
+        found = named_element(ctx, scope, inner if inner is not None else target)
+        kind = "coordinate" if inner is not None else "state"
+        if found is None or found[0].kind != kind:
+            value = ctx.elaborate(ctx, scope, target, False)
+            if not isinstance(value, Poison):
+                ctx.sink.report("E0374", target.span, *_what_it_is(ctx, scope, target), name=target.span.text)
+            return
+        symbol, indices = found
+        shape = ctx.resolver.shape(symbol)
+        if shape is None or symbol.info is None:
+            return
+        shape = shape[len(indices) :]
+        dimension: Dimension = symbol.info.dimension or DIMENSIONLESS
+        if inner is not None:
+            dimension = dimension / ctx.dimension(TIME)
+        with ctx.without_relations():
+            value = ctx.elaborate(ctx, scope, value_node, True)
+        got = conform(ctx, scope, value_node, value, Expected(f"`{target.span.text}`", dimension, shape))
+        if got is None:
+            return
+        parts = (got.expression,) if isinstance(got, Scalar) else got.elements
+        for rest, part in zip(every(shape), parts, strict=True):
+            name = element_name(symbol.name, (*indices, *rest))
+            rate = inner is not None
+            self.actions.append(events.Reset(spans=spans, name=name, rate=rate, value=part, guard=guard))
+
+    def _message(self, call: nodes.Expression, scope: Scope, count: int) -> str | None:
+        """The last of `count` arguments."""
+        assert isinstance(call, nodes.Call)
+        arguments = positional(self.ctx, call, count, count)
+        if arguments is None:
+            return None
+        message = self.ctx.elaborate(self.ctx, scope, arguments[-1], False)
+        if isinstance(message, Text):
+            return message.value
+        if not isinstance(message, Poison):
+            span = arguments[-1].span
+            self.ctx.sink.report("E0312", span, expected="a message in quotes", found=kind_of(message))
+        return None
+
+    def _check(self, call: nodes.Expression, scope: Scope, spans: Spans, guard: FlatExpression | None) -> None:
+        message = self._message(call, scope, 2)
+        assert isinstance(call, nodes.Call)
+        if message is None or isinstance(call.arguments[0], nodes.Named):
+            return
+        with self.ctx.without_relations():
+            condition = boolean(
+                self.ctx, Operand(call.arguments[0], self.ctx.elaborate(self.ctx, scope, call.arguments[0], False))
+            )
+        if condition is not None:
+            check = events.Check(spans=spans, condition=condition.expression, message=message, guard=guard)
+            self.actions.append(check)
+
+    def _impact(self, call: nodes.Expression, scope: Scope, spans: Spans, guard: FlatExpression | None) -> None:
+        ctx = self.ctx
+        assert isinstance(call, nodes.Call)
+        arguments = positional(ctx, call, 2, 2)
+        if arguments is None:
+            return
+        with ctx.without_relations():
+            gap, restitution = (ctx.elaborate(ctx, scope, argument, False) for argument in arguments)
+        if not isinstance(gap, Scalar):
+            if not isinstance(gap, Poison):
+                ctx.sink.report("E0312", arguments[0].span, expected="a gap", found=kind_of(gap))
+            return
+        if gap.order > Order.CONFIGURATION or rank(gap.variability) < rank(Variability.CONTINUOUS):
+            ctx.sink.report("E0382", arguments[0].span)
+            return
+        factor = conform(ctx, scope, arguments[1], restitution, Expected("the restitution", DIMENSIONLESS, ()))
+        if isinstance(factor, Scalar):
+            impact = events.Impact(spans=spans, gap=gap.expression, restitution=factor.expression, guard=guard)
+            self.actions.append(impact)
+
+
+def _both(one: FlatExpression | None, two: FlatExpression) -> FlatExpression:
+    return two if one is None else flat.Binary("and", one, two)
+
+
+def _target(ctx: Context, scope: Scope, side: nodes.Expression) -> tuple[Symbol, Indices] | None:
+    """The discrete variable, or the element of one, that an equation gives a value."""
+    if not isinstance(side, nodes.Reference | nodes.Member | nodes.Index):
+        return None
+    found = named_element(ctx, scope, side)
+    return found if found is not None and found[0].kind == "discrete" else None
+
+
+def _what_it_is(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Label, ...]:
+    inner = derivative_of(node) or node
+    named = isinstance(inner, nodes.Reference | nodes.Member | nodes.Index)
+    found = named_element(ctx, scope, inner) if named else None
+    return (Label(found[0].span, f"{found[0].title}, declared here"),) if found is not None else ()
