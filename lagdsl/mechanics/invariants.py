@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.event_flow import branches
+from lagdsl.flat.events import Impact, Reset
 from lagdsl.flat.expression import FlatExpression, GeneralizedMomentum, SystemEnergy, Variable
 from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.flat.spans import around
@@ -30,7 +32,16 @@ def report_proofs(derivation: Derivation, sink: Sink) -> None:
 def proved_invariants(derivation: Derivation) -> tuple[bool, ...]:
     """For each invariant of the model whether it is an energy or a momentum that provably stays constant."""
     flat = derivation.flat
+    if _jumps(derivation):
+        return (False,) * len(flat.invariants)
     return tuple(_holds(derivation, _resolved(flat, invariant.value)) for invariant in flat.invariants)
+
+
+def _jumps(derivation: Derivation) -> bool:
+    """Whether an event may change the state, or what the energies are."""
+    flat, energies = derivation.flat, derivation.dynamics.energies
+    acts = any(isinstance(action, Reset | Impact) for branch in branches(flat) for action in branch.actions)
+    return acts or bool(flat.events.contacts) or derivation.graph.depends(energies.lagrangian, Group.W)
 
 
 def _resolved(flat: FlatModel, value: FlatExpression) -> FlatExpression:

@@ -10,7 +10,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from lagdsl.flat.model import Parameter
+from lagdsl.flat.events import entries
+from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.graph.operation import STEPS, Group, Op
 from lagdsl.mechanics.derive import Derivation
@@ -51,10 +52,20 @@ def _random_points(derivation: Derivation) -> dict[Group, np.ndarray]:
         Group.QD: random.uniform(-2.0, 2.0, (_POINTS, len(symbols.qd))),
         Group.Z: random.uniform(-1.0, 1.0, (_POINTS, len(symbols.z))),
         Group.U: random.uniform(-1.0, 1.0, (_POINTS, len(symbols.u))),
+        Group.W: _discretes(flat, random),
         Group.P: np.stack([_varied(parameter, random) for parameter in independent], axis=-1)
         if independent
         else np.zeros((_POINTS, 0)),
     }
+
+
+def _discretes(flat: FlatModel, random: np.random.Generator) -> np.ndarray:
+    """Discrete variables of any value, truths of both."""
+    columns = [
+        random.uniform(-1.0, 1.0, _POINTS) if entry.kind == "variable" else random.integers(0, 2, _POINTS).astype(float)
+        for entry in entries(flat.events)
+    ]
+    return np.stack(columns, axis=-1) if columns else np.zeros((_POINTS, 0))
 
 
 def _varied(parameter: Parameter, random: np.random.Generator) -> np.ndarray:

@@ -1,0 +1,153 @@
+"""Contacts of one run: open, impacting, closed.
+
+A contact closes when it rebounds slowly, or when what is left of a series of impacts is short: with the last interval
+dt between impacts and the ratio r of rebound speeds the rest of a geometric series is dt r/(1 - r).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.mechanics.rank import Floats
+from lagdsl.simulate.events.discretes import Discretes
+from lagdsl.simulate.events.impact import collide
+
+# Language reference, ruling 40: parts of the largest approach speed so far and of the length of the experiment.
+_STICK, _REST = 1e-3, 1e-6
+# A gap is zero and its rate is zero below these parts of their usual sizes.
+_TOUCHING = 1e-9
+# A force below this part of the largest is none: what only touches is open, so that it hands a blow on.
+_NOTHING = 1e-12
+_MOST_IMPACTS = 10_000
+
+
+class Contacts:
+    """The memory of contacts between impacts, and the impacts."""
+
+    def __init__(self, discretes: Discretes, length: float) -> None:
+        count = len(discretes.contacts)
+        self._discretes, self._length = discretes, length
+        self._fastest = np.zeros(count)
+        self._last = np.full(count, -np.inf)
+        self._interval = np.full(count, np.inf)
+
+    # ---- what changes ------------------------------------------------------------------------------------------------
+
+    def changed(self, t: float, y: Floats, w: Floats) -> list[int]:
+        """Open contacts whose gap is negative and closes further, closed ones that would pull."""
+        if not len(self._discretes.contacts):
+            return []
+        gaps = self._discretes.gaps(t, y, w)
+        closed = w[self._discretes.contacts] != 0.0
+        count = len(closed)
+        through = ~closed & (gaps.gap[:count] < 0.0) & (gaps.speed[:count] < 0.0)
+        pulling = np.zeros(count, dtype=np.bool_)
+        if closed.any():
+            pulling = closed & (self._discretes.multipliers(t, y, w) < 0.0)
+        return np.flatnonzero(through | pulling).tolist()
+
+    def value(self, index: int, t: float, y: Floats, w: Floats) -> float:
+        """What passes zero when the contact changes."""
+        if w[self._discretes.contacts[index]] != 0.0:
+            return float(self._discretes.multipliers(t, y, w)[index])
+        return float(self._discretes.gaps(t, y, w).gap[index])
+
+    def settled(self, t: float, y: Floats, w: Floats) -> Floats:
+        """At the start: contacts that touch and do not move apart are closed if they push."""
+        count = len(self._discretes.contacts)
+        if not count:
+            return w
+        gaps = self._discretes.gaps(t, y, w)
+        scale = 1.0 + float(np.max(np.abs(y), initial=0.0))
+        touching = np.abs(gaps.gap[:count]) <= _TOUCHING * scale
+        touching &= np.abs(gaps.speed[:count]) <= _TOUCHING * scale
+        return self.pushing(t, y, w, np.flatnonzero(touching).tolist())
+
+    def pushing(self, t: float, y: Floats, w: Floats, candidates: list[int]) -> Floats:
+        """w with those of the candidates closed that push: the one that pulls most is opened until none does."""
+        w = w.copy()
+        entries = self._discretes.contacts
+        closed = list(candidates)
+        w[entries[closed]] = 1.0
+        while closed:
+            force = self._discretes.multipliers(t, y, w)[closed]
+            weakest = int(np.argmin(force))
+            if force[weakest] > _NOTHING * max(1.0, float(np.max(np.abs(force)))):
+                break
+            w[entries[closed.pop(weakest)]] = 0.0
+        return w
+
+    # ---- impacts -----------------------------------------------------------------------------------------------------
+
+    def strike(
+        self, t: float, y: Floats, w: Floats, struck: dict[int, float]
+    ) -> tuple[Floats, Floats, list[tuple[int, str]]]:
+        """y and w after impacts until nothing closes any more; `struck` are impacts of clauses by index with their e.
+
+        Also tells what happened to which contact.
+        """
+        discretes = self._discretes
+        count = len(discretes.contacts)
+        restitution, stick, rest = discretes.laws(t, y, w)
+        happened: dict[int, str] = {}
+        first: dict[int, float] = {}
+        w = w.copy()
+        n = discretes.system.n
+        for _ in range(_MOST_IMPACTS):
+            gaps = discretes.gaps(t, y, w)
+            scale = 1.0 + float(np.max(np.abs(y), initial=0.0))
+            touching = gaps.gap[:count] <= _TOUCHING * scale
+            closed = w[discretes.contacts] != 0.0
+            closing = touching & ~closed & (gaps.speed[:count] < -1e-14 * scale)
+            active = {**dict.fromkeys(np.flatnonzero(closing).tolist()), **dict.fromkeys(struck)}
+            if not active:
+                break
+            part = [*active, *(i for i in np.flatnonzero(closed).tolist() if i not in active)]
+            factor = np.array([struck.get(i, restitution[i] if i < count else 0.0) for i in part])
+            factor[len(active) :] = 0.0
+            for i in np.flatnonzero(closing).tolist():
+                first.setdefault(i, float(gaps.speed[i]))
+                happened[i] = "impact"
+            y = y.copy()
+            y[n : 2 * n] = self._after(t, y, w, gaps.jacobian[part], gaps.speed[part], factor)
+            struck = {}
+        self._count(w, happened)
+        closing_now = self._closing(t, y, w, first, stick, rest)
+        if closing_now:
+            w[discretes.contacts[closing_now]] = 1.0
+            happened |= dict.fromkeys(closing_now, "closed")
+        return y, w, list(happened.items())
+
+    def _after(self, t: float, y: Floats, w: Floats, rows: Floats, speeds: Floats, factor: Floats) -> Floats:
+        """Rates after one impact; closed contacts take part as such, not as rows that hold."""
+        discretes, system = self._discretes, self._discretes.system
+        q, qd, z = (np.ascontiguousarray(part) for part in system.split(y))
+        opened = w.copy()
+        opened[discretes.contacts] = 0.0
+        state = (t, q, qd, z, system.inputs(t), opened, system.p)
+        mass = system.engine.evaluate("mass_matrix", *state)[0]
+        jacobian = system.engine.evaluate("velocity_constraint", *state)[1]
+        return collide(mass, jacobian, len(jacobian), qd, rows, speeds, factor)
+
+    def _count(self, w: Floats, happened: dict[int, str]) -> None:
+        for index in happened:
+            w[self._discretes.impacts[index]] += 1.0
+
+    def _closing(
+        self, t: float, y: Floats, w: Floats, first: dict[int, float], stick: Floats, rest: Floats
+    ) -> list[int]:
+        """Those that struck and stay."""
+        found = []
+        if first:
+            speeds = self._discretes.gaps(t, y, w).speed
+        for index, approach in first.items():
+            self._fastest[index] = max(self._fastest[index], -approach)
+            interval = t - self._last[index]
+            ratio = float(speeds[index]) / -approach if approach else 0.0
+            self._last[index] = t
+            slow = stick[index] if stick[index] >= 0.0 else _STICK * self._fastest[index]
+            short = rest[index] if rest[index] >= 0.0 else _REST * self._length
+            over = ratio < 1.0 and interval * ratio / (1.0 - ratio) < short
+            if abs(speeds[index]) < slow or over:
+                found.append(index)
+        return found

@@ -1,0 +1,111 @@
+"""Everything that happens at instants during one run: found in a step, carried out at its time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from lagdsl.flat.model import FlatModel
+from lagdsl.mechanics.rank import Floats
+from lagdsl.simulate.events.clocks import Clocks
+from lagdsl.simulate.events.contacts import Contacts
+from lagdsl.simulate.events.discretes import Discretes
+from lagdsl.simulate.events.location import first_change
+from lagdsl.simulate.events.passes import AHEAD, Passes, Result
+from lagdsl.simulate.projection import Projection
+from lagdsl.simulate.right_hand_side import RightHandSide
+from lagdsl.simulate.trajectory import Event
+
+
+@dataclass(slots=True)
+class Found:
+    """What changes at a time: relations, contacts by their entry in `contacts`, clocks."""
+
+    t: float
+    relations: list[int] = field(default_factory=list)
+    contacts: list[int] = field(default_factory=list)
+    clocks: list[int] = field(default_factory=list)
+
+
+class Happenings:
+    """Owns w, which is that of the system, between events."""
+
+    def __init__(
+        self, flat: FlatModel, system: RightHandSide, projection: Projection, span: tuple[float, float]
+    ) -> None:
+        self._discretes = Discretes(flat, system)
+        self._system, self._span = system, span
+        self.events: list[Event] = []
+        self.active = self._discretes.any
+        if self.active:
+            self._contacts = Contacts(self._discretes, span[1] - span[0])
+            self._passes = Passes(self._discretes, self._contacts, projection)
+            self._clocks = Clocks(*self._discretes.clock(span[0]), span[0])
+
+    # ---- the start and the end ---------------------------------------------------------------------------------------
+
+    def begin(self, t: float, y: Floats) -> Result:
+        """What holds at the start: relations as they stand, contacts that carry, then what is to be done there."""
+        w = self._passes.settled(t, y, self._discretes.started(t))
+        w = self._contacts.settled(t, y, w)
+        return self._carry_out(t, y, w, Found(t, clocks=self._clocks.ticking(t)), self._discretes.instant(initial=True))
+
+    def end(self, t: float, y: Floats) -> Result:
+        """`terminal()`."""
+        return self._carry_out(t, y, self._system.w, Found(t), self._discretes.instant(initial=False))
+
+    @property
+    def ends(self) -> bool:
+        return self._discretes.instant(initial=False) is not None
+
+    # ---- on the way --------------------------------------------------------------------------------------------------
+
+    def next_tick(self) -> float:
+        return self._clocks.next() if self.active else np.inf
+
+    def find(self, before: float, after: float, dense_output: Callable[[], Callable[[float], Floats]]) -> Found | None:
+        """What happens first in a step, if anything does."""
+        if not self.active:
+            return None
+        dense = dense_output()
+        self._passes.moment = AHEAD * (after - before)
+        w, relations = self._system.w, len(self._discretes.relations)
+
+        def changed(t: float) -> list[int]:
+            y = np.asarray(dense(t))
+            truths = self._discretes.truths(t, y, w)
+            found = np.flatnonzero(truths != (w[self._discretes.relations] != 0.0)).tolist()
+            return [*found, *(relations + each for each in self._contacts.changed(t, y, w))]
+
+        def value(index: int, t: float) -> float:
+            y = np.asarray(dense(t))
+            if index < relations:
+                return float(self._discretes.indicators(t, y, w)[index])
+            return self._contacts.value(index - relations, t, y, w)
+
+        found = first_change(before, after, changed, value)
+        if found is None:
+            return None
+        t, indices = found
+        return Found(t, [i for i in indices if i < relations], [i - relations for i in indices if i >= relations])
+
+    def tick(self, t: float) -> Found | None:
+        """The clocks that tick at t."""
+        found = self._clocks.ticking(t) if self.active else []
+        return Found(t, clocks=found) if found else None
+
+    def carry_out(self, found: Found, y: Floats) -> Result:
+        return self._carry_out(found.t, y, self._system.w, found, None)
+
+    def _carry_out(self, t: float, y: Floats, w: Floats, found: Found, pulse: int | None) -> Result:
+        w = w.copy()
+        flipped = self._discretes.relations[found.relations]
+        w[flipped] = 1.0 - w[flipped]
+        w[self._discretes.clocks[found.clocks]] = 1.0
+        if pulse is not None:
+            w[pulse] = 1.0
+        result = self._passes.run(t, y, w, found.contacts)
+        self.events += result.events
+        return result

@@ -1,0 +1,155 @@
+"""Passes over the `when` clauses at one instant, until nothing changes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from lagdsl.flat.event_flow import branches
+from lagdsl.flat.events import Check, Impact, Reset, Terminate
+from lagdsl.flat.quantity import Item
+from lagdsl.mechanics.rank import Floats
+from lagdsl.simulate.events.contacts import Contacts
+from lagdsl.simulate.events.discretes import Discretes, Outcome
+from lagdsl.simulate.projection import Projection
+from lagdsl.simulate.trajectory import Event
+
+MOST_PASSES = 100
+# At an event relations are zero. They are looked at this part of the last step later, which is long against round-off
+# and short against everything else.
+AHEAD = 1e-6
+
+
+@dataclass(slots=True)
+class Result:
+    """The state after an event; `stop` is the message of `terminate`, `failed` what ends the run as an error."""
+
+    y: Floats
+    w: Floats
+    events: list[Event] = field(default_factory=list)
+    stop: str | None = None
+    failed: tuple[str, Item, str] | None = None
+
+
+class Passes:
+    """Carries out what one instant brings."""
+
+    def __init__(self, discretes: Discretes, contacts: Contacts, projection: Projection) -> None:
+        self._discretes, self._contacts, self._projection = discretes, contacts, projection
+        actions = [action for branch in branches(discretes.flat) for action in branch.actions]
+        self._resets = [action for action in actions if isinstance(action, Reset)]
+        self._impacts = [action for action in actions if isinstance(action, Impact)]
+        self._stops = [action for action in actions if isinstance(action, Terminate)]
+        self._checks = [action for action in actions if isinstance(action, Check)]
+        coordinates = {item.name: index for index, item in enumerate(discretes.flat.coordinates)}
+        states = {item.name: index for index, item in enumerate(discretes.flat.states)}
+        n = len(coordinates)
+        self.moment = 1e-9
+        self._places = [n + coordinates[r.name] if r.rate else 2 * n + states[r.name] for r in self._resets]
+
+    def settled(self, t: float, y: Floats, w: Floats) -> Floats:
+        """w with relations and conditions as they stand, nothing carried out."""
+        for _ in range(MOST_PASSES):
+            after = w.copy()
+            after[self._discretes.relations] = self._discretes.truths(t, y, w)
+            after[self._discretes.conditions] = self._discretes.one_pass(t, y, after).w[self._discretes.conditions]
+            if np.array_equal(after, w):
+                break
+            w = after
+        return w
+
+    def run(self, t: float, y: Floats, w: Floats, contacts: list[int]) -> Result:
+        """Until a pass changes nothing; `contacts` are those that were found to change."""
+        result = Result(y, w)
+        self._change_contacts(t, result, contacts)
+        for _ in range(MOST_PASSES):
+            before = result.w.copy()
+            outcome = self._discretes.one_pass(t, result.y, result.w)
+            acted = self._act(t, result, outcome)
+            result.w = outcome.w.copy()
+            result.w[self._discretes.pulses] = 0.0
+            acted |= self._strike(t, result, outcome)
+            result.w[self._discretes.relations] = self._ahead(t, result)
+            if result.failed is not None or (not acted and np.array_equal(result.w, before)):
+                break
+        else:
+            names = self._unsettled(before, result.w)
+            result.failed = ("E0804", self._discretes.flat.events.whens[0], names)
+        self._discretes.system.with_discretes(result.w)
+        return result
+
+    # ---- contacts ----------------------------------------------------------------------------------------------------
+
+    def _change_contacts(self, t: float, result: Result, contacts: list[int]) -> None:
+        """Those that pull open; the others strike."""
+        entries = self._discretes.contacts
+        for index in contacts:
+            if result.w[entries[index]] != 0.0:
+                result.w[entries[index]] = 0.0
+                result.events.append(Event(time=t, name=self._name(index), kind="opened"))
+        if contacts:
+            self._collide(t, result, {})
+
+    def _strike(self, t: float, result: Result, outcome: Outcome) -> bool:
+        """Impacts of clauses, and contacts that something drives in now."""
+        count = len(self._discretes.contacts)
+        struck = {count + k: float(outcome.restitution[k]) for k in np.flatnonzero(outcome.impact).tolist()}
+        return self._collide(t, result, struck) if struck or count else False
+
+    def _collide(self, t: float, result: Result, struck: dict[int, float]) -> bool:
+        result.y, result.w, happened = self._contacts.strike(t, result.y, result.w, struck)
+        result.events += [Event(time=t, name=self._name(index), kind=what) for index, what in happened]
+        if happened:
+            self._project(t, result, {})
+        return bool(struck) or bool(happened)
+
+    def _name(self, index: int) -> str:
+        return self._discretes.flat.events.contacts[index].name
+
+    # ---- clauses -----------------------------------------------------------------------------------------------------
+
+    def _act(self, t: float, result: Result, outcome: Outcome) -> bool:
+        """Resets, ends and failures of one pass."""
+        for k in np.flatnonzero(outcome.fail).tolist():
+            result.failed = ("E0810", self._checks[k], self._checks[k].message)
+        for k in np.flatnonzero(outcome.stop).tolist():
+            result.stop = self._stops[k].message
+            result.events.append(Event(time=t, name=self._stops[k].message, kind="terminate"))
+        acting = np.flatnonzero(outcome.reset).tolist()
+        held: dict[int, float] = {}
+        for k in acting:
+            place, value = self._places[k], float(outcome.value[k])
+            if held.setdefault(place, value) != value:
+                result.failed = ("E0832", self._resets[k], self._resets[k].name)
+        if not acting:
+            return False
+        result.y = result.y.copy()
+        for place, value in held.items():
+            result.y[place] = value
+        result.events += [Event(time=t, name=self._reset_name(k), kind="reinit") for k in acting]
+        n = self._discretes.system.n
+        self._project(t, result, {place - n: value for place, value in held.items() if place < 2 * n})
+        return True
+
+    def _reset_name(self, k: int) -> str:
+        return f"der({self._resets[k].name})" if self._resets[k].rate else self._resets[k].name
+
+    def _project(self, t: float, result: Result, held: dict[int, float]) -> None:
+        """Rates onto the constraints; those that were reset stay, as far as the constraints let them."""
+        self._discretes.system.with_discretes(result.w)
+        result.y = self._projection.onto_rates(t, result.y, tuple(held))
+
+    # ---- relations ---------------------------------------------------------------------------------------------------
+
+    def _ahead(self, t: float, result: Result) -> Floats:
+        """Relations a moment later: at the event they pass zero, and which way they go on tells what they are."""
+        discretes, y = self._discretes, result.y
+        rate = discretes.system.with_discretes(result.w)(t, y)
+        moment = self.moment
+        later = y + moment * rate if np.all(np.isfinite(rate)) else y
+        return discretes.truths(t + moment, later, result.w).astype(np.float64)
+
+    def _unsettled(self, before: Floats, after: Floats) -> str:
+        names = [slot.name for slot in self._discretes.system.engine.layout.discretes]
+        return ", ".join(f"`{names[k]}`" for k in np.flatnonzero(before != after).tolist())
