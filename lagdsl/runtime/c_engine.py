@@ -15,6 +15,7 @@ from lagdsl.program.functions import OPTIONAL, SIGNATURES, STATE
 from lagdsl.program.program import Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.build import build
+from lagdsl.runtime.c_run import CRun, RunSettings
 from lagdsl.runtime.cores import Part, share_out
 from lagdsl.runtime.engine import Floats, SingularSystem
 from lagdsl.runtime.load import VECTORS, Arguments, Batch, Library, load
@@ -110,6 +111,10 @@ class CEngine:
     def _check(self, status: int) -> None:
         if status == _SINGULAR:
             raise SingularSystem(self._coordinate.value)
+
+    def run(self, settings: RunSettings) -> CRun:
+        """A simulation in C, independent of this engine's own memory."""
+        return CRun(self._library, settings, self.layout.size(Group.U))
 
     # ---- many states -------------------------------------------------------------------------------------------------
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
+from ctypes import CFUNCTYPE, POINTER, Structure, byref, c_char, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
 from dataclasses import dataclass
 from pathlib import Path
 
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 
 VERSION = 1
+
+# Methods of the runtime that choose their steps.
+METHODS = ("dop853", "radau")
 
 # The vectors of lag_arguments, in its order.
 VECTORS: tuple[Group, ...] = (
@@ -59,6 +62,56 @@ class Batch(Structure):
     ]
 
 
+# What tells the inputs at a time: (context, t, u).
+INPUTS = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double))
+
+
+class RunOptions(Structure):
+    """lag_run_options."""
+
+    _fields_ = [
+        ("tolerance", c_double),
+        ("method", c_void_p),
+        ("h_first", c_double),
+        ("h_most", c_double),
+        ("part", c_double),
+        ("p", c_void_p),
+        ("context", c_void_p),
+        ("inputs", INPUTS),
+        *((name, c_void_p) for name in ("u", "group", "natural", "cap", "row_sizes")),
+        ("careful", c_int),
+        ("count", c_size_t),
+        *((name, c_void_p) for name in ("times", "rows", "output")),
+        ("indicators", c_size_t),
+        ("indicate", c_void_p),
+        ("clocks", c_size_t),
+        *((name, c_void_p) for name in ("first", "period", "event")),
+        ("looks", c_uint),
+        ("time_tolerance", c_double),
+        *((f"invariant_{name}", c_void_p) for name in ("tolerance", "start", "size", "drift")),
+        ("continued", c_int),
+    ]
+
+
+class RunChange(Structure):
+    """lag_change."""
+
+    _fields_ = [("t", c_double), ("implicit", c_int)]
+
+
+class RunReport(Structure):
+    """lag_run_report."""
+
+    _fields_ = [
+        *((name, c_double) for name in ("t", "h", "trouble_time")),
+        ("x", POINTER(c_double)),
+        *((name, c_size_t) for name in ("row", "steps", "all_steps", "rejections", "evaluations", "jacobians")),
+        *((name, c_size_t) for name in ("decompositions", "projections", "events", "changes")),
+        ("change", POINTER(RunChange)),
+        ("implicit", c_int),
+    ]
+
+
 class ModelHead(Structure):
     """The first members of lag_model."""
 
@@ -90,6 +143,13 @@ class Library:
     batch_evaluate: ctypes._NamedFuncPointer
     batch_forward_dynamics: ctypes._NamedFuncPointer
     batch_state_jacobian: ctypes._NamedFuncPointer
+    run_size: ctypes._NamedFuncPointer
+    run_place: ctypes._NamedFuncPointer
+    run_move: ctypes._NamedFuncPointer
+    run_to: ctypes._NamedFuncPointer
+    run_tell: ctypes._NamedFuncPointer
+    run_skip: ctypes._NamedFuncPointer
+    methods: dict[str, int]
 
 
 def load(path: Path, symbol: str) -> Library:
@@ -103,6 +163,10 @@ def load(path: Path, symbol: str) -> Library:
     measure.restype = c_size_t
     measure_batch = _function(library, "lag_batch_memory", [c_void_p])
     measure_batch.restype = c_size_t
+    run_size = _function(library, "lag_run_size", [c_void_p, POINTER(RunOptions)])
+    run_size.restype = c_size_t
+    run_place = _function(library, "lag_run_place", [c_void_p, c_void_p, POINTER(RunOptions)])
+    run_place.restype = c_void_p
     arguments, batch, results, index = POINTER(Arguments), POINTER(Batch), c_void_p, POINTER(c_size_t)
     return Library(
         model=model,
@@ -120,6 +184,13 @@ def load(path: Path, symbol: str) -> Library:
             library, "lag_batch_forward_dynamics", [c_void_p, batch, results, results, index]
         ),
         batch_state_jacobian=_function(library, "lag_batch_state_jacobian", [c_void_p, batch, results, index]),
+        run_size=run_size,
+        run_place=run_place,
+        run_move=_function(library, "lag_run_move", [c_void_p, c_double, results, c_double]),
+        run_to=_function(library, "lag_run_to", [c_void_p, c_double, c_size_t]),
+        run_tell=_function(library, "lag_run_tell", [c_void_p, POINTER(RunReport)]),
+        run_skip=_function(library, "lag_run_skip", [c_void_p, c_size_t]),
+        methods={name: ctypes.addressof(c_char.in_dll(library, f"lag_{name}")) for name in METHODS},
     )
 
 

@@ -18,26 +18,26 @@ _ROUNDING = 1e-15
 
 
 class Accuracy:
-    """Absolute tolerances that follow the motion."""
+    """Absolute tolerances that follow the motion. `groups`, `sizes` and `caps` are those of every component."""
 
     def __init__(self, flat: FlatModel, sizes: Floats, relative: float) -> None:
         n = len(flat.coordinates)
         kinds: dict[object, int] = {}
         groups = [kinds.setdefault(c.dimension, len(kinds)) for c in flat.coordinates]
         first = len(kinds)
-        self._groups = np.array(
+        self.groups = np.array(
             [*groups, *(g + first for g in groups), *range(2 * first, 2 * first + len(flat.states))], dtype=int
         )
         state_sizes = np.array([abs(s.nominal) if s.nominal else 1.0 for s in flat.states])
-        self._sizes = np.concatenate([sizes, sizes, state_sizes])
+        self.sizes = np.concatenate([sizes, sizes, state_sizes])
         angles = np.array([c.dimension.is_dimensionless for c in flat.coordinates], dtype=bool)
-        self._caps = np.concatenate([np.where(angles, 1.0, np.inf), np.full(n + len(flat.states), np.inf)])
+        self.caps = np.concatenate([np.where(angles, 1.0, np.inf), np.full(n + len(flat.states), np.inf)])
         self._largest = np.zeros(2 * first + len(flat.states))
         self.relative = relative
 
     def after(self, y: Floats) -> Floats:
         """Absolute tolerances (2 nq + nz,) now that state `y` was reached."""
-        np.maximum.at(self._largest, self._groups, np.abs(y))
-        floor = _FLOOR * self._sizes
-        scale = np.clip(self._largest[self._groups], floor, np.maximum(self._caps, floor))
-        return np.asarray(np.maximum(self.relative * scale, _ROUNDING * self._sizes))
+        np.maximum.at(self._largest, self.groups, np.abs(y))
+        floor = _FLOOR * self.sizes
+        scale = np.clip(self._largest[self.groups], floor, np.maximum(self.caps, floor))
+        return np.asarray(np.maximum(self.relative * scale, _ROUNDING * self.sizes))

@@ -16,9 +16,12 @@ from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.simulate.accuracy import Accuracy
 from lagdsl.simulate.departure import Departure, cross, depart
+from lagdsl.simulate.events.happenings import Found, Happenings
+from lagdsl.simulate.events.passes import Result
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.integrators import METHODS, Method
+from lagdsl.simulate.leap import Leaps, can_leap
 from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.recorder import Recorder
 from lagdsl.simulate.right_hand_side import RightHandSide
@@ -60,6 +63,15 @@ class Task:
     progress: Callable[[float], None] | None
 
 
+@dataclass(frozen=True, slots=True)
+class Reached:
+    """A state from which no stepper has been started."""
+
+    t: float
+    y: Floats
+    h_abs: float
+
+
 class Motion:
     """One run. Not to be used twice."""
 
@@ -81,40 +93,69 @@ class Motion:
         self._stiffness = Stiffness() if task.solver == "auto" else None
         self._method = METHODS["dop853" if task.solver == "auto" else task.solver]
         self._accuracy = Accuracy(flat, self._space.sizes, self._method.factor * task.tolerance)
+        self._leaps = self._made_leaps()
         self._next = 0
         self._steps = 0
+        self._changes = 0
         self._shown = 0.0
         self._notes: list[str] = []
         self._method_since = task.initial.t
+        self._happenings = Happenings(flat, self._system, self._exact, (float(task.times[0]), float(task.times[-1])))
+        self._ended = False
+
+    def _made_leaps(self) -> Leaps | None:
+        task = self._task
+        if task.engine.layout.discretes or not can_leap(task.engine, task.solver):
+            return None
+        self._stiffness = None  # the method is chosen in C
+        return Leaps(
+            task.engine,
+            self._system,
+            self._projection,
+            self._accuracy,
+            self._watch,
+            task.times,
+            task.tolerance,
+            task.solver,
+        )
 
     def run(self) -> Trajectory:
         """From the first to the last of the requested times."""
         initial, times = self._task.initial, self._task.times
         y = np.concatenate([initial.q, initial.qd, initial.z])
         t = float(times[0])
-        stops = [b for b in self._task.signals.breaks if b > t]
+        last = float(times[-1])
+        stops = [*(b for b in self._task.signals.breaks if b > t), last]
         self._system.enter(np.inf)
-        self._begin(t, y)
-        for end in [*stops, float(times[-1])]:
+        y = self._begin(t, y)
+        while t < last and not self._ended:
+            end = min(stops[0], self._happenings.next_tick())
             self._system.enter(end)
             if self._margins[1] <= LOST:
                 t, y = self._leave_singular_position(t, y, end)
-            y = self._segment(t, y, end)
-            t = end
+            t, y = self._segment(t, y, end)
+            stops = [stop for stop in stops if stop > t]
+            y = self._tick(t, y)
+        if not self._ended and self._happenings.ends:
+            self._after_event(t, self._happenings.end(t, y))
         return self._finish()
 
     # ---- one segment without kinks of inputs -------------------------------------------------------------------------
 
-    def _begin(self, t: float, y: Floats) -> None:
+    def _begin(self, t: float, y: Floats) -> Floats:
         if not np.all(np.isfinite(self._system(t, y))):
             self._fail_without_acceleration(t, y)
+        if self._happenings.active:
+            y = self._settle(t, self._happenings.begin(t, y))
         self._check(t, y)
         self._look_at_rank(t, y)
         self._recorder.add(t, y)
         self._next = 1
+        return y
 
-    def _segment(self, t: float, y: Floats, end: float) -> Floats:
-        stepper = self._stepper(t, y, end, None)
+    def _segment(self, t: float, y: Floats, end: float) -> tuple[float, Floats]:
+        """To `end`, or to where the motion ends before."""
+        stepper = self._ahead(Reached(t, y, 0.0), end)
         while stepper.t < end:
             self._steps += 1
             if self._steps > self._task.max_steps:
@@ -126,6 +167,13 @@ class Motion:
             if projected is None:
                 self._require_progress(before, y_before, step / 4.0, lost=(float(stepper.t), stepper.y))
                 stepper = self._stepper(before, y_before, end, step / 4.0)
+                continue
+            found = self._happenings.find(before, float(stepper.t), stepper.dense_output)
+            if found is not None:
+                y = self._happen(found, stepper.dense_output())
+                if self._ended or found.t >= end:
+                    return found.t, y
+                stepper = self._stepper(found.t, y, end, None)
                 continue
             lost = self._lost_at(before, y_before, float(stepper.t), projected, stepper.dense_output)
             if lost is not None:
@@ -144,7 +192,94 @@ class Motion:
             else:
                 self._require_decided(float(stepper.t), stepper.y, np.inf)
                 stepper = self._reconsider(stepper, step, end)
-        return np.asarray(stepper.y)
+            stepper = self._ahead(stepper, end)
+        return end, np.asarray(stepper.y)
+
+    # ---- events ------------------------------------------------------------------------------------------------------
+
+    def _happen(self, found: Found, dense: Callable[[float], Floats]) -> Floats:
+        """The state after an event inside a step."""
+        self._record_inside(found.t, lambda: dense)
+        y = np.asarray(dense(found.t))
+        projected = self._projected(found.t, y)
+        y = y if projected is None else projected
+        self._row_before(found.t, y)
+        return self._after_event(found.t, self._happenings.carry_out(found, y))
+
+    def _tick(self, t: float, y: Floats) -> Floats:
+        """The state after the clocks that tick at the end of a segment."""
+        found = self._happenings.tick(t)
+        if found is None or self._ended:
+            return y
+        self._system.enter(np.inf)
+        self._row_before(t, y)
+        return self._after_event(t, self._happenings.carry_out(found, y))
+
+    def _row_before(self, t: float, y: Floats) -> None:
+        """The row just before an event, unless it is there because its time was asked for."""
+        times = self._task.times
+        if not (self._next and times[self._next - 1] == t):
+            self._recorder.add(t, y)
+        while self._next < len(times) and times[self._next] <= t:
+            self._next += 1
+
+    def _after_event(self, t: float, result: Result) -> Floats:
+        """The state that an event left, with a row."""
+        y = self._settle(t, result)
+        self._check(t, y)
+        self._look_at_rank(t, y)
+        self._recorder.add(t, y)
+        self._tell(t)
+        return y
+
+    def _settle(self, t: float, result: Result) -> Floats:
+        """The state that an event left; the end of the run where it failed."""
+        if result.failed is not None:
+            code, item, text = result.failed
+            self._fail(code, t, result.y, item.spans, text=text)
+        self._ended = result.stop is not None
+        if not np.all(np.isfinite(self._system(t, result.y))):
+            self._fail_without_acceleration(t, result.y)
+        return result.y
+
+    # ---- many steps at once ------------------------------------------------------------------------------------------
+
+    def _ahead(self, stepper: Any, end: float) -> Any:
+        """The stepper from which to go on: after as many steps as C can do without us."""
+        here = Reached(float(stepper.t), stepper.y, float(stepper.h_abs))
+        there = here if self._leaps is None or here.t >= end else self._leap(self._leaps, here, end)
+        if there.t >= end:
+            return there
+        if there is here and not isinstance(stepper, Reached):
+            return stepper
+        return self._stepper(there.t, there.y, end, there.h_abs if there.h_abs > 0.0 else None)
+
+    def _leap(self, leaps: Leaps, here: Reached, end: float) -> Reached:
+        there, going = here, True
+        while going:
+            going = leaps.forward(
+                there.t, there.y, there.h_abs, end, row=self._next, steps=self._task.max_steps - self._steps
+            )
+            if leaps.t > there.t:
+                there = Reached(leaps.t, leaps.y, leaps.h)
+                self._steps += leaps.steps
+                self._recorder.add_many(
+                    leaps.engine, self._task.times[self._next : leaps.row], leaps.rows[self._next : leaps.row]
+                )
+                self._next = leaps.row
+                self._tell(there.t)
+        if there is not here:
+            self._follow_method(leaps)
+            self._look_at_rank(there.t, there.y)
+            self._times, self._margins = (-np.inf, there.t), (np.inf, self._margins[1])
+        return there
+
+    def _follow_method(self, leaps: Leaps) -> None:
+        """Where C changed its method, the steppers of this loop do so too."""
+        for t, implicit in leaps.changes[self._changes :]:
+            why = "stability, not accuracy, limited the steps" if implicit else "accuracy limits the steps again"
+            self._change(METHODS["radau" if implicit else "dop853"], t, why)
+            self._changes += 1
 
     # ---- singular positions ------------------------------------------------------------------------------------------
 
@@ -343,15 +478,17 @@ class Motion:
     # ---- ends --------------------------------------------------------------------------------------------------------
 
     def _finish(self) -> Trajectory:
+        leaps = self._leaps
         statistics = Statistics(
             solver=self._method.name,
             steps=self._steps,
-            evaluations=self._system.evaluations,
-            jacobians=self._system.jacobians,
-            projections=self._projection.count,
+            evaluations=self._system.evaluations + (leaps.evaluations if leaps else 0),
+            jacobians=self._system.jacobians + (leaps.jacobians if leaps else 0),
+            projections=self._projection.count + (leaps.projections if leaps else 0),
             notes=tuple(self._notes),
         )
-        return self._recorder.trajectory(self._watch.records(), self._task.initial.moved, statistics)
+        events = tuple(self._happenings.events)
+        return self._recorder.trajectory(self._watch.records(), self._task.initial.moved, statistics, events)
 
     def _require_progress(self, t: float, y: Floats, step: float, lost: tuple[float, Floats] | None = None) -> None:
         """End the run if steps are no longer than the round-off of time."""

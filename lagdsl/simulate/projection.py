@@ -26,6 +26,7 @@ class Projection:
     def __init__(self, system: RightHandSide, space: Geometry, tolerance: float) -> None:
         self.system = system
         self.sizes = space.sizes
+        self.tolerance = tolerance
         self.row_sizes = space.row_sizes
         self._limits = np.maximum(tolerance * np.minimum(self.row_sizes, 1.0), _ROUNDING * self.row_sizes)
         self.rows = space.position_rows
@@ -46,6 +47,23 @@ class Projection:
             return y
         self.count += 1
         return np.concatenate([moved, rates, z])
+
+    def onto_rates(self, t: float, y: Floats, held: tuple[int, ...]) -> Floats:
+        """The state with its rates moved onto the constraints, without the `held` ones where the others can do it."""
+        if not self.active:
+            return y
+        q, qd, z = (part.copy() for part in self.system.split(y))
+        evaluate, rest = self.system.engine.evaluate, (z, self.system.inputs(t), self.system.w, self.system.p)
+        residual, jacobian = evaluate("velocity_constraint", t, q, qd, *rest)
+        mass = evaluate("mass_matrix", t, q, qd, *rest)[0]
+        rows, right = jacobian / self.row_sizes[:, None], residual / self.row_sizes
+        hold = np.eye(len(q))[list(held)]
+        for extra in (hold, hold[:0]):
+            both, wanted = np.vstack([rows, extra]), np.concatenate([right, np.zeros(len(extra))])
+            change = self._smallest(mass, both, wanted)
+            if np.all(np.abs(both @ change - wanted) <= _RANK * (1.0 + np.abs(right).max(initial=0.0))):
+                break
+        return np.concatenate([q, qd - change, z])
 
     def residuals(self, t: float, y: Floats) -> tuple[float, float]:
         """Largest position residual and largest velocity residual, each in the units of its row."""

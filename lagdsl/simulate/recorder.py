@@ -7,11 +7,15 @@ import numpy as np
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import Display, display, display_rate
-from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.engine import Engine, SingularSystem
 from lagdsl.simulate.moved import MovedRow
 from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.right_hand_side import RightHandSide
-from lagdsl.simulate.trajectory import Column, InvariantRecord, Kind, Statistics, Trajectory
+from lagdsl.simulate.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
+
+# Rows at once: a Jacobian of each is in memory.
+_AT_ONCE = 128
 
 
 class Recorder:
@@ -22,6 +26,7 @@ class Recorder:
         self._engine = engine
         self._system = system
         self._projection = projection
+        self._variables = [index for index, kind in enumerate(engine.layout.kinds) if kind == "variable"]
         self._rows: list[Floats] = []
         self._residuals: list[tuple[float, float]] = []
         self._energies: list[float] = []
@@ -38,12 +43,42 @@ class Recorder:
             else:
                 arguments = (t, q, qd, z, u, w, p, solved.qdd, solved.lam)
                 outputs = self._engine.evaluate("output", *arguments)[0]
-        self._rows.append(np.concatenate([[t], q, qd, z, w, outputs]))
+        self._rows.append(np.concatenate([[t], q, qd, z, w[self._variables], outputs]))
         self._residuals.append(self._projection.residuals(t, y))
         self._energies.append(float(self._engine.evaluate("energies", t, q, qd, z, u, w, p)[0]))
 
+    def add_many(self, engine: CEngine, times: Floats, states: Floats) -> None:
+        """Rows of states that are on the constraints, in few calls of C."""
+        for first in range(0, len(times), _AT_ONCE):
+            part = slice(first, first + _AT_ONCE)
+            try:
+                self._add_part(engine, times[part], states[part])
+            except SingularSystem:  # outputs that are not numbers stay with their row
+                for t, y in zip(times[part].tolist(), states[part], strict=True):
+                    self.add(t, y)
+
+    def _add_part(self, engine: CEngine, times: Floats, states: Floats) -> None:
+        n = self._system.n
+        u = np.array([self._system.inputs(t) for t in times.tolist()])
+        w, p = self._system.w, self._system.p
+        state = (times, states[:, :n], states[:, n : 2 * n], states[:, 2 * n :], u, w, p)
+        outputs = np.zeros((len(times), 0))
+        if engine.layout.outputs:
+            (outputs,) = engine.evaluate_many("output", *state, *engine.solve_many(*state))
+        residuals = np.zeros((2, len(times)))
+        if self._projection.active:
+            for index, function in enumerate(("position_constraint", "velocity_constraint")):
+                residuals[index] = np.max(np.abs(engine.evaluate_many(function, *state)[0]), axis=1, initial=0.0)
+        self._rows += list(np.hstack([times[:, None], states, np.tile(w[self._variables], (len(times), 1)), outputs]))
+        self._residuals += [(q, v) for q, v in residuals.T.tolist()]
+        self._energies += engine.evaluate_many("energies", *state)[0].tolist()
+
     def trajectory(
-        self, invariants: tuple[InvariantRecord, ...], moved: tuple[MovedRow, ...], statistics: Statistics
+        self,
+        invariants: tuple[InvariantRecord, ...],
+        moved: tuple[MovedRow, ...],
+        statistics: Statistics,
+        events: tuple[Event, ...],
     ) -> Trajectory:
         """All rows so far."""
         heads = _heads(self._flat, self._engine)
@@ -62,6 +97,7 @@ class Recorder:
             invariants=invariants,
             moved=moved,
             statistics=statistics,
+            events=events,
         )
 
 
@@ -82,6 +118,6 @@ def _heads(flat: FlatModel, engine: Engine) -> list[tuple[str, str, Kind, Displa
         unit = "1/s" if c.unit == "1" else f"{c.unit}/s"
         heads.append((f"der({c.name})", unit, "rate", display_rate(c)))
     heads += [(s.name, s.unit, "state", display(s)) for s in flat.states]
-    heads += [(slot.name, slot.unit, "discrete", Display(slot.unit)) for slot in engine.layout.discretes]
+    heads += [(d.name, d.unit, "discrete", display(d)) for d in flat.events.discretes]
     heads += [(o.name, o.unit, "output", display(o)) for o in flat.outputs]
     return heads

@@ -32,6 +32,11 @@ class Signals:
     functions: tuple[_Function, ...]
     breaks: tuple[float, ...]
 
+    @property
+    def constant(self) -> bool:
+        """Whether no input changes."""
+        return all(isinstance(function, _Constant) for function in self.functions)
+
     def at(self, t: float, *, before: bool = False) -> Floats:
         """u (nu,); at a jump the value after it, or before it."""
         return np.array([function(t, before) for function in self.functions]) if self.functions else _NONE
@@ -61,7 +66,7 @@ def signals(
         elif order and base in inputs:
             functions.append(_function(item, inputs[base], order, True, span, breaks, sink))
         else:
-            functions.append(_constant(default))
+            functions.append(_Constant(default))
     return Signals(tuple(functions), tuple(sorted(b for b in breaks if span[0] < b < span[1])))
 
 
@@ -88,7 +93,7 @@ def _function(
             sink.report(
                 "E0817", None, name=_base(item.name)[0], first=times[0], last=times[-1], start=span[0], stop=span[1]
             )
-            return _constant(0.0)
+            return _Constant(0.0)
         if smooth:
             return _spline(times, values, order)
         breaks.update(_kinks(times, values))
@@ -97,7 +102,7 @@ def _function(
         constant = float(cast(float, signal))
     except (TypeError, ValueError) as error:
         raise ValueError(f"input `{item.name}` must be {_KINDS}") from error
-    return _constant(constant if order == 0 else 0.0)
+    return _Constant(constant if order == 0 else 0.0)
 
 
 def _columns(name: str, signal: Any, smooth: bool) -> tuple[Floats, Floats]:
@@ -121,8 +126,12 @@ def _columns(name: str, signal: Any, smooth: bool) -> tuple[Floats, Floats]:
     return times, values
 
 
-def _constant(value: float) -> _Function:
-    return lambda t, before: value
+@dataclass(frozen=True, slots=True)
+class _Constant:
+    value: float
+
+    def __call__(self, t: float, before: bool) -> float:
+        return self.value
 
 
 def _lines(times: list[float], values: list[float]) -> _Function:

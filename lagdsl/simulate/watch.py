@@ -17,19 +17,20 @@ _DEFAULT_FACTOR = 1e3
 
 
 class Watch:
-    """Looks at every accepted state. `check` returns the name at fault, after reporting to the sink, or None."""
+    """Looks at every accepted state. `check` returns the name at fault, after reporting to the sink, or None. The records
+    (ni,), `start`, `sizes` and `drift`, are changed in place."""
 
     def __init__(self, flat: FlatModel, engine: Engine, system: RightHandSide, tolerance: float) -> None:
         self._flat = flat
         self._engine = engine
         self._system = system
         count = len(flat.invariants)
-        self._tolerances = np.array(
+        self.tolerances = np.array(
             [_DEFAULT_FACTOR * tolerance if i.tolerance is None else i.tolerance for i in flat.invariants]
         )
-        self._start = np.zeros(count)
-        self._sizes = np.zeros(count)
-        self._drift = np.zeros(count)
+        self.start = np.zeros(count)
+        self.sizes = np.zeros(count)
+        self.drift = np.zeros(count)
         self._begun = False
         self.active = bool(flat.invariants or flat.assertions)
 
@@ -58,20 +59,20 @@ class Watch:
                 sink.report("E0810", span, time=time_text(t), text=assertion.message)
                 return assertion.message
         if not self._begun:
-            self._start, self._begun = values.copy(), True
-        self._sizes = np.maximum(self._sizes, np.maximum(np.abs(self._start), sizes))
-        drift = np.abs(values - self._start)
-        self._drift = np.fmax(self._drift, drift)
-        beyond = np.flatnonzero(~(drift <= self._tolerances * self._sizes))
+            self.start[:], self._begun = values, True
+        np.maximum(self.sizes, np.maximum(np.abs(self.start), sizes), out=self.sizes)
+        drift = np.abs(values - self.start)
+        np.fmax(self.drift, drift, out=self.drift)
+        beyond = np.flatnonzero(~(drift <= self.tolerances * self.sizes))
         return self._report(int(beyond[0]), float(drift[beyond[0]]), solved, sink) if len(beyond) else None
 
     def records(self) -> tuple[InvariantRecord, ...]:
         """How every invariant held so far."""
-        limits = self._tolerances * self._sizes
+        limits = self.tolerances * self.sizes
         return tuple(
             InvariantRecord(name=i.name, start=start, drift=drift, limit=limit)
             for i, start, drift, limit in zip(
-                self._flat.invariants, self._start.tolist(), self._drift.tolist(), limits.tolist(), strict=True
+                self._flat.invariants, self.start.tolist(), self.drift.tolist(), limits.tolist(), strict=True
             )
         )
 
@@ -86,7 +87,7 @@ class Watch:
             name=invariant.name,
             time=time_text(solved.t),
             drift=f"{drift:.2g}{suffix}",
-            limit=f"{float(self._tolerances[index] * self._sizes[index]):.2g}{suffix}",
+            limit=f"{float(self.tolerances[index] * self.sizes[index]):.2g}{suffix}",
         )
         return invariant.name
 

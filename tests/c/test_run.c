@@ -144,7 +144,7 @@ static void constraints_hold(const lag_method *method)
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
     CHECK(circle_gap(run->stepper.x) < 1e-11);
     CHECK_NEAR(rows[1] / rows[0], 0.1 / 0.7, 1e-4);
-    CHECK(lag_run_to(run, 10.0) == LAG_OK);
+    CHECK(lag_run_to(run, 10.0, 0) == LAG_OK);
     CHECK(run->stepper.t == 10.0 && run->row == 201);
     CHECK(run->projection.count > 10);
     for (size_t i = 0; i <= 200; ++i) {
@@ -163,7 +163,7 @@ static void what_is_violated_stops(void)
     const lag_run_options options = {.invariant_tolerance = &tolerance};
     lag_run *run = place(&CIRCLE, &options);
     CHECK(lag_run_begin(run, 0.0, high) == LAG_OK);
-    CHECK(lag_run_to(run, 10.0) == LAG_VIOLATED);
+    CHECK(lag_run_to(run, 10.0, 0) == LAG_VIOLATED);
     CHECK(run->stepper.t > 0.1 && run->stepper.t < 1.0 && run->stepper.x[1] < 0.5);
     free(run);
 }
@@ -174,13 +174,13 @@ static void attention_before_rank_is_lost(void)
     const lag_run_options options = {.careful = 1, .row_sizes = small};
     lag_run *run = place(&CIRCLE, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 1.0) == LAG_ATTENTION);
+    CHECK(lag_run_to(run, 1.0, 0) == LAG_ATTENTION);
     CHECK(run->stepper.t == 0.0);
     free(run);
     const lag_run_options usual = {.careful = 1};
     run = place(&CIRCLE, &usual);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 1.0) == LAG_OK);
+    CHECK(lag_run_to(run, 1.0, 0) == LAG_OK);
     free(run);
 }
 
@@ -196,11 +196,11 @@ static void runs_do_not_know_of_each_other(void)
     CHECK(lag_run_begin(first, 0.0, NULL) == LAG_OK);
     CHECK(lag_run_begin(second, 0.0, other) == LAG_OK);
     for (int i = 1; i <= 5; ++i) {
-        CHECK(lag_run_to(alone, 0.3 * i) == LAG_OK);
+        CHECK(lag_run_to(alone, 0.3 * i, 0) == LAG_OK);
     }
     for (int i = 1; i <= 5; ++i) {
-        CHECK(lag_run_to(first, 0.3 * i) == LAG_OK);
-        CHECK(lag_run_to(second, 0.2 * i) == LAG_OK);
+        CHECK(lag_run_to(first, 0.3 * i, 0) == LAG_OK);
+        CHECK(lag_run_to(second, 0.2 * i, 0) == LAG_OK);
     }
     CHECK(memcmp(alone->stepper.x, first->stepper.x, 4 * sizeof(double)) == 0);
     free(alone);
@@ -305,7 +305,7 @@ static void a_ball_bounces_on_time(const lag_method *method)
         .method = method, .context = &seen, .indicators = 1, .indicate = height, .event = bounce, .tolerance = 1e-10};
     lag_run *run = place(&FREE, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 6.0) == LAG_OK);
+    CHECK(lag_run_to(run, 6.0, 0) == LAG_OK);
     double time = sqrt(2.0 / 9.81);
     double flight = 2.0 * time;
     double worst = 0.0;
@@ -334,7 +334,7 @@ static void chatter_ends(void)
     const lag_run_options options = {.indicators = 1, .indicate = height, .event = stays_down};
     lag_run *run = place(&FREE, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 1.0) == LAG_CHATTER);
+    CHECK(lag_run_to(run, 1.0, 0) == LAG_CHATTER);
     CHECK_NEAR(run->stepper.t, sqrt(2.0 / 9.81), 1e-9);
     free(run);
 }
@@ -379,7 +379,7 @@ static void a_sampled_controller(void)
             .rows = rows};
         lag_run *run = place(&FREE, &options);
         CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-        CHECK(lag_run_to(run, 3.0) == LAG_OK);
+        CHECK(lag_run_to(run, 3.0, 0) == LAG_OK);
         CHECK(seen.count == 151);
         memcpy(ends[k], run->stepper.x, sizeof ends[k]);
         free(run);
@@ -468,7 +468,7 @@ static void stiffness_is_found(double epsilon, int stiff)
     const lag_run_options options = {.p = p, .tolerance = 1e-6};
     lag_run *run = place(&OSCILLATOR, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 2.0) == LAG_OK);
+    CHECK(lag_run_to(run, 2.0, 0) == LAG_OK);
     (void)printf("epsilon %.0e: %zu steps, %zu evaluations, %zu Jacobians, %zu changes, now %s\n", epsilon, run->stepper.steps,
         run->stepper.evaluations, run->stepper.jacobians, run->changes, run->stepper.method->name);
     if (stiff) {

@@ -71,6 +71,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->motion.inputs = options->inputs;
     run->motion.context = options->context;
     lag_stepper_place(&run->stepper, &run->motion.ode, take(&memory, lag_stepper_memory(size)));
+    run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     lag_projection_place(&run->projection, &run->motion, take(&memory, lag_projection_memory(model)));
     run->group = take(&memory, size);
     run->natural = take(&memory, size);
@@ -144,7 +145,9 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
         if (status == LAG_OK) {
             status = lag_motion_start(&run->motion, t, run->point);
         }
-        s->method = run->options.method != NULL ? run->options.method : &lag_dop853;
+        if (run->options.u != NULL) {
+            memcpy(run->motion.u, run->options.u, model->nu * sizeof(double));
+        }
     }
     memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
     s->t = s->t_before = run->event_time = t;
@@ -180,6 +183,11 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
         status = lag_watch_look(&run->watch, t, s->x);
     }
     return status == LAG_OK ? lag_run_rows(run, t, 1) : status;
+}
+
+void lag_run_skip(lag_run *run, size_t row)
+{
+    run->row = row;
 }
 
 void lag_run_tell(const lag_run *run, lag_run_report *report)
@@ -304,7 +312,7 @@ static lag_status go_on(lag_run *run, double stop)
     return status == LAG_OK ? lag_run_rows(run, s->t, 1) : status;
 }
 
-lag_status lag_run_to(lag_run *run, double stop)
+lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
 {
     lag_stepper *s = &run->stepper;
     run->steps = 0;
@@ -320,7 +328,7 @@ lag_status lag_run_to(lag_run *run, double stop)
         status = status == LAG_OK ? lag_look_at(&run->look, run->projection.jacobian) : status;
     }
     while (status == LAG_OK && s->t < stop) {
-        if (run->options.most_steps > 0 && run->steps >= run->options.most_steps) {
+        if (most_steps > 0 && run->steps >= most_steps) {
             return LAG_TOO_LONG;
         }
         ++run->steps;

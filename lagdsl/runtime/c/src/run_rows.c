@@ -30,7 +30,7 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
     while (status == LAG_OK && run->row < options->count && options->times[run->row] < t) {
         const double time = options->times[run->row];
         status = lag_run_inside(run, time, run->point);
-        if (status == LAG_OK) {
+        if (status == LAG_OK && run->motion.model->na > 0) {
             status = lag_watch_look(&run->watch, time, run->point);
         }
         if (status == LAG_OK) {

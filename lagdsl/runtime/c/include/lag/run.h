@@ -5,7 +5,7 @@
  *     lag_run_options options = {.tolerance = 1e-8, .count = 101, .times = times, .rows = rows};
  *     lag_run *run = lag_run_place(malloc(lag_run_size(&Model, &options)), &Model, &options);
  *     lag_status status = lag_run_begin(run, 0.0, NULL);
- *     if (status == LAG_OK) status = lag_run_to(run, 10.0);
+ *     if (status == LAG_OK) status = lag_run_to(run, 10.0, 0);
  *
  * All state of a run lies in the one block that the caller gives; nothing is allocated, nothing is global, so runs in different
  * threads do not know of each other. The model, the options' arrays and the parameters must outlive it.
@@ -36,12 +36,12 @@ typedef struct lag_run_options {
     double tolerance;         /* of the motion as a whole; 0: 1e-8 */
     const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
     double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound */
-    size_t most_steps;        /* in one call of lag_run_to; 0: without bound */
     double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
 
     const double *p;          /* (np) parameters; null: the defaults */
     void *context;            /* of all callbacks */
-    lag_inputs *inputs;       /* null: the default inputs, constant */
+    lag_inputs *inputs;       /* null: constant inputs, */
+    const double *u;          /* (nu) these; null: the defaults */
 
     /* What counts as a change of order one; null: found at the first state (see lag/accuracy.h). */
     const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
@@ -132,13 +132,16 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x);
  */
 lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
 
+/* Rows before number `row` are somebody else's business. */
+void lag_run_skip(lag_run *run, size_t row);
+
 /*
- * On to `stop`, which is hit exactly; run->stepper.t and .x are the state then, and at any failure the last good one.
+ * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then, and at any failure the last good one.
  * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
  * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_ATTENTION, LAG_VIOLATED, LAG_CHATTER: see lag/status.h. What callbacks return other than
  * LAG_OK comes back.
  */
-lag_status lag_run_to(lag_run *run, double stop);
+lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
 
 /*
  * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no events, no rows.
