@@ -41,7 +41,8 @@ class Model(Interface):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
-    `u`, discretes `w` and parameters `p`; what is left out are the initial values, defaults and zeros of the model.
+    `u`, discretes `w` and parameters `p`; what is left out are the initial values and defaults of the
+    model, for `w` with relations as they stand.
     Leading axes broadcast: `t` of shape (...), `q` of shape (..., nq). Names and order of the entries stand in
     `coordinates`, `states`, `inputs`, `parameters`, `outputs` and `constraints`.
     """

@@ -274,6 +274,7 @@ class Constraint(Item):
 
     `normalisation` marks the unit-length row that a quaternion brings along. `closure` is given where the compiler
     wrote the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
+    `contact`: it is there while the contact of that name is closed, and identically satisfied else.
     """
 
     name: str
@@ -284,6 +285,7 @@ class Constraint(Item):
     normalisation: bool = False
     closure: Closure | None = None
     node: bool = False
+    contact: bool = False
 
 
 @record(kw_only=True)

@@ -30,6 +30,7 @@ def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]
     found = {
         "discrete_start": [_vector("w", _starts(lowering, flat))],
         "indicator": [_vector("g", [lowering.scalar(each.difference) for each in flat.events.relations])],
+        "standing": [_vector("w", _standing(lowering, flat))],
         "contact": _gaps(lowering, flat),
         "clock": [
             _vector("start", [lowering.scalar(each.start) for each in flat.events.clocks]),
@@ -48,6 +49,15 @@ def _starts(lowering: Lowering, flat: FlatModel) -> list[int]:
     """Discrete variables as declared; everything else is found by looking, at the start."""
     values = [lowering.scalar(each.start) for each in flat.events.discretes]
     return values + [lowering.graph.zero] * (len(entries(flat.events)) - len(values))
+
+
+def _standing(lowering: Lowering, flat: FlatModel) -> list[int]:
+    graph = lowering.graph
+    truths = {
+        each.name: graph.binary(Op.LESS if each.strict else Op.LESS_EQUAL, graph.zero, lowering.scalar(each.difference))
+        for each in flat.events.relations
+    }
+    return [truths.get(name, node) for name, node in lowering.symbols.previous.items()]
 
 
 def impacts(flat: FlatModel) -> list[Contact | Impact]:

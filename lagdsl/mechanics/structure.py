@@ -14,6 +14,7 @@ from lagdsl.mechanics.structure_count import Count, count, count_text
 from lagdsl.mechanics.structure_dependence import Dependence, dependence, report_dependence
 from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.mechanics.structure_inertia import report_massless
+from lagdsl.mechanics.structure_names import contact_rows
 from lagdsl.mechanics.structure_points import Functions, geometry, probes
 from lagdsl.mechanics.structure_rates import report_integrable, report_nonlinear
 from lagdsl.program.program import Program
@@ -49,7 +50,8 @@ class Structure:
 def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
     """Ranks, redundancy and inertia of `program`; what is wrong goes to `sink`."""
     found = examine(flat, ProgramFunctions(program), sink)
-    redundant = found.dependence.redundant
+    contacts = contact_rows(flat)
+    redundant = tuple(flag and row not in contacts for row, flag in enumerate(found.dependence.redundant))
     return Structure(
         program=replace(program, layout=replace(program.layout, redundant=redundant)),
         coordinates=len(flat.coordinates),

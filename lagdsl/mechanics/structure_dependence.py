@@ -58,7 +58,7 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], fou
     split = space.parts(list(range(len(found.redundant))))
     for item in located(flat):
         for component, row in enumerate(item.rows):
-            if not found.redundant[row] or item.constraint.closure is not None:
+            if not found.redundant[row] or item.constraint.closure is not None or item.constraint.contact:
                 continue
             if found.empty[row]:
                 sink.report("N0605", place(item.constraint), name=item.constraint.name, component=component + 1)

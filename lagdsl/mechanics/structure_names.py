@@ -31,6 +31,11 @@ def located(flat: FlatModel) -> list[Located]:
     return result
 
 
+def contact_rows(flat: FlatModel) -> frozenset[int]:
+    """The rows that come and go."""
+    return frozenset(row for item in located(flat) if item.constraint.contact for row in item.rows)
+
+
 def place(constraint: Constraint) -> Span | None:
     """Where it is to be pointed at: the `connect` of a closure, else the declaration."""
     if constraint.closure is not None:

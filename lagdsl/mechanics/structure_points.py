@@ -131,7 +131,8 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
     q, qd, z, u = functions.evaluate("start", t, parameters)
     sizes = natural_sizes(flat.coordinates, q)
     every = np.ones((len(layout.constraints), len(q)), dtype=np.bool_)
-    plain = Geometry(functions, t, q, qd, z, u, np.zeros(len(layout.discretes)), parameters, sizes, np.ones(0), every)
+    open_, closed = _discretes(functions, t, q, qd, z, u, parameters)
+    plain = Geometry(functions, t, q, qd, z, u, closed, parameters, sizes, np.ones(0), every)
     lengths = []
     largest = np.zeros_like(every, dtype=np.float64)
     for point in [q, *random_points(flat.coordinates, q, sizes, _SIZED_AT, seed)] if layout.constraints else []:
@@ -143,7 +144,22 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
     rounding = _ROUNDING * np.max(row_sizes, initial=0.0)
     pattern = largest > np.maximum(_ABSENT * row_sizes[:, None], rounding)
     row_sizes = np.where(row_sizes > rounding, row_sizes, 1.0)
-    return Geometry(functions, t, q, qd, z, u, plain.w, parameters, sizes, row_sizes, pattern)
+    return Geometry(functions, t, q, qd, z, u, open_, parameters, sizes, row_sizes, pattern)
+
+
+def _discretes(
+    functions: Functions, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, p: Floats
+) -> tuple[Floats, Floats]:
+    """The discretes of the start, relations as they stand: with contacts open, and with contacts closed, whose rows
+    have their size then."""
+    layout = functions.layout
+    if not layout.discretes:
+        return np.zeros(0), np.zeros(0)
+    (started,) = functions.evaluate("discrete_start", t, p)
+    still, free = np.zeros(len(q)), np.zeros(len(layout.constraints))
+    (open_,) = functions.evaluate("standing", t, q, qd, z, u, started, p, still, free)
+    closed = np.where(np.array(layout.kinds) == "contact", 1.0, open_)
+    return open_, closed
 
 
 def _usual(lengths: Floats) -> Floats:

@@ -27,6 +27,7 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | elimination | t q qd z u w p | a = M^-1 f (nq), Y (nc, nq) with rows M^-1 J', J (nc, nq), gamma (nc), and pivot |
 | discrete_start | t p | start values w (nw) |
 | indicator | t q qd z u w p qdd lam | g (nr): a relation holds where its entry is positive or, if not strict, zero |
+| standing | t q qd z u w p qdd lam | w (nw) with relations as they stand |
 | contact | t q qd z u w p | gap, speed (ni), dgap/dq (ni, nq) of contacts, then of `impact`; restitution, stick, rest |
 | clock | t p | start (nk), period (nk) |
 | event | t q qd z u w p qdd lam | a pass over the `when` clauses: w; reset, value; impact, restitution; stop; fail |
@@ -70,6 +71,7 @@ OPTIONAL: dict[str, tuple[Group, ...]] = {
     "elimination": STATE,
     "discrete_start": (Group.TIME, Group.P),
     "indicator": SOLVED,
+    "standing": SOLVED,
     "contact": STATE,
     "clock": (Group.TIME, Group.P),
     "event": SOLVED,

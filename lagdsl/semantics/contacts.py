@@ -144,7 +144,13 @@ def _rigid(
     residual = flat.Binary("*", flat.Variable(contact.closed), gap.expression)
     ctx.constraints.append(
         flat_model.Constraint(
-            spans=spans, name=name, rows=(name,), residuals=(residual,), dimension=dimension, level="position"
+            spans=spans,
+            name=name,
+            rows=(name,),
+            residuals=(residual,),
+            dimension=dimension,
+            level="position",
+            contact=True,
         )
     )
     force = Scalar(flat.Multiplier(name), _force(ctx, dimension), Variability.CONTINUOUS, Order.SOLUTION)

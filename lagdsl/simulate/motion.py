@@ -11,7 +11,7 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_names import located, place
+from lagdsl.mechanics.structure_names import contact_rows, located, place
 from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.simulate.accuracy import Accuracy
@@ -86,7 +86,9 @@ class Motion:
         self._recorder = Recorder(flat, engine, self._system, self._projection)
         self._watch = Watch(flat, engine, self._system, task.tolerance)
         self._exact = Projection(self._system, self._space, 0.0)
-        self._ranks = Ranks(self._space, task.initial.redundant)
+        loose = contact_rows(flat)
+        lasting = tuple(flag or row in loose for row, flag in enumerate(task.initial.redundant))
+        self._ranks = Ranks(self._space, lasting)
         self._look: Look | None = None
         self._times = (-np.inf, -np.inf)
         self._margins = (np.inf, np.inf)

@@ -67,6 +67,13 @@ class RightHandSide:
         self.until = until
         self._key = None
 
+    def with_discretes(self, w: Floats) -> RightHandSide:
+        """The same system, from now on with these discretes."""
+        if w is not self.w and not np.array_equal(w, self.w):
+            self.w = w.copy()
+            self._key = None
+        return self
+
     def split(self, y: Floats) -> tuple[Floats, Floats, Floats]:
         """q, qd, z as contiguous arrays."""
         return y[: self.n], y[self.n : 2 * self.n], y[2 * self.n :]

@@ -41,7 +41,11 @@ class InvariantRecord:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Event:
-    """Something that happened at an instant. This release has no events; the list is there for what comes."""
+    """Something that happened at an instant.
+
+    `kind` is `impact`, `closed` or `opened` of the contact `name`; `reinit` of the state or rate; `terminate` with its
+    message.
+    """
 
     time: float
     name: str

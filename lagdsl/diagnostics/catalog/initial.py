@@ -137,6 +137,16 @@ ROWS: dict[str, Row] = {
         "names of the columns",
         "each input has one column",
     ),
+    "E0804": error(
+        "what happens at t = {time} s does not settle: {text} go on changing",
+        label="among these",
+        help="two clauses may trigger each other, or a force may reverse at every crossing: smooth it, `tanh(v/v0)`",
+    ),
+    "E0832": error(
+        "`{text}` is given two values by `reinit` at t = {time} s",
+        label="one of them",
+        help="use the branches of one `when ... elsewhen`, or conditions that exclude each other",
+    ),
     "E0830": error(
         "the motion cannot be continued at t = {time} s: near a singular position, where `{name}` loses its effect, "
         "its branch is not decided",

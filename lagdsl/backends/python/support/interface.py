@@ -144,15 +144,18 @@ class Interface:
             _, _, initial_states, default_inputs = self._evaluate("start", time, parameters)
         else:
             initial_states, default_inputs = np.zeros(sizes.z), np.zeros(sizes.u)
-        return (
+        state = (
             time,
             _vector("q", q, sizes.q),
             np.zeros(sizes.q) if qd is None else _vector("qd", qd, sizes.q),
             initial_states if z is None else _vector("z", z, sizes.z),
             default_inputs if u is None else _vector("u", u, sizes.u),
-            np.zeros(sizes.w) if w is None else _vector("w", w, sizes.w),
-            parameters,
         )
+        if w is not None or not sizes.w:
+            return (*state, np.zeros(0) if w is None else _vector("w", w, sizes.w), parameters)
+        started = self._evaluate("discrete_start", time, parameters)[0]
+        solved = self._solve(*state, started, parameters)
+        return (*state, self._evaluate("standing", *state, started, parameters, *solved)[0], parameters)
 
 
 def _vector(name: str, value: ArrayLike, length: int) -> Floats:
