@@ -59,7 +59,8 @@ class Recorder:
 
     def _add_part(self, engine: CEngine, times: Floats, states: Floats) -> None:
         n = self._system.n
-        u = np.array([self._system.inputs(t) for t in times.tolist()])
+        at = times[:1] if self._system.signals.constant else times
+        u = np.array([self._system.inputs(t) for t in at.tolist()])
         w, p = self._system.w, self._system.p
         state = (times, states[:, :n], states[:, n : 2 * n], states[:, 2 * n :], u, w, p)
         outputs = np.zeros((len(times), 0))

@@ -131,7 +131,7 @@ static const double THIRD[3] = {0.244094488188976377952755905512, 0.733846688281
 static const double SAFETY = 0.9;
 static const double BETA = 0.05; /* weight of the error before, in the step control */
 static const double SHRINK = 0.333;
-static const double GROW = 6.0;
+static const double GROW = 3.0; /* more would harm the dense output of the step that follows a transient */
 static const double AFTER_TROUBLE = 0.25;
 
 typedef struct places {
