@@ -124,6 +124,18 @@ def test_the_example_prints_accelerations_and_motion(tmp_path: Path) -> None:
     np.testing.assert_allclose([float(x) for x in list(rows[-1].values())[1:]], reference, rtol=1e-9)
 
 
+def test_the_loop_for_real_time_ends_where_the_motion_does(tmp_path: Path) -> None:
+    _write(BACKENDS["c"].emit(pendulum()), tmp_path)
+    subprocess.run(["make", "-s"], cwd=tmp_path, check=True, capture_output=True)
+    table = subprocess.run([str(tmp_path / "Pendulum"), "1", "1"], capture_output=True, text=True, check=True).stdout
+    theta = float(table.splitlines()[-1].split(",")[1])
+    for method, tolerance in (("rk4", 1e-9), ("leapfrog", 1e-5), ("ros2", 1e-5)):
+        command = [str(tmp_path / "realtime"), "1", "1e-3", method]
+        steps, end = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+        assert steps.startswith("1000 steps of 0.001 s: mean ")
+        assert float(end.split()[2]) == pytest.approx(theta, abs=tolerance)
+
+
 def test_the_example_is_clean_under_sanitizers(tmp_path: Path) -> None:
     _write(BACKENDS["c"].emit(quaternion_body("Body")), tmp_path)
     flags = "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"

@@ -9,7 +9,8 @@ from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
 
 # Names that the Makefile, the runtime or the example have taken.
-_RESERVED = frozenset({"main", "makefile", "lag", "all", "clean"})
+_RESERVED = frozenset({"main", "realtime", "makefile", "lag", "all", "clean"})
+_EXAMPLES = ("main.c", "realtime.c")
 
 
 class CBackend:
@@ -19,12 +20,13 @@ class CBackend:
 
     def emit(self, program: Program) -> Artifact:
         stem = identifier(program.name, _RESERVED)
-        example = (c_folder() / "example" / "main.c").read_text(encoding="utf-8")
-        makefile = (c_folder() / "example" / "Makefile").read_text(encoding="utf-8")
+        folder = c_folder() / "example"
+        head = f'#include "{stem}.h"\n#define MODEL {symbol(stem)}\n\n'
+        makefile = (folder / "Makefile").read_text(encoding="utf-8")
         return Artifact(
             {
                 **sources(program),
-                "main.c": f'#include "{stem}.h"\n#define MODEL {symbol(stem)}\n\n{example}',
+                **{name: head + (folder / name).read_text(encoding="utf-8") for name in _EXAMPLES},
                 "Makefile": f"MODEL := {stem}\n{makefile}",
             }
         )

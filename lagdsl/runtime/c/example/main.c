@@ -1,65 +1,11 @@
 /*
- * Without arguments: the accelerations of the model at its start values. With a stop time and a step: its motion by the
- * classical Runge-Kutta method of order four, as CSV. Constraints are held on the level of accelerations only, so they drift.
+ * Without arguments: the accelerations of the model at its start values. With a stop time, an interval and, if you like, a
+ * tolerance: its motion, as CSV.
  */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "lag/dynamics.h"
-
-typedef struct run {
-    const lag_model *model;
-    lag_arguments at;
-    double *memory, *qdd, *lam;
-} run;
-
-/* x = (q, qd, z) -> (qd, qdd, zd) */
-static lag_status rates(run *r, double t, const double *x, double *xd)
-{
-    const size_t n = r->model->nq;
-    size_t coordinate = 0;
-    r->at.t = t;
-    r->at.q = x;
-    r->at.qd = x + n;
-    r->at.z = x + 2 * n;
-    const lag_status status = lag_forward_dynamics(r->model, &r->at, r->memory, r->qdd, r->lam, &coordinate);
-    if (status == LAG_SINGULAR) {
-        (void)fprintf(stderr, "t = %g: the acceleration of %s is not determined\n", t, r->model->coordinates[coordinate].name);
-    }
-    if (status != LAG_OK) {
-        return status;
-    }
-    for (size_t i = 0; i < n; ++i) {
-        xd[i] = x[n + i];
-        xd[n + i] = r->qdd[i];
-    }
-    return r->model->state_derivative(&r->at, xd + 2 * n);
-}
-
-/* One step of length h; `k` has room for five states. */
-static lag_status step(run *r, double t, double h, double *x, double *k)
-{
-    static const double node[4] = {0.0, 0.5, 0.5, 1.0};
-    static const double weight[4] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
-    const size_t size = 2 * r->model->nq + r->model->nz;
-    double *at = k + 4 * size;
-    for (size_t s = 0; s < 4; ++s) {
-        for (size_t i = 0; i < size; ++i) {
-            at[i] = s == 0 ? x[i] : x[i] + node[s] * h * k[(s - 1) * size + i];
-        }
-        const lag_status status = rates(r, t + node[s] * h, at, k + s * size);
-        if (status != LAG_OK) {
-            return status;
-        }
-    }
-    for (size_t s = 0; s < 4; ++s) {
-        for (size_t i = 0; i < size; ++i) {
-            x[i] += weight[s] * h * k[s * size + i];
-        }
-    }
-    return LAG_OK;
-}
+#include "lag/run.h"
 
 static void print_names(const lag_model *model)
 {
@@ -76,73 +22,66 @@ static void print_names(const lag_model *model)
     (void)printf("\n");
 }
 
-static void print_row(size_t size, double t, const double *x)
+static lag_status print_row(void *context, lag_run *run, double t, const double *x)
 {
+    (void)context;
     (void)printf("%.17g", t);
-    for (size_t i = 0; i < size; ++i) {
+    for (size_t i = 0; i < lag_motion_size(run->motion.model); ++i) {
         (void)printf(",%.17g", x[i]);
     }
     (void)printf("\n");
+    return LAG_OK;
 }
 
-static lag_status print_accelerations(run *r, const double *x, double *xd)
+static lag_status print_accelerations(lag_run *run)
 {
-    const lag_status status = rates(r, 0.0, x, xd);
-    for (size_t i = 0; i < r->model->nq && status == LAG_OK; ++i) {
-        const lag_slot *slot = &r->model->coordinates[i];
-        (void)printf("der(der(%s)) = %.17g (%s)/s2\n", slot->name, xd[r->model->nq + i], slot->unit);
+    const lag_model *model = run->motion.model;
+    lag_status status = lag_run_begin(run, 0.0, NULL);
+    if (status == LAG_OK) {
+        status = lag_motion_solve(&run->motion, 0.0, run->stepper.x);
+    }
+    for (size_t i = 0; i < model->nq && status == LAG_OK; ++i) {
+        const lag_slot *slot = &model->coordinates[i];
+        (void)printf("der(der(%s)) = %.17g (%s)/s2\n", slot->name, run->motion.qdd[i], slot->unit);
     }
     return status;
 }
 
-static lag_status print_motion(run *r, double stop, double h, double *x, double *k)
+static lag_status print_motion(lag_run *run, double stop)
 {
-    const size_t size = 2 * r->model->nq + r->model->nz;
-    const long steps = lround(stop / h);
-    lag_status status = LAG_OK;
-    print_names(r->model);
-    print_row(size, 0.0, x);
-    for (long i = 0; i < steps && status == LAG_OK; ++i) {
-        status = step(r, (double)i * h, h, x, k);
-        if (status == LAG_OK) {
-            print_row(size, (double)(i + 1) * h, x);
-        }
-    }
-    return status;
+    print_names(run->motion.model);
+    const lag_status status = lag_run_begin(run, 0.0, NULL);
+    return status == LAG_OK ? lag_run_to(run, stop, 0) : status;
+}
+
+static void explain(const lag_run *run, lag_status status)
+{
+    const char *name = status == LAG_SINGULAR ? run->motion.model->coordinates[run->motion.coordinate].name : "the motion";
+    (void)fprintf(stderr, "t = %g: %s cannot go on (status %d)\n", run->stepper.t, name, (int)status);
 }
 
 int main(int argc, char **argv)
 {
     const lag_model *model = &MODEL;
-    const size_t n = model->nq;
-    const size_t size = 2 * n + model->nz;
-    const size_t count =
-        model->workspace + lag_dynamics_memory(model) + n + model->nc + 6 * size + model->nu + model->nw + 1;
-    double *all = calloc(count, sizeof(double));
-    if (all == NULL) {
+    const double stop = argc > 2 ? strtod(argv[1], NULL) : 0.0;
+    const double interval = argc > 2 ? strtod(argv[2], NULL) : 1.0;
+    const size_t count = stop >= 0.0 && interval > 0.0 ? (size_t)(stop / interval * (1.0 + 1e-12)) + 1 : 1;
+    double *times = malloc(count * sizeof(double));
+    for (size_t i = 0; i < count && times != NULL; ++i) {
+        times[i] = (double)i * interval;
+    }
+    lag_run_options options = {.output = print_row, .times = times, .count = argc > 2 ? count : 0};
+    options.tolerance = argc > 3 ? strtod(argv[3], NULL) : 1e-10;
+    void *block = malloc(lag_run_size(model, &options));
+    if (times == NULL || block == NULL) {
         return EXIT_FAILURE;
     }
-    run r = {.model = model};
-    r.at.workspace = all;
-    r.memory = r.at.workspace + model->workspace;
-    r.qdd = r.memory + lag_dynamics_memory(model);
-    r.lam = r.qdd + n;
-    double *x = r.lam + model->nc;
-    double *k = x + size;
-    double *u = k + 5 * size;
-    r.at.p = model->defaults;
-    r.at.qdd = r.qdd;
-    r.at.lam = r.lam;
-    r.at.u = u;
-    r.at.w = u + model->nu;
-    lag_status status = model->prepare(r.at.p, r.at.workspace);
-    if (status == LAG_OK) {
-        status = model->start(&r.at, x, x + n, x + 2 * n, u);
+    lag_run *run = lag_run_place(block, model, &options);
+    const lag_status status = argc > 2 ? print_motion(run, times[count - 1]) : print_accelerations(run);
+    if (status != LAG_OK) {
+        explain(run, status);
     }
-    if (status == LAG_OK) {
-        status = argc == 3 ? print_motion(&r, strtod(argv[1], NULL), strtod(argv[2], NULL), x, k)
-                           : print_accelerations(&r, x, k);
-    }
-    free(all);
+    free(block);
+    free(times);
     return status == LAG_OK ? EXIT_SUCCESS : EXIT_FAILURE;
 }
