@@ -36,7 +36,7 @@ class Layout:
     states: tuple[Slot, ...]
     inputs: tuple[Slot, ...]
     discretes: tuple[Slot, ...]
-    kinds: tuple[Kind, ...]
+    kinds: tuple[Kind, ...] = ()
     parameters: tuple[Slot, ...]
     defaults: tuple[float, ...]
     outputs: tuple[Slot, ...]

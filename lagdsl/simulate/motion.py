@@ -138,7 +138,7 @@ class Motion:
             t, y = self._segment(t, y, end)
             stops = [stop for stop in stops if stop > t]
             y = self._tick(t, y)
-        if not self._ended and self._happenings.ends:
+        if self._happenings.ends:
             self._after_event(t, self._happenings.end(t, y))
         return self._finish()
 

@@ -18,6 +18,11 @@ ROWS: dict[str, Row] = {
         "no rates satisfy this together with the fixed ones",
         "drop a `fixed = true` of a rate",
     ),
+    "E0804": error(
+        "what happens at t = {time} s does not settle: {text} go on changing",
+        label="among these",
+        help="two clauses may trigger each other, or a force may reverse at every crossing: smooth it, `tanh(v/v0)`",
+    ),
     "E0805": error(
         "there is no start value `{name}`",
         None,
@@ -137,16 +142,6 @@ ROWS: dict[str, Row] = {
         "names of the columns",
         "each input has one column",
     ),
-    "E0804": error(
-        "what happens at t = {time} s does not settle: {text} go on changing",
-        label="among these",
-        help="two clauses may trigger each other, or a force may reverse at every crossing: smooth it, `tanh(v/v0)`",
-    ),
-    "E0832": error(
-        "`{text}` is given two values by `reinit` at t = {time} s",
-        label="one of them",
-        help="use the branches of one `when ... elsewhen`, or conditions that exclude each other",
-    ),
     "E0830": error(
         "the motion cannot be continued at t = {time} s: near a singular position, where `{name}` loses its effect, "
         "its branch is not decided",
@@ -158,5 +153,10 @@ ROWS: dict[str, Row] = {
         "`{name}` does not follow from the others any more",
         "redundant with the values of the model",
         "the degrees of freedom would be {freedom}; write the values into the model, so that it is compiled with them",
+    ),
+    "E0832": error(
+        "`{text}` is given two values by `reinit` at t = {time} s",
+        label="one of them",
+        help="use the branches of one `when ... elsewhen`, or conditions that exclude each other",
     ),
 }

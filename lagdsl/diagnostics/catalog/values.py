@@ -25,15 +25,15 @@ ROWS: dict[str, Row] = {
     ),
     "E0305": error("circular definition: {path}", label="needed for itself"),
     "E0306": error("expected a point, found {found}", label="not a position"),
-    "E0308": error(
-        "{what} depends on an acceleration, which depends on it in turn",
-        label="an acceleration is known only after the equations are solved",
-        help="write the inertia term as an energy or a mass",
-    ),
     "E0307": error(
         "`{name}` is given two values at the same event",
         label="and here again",
         help="use the branches of one `when ... elsewhen`, or an `if` in one clause",
+    ),
+    "E0308": error(
+        "{what} depends on an acceleration, which depends on it in turn",
+        label="an acceleration is known only after the equations are solved",
+        help="write the inertia term as an energy or a mass",
     ),
     "N0309": note(
         "jumps of `{name}` are not located as events",

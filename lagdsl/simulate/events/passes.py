@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from lagdsl.flat.event_flow import branches
-from lagdsl.flat.events import Check, Impact, Reset, Terminate
+from lagdsl.flat.events import Check, Impact, Reset, Terminate, entries
 from lagdsl.flat.quantity import Item
 from lagdsl.mechanics.rank import Floats
 from lagdsl.simulate.events.contacts import Contacts
@@ -74,8 +74,7 @@ class Passes:
             if result.failed is not None or (not acted and np.array_equal(result.w, before)):
                 break
         else:
-            names = self._unsettled(before, result.w)
-            result.failed = ("E0804", self._discretes.flat.events.whens[0], names)
+            result.failed = self._unsettled(before, result.w)
         self._discretes.system.with_discretes(result.w)
         return result
 
@@ -150,6 +149,10 @@ class Passes:
         later = y + moment * rate if np.all(np.isfinite(rate)) else y
         return discretes.truths(t + moment, later, result.w).astype(np.float64)
 
-    def _unsettled(self, before: Floats, after: Floats) -> str:
-        names = [slot.name for slot in self._discretes.system.engine.layout.discretes]
-        return ", ".join(f"`{names[k]}`" for k in np.flatnonzero(before != after).tolist())
+    def _unsettled(self, before: Floats, after: Floats) -> tuple[str, Item, str]:
+        """E0804 with what still changes, or with the clause that resets the same thing for ever."""
+        known = entries(self._discretes.flat.events)
+        changing = [known[k] for k in np.flatnonzero(before != after).tolist()]
+        items = [entry.item for entry in changing if entry.item is not None]
+        place = items[0] if items else self._resets[0]
+        return "E0804", place, ", ".join(f"`{entry.name}`" for entry in changing) or "rates"
