@@ -16,10 +16,10 @@ _ALIGNED = 16
 
 @record()
 class RunSettings:
-    """`method` is a name of `lagdsl.runtime.load.METHODS`, or None for the automatic choice. `inputs` is the constant input
-    vector, or a function of time. `group`, `natural`, `cap` (2 nq + nz,) and `row_sizes` (nc,): lag/accuracy.h. `rows` (times,
-    2 nq + nz) receives the states at `times`. The arrays `invariant_...` (ni,) are kept up to date; all of them must be
-    contiguous."""
+    """`method` is a name of `lagdsl.runtime.load.METHODS`, or None for the automatic choice. `inputs` is the constant
+    input vector, or a function of time. `group`, `natural`, `cap` (2 nq + nz,) and `row_sizes` (nc,): lag/accuracy.h.
+    `rows` (times, 2 nq + nz) receives the states at `times`. The arrays `invariant_...` (ni,) are kept up to date; all
+    of them must be contiguous."""
 
     tolerance: float
     part: float
@@ -39,8 +39,8 @@ class RunSettings:
 
 
 class CRun:
-    """One run of a model with so many `inputs`, in one block of memory of its own. `trouble` is what they raised, if they
-    did."""
+    """One run of a model with so many `inputs`, in one block of memory of its own. `trouble` is what they raised, if
+    they did."""
 
     def __init__(self, library: Library, settings: RunSettings, inputs: int) -> None:
         self._library = library
@@ -86,8 +86,9 @@ class CRun:
             u[index] = value  # type: ignore[index]
 
     def leap(self, t: float, y: Floats, h: float, stop: float, *, row: int, steps: int) -> int:
-        """On from y at time t towards `stop`, at most so many steps; h is the length of the first, 0 to find it. `row` is the
-        next to be recorded. Returns a lag_status; `report` and `state` tell where it ended: at the last good state."""
+        """On from y at time t towards `stop`, at most so many steps; h is the length of the first, 0 to find it. `row` is
+        the next to be recorded. Returns a lag_status; `report` and `state` tell where it ended: at the last good
+        state."""
         self.trouble = None
         library = self._library
         status = int(library.run_move(self._run, t, y.ctypes.data, h))

@@ -150,6 +150,7 @@ class Library:
     run_tell: ctypes._NamedFuncPointer
     run_skip: ctypes._NamedFuncPointer
     methods: dict[str, int]
+    run_layout: tuple[int, int]
 
 
 def load(path: Path, symbol: str) -> Library:
@@ -191,6 +192,7 @@ def load(path: Path, symbol: str) -> Library:
         run_tell=_function(library, "lag_run_tell", [c_void_p, POINTER(RunReport)]),
         run_skip=_function(library, "lag_run_skip", [c_void_p, c_size_t]),
         methods={name: ctypes.addressof(c_char.in_dll(library, f"lag_{name}")) for name in METHODS},
+        run_layout=tuple((c_size_t * 2).in_dll(library, "lag_run_layout")),
     )
 
 

@@ -6,6 +6,8 @@ reach and where there are no accelerations. The step loop takes over at the last
 
 from __future__ import annotations
 
+from typing import TypeGuard
+
 import numpy as np
 
 from lagdsl.mechanics.rank import Floats
@@ -62,8 +64,8 @@ class Leaps:
         self._status = 0
 
     def forward(self, t: float, y: Floats, h: float, end: float, row: int, steps: int) -> bool:
-        """As far as it goes towards `end`, in at most so many steps; row number `row` is the next to be recorded. Returns
-        whether it wants to go on from there."""
+        """As far as it goes towards `end`, in at most so many steps; row number `row` is the next to be recorded.
+        Returns whether it wants to go on from there."""
         budget = min(steps, _STEPS)
         if budget <= 0:
             return False
@@ -120,6 +122,6 @@ class Leaps:
         return [(float(report.change[i].t), bool(report.change[i].implicit)) for i in range(min(report.changes, 16))]
 
 
-def can_leap(engine: object, solver: str) -> bool:
+def can_leap(engine: object, solver: str) -> TypeGuard[CEngine]:
     """Whether the C runtime knows how to do this run."""
     return isinstance(engine, CEngine) and solver in ("auto", *METHODS) and not engine.layout.discretes

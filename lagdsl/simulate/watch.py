@@ -17,8 +17,8 @@ _DEFAULT_FACTOR = 1e3
 
 
 class Watch:
-    """Looks at every accepted state. `check` returns the name at fault, after reporting to the sink, or None. The records
-    (ni,), `start`, `sizes` and `drift`, are changed in place."""
+    """Looks at every accepted state. `check` returns the name at fault, after reporting to the sink, or None. The
+    records `start`, `sizes` and `drift` (ni,) are changed in place."""
 
     def __init__(self, flat: FlatModel, engine: Engine, system: RightHandSide, tolerance: float) -> None:
         self._flat = flat

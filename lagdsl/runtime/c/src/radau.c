@@ -41,7 +41,7 @@ static const double DENSE[3][3] = {
     {1.0 / 3.0, -8.0 / 3.0, 10.0 / 3.0}};
 
 /* Errors of the stage equations, as a part of the tolerance. */
-static const double NEWTON_TOLERANCE = 1e-2;
+static const double NEWTON_TOLERANCE = 1e-3;
 static const double SAFETY = 0.9;
 static const double SHRINK = 0.2;
 static const double GROW = 8.0;
@@ -56,6 +56,7 @@ typedef struct memo {
     double usable;     /* 1: there is a Jacobian */
     double decomposed; /* step length of the decompositions, 0: none */
     double polynomial; /* 1: the dense output of the step before is there */
+    double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
 } memo;
 
 typedef struct places {
@@ -101,7 +102,7 @@ static size_t memory(size_t size)
 static void begin(lag_stepper *s)
 {
     const places at = place(s);
-    *at.memo = (memo){0.0, 0.0, 0.0, 0.0};
+    *at.memo = (memo){0.0, 0.0, 0.0, 0.0, 1.0};
 }
 
 static lag_status take_jacobian(lag_stepper *s, const places *at)
@@ -200,6 +201,7 @@ static outcome solve_stages(lag_stepper *s, const places *at, double h)
     const size_t n = s->ode->size;
     outcome result = {0, 0, 0.0};
     double before = 0.0;
+    double trust = pow(fmax(at->memo->trust, 1e-16), 0.8);
     transform(n, INVERSE, at->z, at->w);
     for (unsigned k = 0; k < NEWTON_MOST; ++k) {
         result.iterations = k + 1;
@@ -219,7 +221,9 @@ static outcome solve_stages(lag_stepper *s, const places *at, double h)
         }
         transform(n, T, at->w, at->z);
         result.rate = rate;
-        if (size == 0.0 || (before > 0.0 && rate / (1.0 - rate) * size < NEWTON_TOLERANCE)) {
+        trust = before > 0.0 ? rate / (1.0 - rate) : trust;
+        if (size == 0.0 || trust * size < NEWTON_TOLERANCE) {
+            at->memo->trust = trust;
             result.converged = 1;
             return result;
         }
@@ -314,28 +318,21 @@ static double factor_of(const lag_stepper *s, double h, double error)
     return fmin(1.0, trend) * pow(error, -0.25);
 }
 
-static void accept(lag_stepper *s, const places *at, double t_new, const double *f_new)
+/* The slope at the end is that of the collocation polynomial there, as the stage equations say it. */
+static void accept(lag_stepper *s, const places *at, double h, double t_new)
 {
     const size_t n = s->ode->size;
+    double *slope = at->slope + 2 * n;
     for (size_t i = 0; i < n; ++i) {
         at->point[i] = s->x[i] + at->z[2 * n + i];
         for (size_t k = 0; k < 3; ++k) {
             at->dense[k * n + i] =
                 DENSE[0][k] * at->z[i] + DENSE[1][k] * at->z[n + i] + DENSE[2][k] * at->z[2 * n + i];
         }
+        slope[i] = (at->dense[i] + 2.0 * at->dense[n + i] + 3.0 * at->dense[2 * n + i]) / h;
     }
-    lag_stepper_accept(s, t_new, at->point, f_new);
+    lag_stepper_accept(s, t_new, at->point, slope);
     at->memo->polynomial = 1.0;
-}
-
-/* The slope at the end of the step, into the place of the last stage's. */
-static lag_status end_slope(lag_stepper *s, const places *at, double t_new)
-{
-    const size_t n = s->ode->size;
-    for (size_t i = 0; i < n; ++i) {
-        at->point[i] = s->x[i] + at->z[2 * n + i];
-    }
-    return lag_stepper_rates(s, t_new, at->point, at->slope + 2 * n);
 }
 
 static lag_status step(lag_stepper *s, double limit)
@@ -346,17 +343,16 @@ static lag_status step(lag_stepper *s, double limit)
         const double h = lag_stepper_length(s, limit);
         const double t_new = lag_stepper_end(s, h, limit);
         outcome solved = {0, 0, 0.0};
-        lag_status status = solve_step(s, &at, h, &solved);
+        const lag_status status = solve_step(s, &at, h, &solved);
         if (status != LAG_OK) {
             return status;
         }
         const double safety = SAFETY * (2.0 * NEWTON_MOST + 1.0) / (2.0 * NEWTON_MOST + (double)solved.iterations);
         const double error = solved.converged ? error_of(s, &at, h, rejected) : (double)INFINITY;
         const double factor = isfinite(error) ? safety * factor_of(s, h, error) : 0.5;
-        status = error < 1.0 ? end_slope(s, &at, t_new) : LAG_NOT_FINITE;
-        if (status == LAG_OK) {
-            const int renew = solved.iterations > 2 && solved.rate > GOOD_RATE;
-            accept(s, &at, t_new, at.slope + 2 * s->ode->size);
+        if (error < 1.0) {
+            const int renew = solved.rate > GOOD_RATE;
+            accept(s, &at, h, t_new);
             s->error = fmax(error, 1e-2);
             s->h_of_error = h;
             const double next = !renew && factor >= 1.0 && factor < WORTH_IT ? h : h * fmin(factor, GROW);

@@ -14,6 +14,8 @@ static const double ULPS = 16.0;
 /* A step from which the constraints are out of reach is tried again with this part of its length. */
 static const double SHORTER = 0.25;
 
+const size_t lag_run_layout[2] = {sizeof(lag_run_options), sizeof(lag_run_report)};
+
 static size_t doubles(const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);

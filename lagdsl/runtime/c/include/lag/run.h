@@ -116,6 +116,9 @@ typedef struct lag_run_report {
     int implicit;               /* the present method is */
 } lag_run_report;
 
+/* Bytes of lag_run_options and of lag_run_report, for those who write them down in another language. */
+extern const size_t lag_run_layout[2];
+
 /* Bytes of the block for a run, and its layout; the block is aligned as malloc does. */
 size_t lag_run_size(const lag_model *model, const lag_run_options *options);
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options);
