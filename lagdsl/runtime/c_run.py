@@ -86,8 +86,8 @@ class CRun:
             u[index] = value  # type: ignore[index]
 
     def leap(self, t: float, y: Floats, h: float, stop: float, *, row: int, steps: int) -> int:
-        """On from y at time t towards `stop`, at most so many steps; h is the length of the first, 0 to find it. `row` is
-        the next to be recorded. Returns a lag_status; `report` and `state` tell where it ended: at the last good
+        """On from y at time t towards `stop`, at most so many steps; h is the length of the first, 0 to find it. `row`
+        is the next to be recorded. Returns a lag_status; `report` and `state` tell where it ended: at the last good
         state."""
         self.trouble = None
         library = self._library
