@@ -30,6 +30,12 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "monitor": (("ni",), ("ni",), ("na",)),
     "initial_equation": (None,),
     "elimination": ((_N,), (_ROWS, _N), (_ROWS, _N), (_ROWS,), ()),
+    "discrete_start": (("nw",),),
+    "indicator": (None,),
+    "standing": (("nw",),),
+    "contact": (None,) * 6,
+    "clock": (None,) * 2,
+    "event": (("nw",), *(None,) * 6),
 }
 
 

@@ -34,6 +34,12 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "monitor": ("invariant", "scale", "assertion"),
     "initial_equation": ("residual",),
     "elimination": ("qdd", "response", "jacobian", "gamma", "pivot"),
+    "discrete_start": ("w0",),
+    "indicator": ("g",),
+    "standing": ("next",),
+    "contact": ("gap", "speed", "jacobian", "restitution", "stick", "rest"),
+    "clock": ("first", "period"),
+    "event": ("next", "reset", "value", "collision", "restitution", "stop", "fail"),
 }
 _FEWEST_ZEROS = 8
 

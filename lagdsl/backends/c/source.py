@@ -75,6 +75,26 @@ def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]
     return body + braced(prepare, [*lines, "return model_prepare_from(&given, workspace);"]), made.scratch
 
 
+# Lengths that only the results of a function tell, as members of lag_model: function and number of the result.
+_COUNTED = {
+    "nindicator": ("indicator", 0),
+    "ngap": ("contact", 0),
+    "ncontact": ("contact", 3),
+    "nclock": ("clock", 0),
+    "nreset": ("event", 1),
+    "ncollision": ("event", 3),
+    "nstop": ("event", 5),
+    "nfail": ("event", 6),
+}
+
+
+def _event_counts(program: Program) -> dict[str, int]:
+    found = {function.name: function for function in program.functions}
+    return {
+        count: len(found[name].results[index].elements) for count, (name, index) in _COUNTED.items() if name in found
+    }
+
+
 # ---- tables ----------------------------------------------------------------------------------------------------------
 
 
@@ -123,6 +143,7 @@ def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> st
         "rank": len(layout.constraints) - sum(layout.redundant),
         "workspace": parallel.workspace,
         "prepared": prepared,
+        **_event_counts(program),
     }
     tables: dict[str, Sequence[object]] = {
         **_slot_tables(layout),

@@ -5,6 +5,36 @@ lag_status lag_prepare(const lag_model *model, const lag_arguments *at)
     return model->prepare(at->p, at->workspace);
 }
 
+/* What models with discretes have beside. */
+static lag_status evaluate_event(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
+{
+    const size_t gaps = model->ngap;
+    const size_t contacts = model->ncontact;
+    double *laws = r + 2 * gaps + gaps * model->nq;
+    double *collisions = r + model->nw + 2 * model->nreset;
+    double *ends = collisions + 2 * model->ncollision;
+    if (model->event == NULL) {
+        return LAG_MISSING;
+    }
+    switch (which) {
+    case LAG_DISCRETE_START:
+        return model->discrete_start(at, r);
+    case LAG_INDICATOR:
+        return model->indicator(at, r);
+    case LAG_STANDING:
+        return model->standing(at, r);
+    case LAG_CONTACT:
+        return model->contact(at, r, r + gaps, r + 2 * gaps, laws, laws + contacts, laws + 2 * contacts);
+    case LAG_CLOCK:
+        return model->clock(at, r, r + model->nclock);
+    case LAG_EVENT:
+        return model->event(at, r, r + model->nw, r + model->nw + model->nreset, collisions, collisions + model->ncollision, ends,
+            ends + model->nstop);
+    default:
+        return LAG_MISSING;
+    }
+}
+
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
 {
     const size_t n = model->nq;
@@ -51,6 +81,13 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
             return LAG_MISSING;
         }
         return model->elimination(at, r, r + n, r + n + m * n, r + n + 2 * m * n, r + n + 2 * m * n + m);
+    case LAG_DISCRETE_START:
+    case LAG_INDICATOR:
+    case LAG_STANDING:
+    case LAG_CONTACT:
+    case LAG_CLOCK:
+    case LAG_EVENT:
+        return evaluate_event(model, which, at, r);
     }
     return LAG_MISSING;
 }

@@ -24,7 +24,13 @@ typedef enum lag_function {
     LAG_MONITOR,
     LAG_INITIAL_EQUATION,
     LAG_CONSTRAINT_TANGENT,
-    LAG_ELIMINATION
+    LAG_ELIMINATION,
+    LAG_DISCRETE_START,
+    LAG_INDICATOR,
+    LAG_STANDING,
+    LAG_CONTACT,
+    LAG_CLOCK,
+    LAG_EVENT
 } lag_function;
 
 /* prepare() for the parameters and the workspace of `at`. */

@@ -122,12 +122,29 @@ typedef struct lag_model {
     size_t factor_size;
     lag_status (*factor)(const lag_arguments *at, double *factor);
     lag_status (*apply_inverse_mass)(const double *factor, size_t count, double *x);
-    /* events: indicators (nindicator), modes of contacts (ncontact), bodies of `when`, the next sampling instant */
-    size_t nindicator, ncontact, nwhen;
-    lag_status (*event_indicators)(const lag_arguments *at, double *indicator);
-    lag_status (*contact_modes)(const lag_arguments *at, double *gap, double *gap_rate);
-    lag_status (*when)(const lag_arguments *at, size_t which, double *q, double *qd, double *z, double *w);
-    lag_status (*next_sample)(const lag_arguments *at, double *instant);
+    /*
+     * What happens at instants, of models with discretes. An indicator is positive (or, for relations that allow it, zero) where its
+     * relation holds. Gaps are those of the contacts, then those that clauses let collide. A pass over the clauses gives w after it
+     * and, action by action, whether it acts: resets with their values, collisions with their restitutions, ends and failures.
+     */
+    size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail;
+    /* t p -> start values w (nw) */
+    lag_status (*discrete_start)(const lag_arguments *at, double *w);
+    /* t q qd z u w p qdd lam -> g (nindicator) */
+    lag_status (*indicator)(const lag_arguments *at, double *g);
+    /* the same -> w (nw) with relations as they stand */
+    lag_status (*standing)(const lag_arguments *at, double *w);
+    /*
+     * t q qd z u w p -> gap (ngap), its rate (ngap), its Jacobian (ngap, nq), restitution (ncontact), and the rebound speed and the
+     * time below which a contact closes (ncontact), negative where the defaults of the language hold
+     */
+    lag_status (*contact)(const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution, double *stick,
+        double *rest);
+    /* t p -> first instants, periods (nclock) */
+    lag_status (*clock)(const lag_arguments *at, double *first, double *period);
+    /* t q qd z u w p qdd lam -> w (nw), reset, value (nreset), collision, restitution (ncollision), stop (nstop), fail (nfail) */
+    lag_status (*event)(const lag_arguments *at, double *next, double *reset, double *value, double *collision, double *restitution,
+        double *stop, double *fail);
     /*
      * `lanes` states at once (0: not there): every array, that of the workspace with its `workspace_lanes` doubles too, has
      * its entries in groups of `lanes`; `times` stands for t. And `lanes` directions at once: only directions and results are
