@@ -241,3 +241,16 @@ def test_compliant_contact_without_damping_is_elastic() -> None:
     assert float(np.max(motion["h"][motion.time > 0.6])) == pytest.approx(1.0, abs=1e-4)
     speed = math.sqrt(2.0 * G)
     assert float(np.min(motion["der(h)"])) == pytest.approx(-speed, rel=1e-3)
+
+
+def test_bouncing_by_reinit_ends_where_the_bounces_accumulate() -> None:
+    with pytest.raises(SimulationFailed) as failure:
+        ball(equations="when h <= 0 then reinit(der(h), -e*pre(der(h))); end when;").simulate(stop=6.0)
+    assert failure.value.diagnostic.code == "E0833"
+    assert failure.value.time == pytest.approx(impact_times(0.8, 400)[-1], abs=1e-4)
+
+
+def test_a_contact_that_starts_inside_is_refused() -> None:
+    with pytest.raises(SimulationFailed) as failure:
+        ball(items="contact ceiling: 0.5 m - h >= 0 with restitution = e;").simulate(stop=6.0)
+    assert failure.value.diagnostic.code == "E0834"

@@ -159,4 +159,14 @@ ROWS: dict[str, Row] = {
         label="one of them",
         help="use the branches of one `when ... elsewhen`, or conditions that exclude each other",
     ),
+    "E0833": error(
+        "events of {text} crowd together at t = {time} s, and the motion does not get beyond",
+        label="this happens ever faster",
+        help="say what holds after: a `contact` comes to rest, a force can be smooth, a condition can have a margin",
+    ),
+    "E0834": error(
+        "{text} cannot hold at the start: the gap is negative there",
+        label="starts inside",
+        help="give starts at which every gap is positive or zero",
+    ),
 }

@@ -52,6 +52,12 @@ class Contacts:
             return float(self._discretes.multipliers(t, y, w)[index])
         return float(self._discretes.gaps(t, y, w).gap[index])
 
+    def pierced(self, t: float, y: Floats, w: Floats) -> list[int]:
+        """Contacts whose gap is negative."""
+        count = len(self._discretes.contacts)
+        scale = 1.0 + float(np.max(np.abs(y), initial=0.0))
+        return np.flatnonzero(self._discretes.gaps(t, y, w).gap[:count] < -_TOUCHING * scale).tolist() if count else []
+
     def settled(self, t: float, y: Floats, w: Floats) -> Floats:
         """At the start: contacts that touch and do not move apart are closed if they push."""
         count = len(self._discretes.contacts)

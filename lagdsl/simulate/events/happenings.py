@@ -9,6 +9,7 @@ import numpy as np
 
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
+from lagdsl.simulate.events.accumulation import Accumulation
 from lagdsl.simulate.events.clocks import Clocks
 from lagdsl.simulate.events.contacts import Contacts
 from lagdsl.simulate.events.discretes import Discretes
@@ -38,6 +39,7 @@ class Happenings:
         self._discretes = Discretes(flat, system)
         self._system, self._span = system, span
         self.events: list[Event] = []
+        self._accumulation = Accumulation()
         self.active = self._discretes.any
         if self.active:
             self._contacts = Contacts(self._discretes, span[1] - span[0])
@@ -49,6 +51,9 @@ class Happenings:
     def begin(self, t: float, y: Floats) -> Result:
         """What holds at the start: relations as they stand, contacts that carry, then what is to be done there."""
         w = self._passes.settled(t, y, self._discretes.started(t))
+        pierced = self._contacts.pierced(t, y, w)
+        if pierced:
+            return Result(y, w, failed=self._passes.blame("E0834", self._discretes.contacts[pierced].tolist()))
         w = self._contacts.settled(t, y, w)
         return self._carry_out(t, y, w, Found(t, clocks=self._clocks.ticking(t)), self._discretes.instant(initial=True))
 
@@ -97,7 +102,11 @@ class Happenings:
         return Found(t, clocks=found) if found else None
 
     def carry_out(self, found: Found, y: Floats) -> Result:
-        return self._carry_out(found.t, y, self._system.w, found, None)
+        result = self._carry_out(found.t, y, self._system.w, found, None)
+        if not found.clocks and self._accumulation.reached(found.t):
+            changed = [*self._discretes.relations[found.relations], *self._discretes.contacts[found.contacts]]
+            result.failed = result.failed or self._passes.blame("E0833", [int(k) for k in changed])
+        return result
 
     def _carry_out(self, t: float, y: Floats, w: Floats, found: Found, pulse: int | None) -> Result:
         w = w.copy()

@@ -18,7 +18,7 @@ from lagdsl.simulate.trajectory import Event
 MOST_PASSES = 100
 # At an event relations are zero. They are looked at this part of the last step later, which is long against round-off
 # and short against everything else.
-AHEAD = 1e-6
+AHEAD = 1e-4
 
 
 @dataclass(slots=True)
@@ -74,7 +74,7 @@ class Passes:
             if result.failed is not None or (not acted and np.array_equal(result.w, before)):
                 break
         else:
-            result.failed = self._unsettled(before, result.w)
+            result.failed = self.blame("E0804", np.flatnonzero(before != result.w).tolist())
         self._discretes.system.with_discretes(result.w)
         return result
 
@@ -149,10 +149,10 @@ class Passes:
         later = y + moment * rate if np.all(np.isfinite(rate)) else y
         return discretes.truths(t + moment, later, result.w).astype(np.float64)
 
-    def _unsettled(self, before: Floats, after: Floats) -> tuple[str, Item, str]:
-        """E0804 with what still changes, or with the clause that resets the same thing for ever."""
+    def blame(self, code: str, indices: list[int]) -> tuple[str, Item, str]:
+        """A failure of what changes, or of the clause that resets the same thing for ever."""
         known = entries(self._discretes.flat.events)
-        changing = [known[k] for k in np.flatnonzero(before != after).tolist()]
+        changing = [known[k] for k in indices]
         items = [entry.item for entry in changing if entry.item is not None]
         place = items[0] if items else self._resets[0]
-        return "E0804", place, ", ".join(f"`{entry.name}`" for entry in changing) or "rates"
+        return code, place, ", ".join(f"`{entry.name}`" for entry in changing) or "rates"
