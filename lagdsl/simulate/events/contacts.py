@@ -14,11 +14,18 @@ from lagdsl.simulate.events.impact import collide
 
 # Language reference, ruling 40: parts of the largest approach speed so far and of the length of the experiment.
 _STICK, _REST = 1e-3, 1e-6
-# A gap is zero and its rate is zero below these parts of their usual sizes.
+# A gap, or its rate, is zero where an event is looked at below this part of the size of the state.
 _TOUCHING = 1e-9
-# A force below this part of the largest is none: what only touches is open, so that it hands a blow on.
-_NOTHING = 1e-12
+# What is below this part of the size of the state, or of the forces, is round-off and no event.
+_ROUNDING = 1e-13
+# A force below this part of the others is none: what only touches hands a blow on, what carries takes part as it is.
+_NOTHING = 1e-9
 _MOST_IMPACTS = 10_000
+
+
+def size(y: Floats) -> float:
+    """Of a state; gaps and their rates are told from zero against it."""
+    return 1.0 + float(np.max(np.abs(y), initial=0.0))
 
 
 class Contacts:
@@ -29,7 +36,7 @@ class Contacts:
         self._discretes, self._length = discretes, length
         self._fastest = np.zeros(count)
         self._last = np.full(count, -np.inf)
-        self._interval = np.full(count, np.inf)
+        self._force = 0.0
 
     # ---- what changes ------------------------------------------------------------------------------------------------
 
@@ -40,10 +47,10 @@ class Contacts:
         gaps = self._discretes.gaps(t, y, w)
         closed = w[self._discretes.contacts] != 0.0
         count = len(closed)
-        through = ~closed & (gaps.gap[:count] < 0.0) & (gaps.speed[:count] < 0.0)
+        through = ~closed & (gaps.gap[:count] < -_ROUNDING * size(y)) & (gaps.speed[:count] < 0.0)
         pulling = np.zeros(count, dtype=np.bool_)
         if closed.any():
-            pulling = closed & (self._discretes.multipliers(t, y, w) < 0.0)
+            pulling = closed & (self._discretes.multipliers(t, y, w) < -_ROUNDING * self._force)
         return np.flatnonzero(through | pulling).tolist()
 
     def value(self, index: int, t: float, y: Floats, w: Floats) -> float:
@@ -55,8 +62,7 @@ class Contacts:
     def pierced(self, t: float, y: Floats, w: Floats) -> list[int]:
         """Contacts whose gap is negative."""
         count = len(self._discretes.contacts)
-        scale = 1.0 + float(np.max(np.abs(y), initial=0.0))
-        return np.flatnonzero(self._discretes.gaps(t, y, w).gap[:count] < -_TOUCHING * scale).tolist() if count else []
+        return np.flatnonzero(self._discretes.gaps(t, y, w).gap[:count] < -_TOUCHING * size(y)).tolist() if count else []
 
     def settled(self, t: float, y: Floats, w: Floats) -> Floats:
         """At the start: contacts that touch and do not move apart are closed if they push."""
@@ -64,9 +70,9 @@ class Contacts:
         if not count:
             return w
         gaps = self._discretes.gaps(t, y, w)
-        scale = 1.0 + float(np.max(np.abs(y), initial=0.0))
-        touching = np.abs(gaps.gap[:count]) <= _TOUCHING * scale
-        touching &= np.abs(gaps.speed[:count]) <= _TOUCHING * scale
+        self._force = self._discretes.force(t, y, w)
+        touching = np.abs(gaps.gap[:count]) <= _TOUCHING * size(y)
+        touching &= np.abs(gaps.speed[:count]) <= _TOUCHING * size(y)
         return self.pushing(t, y, w, np.flatnonzero(touching).tolist())
 
     def pushing(self, t: float, y: Floats, w: Floats, candidates: list[int]) -> Floats:
@@ -78,7 +84,7 @@ class Contacts:
         while closed:
             force = self._discretes.multipliers(t, y, w)[closed]
             weakest = int(np.argmin(force))
-            if force[weakest] > _NOTHING * max(1.0, float(np.max(np.abs(force)))):
+            if force[weakest] > _NOTHING * self._force:
                 break
             w[entries[closed.pop(weakest)]] = 0.0
         return w
@@ -99,12 +105,12 @@ class Contacts:
         first: dict[int, float] = {}
         w = w.copy()
         n = discretes.system.n
+        w = self._released(t, y, w)
         for _ in range(_MOST_IMPACTS):
             gaps = discretes.gaps(t, y, w)
-            scale = 1.0 + float(np.max(np.abs(y), initial=0.0))
-            touching = gaps.gap[:count] <= _TOUCHING * scale
+            touching = gaps.gap[:count] <= _TOUCHING * size(y)
             closed = w[discretes.contacts] != 0.0
-            closing = touching & ~closed & (gaps.speed[:count] < -1e-14 * scale)
+            closing = touching & ~closed & (gaps.speed[:count] < -_ROUNDING * size(y))
             active = {**dict.fromkeys(np.flatnonzero(closing).tolist()), **dict.fromkeys(struck)}
             if not active:
                 break
@@ -123,6 +129,16 @@ class Contacts:
             w[discretes.contacts[closing_now]] = 1.0
             happened |= dict.fromkeys(closing_now, "closed")
         return y, w, list(happened.items())
+
+    def _released(self, t: float, y: Floats, w: Floats) -> Floats:
+        """w with closed contacts opened that carry nothing."""
+        entries = self._discretes.contacts
+        self._force = max(self._force, self._discretes.force(t, y, w))
+        if not np.any(w[entries] != 0.0):
+            return w
+        idle = self._discretes.multipliers(t, y, w) <= _NOTHING * self._force
+        w[entries[idle]] = 0.0
+        return w
 
     def _after(self, t: float, y: Floats, w: Floats, rows: Floats, speeds: Floats, factor: Floats) -> Floats:
         """Rates after one impact; closed contacts take part as such, not as rows that hold."""

@@ -94,6 +94,13 @@ class Discretes:
         assert isinstance(lam, np.ndarray)
         return lam[self.rows]
 
+    def force(self, t: float, y: Floats, w: Floats) -> float:
+        """The largest multiplier that what acts now would give a contact by itself."""
+        solved = self._solved(t, y, w)
+        (tau,) = self._engine.evaluate("inverse_dynamics", *solved[:-2], np.zeros(self.system.n))
+        rows = self.gaps(t, y, w).jacobian
+        return float(np.max(np.abs(tau), initial=0.0)) / max(float(np.max(np.abs(rows), initial=0.0)), 1e-300)
+
     @property
     def rows(self) -> Indices:
         """The constraint rows of the contacts."""

@@ -87,8 +87,15 @@ class Passes:
             if result.w[entries[index]] != 0.0:
                 result.w[entries[index]] = 0.0
                 result.events.append(Event(time=t, name=self._name(index), kind="opened"))
-        if contacts:
-            self._collide(t, result, {})
+        if contacts and not self._collide(t, result, {}):
+            self._press(t, result, contacts)
+
+    def _press(self, t: float, result: Result, contacts: list[int]) -> None:
+        """Contacts that meet without speed: closed as far as they push."""
+        before = result.w
+        result.w = self._contacts.pushing(t, result.y, before, contacts)
+        closed = [index for index in contacts if result.w[self._discretes.contacts[index]] != 0.0]
+        result.events += [Event(time=t, name=self._name(index), kind="closed") for index in closed]
 
     def _strike(self, t: float, result: Result, outcome: Outcome) -> bool:
         """Impacts of clauses, and contacts that something drives in now."""
