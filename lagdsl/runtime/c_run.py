@@ -15,9 +15,21 @@ _ALIGNED = 16
 
 
 @record()
+class Places:
+    """Entries of w with the truth of each relation and the state of each contact, and the rows of constraints of the
+    contacts; `strict` flags relations that do not hold at zero. Whole numbers, as floats."""
+
+    truth: Floats
+    strict: Floats
+    closed: Floats
+    row: Floats
+
+
+@record()
 class RunSettings:
     """`method` is a name of `lagdsl.runtime.load.METHODS`, or None for the automatic choice. `inputs` is the constant
     input vector, or a function of time. `group`, `natural`, `cap` (2 nq + nz,) and `row_sizes` (nc,): lag/accuracy.h.
+    Of the rows flagged in `lasting` (nc,) `general` are independent in general.
     `rows` (times, 2 nq + nz) receives the states at `times`. The arrays `invariant_...` (ni,) are kept up to date; all
     of them must be contiguous."""
 
@@ -30,6 +42,9 @@ class RunSettings:
     natural: Floats
     cap: Floats
     row_sizes: Floats
+    lasting: Floats
+    general: int
+    places: Places
     times: Floats
     rows: Floats
     invariant_tolerance: Floats
@@ -60,12 +75,15 @@ class CRun:
             tolerance=settings.tolerance,
             part=settings.part,
             careful=1,
+            general=settings.general,
             count=len(settings.times),
             continued=1,
             method=None if settings.method is None else self._library.methods[settings.method],
         )
-        for name in ("p", "group", "natural", "cap", "row_sizes", "times", "rows"):
+        for name in ("p", "group", "natural", "cap", "row_sizes", "lasting", "times", "rows"):
             setattr(options, name, getattr(settings, name).ctypes.data)
+        for name in ("truth", "strict", "closed", "row"):
+            setattr(options, name, getattr(settings.places, name).ctypes.data)
         for name in ("tolerance", "start", "size", "drift"):
             setattr(options, f"invariant_{name}", getattr(settings, f"invariant_{name}").ctypes.data)
         if callable(settings.inputs):
@@ -85,14 +103,17 @@ class CRun:
         for index, value in enumerate(values.tolist()):
             u[index] = value  # type: ignore[index]
 
-    def leap(self, t: float, y: Floats, h: float, stop: float, *, row: int, steps: int) -> int:
-        """On from y at time t towards `stop`, at most so many steps; h is the length of the first, 0 to find it. `row`
-        is the next to be recorded. Returns a lag_status; `report` and `state` tell where it ended: at the last good
-        state."""
+    def leap(self, t: float, y: Floats, w: Floats, h: float, stop: float, *, row: int, steps: int) -> int:
+        """On from y with discretes w at time t towards `stop`, at most so many steps.
+
+        h is the length of the first, 0 to find it; `row` is the next to be recorded. Returns a lag_status; `report` and
+        `state` tell where it ended: at the last good state.
+        """
         self.trouble = None
         library = self._library
         status = int(library.run_move(self._run, t, y.ctypes.data, h))
         library.run_skip(self._run, row)
+        library.run_discretes(self._run, w.ctypes.data)
         if status == 0:
             status = int(library.run_to(self._run, stop, steps))
         library.run_tell(self._run, byref(self.report))

@@ -80,6 +80,9 @@ class RunOptions(Structure):
         ("inputs", INPUTS),
         *((name, c_void_p) for name in ("u", "group", "natural", "cap", "row_sizes")),
         ("careful", c_int),
+        ("lasting", c_void_p),
+        ("general", c_size_t),
+        *((name, c_void_p) for name in ("truth", "strict", "closed", "row")),
         ("count", c_size_t),
         *((name, c_void_p) for name in ("times", "rows", "output")),
         ("indicators", c_size_t),
@@ -149,6 +152,7 @@ class Library:
     run_to: ctypes._NamedFuncPointer
     run_tell: ctypes._NamedFuncPointer
     run_skip: ctypes._NamedFuncPointer
+    run_discretes: ctypes._NamedFuncPointer
     methods: dict[str, int]
     run_layout: tuple[int, int]
 
@@ -191,6 +195,7 @@ def load(path: Path, symbol: str) -> Library:
         run_to=_function(library, "lag_run_to", [c_void_p, c_double, c_size_t]),
         run_tell=_function(library, "lag_run_tell", [c_void_p, POINTER(RunReport)]),
         run_skip=_function(library, "lag_run_skip", [c_void_p, c_size_t]),
+        run_discretes=_function(library, "lag_run_discretes", [c_void_p, c_void_p]),
         methods={name: ctypes.addressof(c_char.in_dll(library, f"lag_{name}")) for name in METHODS},
         run_layout=tuple((c_size_t * 2).in_dll(library, "lag_run_layout")),
     )

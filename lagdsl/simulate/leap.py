@@ -1,7 +1,8 @@
 """Many steps at once, by the C runtime: as far as nothing needs a closer look than it takes.
 
-It stops where rank is about to be lost, where something that must stay true does not, where the constraints are out of
-reach and where there are no accelerations. The step loop takes over at the last good state and finds out what it is.
+It stops before an event, where rank is about to be lost, where something that must stay true does not, where the
+constraints are out of reach and where there are no accelerations. The step loop takes over at the last good state and
+finds out what it is.
 """
 
 from __future__ import annotations
@@ -12,17 +13,19 @@ import numpy as np
 
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.c_run import RunSettings
+from lagdsl.runtime.c_run import Places, RunSettings
 from lagdsl.runtime.load import METHODS
 from lagdsl.simulate.accuracy import Accuracy
+from lagdsl.simulate.events.discretes import Discretes
 from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.right_hand_side import RightHandSide
+from lagdsl.simulate.singular import Ranks
 from lagdsl.simulate.watch import Watch
 
 # Steps in one call, so that an interrupt from the keyboard does not wait for long.
 _STEPS = 1000
 # lag_status, those after which the length of the next step still means something.
-_TOO_LONG, _ATTENTION, _VIOLATED = 5, 7, 8
+_TOO_LONG, _ATTENTION, _VIOLATED, _HAPPENS = 5, 7, 8, 11
 
 
 class Leaps:
@@ -38,11 +41,16 @@ class Leaps:
         times: Floats,
         tolerance: float,
         solver: str,
+        ranks: Ranks,
+        discretes: Discretes,
     ) -> None:
         self.engine = engine
+        self._system = system
         self._times = np.ascontiguousarray(times)
         self.rows = np.zeros((len(times), len(accuracy.sizes)))
         constant = system.signals.constant
+        lasting = np.ones(len(projection.row_sizes))
+        lasting[discretes.rows] = 0.0
         settings = RunSettings(
             tolerance=tolerance,
             part=projection.tolerance / tolerance,
@@ -53,6 +61,14 @@ class Leaps:
             natural=np.ascontiguousarray(accuracy.sizes),
             cap=np.ascontiguousarray(accuracy.caps),
             row_sizes=np.ascontiguousarray(projection.row_sizes),
+            lasting=lasting,
+            general=ranks.general,
+            places=Places(
+                truth=discretes.relations.astype(np.float64),
+                strict=discretes.strict.astype(np.float64),
+                closed=discretes.contacts.astype(np.float64),
+                row=discretes.rows.astype(np.float64),
+            ),
             times=self._times,
             rows=self.rows,
             invariant_tolerance=np.ascontiguousarray(watch.tolerances),
@@ -69,7 +85,8 @@ class Leaps:
         budget = min(steps, _STEPS)
         if budget <= 0:
             return False
-        self._status = self._run.leap(t, np.ascontiguousarray(y), h, end, row=row, steps=budget)
+        w = self._system.w
+        self._status = self._run.leap(t, np.ascontiguousarray(y), w, h, end, row=row, steps=budget)
         if self._run.trouble is not None:
             raise self._run.trouble
         return self._status == _TOO_LONG and steps > budget
@@ -81,7 +98,7 @@ class Leaps:
     @property
     def h(self) -> float:
         """Length of the step that would be next; 0 where it is not known."""
-        return float(self._run.report.h) if self._status in (_TOO_LONG, _ATTENTION, _VIOLATED) else 0.0
+        return float(self._run.report.h) if self._status in (_TOO_LONG, _ATTENTION, _VIOLATED, _HAPPENS) else 0.0
 
     @property
     def y(self) -> Floats:
@@ -124,4 +141,4 @@ class Leaps:
 
 def can_leap(engine: object, solver: str) -> TypeGuard[CEngine]:
     """Whether the C runtime knows how to do this run."""
-    return isinstance(engine, CEngine) and solver in ("auto", *METHODS) and not engine.layout.discretes
+    return isinstance(engine, CEngine) and solver in ("auto", *METHODS)

@@ -16,6 +16,7 @@ from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.engine import Engine
 from lagdsl.simulate.accuracy import Accuracy
 from lagdsl.simulate.departure import Departure, cross, depart
+from lagdsl.simulate.events.discretes import Discretes
 from lagdsl.simulate.events.happenings import Found, Happenings
 from lagdsl.simulate.events.passes import Result
 from lagdsl.simulate.failure import SimulationFailed
@@ -107,7 +108,7 @@ class Motion:
 
     def _made_leaps(self) -> Leaps | None:
         task = self._task
-        if task.engine.layout.discretes or not can_leap(task.engine, task.solver):
+        if not can_leap(task.engine, task.solver):
             return None
         self._stiffness = None  # the method is chosen in C
         return Leaps(
@@ -119,6 +120,8 @@ class Motion:
             task.times,
             task.tolerance,
             task.solver,
+            self._ranks,
+            Discretes(task.flat, self._system),
         )
 
     def run(self) -> Trajectory:
@@ -175,7 +178,7 @@ class Motion:
                 y = self._happen(found, stepper.dense_output())
                 if self._ended or found.t >= end:
                     return found.t, y
-                stepper = self._stepper(found.t, y, end, None)
+                stepper = self._ahead(Reached(found.t, y, 0.0), end)
                 continue
             lost = self._lost_at(before, y_before, float(stepper.t), projected, stepper.dense_output)
             if lost is not None:

@@ -339,6 +339,69 @@ static void chatter_ends(void)
     free(run);
 }
 
+/* A relation h > 1/2 with its truth in w[0], which is the force as well. */
+static lag_status half_way(const lag_arguments *at, double *g)
+{
+    g[0] = at->q[0] - 0.5;
+    return LAG_OK;
+}
+
+/* A floor: its contact is open while w[0] is zero. */
+static lag_status floor_below(const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution,
+    double *stick, double *rest)
+{
+    gap[0] = at->q[0] - 0.25;
+    speed[0] = at->qd[0];
+    jacobian[0] = 1.0;
+    restitution[0] = 1.0;
+    stick[0] = rest[0] = -1.0;
+    return LAG_OK;
+}
+
+static void the_step_before_something_happens_is_not_done(void)
+{
+    static const double zero[1] = {0.0};
+    static const double holds[1] = {1.0};
+    lag_model model = FREE;
+    model.nindicator = 1;
+    model.indicator = half_way;
+    lag_run_options options = {.places = {zero, zero, zero, zero}};
+    lag_run *run = place(&model, &options);
+    CHECK(lag_run_move(run, 0.0, NULL, 0.0) == LAG_OK);
+    lag_run_discretes(run, holds);
+    CHECK(lag_run_to(run, 1.0, 0) == LAG_HAPPENS);
+    CHECK(run->stepper.x[0] > 0.5 && run->stepper.t > 0.1);
+    const double force = 9.81 - 1.0; /* the truth is a force of 1 N here */
+    CHECK(run->stepper.t + run->stepper.h > sqrt(1.0 / force));
+    free(run);
+    model = FREE;
+    model.ncontact = model.ngap = 1;
+    model.contact = floor_below;
+    run = place(&model, &options);
+    CHECK(lag_run_move(run, 0.0, NULL, 0.0) == LAG_OK);
+    CHECK(lag_run_to(run, 1.0, 0) == LAG_HAPPENS);
+    CHECK(run->stepper.x[0] > 0.25 && run->stepper.t > 0.2);
+    free(run);
+}
+
+/* Many lives of a run in the same memory: nothing is kept, nothing is lost. */
+static void a_run_can_be_placed_again_and_again(void)
+{
+    static const double tolerance = 1e-6;
+    const lag_run_options options = {.invariant_tolerance = &tolerance, .careful = 1};
+    double first[4] = {0.0, 0.0, 0.0, 0.0};
+    for (int i = 0; i < 10000; ++i) {
+        lag_run *run = place(&CIRCLE, &options);
+        CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+        CHECK(lag_run_to(run, 0.05, 0) == LAG_OK);
+        if (i == 0) {
+            memcpy(first, run->stepper.x, sizeof first);
+        }
+        CHECK(memcmp(first, run->stepper.x, sizeof first) == 0);
+        free(run);
+    }
+}
+
 typedef struct control {
     size_t count;
     double sum;
@@ -493,6 +556,8 @@ int main(void)
     a_ball_bounces_on_time(&lag_dop853);
     a_ball_bounces_on_time(NULL);
     chatter_ends();
+    the_step_before_something_happens_is_not_done();
+    a_run_can_be_placed_again_and_again();
     a_sampled_controller();
     stiffness_is_found(1e-6, 1);
     stiffness_is_found(1.0, 0);

@@ -40,6 +40,28 @@ end Driven;
 """
 
 
+BALL = """
+model Ball
+  coordinate Length h(start = 1 m);
+  gravity = -g_n*world.y;
+  mass 0.1 kg at {0, h};
+  contact floor: h >= 0 with restitution = 0.8;
+end Ball;
+"""
+
+HELD = """
+model Held
+  coordinate Length x(start = 1 m);
+  discrete Force F(start = 0);
+  kinetic 1/2*(2 kg)*der(x)^2;
+  force F on x;
+  when sample(0 s, 0.1 s) then
+    F = -(8 N/m)*x - (4 N.s/m)*der(x);
+  end when;
+end Held;
+"""
+
+
 @pytest.fixture
 def by_scipy(monkeypatch: pytest.MonkeyPatch):  # type: ignore[no-untyped-def]
     """Runs a simulation step by step in Python."""
@@ -77,6 +99,24 @@ def test_python_is_not_asked_on_the_way() -> None:
     statistics = lagdsl.compile(MODELS / "double_pendulum.lag", engine="c").simulate(stop=10).statistics
     assert statistics.solver == "dop853"
     assert 13 * statistics.steps < statistics.evaluations < 17 * statistics.steps + 50
+
+
+def test_events_are_the_same_under_both_engines() -> None:
+    first, second = (lagdsl.compile(BALL, engine=engine).simulate(stop=5) for engine in ("c", "numpy"))
+    assert [(e.name, e.kind) for e in first.events] == [(e.name, e.kind) for e in second.events]
+    np.testing.assert_allclose([e.time for e in first.events], [e.time for e in second.events], rtol=0, atol=1e-9)
+    flight = np.sqrt(2.0 / 9.80665)
+    exact = flight + np.concatenate([[0.0], np.cumsum(2.0 * flight * 0.8 ** np.arange(1, 9))])
+    np.testing.assert_allclose([e.time for e in first.events][:9], exact, rtol=0, atol=1e-9)
+    assert abs(first["h"][-1]) < 1e-9
+
+
+def test_a_sampled_controller_does_not_see_the_rows() -> None:
+    model = lagdsl.compile(HELD, engine="c")
+    ends = [model.simulate(stop=2, interval=interval) for interval in (2.0, 0.0137, 0.1)]
+    assert len({(end["x"][-1], end["der(x)"][-1], end["F"][-1]) for end in ends}) == 1
+    other = lagdsl.compile(HELD, engine="numpy").simulate(stop=2)
+    assert ends[0]["x"][-1] == pytest.approx(other["x"][-1], abs=1e-9)
 
 
 @pytest.mark.parametrize(("epsilon", "stiff"), [(1e-5, True), (1.0, False)])

@@ -52,7 +52,7 @@ class Discretes:
         self.conditions = np.flatnonzero(kinds == "condition")
         self.clocks = np.flatnonzero(kinds == "clock")
         self.pulses = np.flatnonzero((kinds == "clock") | (kinds == "instant"))
-        self._strict = np.array([relation.strict for relation in flat.events.relations], dtype=np.bool_)
+        self.strict = np.array([relation.strict for relation in flat.events.relations], dtype=np.bool_)
         self._instants = {
             slot.name: index for index, slot in enumerate(self._engine.layout.discretes) if kinds[index] == "instant"
         }
@@ -77,10 +77,10 @@ class Discretes:
     def truths(self, t: float, y: Floats, w: Floats) -> Flags:
         """Relations as they stand."""
         value = self.indicators(t, y, w)
-        return np.asarray((value > 0.0) | ((value == 0.0) & ~self._strict))
+        return np.asarray((value > 0.0) | ((value == 0.0) & ~self.strict))
 
     def truth(self, index: int, value: float) -> bool:
-        return value > 0.0 or (value == 0.0 and not self._strict[index])
+        return value > 0.0 or (value == 0.0 and not self.strict[index])
 
     def indicators(self, t: float, y: Floats, w: Floats) -> Floats:
         """Left - right of every relation."""

@@ -61,8 +61,9 @@ lag_status lag_look_at(lag_look *look, const double *jacobian)
     const size_t n = look->n;
     double change = 0.0;
     for (size_t i = 0; i < look->m; ++i) {
+        const double weight = look->lasting == NULL || look->lasting[i] != 0.0 ? 1.0 / look->row_sizes[i] : 0.0;
         for (size_t j = 0; j < n; ++j) {
-            look->now[i * n + j] = jacobian[i * n + j] * look->sizes[j] / look->row_sizes[i];
+            look->now[i * n + j] = jacobian[i * n + j] * look->sizes[j] * weight;
         }
     }
     for (size_t i = 0; i < look->rank; ++i) {

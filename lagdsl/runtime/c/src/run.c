@@ -20,7 +20,7 @@ static size_t doubles(const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
-           lag_look_memory(model->nc, model->nq) + lag_watch_memory(model) + lag_stiffness_memory(size) + 5 * size + model->nc +
+           lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_watch_memory(model) + lag_stiffness_memory(size) + 5 * size + model->nc +
            3 * model->ni + 4 * options->indicators + options->clocks + 1;
 }
 
@@ -80,6 +80,9 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->cap = take(&memory, size);
     run->row_sizes = take(&memory, model->nc);
     lag_look_place(&run->look, model, run->natural, run->row_sizes, take(&memory, lag_look_memory(model->nc, model->nq)));
+    run->look.lasting = options->lasting;
+    run->look.most = options->lasting != NULL ? options->general : model->rank;
+    lag_alert_place(&run->alert, &run->motion, &options->places, take(&memory, lag_alert_memory(model)));
     run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, take(&memory, size), 0.0};
     run->point = take(&memory, size);
     place_watch(run, model, &memory);
@@ -187,6 +190,11 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
     return status == LAG_OK ? lag_run_rows(run, t, 1) : status;
 }
 
+void lag_run_discretes(lag_run *run, const double *w)
+{
+    memcpy(run->motion.w, w, run->motion.model->nw * sizeof(double));
+}
+
 void lag_run_skip(lag_run *run, size_t row)
 {
     run->row = row;
@@ -227,6 +235,23 @@ static lag_status settle(lag_run *run)
     return status == LAG_OK ? LAG_OK : LAG_OFF;
 }
 
+/* Whether something happens in the last step, looked for at a few places. */
+static lag_status quiet(lag_run *run)
+{
+    const lag_model *model = run->motion.model;
+    const int active = run->options.places.truth != NULL && model->nindicator + model->ncontact > 0;
+    lag_stepper *s = &run->stepper;
+    lag_status status = LAG_OK;
+    for (unsigned k = 1; active && k <= run->options.looks && status == LAG_OK; ++k) {
+        const double t = k == run->options.looks ? s->t : s->t_before + (s->t - s->t_before) * (double)k / (double)run->options.looks;
+        status = lag_stepper_dense(s, t, run->point);
+        if (status == LAG_OK) {
+            status = lag_alert_look(&run->alert, t, run->point);
+        }
+    }
+    return status;
+}
+
 /* One step that ends on the constraints; where that looks dangerous it is taken back. */
 static lag_status advance(lag_run *run, double limit)
 {
@@ -244,6 +269,9 @@ static lag_status advance(lag_run *run, double limit)
         }
         if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
             status = lag_look_at(&run->look, run->projection.jacobian);
+        }
+        if (status == LAG_OK) {
+            status = quiet(run);
         }
         if (status == LAG_OK) {
             status = lag_watch_look(&run->watch, s->t, s->x);

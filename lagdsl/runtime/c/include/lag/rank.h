@@ -12,6 +12,7 @@ typedef struct lag_look {
     size_t rank;              /* at the state looked at last; 0: none */
     const double *sizes;      /* (n) natural sizes of the coordinates */
     const double *row_sizes;  /* (m) */
+    const double *lasting;    /* (m) 0: this row comes and goes and is not looked at; null: all are */
     double *rows, *now;       /* (m, n) J in these sizes, at the last state and now */
     double *factors;          /* (m, n) of the last one, by lag_qr */
     double *tau, *diagonal;   /* (m) */

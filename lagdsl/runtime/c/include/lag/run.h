@@ -14,6 +14,7 @@
 #define LAG_RUN_H
 
 #include "lag/accuracy.h"
+#include "lag/alert.h"
 #include "lag/clock.h"
 #include "lag/motion.h"
 #include "lag/projection.h"
@@ -46,7 +47,10 @@ typedef struct lag_run_options {
     /* What counts as a change of order one; null: found at the first state (see lag/accuracy.h). */
     const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
     const double *row_sizes;             /* (nc) of the constraints */
-    int careful;                         /* 1: LAG_ATTENTION before the constraints lose rank */
+    int careful;                         /* 1: LAG_ATTENTION before the constraints lose rank; then */
+    const double *lasting;               /* (nc) 0: the row comes and goes, as those of contacts; null: all last, */
+    size_t general;                      /* else so many of those that do are independent in general */
+    lag_alert_places places;             /* LAG_HAPPENS before a step in which something happens; null: not looked for */
 
     /* Rows: states (2 nq + nz) at `count` increasing times, where `rows` (count, 2 nq + nz) or `output` is given. */
     size_t count;
@@ -89,6 +93,7 @@ struct lag_run {
     lag_accuracy accuracy;
     lag_look look;
     lag_watch watch;
+    lag_alert alert;
     lag_stiffness stiffness;
     int sized;                /* natural sizes are known */
     double *group, *natural, *cap, *row_sizes;
@@ -135,13 +140,16 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x);
  */
 lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
 
+/* Other discretes (nw), from now on. */
+void lag_run_discretes(lag_run *run, const double *w);
+
 /* Rows before number `row` are somebody else's business. */
 void lag_run_skip(lag_run *run, size_t row);
 
 /*
  * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then, and at any failure the last good one.
  * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
- * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_ATTENTION, LAG_VIOLATED, LAG_CHATTER: see lag/status.h. What callbacks return other than
+ * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_ATTENTION, LAG_VIOLATED, LAG_CHATTER, LAG_HAPPENS: see lag/status.h. What callbacks return other than
  * LAG_OK comes back.
  */
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
