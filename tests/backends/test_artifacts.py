@@ -97,6 +97,22 @@ def test_c_builds_with_its_own_makefile_without_a_warning(tmp_path: Path, compil
     assert done.stderr == ""
 
 
+@pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")
+def test_the_runtime_needs_no_operating_system(tmp_path: Path) -> None:
+    """Nothing but mathematics and the moving of memory, which every C compiler for a microcontroller has."""
+    artifact = BACKENDS["c"].emit(pendulum())
+    _write(artifact, tmp_path)
+    (tmp_path / "main.c").unlink()
+    (tmp_path / "realtime.c").unlink()
+    units = sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.c"))
+    command = ["cc", "-std=c11", "-O1", "-I.", "-r", "-nostdlib", "-o", "all.o", *units]
+    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
+    listed = subprocess.run(["nm", "-u", "all.o"], cwd=tmp_path, check=True, capture_output=True, text=True).stdout
+    memory = {"memcpy", "memset", "memmove"}
+    mathematics = set("sqrt pow log2 ldexp hypot fmod fmax fmin nearbyint floor ceil sin cos sincos fabs exp log".split())
+    assert {line.split()[-1] for line in listed.splitlines()} - memory - mathematics <= {"_GLOBAL_OFFSET_TABLE_"}
+
+
 def test_the_example_prints_accelerations_and_motion(tmp_path: Path) -> None:
     _write(BACKENDS["c"].emit(pendulum()), tmp_path)
     subprocess.run(["make", "-s"], cwd=tmp_path, check=True, capture_output=True)
