@@ -17,12 +17,16 @@ _ALIGNED = 16
 @record()
 class Places:
     """Entries of w with the truth of each relation and the state of each contact, and the rows of constraints of the
-    contacts; `strict` flags relations that do not hold at zero. Whole numbers, as floats."""
+    contacts; `strict` flags relations that do not hold at zero. Whole numbers, as floats.
+
+    `slack` (2,), which may be changed: what is round-off of gaps, as a part of the size of the state, and of forces.
+    """
 
     truth: Floats
     strict: Floats
     closed: Floats
     row: Floats
+    slack: Floats
 
 
 @record()
@@ -82,7 +86,7 @@ class CRun:
         )
         for name in ("p", "group", "natural", "cap", "row_sizes", "lasting", "times", "rows"):
             setattr(options, name, getattr(settings, name).ctypes.data)
-        for name in ("truth", "strict", "closed", "row"):
+        for name in ("truth", "strict", "closed", "row", "slack"):
             setattr(options, name, getattr(settings.places, name).ctypes.data)
         for name in ("tolerance", "start", "size", "drift"):
             setattr(options, f"invariant_{name}", getattr(settings, f"invariant_{name}").ctypes.data)

@@ -82,7 +82,7 @@ class RunOptions(Structure):
         ("careful", c_int),
         ("lasting", c_void_p),
         ("general", c_size_t),
-        *((name, c_void_p) for name in ("truth", "strict", "closed", "row")),
+        *((name, c_void_p) for name in ("truth", "strict", "closed", "row", "slack")),
         ("count", c_size_t),
         *((name, c_void_p) for name in ("times", "rows", "output")),
         ("indicators", c_size_t),
@@ -110,6 +110,7 @@ class RunReport(Structure):
         ("x", POINTER(c_double)),
         *((name, c_size_t) for name in ("row", "steps", "all_steps", "rejections", "evaluations", "jacobians")),
         *((name, c_size_t) for name in ("decompositions", "projections", "events", "changes")),
+        ("changed", POINTER(c_double)),
         ("change", POINTER(RunChange)),
         ("implicit", c_int),
     ]

@@ -1,6 +1,6 @@
 """Many steps at once, by the C runtime: as far as nothing needs a closer look than it takes.
 
-It stops before an event, where rank is about to be lost, where something that must stay true does not, where the
+It stops at an event, where rank is about to be lost, where something that must stay true does not, where the
 constraints are out of reach and where there are no accelerations. The step loop takes over at the last good state and
 finds out what it is.
 """
@@ -43,6 +43,7 @@ class Leaps:
         solver: str,
         ranks: Ranks,
         discretes: Discretes,
+        slack: Floats,
     ) -> None:
         self.engine = engine
         self._system = system
@@ -68,6 +69,7 @@ class Leaps:
                 strict=discretes.strict.astype(np.float64),
                 closed=discretes.contacts.astype(np.float64),
                 row=discretes.rows.astype(np.float64),
+                slack=slack,
             ),
             times=self._times,
             rows=self.rows,
@@ -78,6 +80,7 @@ class Leaps:
         )
         self._run = engine.run(settings)
         self._status = 0
+        self._counts = len(discretes.relations), len(discretes.contacts)
 
     def forward(self, t: float, y: Floats, h: float, end: float, row: int, steps: int) -> bool:
         """As far as it goes towards `end`, in at most so many steps; row number `row` is the next to be recorded.
@@ -104,6 +107,18 @@ class Leaps:
     def y(self) -> Floats:
         """The state at `t`."""
         return self._run.state()
+
+    @property
+    def happened(self) -> tuple[list[int], list[int]] | None:
+        """The relations and contacts that changed, if that is why it stopped at `t`."""
+        if self._status != _HAPPENS:
+            return None
+        relations, contacts = self._counts
+        flags = self._run.report.changed[: relations + contacts]
+        return (
+            [i for i, flag in enumerate(flags[:relations]) if flag],
+            [i for i, flag in enumerate(flags[relations:]) if flag],
+        )
 
     @property
     def implicit(self) -> bool:

@@ -96,6 +96,7 @@ class Motion:
         self._stiffness = Stiffness() if task.solver == "auto" else None
         self._method = METHODS["dop853" if task.solver == "auto" else task.solver]
         self._accuracy = Accuracy(flat, self._space.sizes, self._method.factor * task.tolerance)
+        self._happenings = Happenings(flat, self._system, self._exact, (float(task.times[0]), float(task.times[-1])))
         self._leaps = self._made_leaps()
         self._next = 0
         self._steps = 0
@@ -103,7 +104,6 @@ class Motion:
         self._shown = 0.0
         self._notes: list[str] = []
         self._method_since = task.initial.t
-        self._happenings = Happenings(flat, self._system, self._exact, (float(task.times[0]), float(task.times[-1])))
         self._ended = False
 
     def _made_leaps(self) -> Leaps | None:
@@ -122,6 +122,7 @@ class Motion:
             task.solver,
             self._ranks,
             Discretes(task.flat, self._system),
+            self._happenings.slack,
         )
 
     def run(self) -> Trajectory:
@@ -161,7 +162,7 @@ class Motion:
     def _segment(self, t: float, y: Floats, end: float) -> tuple[float, Floats]:
         """To `end`, or to where the motion ends before."""
         stepper = self._ahead(Reached(t, y, 0.0), end)
-        while stepper.t < end:
+        while stepper.t < end and not self._ended:
             self._steps += 1
             if self._steps > self._task.max_steps:
                 self._fail("E0812", stepper.t, stepper.y, None, steps=self._task.max_steps)
@@ -198,7 +199,7 @@ class Motion:
                 self._require_decided(float(stepper.t), stepper.y, np.inf)
                 stepper = self._reconsider(stepper, step, end)
             stepper = self._ahead(stepper, end)
-        return end, np.asarray(stepper.y)
+        return float(stepper.t), np.asarray(stepper.y)
 
     # ---- events ------------------------------------------------------------------------------------------------------
 
@@ -253,7 +254,7 @@ class Motion:
         """The stepper from which to go on: after as many steps as C can do without us."""
         here = Reached(float(stepper.t), stepper.y, float(stepper.h_abs))
         there = here if self._leaps is None or here.t >= end else self._leap(self._leaps, here, end)
-        if there.t >= end:
+        if there.t >= end or self._ended:
             return there
         if there is here and not isinstance(stepper, Reached):
             return stepper
@@ -261,7 +262,7 @@ class Motion:
 
     def _leap(self, leaps: Leaps, here: Reached, end: float) -> Reached:
         there, going = here, True
-        while going:
+        while going and there.t < end:
             going = leaps.forward(
                 there.t, there.y, there.h_abs, end, row=self._next, steps=self._task.max_steps - self._steps
             )
@@ -273,11 +274,19 @@ class Motion:
                 )
                 self._next = leaps.row
                 self._tell(there.t)
+                if leaps.happened is not None:
+                    y = self._happen_in_leap(there.t, there.y, leaps.happened, leaps.h)
+                    there, going = Reached(there.t, y, 0.0), not self._ended
         if there is not here:
             self._follow_method(leaps)
             self._look_at_rank(there.t, there.y)
             self._times, self._margins = (-np.inf, there.t), (np.inf, self._margins[1])
         return there
+
+    def _happen_in_leap(self, t: float, y: Floats, changed: tuple[list[int], list[int]], step: float) -> Floats:
+        """The state after an event that C has located."""
+        self._row_before(t, y)
+        return self._after_event(t, self._happenings.carry_out(self._happenings.located(t, changed, step), y))
 
     def _follow_method(self, leaps: Leaps) -> None:
         """Where C changed its method, the steppers of this loop do so too."""

@@ -36,6 +36,8 @@ class Contacts:
         self._discretes, self._length = discretes, length
         self._fastest = np.zeros(count)
         self._last = np.full(count, -np.inf)
+        # what is round-off: of gaps, as a part of the size of the state, and of forces
+        self.slack = np.array([_ROUNDING, 0.0])
         self._force = 0.0
 
     # ---- what changes ------------------------------------------------------------------------------------------------
@@ -71,6 +73,7 @@ class Contacts:
             return w
         gaps = self._discretes.gaps(t, y, w)
         self._force = self._discretes.force(t, y, w)
+        self.slack[1] = _ROUNDING * self._force
         touching = np.abs(gaps.gap[:count]) <= _TOUCHING * size(y)
         touching &= np.abs(gaps.speed[:count]) <= _TOUCHING * size(y)
         return self.pushing(t, y, w, np.flatnonzero(touching).tolist())
@@ -134,6 +137,7 @@ class Contacts:
         """w with closed contacts opened that carry nothing."""
         entries = self._discretes.contacts
         self._force = max(self._force, self._discretes.force(t, y, w))
+        self.slack[1] = _ROUNDING * self._force
         if not np.any(w[entries] != 0.0):
             return w
         idle = self._discretes.multipliers(t, y, w) <= _NOTHING * self._force

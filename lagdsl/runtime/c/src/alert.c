@@ -1,13 +1,10 @@
 #include "lag/alert.h"
 
-static size_t larger(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
+#include <math.h>
 
 size_t lag_alert_memory(const lag_model *model)
 {
-    return larger(model->nindicator, model->ngap) + model->ngap * (1 + model->nq) + 3 * model->ncontact;
+    return 3 * model->nindicator + model->ngap * (2 + model->nq) + 5 * model->ncontact;
 }
 
 void lag_alert_place(lag_alert *alert, lag_motion *motion, const lag_alert_places *places, double *memory)
@@ -15,8 +12,11 @@ void lag_alert_place(lag_alert *alert, lag_motion *motion, const lag_alert_place
     const lag_model *model = motion->model;
     alert->motion = motion;
     alert->places = *places;
-    alert->value = memory;
-    alert->speed = alert->value + larger(model->nindicator, model->ngap);
+    alert->changed = memory;
+    alert->seen = alert->changed + model->nindicator + model->ncontact;
+    alert->g = alert->seen + model->nindicator + model->ncontact;
+    alert->gap = alert->g + model->nindicator;
+    alert->speed = alert->gap + model->ngap;
     alert->jacobian = alert->speed + model->ngap;
     alert->laws = alert->jacobian + model->ngap * model->nq;
 }
@@ -24,38 +24,47 @@ void lag_alert_place(lag_alert *alert, lag_motion *motion, const lag_alert_place
 static lag_status relations(lag_alert *alert)
 {
     const lag_model *model = alert->motion->model;
-    const lag_status status = model->indicator(&alert->motion->at, alert->value);
-    if (status != LAG_OK) {
-        return status;
-    }
+    const lag_status status = model->indicator(&alert->motion->at, alert->g);
     for (size_t i = 0; i < model->nindicator; ++i) {
-        const double g = alert->value[i];
+        const double g = alert->g[i];
         const int truth = g > 0.0 || (g == 0.0 && alert->places.strict[i] == 0.0);
-        if (truth != (alert->motion->w[(size_t)alert->places.truth[i]] != 0.0)) {
-            return LAG_HAPPENS;
-        }
+        alert->changed[i] = truth != (alert->motion->w[(size_t)alert->places.truth[i]] != 0.0);
     }
-    return LAG_OK;
+    return status;
 }
 
-static lag_status contacts(lag_alert *alert)
+static lag_status contacts(lag_alert *alert, const double *x)
 {
     const lag_motion *motion = alert->motion;
     const lag_model *model = motion->model;
     double *laws = alert->laws;
-    const lag_status status = model->contact(&motion->at, alert->value, alert->speed, alert->jacobian, laws,
-        laws + model->ncontact, laws + 2 * model->ncontact);
-    if (status != LAG_OK) {
-        return status;
+    const lag_status status = model->contact(&motion->at, alert->gap, alert->speed, alert->jacobian, laws, laws + model->ncontact,
+        laws + 2 * model->ncontact);
+    double size = 1.0;
+    for (size_t i = 0; i < lag_motion_size(model); ++i) {
+        size = fmax(size, 1.0 + fabs(x[i]));
     }
+    const double slack = alert->places.slack != NULL ? alert->places.slack[0] * size : 0.0;
+    const double force = alert->places.slack != NULL ? alert->places.slack[1] : 0.0;
     for (size_t i = 0; i < model->ncontact; ++i) {
         const int closed = motion->w[(size_t)alert->places.closed[i]] != 0.0;
-        const int pulls = closed && motion->lam[(size_t)alert->places.row[i]] < 0.0;
-        if (pulls || (!closed && alert->value[i] < 0.0 && alert->speed[i] < 0.0)) {
-            return LAG_HAPPENS;
-        }
+        const int pulls = closed && motion->lam[(size_t)alert->places.row[i]] < -force;
+        const int meets = !closed && alert->gap[i] < -slack && alert->speed[i] < 0.0;
+        alert->changed[model->nindicator + i] = pulls || meets;
     }
-    return LAG_OK;
+    return status;
+}
+
+double lag_alert_value(const lag_alert *alert, size_t which)
+{
+    const lag_motion *motion = alert->motion;
+    const size_t count = motion->model->nindicator;
+    if (which < count) {
+        const int holds = motion->w[(size_t)alert->places.truth[which]] != 0.0;
+        return holds ? alert->g[which] : -alert->g[which];
+    }
+    const int closed = motion->w[(size_t)alert->places.closed[which - count]] != 0.0;
+    return closed ? motion->lam[(size_t)alert->places.row[which - count]] : alert->gap[which - count];
 }
 
 lag_status lag_alert_look(lag_alert *alert, double t, const double *x)
@@ -66,7 +75,10 @@ lag_status lag_alert_look(lag_alert *alert, double t, const double *x)
         status = relations(alert);
     }
     if (status == LAG_OK && model->ncontact > 0) {
-        status = contacts(alert);
+        status = contacts(alert, x);
+    }
+    for (size_t i = 0; i < model->nindicator + model->ncontact && status == LAG_OK; ++i) {
+        status = alert->changed[i] != 0.0 ? LAG_HAPPENS : LAG_OK;
     }
     return status;
 }

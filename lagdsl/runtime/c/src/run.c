@@ -218,6 +218,7 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .projections = run->projection.count,
         .events = run->events,
         .changes = run->changes,
+        .changed = run->alert.changed,
         .change = run->change,
         .implicit = s->method->implicit,
     };
@@ -233,23 +234,6 @@ static lag_status settle(lag_run *run)
         status = lag_stepper_correct(s);
     }
     return status == LAG_OK ? LAG_OK : LAG_OFF;
-}
-
-/* Whether something happens in the last step, looked for at a few places. */
-static lag_status quiet(lag_run *run)
-{
-    const lag_model *model = run->motion.model;
-    const int active = run->options.places.truth != NULL && model->nindicator + model->ncontact > 0;
-    lag_stepper *s = &run->stepper;
-    lag_status status = LAG_OK;
-    for (unsigned k = 1; active && k <= run->options.looks && status == LAG_OK; ++k) {
-        const double t = k == run->options.looks ? s->t : s->t_before + (s->t - s->t_before) * (double)k / (double)run->options.looks;
-        status = lag_stepper_dense(s, t, run->point);
-        if (status == LAG_OK) {
-            status = lag_alert_look(&run->alert, t, run->point);
-        }
-    }
-    return status;
 }
 
 /* One step that ends on the constraints; where that looks dangerous it is taken back. */
@@ -269,9 +253,6 @@ static lag_status advance(lag_run *run, double limit)
         }
         if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
             status = lag_look_at(&run->look, run->projection.jacobian);
-        }
-        if (status == LAG_OK) {
-            status = quiet(run);
         }
         if (status == LAG_OK) {
             status = lag_watch_look(&run->watch, s->t, s->x);
@@ -299,6 +280,31 @@ static lag_status follow(lag_run *run, double stop)
     return restart(run, method, stop - s->t);
 }
 
+/* A step from time t that cannot be made use of is taken back, if there was one. */
+static lag_status give_back(lag_run *run, double t, lag_status status)
+{
+    if (run->stepper.t > t) {
+        lag_stepper_undo(&run->stepper, 0.5 * (run->stepper.t - t));
+    }
+    return status;
+}
+
+/* The run stops inside its last step, from time t, at what happens there. */
+static lag_status halt(lag_run *run, double t, double there)
+{
+    lag_stepper *s = &run->stepper;
+    lag_status status = lag_run_rows(run, there, 0);
+    if (status == LAG_OK) {
+        status = lag_run_inside(run, there, run->point);
+    }
+    if (status != LAG_OK) {
+        return give_back(run, t, status);
+    }
+    memcpy(s->x, run->point, s->ode->size * sizeof(double));
+    s->t = there;
+    return LAG_HAPPENS;
+}
+
 /* One step and what follows from it: rows, an event, other tolerances. */
 static lag_status go_on(lag_run *run, double stop)
 {
@@ -309,6 +315,12 @@ static lag_status go_on(lag_run *run, double stop)
     int happened = 0;
     lag_status status = advance(run, limit);
     const double h = s->h;
+    if (status == LAG_OK) {
+        status = lag_run_happening(run, &crossing);
+        if (status != LAG_OK) {
+            return status == LAG_HAPPENS ? halt(run, t, crossing) : give_back(run, t, status);
+        }
+    }
     if (status == LAG_OK && run->options.indicators > 0) {
         status = lag_run_crossing(run, &crossing);
     }
@@ -326,10 +338,7 @@ static lag_status go_on(lag_run *run, double stop)
         status = lag_run_rows(run, s->t, 0);
     }
     if (status != LAG_OK) {
-        if (s->t > t) {
-            lag_stepper_undo(s, 0.5 * (s->t - t));
-        }
-        return status;
+        return give_back(run, t, status);
     }
     status = lag_run_fire(run, crossing < (double)INFINITY, &happened);
     if (status == LAG_OK && happened) {

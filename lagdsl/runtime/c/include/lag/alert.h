@@ -13,18 +13,24 @@ typedef struct lag_alert_places {
     const double *strict; /* (nindicator) 1: the relation does not hold at zero */
     const double *closed; /* (ncontact) entries of w */
     const double *row;    /* (ncontact) rows of constraints */
+    const double *slack;  /* (2) a gap may be below zero by this part of 1 + the largest number of x, a force by this; null: zeros */
 } lag_alert_places;
 
 typedef struct lag_alert {
     lag_motion *motion;
     lag_alert_places places;
-    double *value, *speed, *jacobian, *laws; /* (most of nindicator and ngap) (ngap) (ngap, nq) (3 ncontact) */
+    double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
+    double *changed;                           /* (nindicator + ncontact) 1: this one, at the state looked at last */
+    double *seen;                              /* (nindicator + ncontact) for those who look for the time */
 } lag_alert;
 
 /* Doubles for it. */
 size_t lag_alert_memory(const lag_model *model);
 
 void lag_alert_place(lag_alert *alert, lag_motion *motion, const lag_alert_places *places, double *memory);
+
+/* What passes zero, downward, when relation or contact number `which` changes; as it was looked at last. */
+double lag_alert_value(const lag_alert *alert, size_t which);
 
 /* LAG_HAPPENS if something happens at x at time t or happened before, with the discretes of `motion`. */
 lag_status lag_alert_look(lag_alert *alert, double t, const double *x);

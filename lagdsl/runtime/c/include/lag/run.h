@@ -50,7 +50,7 @@ typedef struct lag_run_options {
     int careful;                         /* 1: LAG_ATTENTION before the constraints lose rank; then */
     const double *lasting;               /* (nc) 0: the row comes and goes, as those of contacts; null: all last, */
     size_t general;                      /* else so many of those that do are independent in general */
-    lag_alert_places places;             /* LAG_HAPPENS before a step in which something happens; null: not looked for */
+    lag_alert_places places;             /* LAG_HAPPENS where something happens, with the state there; null: not looked for */
 
     /* Rows: states (2 nq + nz) at `count` increasing times, where `rows` (count, 2 nq + nz) or `output` is given. */
     size_t count;
@@ -117,6 +117,7 @@ typedef struct lag_run_report {
     size_t row;                 /* rows recorded */
     size_t steps;               /* in the last call of lag_run_to; all others count from the beginning */
     size_t all_steps, rejections, evaluations, jacobians, decompositions, projections, events, changes;
+    const double *changed;      /* (nindicator + ncontact) after LAG_HAPPENS, 1: the relation, the contact that changed */
     const lag_change *change;   /* the first LAG_CHANGES of them */
     int implicit;               /* the present method is */
 } lag_run_report;
@@ -175,6 +176,8 @@ lag_status lag_run_crossing(lag_run *run, double *t);
 double lag_run_instant(const lag_run *run);
 /* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
 lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
+/* LAG_HAPPENS: something happens within the last step, first at *t; run->alert.changed tells what. */
+lag_status lag_run_happening(lag_run *run, double *t);
 /* The state on the constraints at a time within the last step. */
 lag_status lag_run_inside(lag_run *run, double t, double *x);
 

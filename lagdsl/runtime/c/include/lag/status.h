@@ -15,7 +15,7 @@ typedef enum lag_status {
     LAG_VIOLATED = 8,    /* an assertion failed or an invariant left its tolerance */
     LAG_STOPPED = 9,     /* a callback asked for it */
     LAG_CHATTER = 10,    /* events follow each other without time passing */
-    LAG_HAPPENS = 11       /* something happens that the discretes do not know of yet */
+    LAG_HAPPENS = 11     /* something happens now that the discretes do not know of yet */
 } lag_status;
 
 #endif
