@@ -64,7 +64,9 @@ class Contacts:
     def pierced(self, t: float, y: Floats, w: Floats) -> list[int]:
         """Contacts whose gap is negative."""
         count = len(self._discretes.contacts)
-        return np.flatnonzero(self._discretes.gaps(t, y, w).gap[:count] < -_TOUCHING * size(y)).tolist() if count else []
+        if not count:
+            return []
+        return np.flatnonzero(self._discretes.gaps(t, y, w).gap[:count] < -_TOUCHING * size(y)).tolist()
 
     def settled(self, t: float, y: Floats, w: Floats) -> Floats:
         """At the start: contacts that touch and do not move apart are closed if they push."""
