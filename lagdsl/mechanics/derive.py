@@ -12,6 +12,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints, energies, lagrange
 from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.eliminated import eliminated_equations
+from lagdsl.mechanics.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.provided import Provider
@@ -87,7 +88,7 @@ def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
     gamma = [graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity]
     f = lagrange.forcing(lowering, terms)
     _refuse_accelerating_states(derivation, [*f, *gamma])
-    tau = lagrange.inverse_dynamics(lowering, terms)
+    tau = inverse_dynamics(lowering, derivation.flat, derivation.dynamics, directions)
     pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
     r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
     s = [lowering.rate.of(residual) for residual in velocity]
