@@ -46,7 +46,9 @@ def _factorization(size: int) -> int:
 def _blocks(solution: Solution, size: int) -> tuple[Block, ...]:
     return (
         Block(name="a", shape=(size,), elements=tuple(solution.accelerations)),
+        Block(name="l", shape=(0,), elements=()),
         Block(name="Y", shape=(0, size), elements=()),
+        Block(name="K", shape=(0, 0), elements=()),
         Block(name="J", shape=(0, size), elements=()),
         Block(name="gamma", shape=(0,), elements=()),
         Block(name="pivot", shape=(), elements=(solution.pivot,)),

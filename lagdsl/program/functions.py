@@ -24,11 +24,15 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | monitor | t q qd z u w p qdd lam | invariant (ni), scale (ni): largest absolute term of each, assertion (na) |
 | initial_equation | t q qd z u w p qdd lam | residual (ne) of the initial equations |
 | constraint_tangent | t q qd z u w p dq dqd dz du dp | dphi (nc), and d(J qd + b) (nc), along a direction |
-| elimination | t q qd z u w p | a = M^-1 f (nq), Y (nc, nq) with rows M^-1 J', J (nc, nq), gamma (nc), and pivot |
+| elimination | t q qd z u w p | a (nq), l (nc), Y (nk, nq), K (nk, nc), J (nk, nq), gamma (nk), pivot: see below |
 
 The last one is there only where solving the equations while they are expressions costs less than forming M and solving
-at run time. `pivot` is what subtraction left of the smallest pivot, relatively: where it is small or no number, the
-others are not to be used.
+at run time. The multipliers of the nk rows `Program.kept_rows` are left to run time, lam_k; all others are solved for:
+
+    qdd = a + Y' lam_k ,   lam = l + K' lam_k (and lam_k itself at its rows) ,   J Y' lam_k = gamma - J a
+
+with J and gamma of the kept rows, and J Y' symmetric and positive semidefinite. `pivot` is what subtraction left of the
+smallest pivot, relatively: where it is small or no number, the others are not to be used.
 `w` is empty until events are there. Directions `dp` hold one entry per independent parameter.
 """
 

@@ -8,6 +8,7 @@ from lagdsl.program.program import Function, Layout, Program
 
 _N = "nq"
 _ROWS = "nc"
+_KEPT = "nk"
 
 # Shapes of the results of every function, in order; None where the length is the function's own.
 RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
@@ -29,7 +30,7 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "power": ((_N,), (_N,)),
     "monitor": (("ni",), ("ni",), ("na",)),
     "initial_equation": (None,),
-    "elimination": ((_N,), (_ROWS, _N), (_ROWS, _N), (_ROWS,), ()),
+    "elimination": ((_N,), (_ROWS,), (_KEPT, _N), (_KEPT, _ROWS), (_KEPT, _N), (_KEPT,), ()),
 }
 
 
@@ -55,13 +56,14 @@ def sizes(layout: Layout) -> dict[str, int]:
 def verify(program: Program) -> None:
     """Raise InvalidProgram unless every function is there once, with its signature, shapes and symbols."""
     _verify_layout(program.layout)
+    _verify_rows(program)
     _verify_graph(program)
     names = [function.name for function in program.functions]
     needed = [name for name in names if name not in OPTIONAL]
     _require(sorted(needed) == sorted(SIGNATURES) and len(names) == len(set(names)), f"functions are {names}")
     for function in program.functions:
         _require(function.arguments == {**SIGNATURES, **OPTIONAL}[function.name], f"signature of {function.name}")
-        _verify_shapes(function, program.layout)
+        _verify_shapes(function, program)
         _verify_symbols(function, program)
 
 
@@ -71,6 +73,12 @@ def _verify_layout(layout: Layout) -> None:
     _require(len(layout.redundant) == len(layout.constraints), "one redundancy flag per constraint row")
 
 
+def _verify_rows(program: Program) -> None:
+    kept = program.kept_rows
+    _require(list(kept) == sorted(set(kept)), "kept rows are not in order")
+    _require(all(0 <= row < len(program.layout.constraints) for row in kept), "a kept row is no row")
+
+
 def _verify_graph(program: Program) -> None:
     graph = program.graph
     for node in range(len(graph)):
@@ -78,10 +86,10 @@ def _verify_graph(program: Program) -> None:
             _require(0 <= argument < node, f"node {node} is computed from node {argument}")
 
 
-def _verify_shapes(function: Function, layout: Layout) -> None:
+def _verify_shapes(function: Function, program: Program) -> None:
     expected = RESULT_SHAPES[function.name]
     _require(len(function.results) == len(expected), f"number of results of {function.name}")
-    lengths = sizes(layout)
+    lengths = {**sizes(program.layout), _KEPT: len(program.kept_rows)}
     for block, shape in zip(function.results, expected, strict=True):
         if shape is not None:
             wanted = tuple(lengths[length] for length in shape)

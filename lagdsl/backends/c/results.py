@@ -33,7 +33,7 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "power": ("load", "dissipated"),
     "monitor": ("invariant", "scale", "assertion"),
     "initial_equation": ("residual",),
-    "elimination": ("qdd", "response", "jacobian", "gamma", "pivot"),
+    "elimination": ("qdd", "lam", "response", "lam_response", "jacobian", "gamma", "pivot"),
 }
 _FEWEST_ZEROS = 8
 

@@ -32,7 +32,7 @@ def source(program: Program, stem: str, lanes: bool = False) -> str:
             f"/* Equations of motion of {comment_text(program.name)}, generated: see lag/model.h for what is what. */",
             f'#include "{stem}.h"\n',
             '#include <math.h>\n\n#include "lag/trigonometry.h"\n',
-            _tables(program.layout),
+            _tables(program),
             preparation,
             *functions,
             parallel.definitions,
@@ -78,10 +78,12 @@ def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]
 # ---- tables ----------------------------------------------------------------------------------------------------------
 
 
-def _tables(layout: Layout) -> str:
+def _tables(program: Program) -> str:
+    layout = program.layout
     flags = {"position_level": layout.position_level, "redundant": layout.redundant}
     texts = [_slots(name, slots) for name, slots in _slot_tables(layout).items()]
     texts += [_array("unsigned char", name, [str(int(flag)) for flag in values]) for name, values in flags.items()]
+    texts.append(_array("size_t", "kept_rows", [str(row) for row in program.kept_rows]))
     texts.append(_array("double", "defaults", [number(value) for value in layout.defaults]))
     texts.append(_array("char *const", "assertions", [string(text) for text in layout.assertions]))
     return "".join(texts)
@@ -123,6 +125,7 @@ def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> st
         "rank": len(layout.constraints) - sum(layout.redundant),
         "workspace": parallel.workspace,
         "prepared": prepared,
+        "nk": len(program.kept_rows),
     }
     tables: dict[str, Sequence[object]] = {
         **_slot_tables(layout),
@@ -130,6 +133,7 @@ def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> st
         "defaults": layout.defaults,
         "position_level": layout.position_level,
         "redundant": layout.redundant,
+        "kept_rows": program.kept_rows,
     }
     members = [
         ".version = LAG_MODEL_VERSION",

@@ -130,7 +130,7 @@ def motion_sizes(program: Program) -> Sizes:
         p=len(layout.parameters),
         c=len(layout.constraints),
         rank=len(layout.constraints) - sum(layout.redundant),
-        eliminated=program.has("elimination"),
+        eliminated=program.has("elimination") and not layout.constraints,
     )
 
 

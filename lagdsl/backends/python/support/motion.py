@@ -30,11 +30,11 @@ def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floa
     """Accelerations (..., nq) and multipliers (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
     if not sizes.eliminated:
         return _solve_dense(evaluate, sizes, *state)
-    acceleration, multiplier, _, _, pivot = evaluate("elimination", *state)
+    acceleration, multiplier, *_, pivot = evaluate("elimination", *state)
     sound = (pivot > SMALLEST_PIVOT) & np.all(np.isfinite(acceleration), axis=-1)
     if not np.all(sound):
         acceleration = np.where(sound[..., None], acceleration, _solve_dense(evaluate, sizes, *state)[0])
-    return acceleration, multiplier[..., 0]
+    return acceleration, multiplier
 
 
 def _solve_dense(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:

@@ -148,7 +148,7 @@ static lag_status form(
     const lag_status status = prepare_lanes(model, batch, first, count, at.workspace);
     if (status == LAG_OK && model->elimination_lanes != NULL && m == 0) { /* as for one state */
         formed->qdd = force;
-        return model->elimination_lanes(&at, force, jacobian, jacobian, gamma, pivot);
+        return model->elimination_lanes(&at, force, gamma, jacobian, jacobian, jacobian, gamma, pivot);
     }
     return status == LAG_OK ? model->dynamics_lanes(&at, mass, force, jacobian, gamma) : status;
 }

@@ -150,7 +150,8 @@ static int eliminate(const lag_model *model, const lag_arguments *at, const plac
     if (model->elimination == NULL || model->nc > 0) {
         return 0;
     }
-    const lag_status status = model->elimination(at, qdd, to->rows, to->jacobian, to->gamma, &pivot);
+    const lag_status status =
+        model->elimination(at, qdd, to->lam, to->rows, to->rows, to->jacobian, to->gamma, &pivot);
     return status == LAG_OK && pivot > smallest_pivot && finite_or_not(model->nq, qdd, LAG_OK) == LAG_OK;
 }
 

@@ -5,6 +5,15 @@ lag_status lag_prepare(const lag_model *model, const lag_arguments *at)
     return model->prepare(at->p, at->workspace);
 }
 
+static lag_status eliminate(const lag_model *model, const lag_arguments *at, double *r)
+{
+    double *response = r + model->nq + model->nc;
+    double *lam_response = response + model->nk * model->nq;
+    double *jacobian = lam_response + model->nk * model->nc;
+    double *gamma = jacobian + model->nk * model->nq;
+    return model->elimination(at, r, r + model->nq, response, lam_response, jacobian, gamma, gamma + model->nk);
+}
+
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
 {
     const size_t n = model->nq;
@@ -50,7 +59,7 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         if (model->elimination == NULL) {
             return LAG_MISSING;
         }
-        return model->elimination(at, r, r + n, r + n + m * n, r + n + 2 * m * n, r + n + 2 * m * n + m);
+        return eliminate(model, at, r);
     }
     return LAG_MISSING;
 }

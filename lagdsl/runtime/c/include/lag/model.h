@@ -147,13 +147,30 @@ typedef struct lag_model {
     lag_status (*residual_tangent_primal)(const lag_arguments *at);
 
     /*
-     * t q qd z u w p -> M^-1 f (nq), M^-1 J' row by row (nc, nq), J (nc, nq), gamma (nc), and what is left of the smallest
-     * pivot, relatively; null where forming M and solving costs less
+     * t q qd z u w p -> with the multipliers of `kept_rows` zero qdd (nq) and lam (nc); row by row what these multipliers add
+     * to qdd (nk, nq) and to lam (nk, nc); J (nk, nq) and gamma (nk) of these rows; and what is left of the smallest pivot,
+     * relatively. Null where forming M and solving costs less.
      */
     lag_status (*elimination)(
-        const lag_arguments *at, double *qdd, double *response, double *jacobian, double *gamma, double *pivot);
+        const lag_arguments *at,
+        double *qdd,
+        double *lam,
+        double *response,
+        double *lam_response,
+        double *jacobian,
+        double *gamma,
+        double *pivot);
     lag_status (*elimination_lanes)(
-        const lag_arguments *at, double *qdd, double *response, double *jacobian, double *gamma, double *pivot);
+        const lag_arguments *at,
+        double *qdd,
+        double *lam,
+        double *response,
+        double *lam_response,
+        double *jacobian,
+        double *gamma,
+        double *pivot);
+    size_t nk;               /* rows of constraints whose multipliers elimination leaves to run time */
+    const size_t *kept_rows; /* (nk) ascending */
 } lag_model;
 
 #endif
