@@ -4,7 +4,7 @@ import pytest
 from elimination_models import PLANAR, SCALARS, SPATIAL, eliminated, flat_model, largest_residual
 from mechanics_models import body, constraint, definition, energy, expression, frame, mass, model, point, triple
 
-from lagdsl.flat.model import Move, Rotate, RotateAbout
+from lagdsl.flat.model import FlatModel, Move, Rotate, RotateAbout
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 
@@ -79,6 +79,21 @@ GENERAL = {
 @pytest.mark.parametrize("name", GENERAL)
 def test_any_lagrangian(name: str) -> None:
     assert largest_residual(GENERAL[name]) < 1e-12
+
+
+@pytest.mark.parametrize(("axis", "sign"), [((0, 0, 3), ""), ((0, 0, -2), "-")])
+def test_turning_about_a_vector_along_an_own_axis_is_turning_about_that_axis(
+    axis: tuple[int, int, int], sign: str
+) -> None:
+    def pendulum(step: Rotate | RotateAbout) -> FlatModel:
+        frames = (frame("A", "world", Rotate(0, expression("a"))), frame("B", "A", Move(triple((1, 0.2, 0))), step))
+        bodies = (body("A", 1, (0, 0, 0), INERTIA), body("B", 1, (0.3, 0.1, 0), INERTIA))
+        return model(coordinates=("a", "b"), named=frames, gravity="v(0, -9.81, 0)", bodies=bodies)
+
+    by_vector = pendulum(RotateAbout(triple(axis), expression("b")))
+    assert largest_residual(by_vector) < 1e-13
+    by_axis = pendulum(Rotate(2, expression(f"{sign}b")))
+    assert eliminated(by_vector)[1].flops == eliminated(by_axis)[1].flops
 
 
 def test_pivot_tells_where_the_mass_matrix_is_singular() -> None:
