@@ -32,7 +32,6 @@ Derivation: TypeAlias = Literal["graph", "textbook"]
 EngineName: TypeAlias = Literal["numpy", "c"]
 
 _DEEPEST_RECURSION = 20_000
-_MANY = 40
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,14 +85,14 @@ def elaborate(
     return None if sink.has_errors else flat
 
 
-def derive(flat: FlatModel, derivation: Derivation = "graph", *, dense: bool = True) -> Program:
-    """The equations of motion as a program, by the route of that name; `dense` as on the graph route."""
+def derive(flat: FlatModel, derivation: Derivation = "graph") -> Program:
+    """The equations of motion as a program, by the route of that name."""
     with _deep_recursion():
         match derivation:
             case "graph":
                 from lagdsl.mechanics.derive import derive as derive_on_graph
 
-                return derive_on_graph(flat, dense=dense)
+                return derive_on_graph(flat)
             case "textbook":
                 from lagdsl.textbook.derive import derive as derive_by_textbook
                 from lagdsl.textbook.lower import lower
@@ -103,11 +102,11 @@ def derive(flat: FlatModel, derivation: Derivation = "graph", *, dense: bool = T
                 raise ValueError(f"there is no derivation `{derivation}`; there are graph, textbook")
 
 
-def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph", *, dense: bool = True) -> Compilation | None:
+def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Compilation | None:
     """Flat model to program, with ranks, degrees of freedom and redundant rows; None after errors."""
     from lagdsl.mechanics.structure import analyze
 
-    structure = analyze(flat, derive(flat, derivation, dense=dense), sink)
+    structure = analyze(flat, derive(flat, derivation), sink)
     if sink.has_errors:
         return None
     if flat.invariants or flat.loads:
@@ -148,8 +147,7 @@ def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnost
     compilation = None
     try:
         flat = elaborate(unit, sink, model=model)
-        # A check evaluates M a few times: it need not be written out where it is large.
-        compilation = middle(flat, sink, dense=len(flat.coordinates) < _MANY) if flat is not None else None
+        compilation = middle(flat, sink) if flat is not None else None
         if compilation is not None:
             from lagdsl.simulate.first_instant import check_first_instant
             from lagdsl.simulate.initialize import initial_state

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from lagdsl.eliminate.count import flops
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import FlatModel, Item
 from lagdsl.graph.graph import Graph
@@ -18,7 +19,7 @@ from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.provided import Provider
 from lagdsl.mechanics.symbols import Symbols
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
-from lagdsl.program.functions import SIGNATURES
+from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.program import Block, Function, Program
 
@@ -50,29 +51,33 @@ def form_equations(flat: FlatModel) -> Derivation:
     )
 
 
-def derive(flat: FlatModel, *, dense: bool = True) -> Program:
-    """All functions of `lagdsl.program.functions`; without `dense`, those that write out M are left out (see
-    `lagdsl.program.lanes`).
+# From so many coordinates on, M is not written out.
+_MANY = 40
+
+
+def derive(flat: FlatModel, *, dense: bool | None = None) -> Program:
+    """All functions of `lagdsl.program.functions`; `dense`: those that write out M, else what forms it by columns. By
+    default the number of coordinates decides.
 
     Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that
     has none (E0304).
     """
     derivation = form_equations(flat)
     blocks = {
-        **_equations(derivation, dense),
+        **_equations(derivation, len(flat.coordinates) < _MANY if dense is None else dense),
         **_energies(derivation),
         **_observed(derivation),
         **_start(derivation),
     }
     functions = tuple(
         Function(name=name, arguments=arguments, results=tuple(blocks[name]))
-        for name, arguments in SIGNATURES.items()
+        for name, arguments in {**SIGNATURES, **OPTIONAL}.items()
         if name in blocks
     )
-    if dense:
-        written_out = [node for block in blocks["dynamics"] for node in block.elements]
-        directions = derivation.symbols.directions
-        functions += eliminated_equations(derivation.lowering, flat, derivation.dynamics, directions, written_out)
+    directions = derivation.symbols.directions
+    functions += eliminated_equations(
+        derivation.lowering, flat, derivation.dynamics, directions, _cost_of_forming(derivation, blocks)
+    )
     return Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
 
 
@@ -92,15 +97,13 @@ def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
     pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
     r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
     s = [lowering.rate.of(residual) for residual in velocity]
-    written_out: dict[str, list[Block]] = {}
     if dense:
         mass = _matrix("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
-        written_out = {
-            "mass_matrix": [mass],
-            "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)],
-        }
+        formed = {"mass_matrix": [mass], "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)]}
+    else:
+        formed = {"momentum_tangent": [_vector("momenta", directional(graph, terms.momentum, (Group.QD,)))]}
     return {
-        **written_out,
+        **formed,
         "position_constraint": [_vector("phi", phi), jacobian],
         "velocity_constraint": [_vector("residual", velocity), jacobian],
         "constraint_tangent": [
@@ -114,6 +117,18 @@ def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
             _vector("ds", directional(graph, s, STATE_GROUPS)),
         ],
     }
+
+
+def _cost_of_forming(derivation: Derivation, blocks: dict[str, list[Block]]) -> int:
+    """Operations for M, f, J and gamma at run time."""
+    graph = derivation.graph
+
+    def cost(*names: str) -> int:
+        return flops(graph, [node for name in names for block in blocks[name] for node in block.elements])
+
+    if "dynamics" in blocks:
+        return cost("dynamics")
+    return len(derivation.symbols.q) * cost("momentum_tangent") + cost("inverse_dynamics", "velocity_constraint")
 
 
 def _refuse_accelerating_states(derivation: Derivation, forces: Sequence[int]) -> None:

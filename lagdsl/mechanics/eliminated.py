@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from lagdsl.diagnostics import CompilationFailed
-from lagdsl.eliminate.count import flops
 from lagdsl.eliminate.form import NotApplicable
 from lagdsl.eliminate.solve import Solution, solve
 from lagdsl.flat.model import FlatModel
@@ -18,9 +15,9 @@ from lagdsl.program.program import Block, Function
 
 
 def eliminated_equations(
-    lowering: Lowering, flat: FlatModel, found: Dynamics, directions: Directions, dense: Sequence[int]
+    lowering: Lowering, flat: FlatModel, found: Dynamics, directions: Directions, forming: int
 ) -> tuple[Function, ...]:
-    """The function `elimination`, or nothing. `dense` are the nodes of M, f, J and gamma that it is to beat.
+    """The function `elimination`, or nothing. `forming` are the operations for M, f, J and gamma that it is to beat.
 
     Models with constraints are left to the dense path, whose ranks are told apart further than those of J M^-1 J'.
     """
@@ -33,7 +30,7 @@ def eliminated_equations(
         return ()
     except CompilationFailed:  # an input has no derivative that only this form asks for
         return ()
-    if solution.flops >= flops(lowering.graph, dense) + _factorization(size):
+    if solution.flops >= forming + _factorization(size):
         return ()
     return (Function(name="elimination", arguments=OPTIONAL["elimination"], results=_blocks(solution, size)),)
 

@@ -24,9 +24,14 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | monitor | t q qd z u w p qdd lam | invariant (ni), scale (ni): largest absolute term of each, assertion (na) |
 | initial_equation | t q qd z u w p qdd lam | residual (ne) of the initial equations |
 | constraint_tangent | t q qd z u w p dq dqd dz du dp | dphi (nc), and d(J qd + b) (nc), along a direction |
+| momentum_tangent | t q qd z u w p dqd | M dqd (nq) |
 | elimination | t q qd z u w p | a (nq), l (nc), Y (nk, nq), K (nk, nc), J (nk, nq), gamma (nk), pivot: see below |
 
-The last one is there only where solving the equations while they are expressions costs less than forming M and solving
+M written out has nq^2 entries, and in a long tree of bodies each of them is a sum over what both coordinates move;
+`momentum_tangent` is of the size of the kinetic energy. Programs of many coordinates have it in place of `mass_matrix`
+and `dynamics`, which engines then form column by column.
+
+`elimination` is there only where solving the equations while they are expressions costs less than forming M and solving
 at run time. The multipliers of the nk rows `Program.kept_rows` are left to run time, lam_k; all others are solved for:
 
     qdd = a + Y' lam_k ,   lam = l + K' lam_k (and lam_k itself at its rows) ,   J Y' lam_k = gamma - J a
@@ -65,4 +70,7 @@ SIGNATURES: dict[str, tuple[Group, ...]] = {
 }
 
 # Functions that not every program has.
-OPTIONAL: dict[str, tuple[Group, ...]] = {"elimination": STATE}
+OPTIONAL: dict[str, tuple[Group, ...]] = {"elimination": STATE, "momentum_tangent": (*STATE, Group.DIRECTION_QD)}
+
+# Those that a program may lack where it has `momentum_tangent`.
+WRITTEN_OUT = ("mass_matrix", "dynamics")

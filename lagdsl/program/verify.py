@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.graph.operation import Group, Op
-from lagdsl.program.functions import OPTIONAL, SIGNATURES
+from lagdsl.program.functions import OPTIONAL, SIGNATURES, WRITTEN_OUT
 from lagdsl.program.program import Function, Layout, Program
 
 _N = "nq"
@@ -30,6 +30,7 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "power": ((_N,), (_N,)),
     "monitor": (("ni",), ("ni",), ("na",)),
     "initial_equation": (None,),
+    "momentum_tangent": ((_N,),),
     "elimination": ((_N,), (_ROWS,), (_KEPT, _N), (_KEPT, _ROWS), (_KEPT, _N), (_KEPT,), ()),
 }
 
@@ -59,8 +60,10 @@ def verify(program: Program) -> None:
     _verify_rows(program)
     _verify_graph(program)
     names = [function.name for function in program.functions]
-    needed = [name for name in names if name not in OPTIONAL]
-    _require(sorted(needed) == sorted(SIGNATURES) and len(names) == len(set(names)), f"functions are {names}")
+    by_columns = set(WRITTEN_OUT if program.has("momentum_tangent") else ())
+    needed = SIGNATURES.keys() - by_columns
+    complete = needed <= set(names) <= needed | OPTIONAL.keys()
+    _require(complete and len(names) == len(set(names)), f"functions are {names}")
     for function in program.functions:
         _require(function.arguments == {**SIGNATURES, **OPTIONAL}[function.name], f"signature of {function.name}")
         _verify_shapes(function, program)

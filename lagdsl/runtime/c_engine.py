@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 from lagdsl.backends.c.emit import model_symbol, sources
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.program.functions import OPTIONAL, SIGNATURES, STATE
+from lagdsl.program.functions import OPTIONAL, SIGNATURES, STATE, WRITTEN_OUT
 from lagdsl.program.program import Program
+from lagdsl.program.verify import RESULT_SHAPES, sizes
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.build import build
 from lagdsl.runtime.cores import Part, share_out
@@ -35,10 +36,11 @@ class CEngine:
     def __init__(self, program: Program, *, lanes: bool = False) -> None:
         self.layout = program.layout
         self._library = _loaded(program, lanes)
-        self._shapes = {f.name: tuple(block.shape for block in f.results) for f in program.functions}
+        self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
+        self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._number = {name: index for index, name in enumerate((*SIGNATURES, *OPTIONAL))}
-        self._signature = {f.name: f.arguments for f in program.functions}
+        self._signature = {**SIGNATURES, **OPTIONAL}
         self._allocate()
 
     def _allocate(self) -> None:
@@ -195,6 +197,12 @@ class CEngine:
 def _address(array: Floats) -> int | None:
     """For C, where an array that holds nothing is null."""
     return array.ctypes.data if array.size else None
+
+
+def _formed_shapes(program: Program, function: str) -> tuple[tuple[int, ...], ...]:
+    """Shapes of the results of a function that the program may lack."""
+    lengths = sizes(program.layout)
+    return tuple(tuple(lengths[length] for length in shape or ()) for shape in RESULT_SHAPES[function])
 
 
 def _loaded(program: Program, lanes: bool) -> Library:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import cached_property
 from types import SimpleNamespace
 from typing import Any
 
@@ -15,12 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.backends.python.body import ELEMENTARY, body, body_name
 from lagdsl.backends.python.emit import motion_sizes, shapes, signature
 from lagdsl.backends.python.support import linear
+from lagdsl.backends.python.support.columns import BY_COLUMNS, formed
 from lagdsl.backends.python.support.motion import differentiate_motion, solve_motion
 from lagdsl.backends.python.support.vectorize import apply, split
 from lagdsl.graph.fold import SCALAR
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group, Op
 from lagdsl.program.functions import STATE
-from lagdsl.program.lanes import OMITTED, Lanes
 from lagdsl.program.program import Block, Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.cores import share_out
@@ -63,8 +62,8 @@ class NumpyEngine:
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of any function of the program."""
-        if function in OMITTED and function not in self._functions:
-            return self._lanes.evaluate(function, *arguments)
+        if self._is_formed(function):
+            return formed(self.evaluate_many, function, *map(np.asarray, arguments))
         try:
             values = self._body(function)(_ON_NUMBERS, *(_plain(argument) for argument in arguments))
         except (ArithmeticError, ValueError):  # not a finite number somewhere: NumPy goes on where Python stops
@@ -77,6 +76,8 @@ class NumpyEngine:
 
     def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
         """Result blocks, each of shape (leading axes of the arguments, own shape)."""
+        if self._is_formed(function):
+            return formed(self.evaluate_many, function, *map(np.asarray, arguments))
         body = self._body(function)
         count = len(self._varied[function][0])
         (values,) = apply(function, body, self._signature[function], ((count,),), arguments)
@@ -114,9 +115,8 @@ class NumpyEngine:
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate) from None
 
-    @cached_property
-    def _lanes(self) -> Lanes:
-        return Lanes(self._program)
+    def _is_formed(self, function: str) -> bool:
+        return function in BY_COLUMNS and function not in self._functions
 
     def _body(self, function: str) -> Callable[..., Sequence[float]]:
         """The compiled body: it returns the elements that are no constants. Its text is our own: names of the user

@@ -42,7 +42,7 @@ def in_lanes(program: Program, prepared: Mapping[int, Place], scratch: int) -> P
     beyond = f"at->workspace + {len(prepared)} * LAG_LANES"
     made_for = [_function(program, name, prepared, LANES, beyond) for name in names]
     states = "".join(text for text, _ in made_for)
-    of_states = max(made.scratch for _, made in made_for)
+    of_states = max((made.scratch for _, made in made_for), default=0)
     function = program.function(_OF_DIRECTIONS)
     shared = _shared(program.graph, results(program, function, SINGLE).stores, prepared)
     stores = tuple(Store(place, node) for node, place in shared.items())

@@ -33,6 +33,7 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "power": ("load", "dissipated"),
     "monitor": ("invariant", "scale", "assertion"),
     "initial_equation": ("residual",),
+    "momentum_tangent": ("momentum",),
     "elimination": ("qdd", "lam", "response", "lam_response", "jacobian", "gamma", "pivot"),
 }
 _FEWEST_ZEROS = 8

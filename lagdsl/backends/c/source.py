@@ -11,6 +11,7 @@ from lagdsl.backends.c.literal import number, string
 from lagdsl.backends.c.results import RESULTS, Results, definition, place_of, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
+from lagdsl.program.functions import WRITTEN_OUT
 from lagdsl.program.passes.hoist import hoisted
 from lagdsl.program.program import Function, Layout, Program, Slot
 from lagdsl.program.verify import sizes
@@ -31,11 +32,12 @@ def source(program: Program, stem: str, lanes: bool = False) -> str:
         [
             f"/* Equations of motion of {comment_text(program.name)}, generated: see lag/model.h for what is what. */",
             f'#include "{stem}.h"\n',
-            '#include <math.h>\n\n#include "lag/trigonometry.h"\n',
+            '#include <math.h>\n\n#include "lag/columns.h"\n#include "lag/trigonometry.h"\n',
             _tables(program),
             preparation,
             *functions,
             parallel.definitions,
+            *_by_columns(program, stem, parallel.workspace),
             _model(program, stem, len(prepared), parallel),
         ]
     )
@@ -73,6 +75,19 @@ def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]
     body = definition(head, made, Results(), SINGLE, f"at->workspace + {len(prepared)}")
     prepare = "static lag_status model_prepare(const double *p, double *workspace)"
     return body + braced(prepare, [*lines, "return model_prepare_from(&given, workspace);"]), made.scratch
+
+
+def _by_columns(program: Program, stem: str, memory: str) -> list[str]:
+    """The functions that are formed from others, whose memory is beyond that of all the others."""
+    formed = [name for name in WRITTEN_OUT if not program.has(name)]
+    return [_formed(name, stem, memory) for name in formed]
+
+
+def _formed(name: str, stem: str, memory: str) -> str:
+    parameters = ", ".join(["const lag_arguments *at", *(f"double *{result}" for result in RESULTS[name])])
+    arguments = ", ".join([f"&{symbol(stem)}", "at", f"at->workspace + {memory}", *RESULTS[name]])
+    helper = {"mass_matrix": "lag_mass_by_columns", "dynamics": "lag_dynamics_by_columns"}[name]
+    return braced(f"static lag_status model_{name}({parameters})", [f"return {helper}({arguments});"])
 
 
 # ---- tables ----------------------------------------------------------------------------------------------------------
@@ -119,11 +134,13 @@ def _array(kind: str, name: str, rows: Sequence[str]) -> str:
 
 def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> str:
     layout = program.layout
-    counts = {
+    formed = [name for name in WRITTEN_OUT if not program.has(name)]
+    beyond = 2 * len(layout.coordinates) + len(layout.constraints) if formed else 0
+    counts: dict[str, object] = {
         **sizes(layout),
         "ne": len(program.function("initial_equation").results[0].elements),
         "rank": len(layout.constraints) - sum(layout.redundant),
-        "workspace": parallel.workspace,
+        "workspace": f"{parallel.workspace} + {beyond}" if beyond else parallel.workspace,
         "prepared": prepared,
         "nk": len(program.kept_rows),
     }
@@ -142,7 +159,7 @@ def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> st
         *(f".{name} = {count}" for name, count in counts.items()),
         *(f".{name} = model_{name}" for name, rows in tables.items() if rows),
         ".prepare = model_prepare",
-        *(f".{function.name} = model_{function.name}" for function in program.functions),
+        *(f".{name} = model_{name}" for name in (*(f.name for f in program.functions), *formed)),
         *parallel.members,
     ]
     lines = [f"{member}\n" if member.startswith("#") else f"    {member},\n" for member in members]

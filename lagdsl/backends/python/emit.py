@@ -13,7 +13,7 @@ from lagdsl.backends.python.support.motion import Sizes
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.program import Function, Program, Slot
 
-_SUPPORT = ("elementary", "vectorize", "linear", "motion", "interface")
+_SUPPORT = ("elementary", "columns", "vectorize", "linear", "motion", "interface")
 _PUBLIC = (
     "forward_dynamics",
     "inverse_dynamics",

@@ -60,6 +60,11 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
             return LAG_MISSING;
         }
         return eliminate(model, at, r);
+    case LAG_MOMENTUM_TANGENT:
+        if (model->momentum_tangent == NULL) {
+            return LAG_MISSING;
+        }
+        return model->momentum_tangent(at, r);
     }
     return LAG_MISSING;
 }

@@ -24,7 +24,8 @@ typedef enum lag_function {
     LAG_MONITOR,
     LAG_INITIAL_EQUATION,
     LAG_CONSTRAINT_TANGENT,
-    LAG_ELIMINATION
+    LAG_ELIMINATION,
+    LAG_MOMENTUM_TANGENT
 } lag_function;
 
 /* prepare() for the parameters and the workspace of `at`. */

@@ -171,6 +171,9 @@ typedef struct lag_model {
         double *pivot);
     size_t nk;               /* rows of constraints whose multipliers elimination leaves to run time */
     const size_t *kept_rows; /* (nk) ascending */
+
+    /* t q qd z u w p, dqd -> M dqd (nq); null where M is written out, else what mass_matrix() and dynamics() are made of */
+    lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
 } lag_model;
 
 #endif
