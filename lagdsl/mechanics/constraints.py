@@ -64,3 +64,10 @@ def velocity_residuals(lowering: Lowering, rows: Rows) -> list[int]:
         lowering.rate.of(residual) if position_level else residual
         for residual, position_level in zip(rows.residuals, rows.position_level, strict=True)
     ]
+
+
+def bias(lowering: Lowering, rows: Rows) -> list[int]:
+    """gamma of every row: what J qdd has to be."""
+    return [
+        lowering.graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity_residuals(lowering, rows)
+    ]

@@ -55,9 +55,9 @@ def form_equations(flat: FlatModel) -> Derivation:
 _MANY = 40
 
 
-def derive(flat: FlatModel, *, dense: bool | None = None) -> Program:
+def derive(flat: FlatModel, *, dense: bool | None = None, constrained: bool = False) -> Program:
     """All functions of `lagdsl.program.functions`; `dense`: those that write out M, else what forms it by columns. By
-    default the number of coordinates decides.
+    default the number of coordinates decides. `constrained`: `elimination` for models with constraints, too.
 
     Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that
     has none (E0304).
@@ -74,11 +74,21 @@ def derive(flat: FlatModel, *, dense: bool | None = None) -> Program:
         for name, arguments in {**SIGNATURES, **OPTIONAL}.items()
         if name in blocks
     )
-    directions = derivation.symbols.directions
-    functions += eliminated_equations(
-        derivation.lowering, flat, derivation.dynamics, directions, _cost_of_forming(derivation, blocks)
+    eliminated: tuple[Function, ...] = ()
+    if constrained or not flat.constraints:
+        cost = _cost_of_forming(derivation, blocks)
+        rows = constraints.constraint_jacobian(derivation.graph, derivation.rows, derivation.symbols.directions)
+        gamma = constraints.bias(derivation.lowering, derivation.rows)
+        eliminated = eliminated_equations(
+            derivation.lowering, flat, derivation.dynamics, derivation.symbols.directions, rows, gamma, cost
+        )
+    return Program(
+        name=flat.name,
+        layout=layout(flat),
+        graph=derivation.graph,
+        functions=functions + eliminated,
+        kept_rows=tuple(range(len(derivation.rows.residuals))) if eliminated else (),
     )
-    return Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
 
 
 def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
@@ -90,7 +100,7 @@ def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
     ]
     velocity = constraints.velocity_residuals(lowering, rows)
     jacobian = _matrix("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
-    gamma = [graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity]
+    gamma = constraints.bias(lowering, rows)
     f = lagrange.forcing(lowering, terms)
     _refuse_accelerating_states(derivation, [*f, *gamma])
     tau = inverse_dynamics(lowering, derivation.flat, derivation.dynamics, directions)
