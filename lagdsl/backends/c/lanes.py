@@ -11,7 +11,6 @@ from lagdsl.backends.c.results import RESULTS, Results, definition, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import DIRECTION_OF, Op
-from lagdsl.program.passes.schedule import live_beside
 from lagdsl.program.program import Program
 
 _OF_STATES = ("dynamics", "elimination")
@@ -87,7 +86,7 @@ def _shared(graph: Graph, stores: tuple[Store, ...], prepared: Mapping[int, Plac
     """Places of the values that do not depend on a direction and that something else needs."""
     along = sum(1 << group for group in DIRECTION_OF.values())
     wanted: dict[int, None] = {}
-    for node in live_beside(graph, [store.node for store in stores], prepared):
+    for node in graph.live([store.node for store in stores], prepared):
         if graph.groups[node] & along:
             wanted.update(dict.fromkeys(graph.arguments(node)))
     wanted.update(dict.fromkeys(store.node for store in stores))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from lagdsl.backends.c.dialect import SCRATCH, Place
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
-from lagdsl.program.passes.schedule import live_beside, schedule
+from lagdsl.program.passes.schedule import schedule
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,11 +79,15 @@ def _levels(
     """How many sines or cosines are one inside the other, by node; and the arguments of all of them."""
     level: dict[int, int] = {}
     arguments: dict[int, None] = {}
-    for node in live_beside(graph, [store.node for store in stores], given):
+    ops, operands = graph.op, graph.operands
+    for node in graph.live([store.node for store in stores], given):
         if node in given:
             continue
-        deepest = max((level.get(argument, 0) for argument in graph.arguments(node)), default=0)
-        if graph.op[node] in (Op.SIN, Op.COS):
+        deepest = 0
+        for operand in operands[node]:
+            if operand in level:
+                deepest = max(deepest, level[operand])
+        if ops[node] is Op.SIN or ops[node] is Op.COS:
             arguments[graph.a[node]] = None
             deepest += 1
         if deepest:
@@ -153,11 +157,12 @@ def _ordered(
 def _reads(graph: Graph, node: int, named: Mapping[int, int], known: Mapping[int, Place]) -> tuple[int, ...]:
     """The variables that the expression of `node` reads."""
     found: dict[int, None] = {}
-    stack = [] if node in known else list(graph.arguments(node))
+    operands = graph.operands
+    stack = [] if node in known else list(operands[node])
     while stack:
-        argument = stack.pop()
-        if argument in named:
-            found[argument] = None
-        elif argument not in known:
-            stack.extend(graph.arguments(argument))
+        operand = stack.pop()
+        if operand in named:
+            found[operand] = None
+        elif operand not in known:
+            stack.extend(operands[operand])
     return tuple(found)
