@@ -13,7 +13,7 @@ from lagdsl.backends.python.support.motion import Sizes
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.program import Function, Program, Slot
 
-_SUPPORT = ("elementary", "columns", "vectorize", "linear", "motion", "interface")
+_SUPPORT = ("elementary", "columns", "vectorize", "linear", "delassus", "motion", "interface")
 _PUBLIC = (
     "forward_dynamics",
     "inverse_dynamics",
@@ -24,7 +24,7 @@ _PUBLIC = (
     "energy",
     "state_jacobian",
 )
-_DROPPED = ("import ", "from ", "Floats = ", "Evaluate = ")
+_DROPPED = ("import ", "from ", "Floats = ", "Flags = ", "Evaluate = ")
 _RESERVED = frozenset({"numpy", "scipy", "setup", "conftest"})
 
 _INTRODUCTION = '''"""Equations of motion of one model, generated. Needs NumPy only.
@@ -52,7 +52,7 @@ def module(program: Program) -> str:
         "from collections.abc import Callable, Mapping, Sequence\n",
         "import numpy as np\nfrom numpy import inf\nfrom numpy.typing import ArrayLike, NDArray\n",
         tables(program),
-        "Floats = NDArray[np.float64]\nEvaluate = Callable[..., tuple[Floats, ...]]\n",
+        "Floats = NDArray[np.float64]\nFlags = NDArray[np.bool_]\nEvaluate = Callable[..., tuple[Floats, ...]]\n",
         *(_support(name) for name in _SUPPORT),
         *(body(program, function) for function in program.functions),
         _functions(program),
@@ -130,7 +130,8 @@ def motion_sizes(program: Program) -> Sizes:
         p=len(layout.parameters),
         c=len(layout.constraints),
         rank=len(layout.constraints) - sum(layout.redundant),
-        eliminated=program.has("elimination") and not layout.constraints,
+        eliminated=program.has("elimination"),
+        kept=program.kept_rows,
     )
 
 

@@ -5,21 +5,25 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.backends.python.support.delassus import solve_kept
 from lagdsl.backends.python.support.linear import SingularSystem, factorize, solve_system
 
 Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 Evaluate = Callable[..., tuple[Floats, ...]]
 
 
 class Sizes:
     """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
-    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, and no rows.
+    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, which leaves the rows `kept`.
     """
 
-    def __init__(self, *, q: int, z: int, u: int, w: int, p: int, c: int, rank: int, eliminated: bool) -> None:
+    def __init__(
+        self, *, q: int, z: int, u: int, w: int, p: int, c: int, rank: int, eliminated: bool, kept: tuple[int, ...]
+    ) -> None:
         self.q, self.z, self.u, self.w, self.p, self.c, self.rank = q, z, u, w, p, c, rank
-        self.eliminated = eliminated
+        self.eliminated, self.kept = eliminated, kept
 
 
 # Where eliminating lost more than this part of a pivot, the dense system tells whether it is singular.
@@ -30,11 +34,33 @@ def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floa
     """Accelerations (..., nq) and multipliers (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
     if not sizes.eliminated:
         return _solve_dense(evaluate, sizes, *state)
-    acceleration, multiplier, *_, pivot = evaluate("elimination", *state)
-    sound = (pivot > SMALLEST_PIVOT) & np.all(np.isfinite(acceleration), axis=-1)
-    if not np.all(sound):
-        acceleration = np.where(sound[..., None], acceleration, _solve_dense(evaluate, sizes, *state)[0])
+    acceleration, multiplier, response, multiplier_response, jacobian, bias, pivot = evaluate("elimination", *state)
+    sound: Flags = np.asarray(pivot > SMALLEST_PIVOT)
+    if sizes.kept:
+        acceleration, multiplier, regular = solve_kept(
+            acceleration,
+            multiplier,
+            response,
+            multiplier_response,
+            jacobian,
+            bias,
+            sizes.kept,
+            sizes.rank - sizes.c + len(sizes.kept),
+        )
+        sound = sound & regular
+    sound = sound & np.isfinite(acceleration).all(axis=-1) & np.isfinite(multiplier).all(axis=-1)
+    if not sound.any():
+        return _solve_dense(evaluate, sizes, *state)
+    if not sound.all():
+        time, *vectors = (_at(~sound, argument, axes) for argument, axes in zip(state, (0, *[1] * 6), strict=True))
+        acceleration[~sound], multiplier[~sound] = _solve_dense(evaluate, sizes, time, *vectors)
     return acceleration, multiplier
+
+
+def _at(states: Flags, argument: Floats, axes: int) -> Floats:
+    """The argument at some of the states; it has `axes` axes of its own."""
+    own = argument.shape[argument.ndim - axes :]
+    return np.broadcast_to(argument, states.shape + own)[states]
 
 
 def _solve_dense(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:

@@ -78,7 +78,8 @@ size_t lag_batch_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t arguments = 1 + 2 * n + model->nz + model->nu + model->nw + model->np;
-    return model->dynamics_lanes == NULL ? 0 : model->lanes * (arguments + n * n + n + m * n + m + 1) + model->workspace_lanes;
+    const size_t formed = n * n + n + m * n + m + 1 + model->nk * (n + m) + m;
+    return model->dynamics_lanes == NULL ? 0 : model->lanes * (arguments + formed) + model->workspace_lanes;
 }
 
 /* Array x of the states from `first` on, in groups of lanes; the last state fills lanes that have none. */
@@ -130,7 +131,10 @@ static lag_status form(
     double *gamma = jacobian + m * n * lanes;
     lag_arguments at = state(batch, first);
     double *pivot = gamma + m * lanes;
-    at.workspace = pivot + lanes;
+    double *response = pivot + lanes;
+    double *lam_response = response + model->nk * n * lanes;
+    double *lam = lam_response + model->nk * m * lanes;
+    at.workspace = lam + m * lanes;
     memory = at.workspace + model->workspace_lanes;
     at.times = interleave(&memory, lanes, first, count, 1, batch->t, batch->t_stride);
     at.q = interleave(&memory, lanes, first, count, n, batch->q, batch->q_stride);
@@ -140,15 +144,18 @@ static lag_status form(
     at.w = interleave(&memory, lanes, first, count, model->nw, batch->w, batch->w_stride);
     at.p = interleave(&memory, lanes, first, count, model->np, batch->p, batch->p_stride);
     formed->qdd = NULL;
+    formed->lam = lam;
+    formed->response = response;
+    formed->lam_response = lam_response;
     formed->pivot = pivot;
     formed->mass = mass;
     formed->force = force;
     formed->jacobian = jacobian;
     formed->gamma = gamma;
     const lag_status status = prepare_lanes(model, batch, first, count, at.workspace);
-    if (status == LAG_OK && model->elimination_lanes != NULL && m == 0) { /* as for one state */
+    if (status == LAG_OK && model->elimination_lanes != NULL) { /* as for one state */
         formed->qdd = force;
-        return model->elimination_lanes(&at, force, gamma, jacobian, jacobian, jacobian, gamma, pivot);
+        return model->elimination_lanes(&at, force, lam, response, lam_response, jacobian, gamma, pivot);
     }
     return status == LAG_OK ? model->dynamics_lanes(&at, mass, force, jacobian, gamma) : status;
 }

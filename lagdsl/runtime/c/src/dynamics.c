@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "lag/delassus.h"
+
 /* Where the functions of this file keep what. */
 typedef struct places {
     double *mass, *force, *jacobian, *gamma; /* (nq, nq) (nq) (nc, nq) (nc) */
@@ -12,6 +14,9 @@ typedef struct places {
     double *dqdd, *dlam;                     /* (nq) (nc) */
     double *directions;                      /* (2 nq + nz + nu + np) in lanes */
     double *motions, *rows_of;               /* (nq) (nc) in lanes */
+    double *response, *lam_response;         /* (nk, nq) (nk, nc) */
+    double *kept_jacobian, *kept_gamma;      /* (nk, nq) (nk) */
+    double *delassus;
     double *system;
 } places;
 
@@ -44,6 +49,11 @@ static places place(const lag_model *model, double *memory)
     at.directions = take(&memory, model->lanes * (2 * n + model->nz + model->nu + model->np));
     at.motions = take(&memory, model->lanes * n);
     at.rows_of = take(&memory, model->lanes * m);
+    at.response = take(&memory, model->nk * n);
+    at.lam_response = take(&memory, model->nk * m);
+    at.kept_jacobian = take(&memory, model->nk * n);
+    at.kept_gamma = take(&memory, model->nk);
+    at.delassus = take(&memory, lag_delassus_memory(m, model->nk));
     at.system = memory;
     return at;
 }
@@ -53,7 +63,9 @@ size_t lag_dynamics_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t lanes = model->lanes * (3 * n + m + model->nz + model->nu + model->np);
-    return n * n + m * n + 6 * n + 4 * m + 2 * model->nz + model->nu + model->np + lanes + lag_system_memory(n, m);
+    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
+    const size_t own = n * n + m * n + 6 * n + 4 * m + 2 * model->nz + model->nu + model->np;
+    return own + lanes + kept + lag_system_memory(n, m);
 }
 
 static void fill(size_t count, double value, double *x)
@@ -108,6 +120,50 @@ static lag_status solve(
 /* Where eliminating lost more than this part of a pivot, the dense system tells whether it is singular. */
 static const double smallest_pivot = 1e-6;
 
+lag_status lag_factor_eliminated(
+    const lag_model *model,
+    const double *response,
+    const double *lam_response,
+    const double *jacobian,
+    double pivot,
+    double *memory,
+    lag_delassus *system)
+{
+    const size_t solved = model->nc - model->nk;
+    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, memory);
+    system->response = response;
+    system->lam_response = lam_response;
+    system->jacobian = jacobian;
+    return pivot > smallest_pivot ? lag_delassus_factor(system, model->rank - solved) : LAG_MISSING;
+}
+
+lag_status lag_solve_eliminated(
+    const lag_model *model,
+    const double *response,
+    const double *lam_response,
+    const double *jacobian,
+    const double *gamma,
+    double pivot,
+    double *memory,
+    double *qdd,
+    double *lam)
+{
+    lag_delassus system;
+    if (lag_factor_eliminated(model, response, lam_response, jacobian, pivot, memory, &system) != LAG_OK) {
+        return LAG_MISSING;
+    }
+    lag_delassus_solve(&system, gamma, qdd, lam);
+    const lag_status finite = finite_or_not(model->nc, lam, finite_or_not(model->nq, qdd, LAG_OK));
+    return finite == LAG_OK ? LAG_OK : LAG_MISSING;
+}
+
+static void pick(size_t count, const double *lanes, size_t stride, size_t lane, double *x)
+{
+    for (size_t i = 0; i < count; ++i) {
+        x[i] = lanes[i * stride + lane];
+    }
+}
+
 lag_status lag_forward_dynamics_of_lane(
     const lag_model *model,
     const lag_formed *formed,
@@ -119,47 +175,56 @@ lag_status lag_forward_dynamics_of_lane(
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
+    const size_t kept = model->nk;
+    const size_t lanes = model->lanes;
     const places to = place(model, memory);
     lag_system system;
     if (formed->qdd != NULL) {
-        for (size_t i = 0; i < n; ++i) {
-            qdd[i] = formed->qdd[i * model->lanes + lane];
-        }
-        const int usable = formed->pivot[lane] > smallest_pivot && finite_or_not(n, qdd, LAG_OK) == LAG_OK;
-        return usable ? LAG_OK : LAG_MISSING;
+        pick(n, formed->qdd, lanes, lane, qdd);
+        pick(m, formed->lam, lanes, lane, lam);
+        pick(kept * n, formed->response, lanes, lane, to.response);
+        pick(kept * m, formed->lam_response, lanes, lane, to.lam_response);
+        pick(kept * n, formed->jacobian, lanes, lane, to.kept_jacobian);
+        pick(kept, formed->gamma, lanes, lane, to.kept_gamma);
+        return lag_solve_eliminated(
+            model,
+            to.response,
+            to.lam_response,
+            to.kept_jacobian,
+            to.kept_gamma,
+            formed->pivot[lane],
+            to.delassus,
+            qdd,
+            lam);
     }
-    for (size_t i = 0; i < n * n; ++i) {
-        to.mass[i] = formed->mass[i * model->lanes + lane];
-    }
-    for (size_t i = 0; i < n; ++i) {
-        to.force[i] = formed->force[i * model->lanes + lane];
-    }
-    for (size_t i = 0; i < m * n; ++i) {
-        to.jacobian[i] = formed->jacobian[i * model->lanes + lane];
-    }
-    for (size_t i = 0; i < m; ++i) {
-        to.gamma[i] = formed->gamma[i * model->lanes + lane];
-    }
+    pick(n * n, formed->mass, lanes, lane, to.mass);
+    pick(n, formed->force, lanes, lane, to.force);
+    pick(m * n, formed->jacobian, lanes, lane, to.jacobian);
+    pick(m, formed->gamma, lanes, lane, to.gamma);
     return solve_formed(model, &to, &system, qdd, lam, coordinate);
 }
 
-/* Whether qdd was found by elimination: only without constraints. */
-static int eliminate(const lag_model *model, const lag_arguments *at, const places *to, double *qdd)
+static lag_status eliminate(
+    const lag_model *model, const lag_arguments *at, const places *to, double *qdd, double *lam)
 {
     double pivot = 0.0;
-    if (model->elimination == NULL || model->nc > 0) {
-        return 0;
+    if (model->elimination == NULL) {
+        return LAG_MISSING;
     }
-    const lag_status status =
-        model->elimination(at, qdd, to->lam, to->rows, to->rows, to->jacobian, to->gamma, &pivot);
-    return status == LAG_OK && pivot > smallest_pivot && finite_or_not(model->nq, qdd, LAG_OK) == LAG_OK;
+    const double *jacobian = to->kept_jacobian;
+    const lag_status status = model->elimination(
+        at, qdd, lam, to->response, to->lam_response, to->kept_jacobian, to->kept_gamma, &pivot);
+    return status == LAG_OK
+        ? lag_solve_eliminated(
+              model, to->response, to->lam_response, jacobian, to->kept_gamma, pivot, to->delassus, qdd, lam)
+        : status;
 }
 
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
     const places to = place(model, memory);
-    if (eliminate(model, at, &to, qdd)) {
+    if (eliminate(model, at, &to, qdd, lam) == LAG_OK) {
         return LAG_OK;
     }
     lag_system system;
