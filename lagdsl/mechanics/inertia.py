@@ -14,7 +14,6 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 from lagdsl.graph.substitute import Substitution
 from lagdsl.mechanics.carriers import Carrier, is_put, kinetic_energy, place_of, tensor_of
-from lagdsl.mechanics.frames import Loosened, Released
 from lagdsl.mechanics.lagrange import Dynamics
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.own_accelerations import Accelerations, Moving, spread_of
@@ -90,11 +89,8 @@ class _Builder:
     def _add_body(self, frame: str, carrier: Carrier, com: Vector, tensor: Axes) -> None:
         graph = self._graph
         pose = self._poses[frame]
-        ancestor: str | None = frame
-        while ancestor is not None:
-            if any(isinstance(motion, Loosened | Released) for motion in self._poses[ancestor].motions):
-                raise NotApplicable
-            ancestor = self._poses[ancestor].parent
+        if self._poses.is_released(frame):
+            raise NotApplicable
         moving = self._accelerations.of(frame)
         omega, velocity = self._poses.own_twist(frame)
         mass = carrier.mass

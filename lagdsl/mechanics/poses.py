@@ -19,7 +19,7 @@ from lagdsl.flat.model import (
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import frames, velocities
-from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, SetTo, Shift
+from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, Released, SetTo, Shift
 from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_own, to_world
 from lagdsl.mechanics.velocities import Rates, Twist
 
@@ -67,6 +67,7 @@ class Poses:
         self._rates = rates
         self._release = release
         self._poses = {"world": frames.world(graph)}
+        self._released: set[str] = set()
         at_rest = (graph.zero, graph.zero, graph.zero)
         self._own = {"world": at_rest}
         self._world = {"world": at_rest}
@@ -74,6 +75,10 @@ class Poses:
 
     def __contains__(self, name: str) -> bool:
         return name in self._poses
+
+    def is_released(self, name: str) -> bool:
+        """Whether a reaction releases this frame or one that carries it."""
+        return name in self._released
 
     def __getitem__(self, name: str) -> Pose:
         return self._poses[name]
@@ -102,6 +107,9 @@ class Poses:
         if frame.image is not None and frame.image.of is not None:
             pose = self._release.move_frame(self._graph, frame.image.of, pose, within)
         self._poses[frame.name] = pose
+        released = any(isinstance(motion, Loosened | Released) for motion in pose.motions)
+        if released or self.is_released(frame.parent):
+            self._released.add(frame.name)
 
     def _turn(
         self,

@@ -23,6 +23,11 @@ class ProgramFunctions:
     def layout(self) -> Layout:
         return self.program.layout
 
+    @property
+    def by_columns(self) -> bool:
+        """Whether M is not written out and the equations are solved without it."""
+        return self.program.has("elimination") and not self.program.has("mass_matrix")
+
     def restricted(self, rows: list[int]) -> ProgramFunctions:
         """The same with all other rows of the position constraints, and of J there, zero."""
         program, kept = self.program, set(rows)
