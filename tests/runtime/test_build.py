@@ -155,6 +155,24 @@ def test_without_a_cache_variable_it_lies_in_the_home(tmp_path: Path, monkeypatc
     assert cache_folder() == tmp_path / ".cache" / "lagdsl"
 
 
+def test_libraries_are_made_for_the_processor_that_loads_them(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(compilers.platform, "machine", lambda: "x86_64")
+    names = set()
+    for flags_of_processor in ("sse2", "sse2 avx", None):
+        text = tmp_path / "cpuinfo"
+        text.unlink(missing_ok=True)
+        if flags_of_processor is not None:
+            text.write_text(f"processor: 0\ncpu MHz: 2000\nflags: {flags_of_processor}\n\nprocessor: 1\nflags: other\n")
+        monkeypatch.setattr(compilers, "_PROCESSORS", text)
+        compilers.processor.cache_clear()
+        names.add(content_hash(SOURCES, Compiler(("cc",), "1")))
+        expected = () if flags_of_processor is None else ("-march=native",)
+        assert compilers.native_flags(Compiler(("cc",), "1")) == expected
+        assert compilers.native_flags(Compiler(("cc", "-march=x86-64"), "1")) == ()
+    compilers.processor.cache_clear()
+    assert len(names) == 3
+
+
 def test_large_texts_are_optimized_less() -> None:
     assert flags(10_000)[-1] == "-O2"
     assert flags(300_000)[-1] == "-O1"
