@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, Place
@@ -57,30 +57,26 @@ def listing(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place])
 
     Level by level: sines and cosines of arguments that hold no others, then what those are needed for, and so on.
     """
-    level, arguments = _levels(graph, stores, given)
-    gathers, inner, known = _gathers(graph, level, arguments, given)
+    live = graph.live([store.node for store in stores], given)
+    level, turned = _levels(graph, live, given)
+    gathers, inner, known = _gathers(graph, level, turned, given)
     every = [*inner, *stores]
-    named = sorted(
-        schedule(graph, [store.node for store in every], known).named, key=lambda node: (level.get(node, 0), node)
-    )
+    roots = [store.node for store in every]
+    named = sorted(schedule(graph, roots, known, live).named, key=lambda node: (level.get(node, 0), node))
     position = {node: index for index, node in enumerate(named)}
     due: list[list[Statement]] = [[] for _ in range(len(named) + 1)]
     for store in every:
         reads = (store.node,) if store.node in position else _reads(graph, store.node, position, known)
         due[1 + max((position[node] for node in reads), default=-1)].append(Statement(store.node, store, None, reads))
-    return Listing(
-        graph, tuple(_ordered(graph, named, due, level, gathers, position, known)), known, 3 * len(arguments)
-    )
+    return Listing(graph, tuple(_ordered(graph, named, due, level, gathers, position, known)), known, 3 * len(inner))
 
 
-def _levels(
-    graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place]
-) -> tuple[dict[int, int], dict[int, None]]:
-    """How many sines or cosines are one inside the other, by node; and the arguments of all of them."""
+def _levels(graph: Graph, live: Sequence[int], given: Mapping[int, Place]) -> tuple[dict[int, int], list[int]]:
+    """How many sines or cosines are one inside the other, by node; and all of them."""
     level: dict[int, int] = {}
-    arguments: dict[int, None] = {}
+    turned: list[int] = []
     ops, operands = graph.op, graph.operands
-    for node in graph.live([store.node for store in stores], given):
+    for node in live:
         if node in given:
             continue
         deepest = 0
@@ -88,22 +84,22 @@ def _levels(
             if operand in level:
                 deepest = max(deepest, level[operand])
         if ops[node] is Op.SIN or ops[node] is Op.COS:
-            arguments[graph.a[node]] = None
+            turned.append(node)
             deepest += 1
         if deepest:
             level[node] = deepest
-    return level, arguments
+    return level, turned
 
 
 def _gathers(
-    graph: Graph, level: Mapping[int, int], arguments: Mapping[int, None], given: Mapping[int, Place]
+    graph: Graph, level: Mapping[int, int], turned: Sequence[int], given: Mapping[int, Place]
 ) -> tuple[list[Gather], list[Store], dict[int, Place]]:
     """One gathering per level, the stores of their arguments, and `given` with the places of what they give."""
     gathers: list[Gather] = []
     stores: list[Store] = []
     place: dict[int, tuple[int, int]] = {}
     by_level: dict[int, list[int]] = {}
-    for argument in arguments:
+    for argument in dict.fromkeys(graph.a[node] for node in turned):
         by_level.setdefault(level.get(argument, 0), []).append(argument)
     first = 0
     for which in sorted(by_level):
@@ -114,10 +110,9 @@ def _gathers(
             place[argument] = (index, len(group))
         first += 3 * len(group)
     known = dict(given)
-    for node in level:
-        if graph.op[node] in (Op.SIN, Op.COS):
-            index, count = place[graph.a[node]]
-            known[node] = Place(SCRATCH, index + (count if graph.op[node] is Op.SIN else 2 * count))
+    for node in turned:
+        index, count = place[graph.a[node]]
+        known[node] = Place(SCRATCH, index + (count if graph.op[node] is Op.SIN else 2 * count))
     return gathers, stores, known
 
 

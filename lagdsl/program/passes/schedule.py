@@ -6,7 +6,7 @@ short.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from lagdsl.graph.graph import Graph
@@ -24,11 +24,12 @@ class Schedule:
     symbols: tuple[int, ...]
 
 
-def schedule(graph: Graph, roots: Iterable[int], given: Collection[int] = ()) -> Schedule:
-    """Statements that compute `roots`, where the nodes of `given` are at hand already."""
-    roots = list(roots)
+def schedule(
+    graph: Graph, roots: Sequence[int], given: Collection[int] = (), live: Sequence[int] | None = None
+) -> Schedule:
+    """Statements that compute `roots`, where the nodes of `given` are at hand already; `live`, where it is known."""
     ops, operands = graph.op, graph.operands
-    live = graph.live(roots, given)
+    live = graph.live(roots, given) if live is None else live
     uses = dict.fromkeys(live, 0)
     for node in live:
         if node not in given:
