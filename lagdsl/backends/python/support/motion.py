@@ -26,8 +26,10 @@ class Sizes:
         self.eliminated, self.kept = eliminated, kept
 
 
-# Where eliminating lost more than this part of a pivot, the dense system tells whether it is singular.
+# Where eliminating left less than this part of a pivot, the dense system tells whether it is singular. With rows left,
+# their multipliers take back much of the accelerations without them, and what these lost shows in what is left.
 SMALLEST_PIVOT = 1e-6
+SMALLEST_PIVOT_WITH_ROWS_LEFT = 1e-4
 
 
 def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:
@@ -35,7 +37,7 @@ def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floa
     if not sizes.eliminated:
         return _solve_dense(evaluate, sizes, *state)
     acceleration, multiplier, response, multiplier_response, jacobian, bias, pivot = evaluate("elimination", *state)
-    sound: Flags = np.asarray(pivot > SMALLEST_PIVOT)
+    sound: Flags = np.asarray(pivot > (SMALLEST_PIVOT_WITH_ROWS_LEFT if sizes.kept else SMALLEST_PIVOT))
     if sizes.kept:
         acceleration, multiplier, regular = solve_kept(
             acceleration,

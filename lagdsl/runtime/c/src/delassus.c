@@ -5,7 +5,7 @@
 #include "lag/linalg.h"
 
 /* The same figures as in the NumPy modules: see their file `delassus` for what they mean. */
-static const double LEAST_PIVOT = 1e-8;
+static const double LEAST_PIVOT = 1e-6;
 static const double LARGEST_EXCESS = 1e-10;
 static const double SHORT_RESPONSE = 1e-3;
 
@@ -110,8 +110,9 @@ static void solve_upper(const lag_delassus *s, double *x)
 /* Adds to lam (m) what multipliers x (kept) of the kept rows are and add to the others. */
 static void add_multipliers(const lag_delassus *s, const double *x, double *lam)
 {
+    const size_t others = s->kept < s->m ? s->m : 0;
     for (size_t i = 0; i < s->kept; ++i) {
-        for (size_t j = 0; s->kept < s->m && j < s->m; ++j) {
+        for (size_t j = 0; j < others; ++j) {
             lam[j] += s->lam_response[i * s->m + j] * x[i];
         }
         lam[s->row[i]] += x[i];

@@ -117,8 +117,12 @@ static lag_status solve(
     return status == LAG_OK ? solve_formed(model, to, system, qdd, lam, coordinate) : status;
 }
 
-/* Where eliminating lost more than this part of a pivot, the dense system tells whether it is singular. */
+/*
+ * Where eliminating left less than this part of a pivot, the dense system tells whether it is singular. With rows left, their
+ * multipliers take back much of the accelerations without them, and what these lost shows in what is left.
+ */
 static const double smallest_pivot = 1e-6;
+static const double smallest_pivot_with_rows_left = 1e-4;
 
 lag_status lag_factor_eliminated(
     const lag_model *model,
@@ -134,7 +138,8 @@ lag_status lag_factor_eliminated(
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
-    return pivot > smallest_pivot ? lag_delassus_factor(system, model->rank - solved) : LAG_MISSING;
+    const double smallest = model->nk > 0 ? smallest_pivot_with_rows_left : smallest_pivot;
+    return pivot > smallest ? lag_delassus_factor(system, model->rank - solved) : LAG_MISSING;
 }
 
 lag_status lag_solve_eliminated(
