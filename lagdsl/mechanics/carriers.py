@@ -5,7 +5,7 @@ from __future__ import annotations
 from lagdsl.flat.model import FlatModel, RigidBody
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics import vectors
-from lagdsl.mechanics.frames import Pose, Put, Shift
+from lagdsl.mechanics.frames import is_put
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.vectors import Axes, Vector
 from lagdsl.record import record
@@ -72,12 +72,6 @@ def tensor_of(lowering: Lowering, body: RigidBody) -> Axes:
     """The inertia about the mass centre in the same axes."""
     xx, yy, zz, xy, xz, yz = (lowering.scalar(entry) for entry in body.inertia)
     return ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-
-
-def is_put(pose: Pose) -> bool:
-    """Whether the origin is known as a position of the world, not as a place that the parent carries."""
-    moved = [motion for motion in pose.motions if isinstance(motion, Shift | Put)]
-    return bool(moved) and isinstance(moved[-1], Put)
 
 
 def _spin(lowering: Lowering, body: RigidBody) -> Spin | None:

@@ -109,6 +109,12 @@ def world(graph: Graph) -> Pose:
     return Pose(None, ((one, zero, zero), (zero, one, zero), (zero, zero, one)), (zero, zero, zero))
 
 
+def is_put(pose: Pose) -> bool:
+    """Whether the origin is known as a position of the world, not as a place that the parent carries."""
+    moved = [motion for motion in pose.motions if isinstance(motion, Shift | Put)]
+    return bool(moved) and isinstance(moved[-1], Put)
+
+
 def cosine_and_sine(graph: Graph, angle: int) -> tuple[int, int]:
     """Of whole numbers of quarter turns, which no number of radians is exactly, 0, 1 and -1: the axes stay aligned."""
     if graph.is_constant(angle):

@@ -1,26 +1,26 @@
 """The acceleration form of a model: what its masses, bodies and energies weigh, velocity by velocity.
 
 A rigid body's inertia and equations of Newton and Euler stand in its own axes, a point's in the world's. Everything
-else, any Lagrangian, is differentiated by velocities that are total derivatives of something: for those d/dt(dL/dv) -
-dL/ds needs no further terms, however they depend on the coordinates, and d2L/dv2 is local.
+else, any Lagrangian, is differentiated by the velocities that it is written in (`lagrangian_form`).
 """
 
 from __future__ import annotations
 
 from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.flat.model import FlatModel, RigidBody
-from lagdsl.graph.differentiate import adjoints, mask_of
+from lagdsl.graph.differentiate import mask_of
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Group, Op
-from lagdsl.graph.substitute import Substitution
-from lagdsl.mechanics.carriers import Carrier, is_put, kinetic_energy, place_of, tensor_of
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics.carriers import Carrier, kinetic_energy, place_of, tensor_of
+from lagdsl.mechanics.frames import is_put
 from lagdsl.mechanics.lagrange import Dynamics
+from lagdsl.mechanics.lagrangian_form import Apart, add_lagrangian
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.own_accelerations import Accelerations, Moving, spread_of
 from lagdsl.mechanics.symbols import Directions
+from lagdsl.mechanics.typed_bodies import TypedBody, typed_bodies
 from lagdsl.mechanics.vectors import Axes, Vector, cross, scale
 
-_VELOCITY = (Group.QD, Group.RELEASE_RATE)
 _HELD = mask_of((Group.P,))
 _GIVEN = mask_of((Group.P, Group.TIME))
 _HOLONOMIC = mask_of((Group.P, Group.TIME, Group.Q, Group.U, Group.W))
@@ -37,7 +37,11 @@ def acceleration_form(lowering: Lowering, flat: FlatModel, found: Dynamics, dire
     for term in flat.energies:
         if term.kind in signs:
             rest = signs[term.kind](rest, lowering.scalar(term.value))
-    builder.add_lagrangian(rest)
+    apart = Apart(lowering)
+    bodies, rest = typed_bodies(apart, apart.of(rest))
+    for body in bodies:
+        builder.add_typed(body)
+    add_lagrangian(builder.form, lowering, apart, rest)
     for rate, load, drag in zip(directions.rates, found.terms.load, found.terms.drag, strict=True):
         builder.form.add_force(rate, graph.subtract(load, drag))
     return builder.form
@@ -51,7 +55,9 @@ class _Builder:
         zero = (graph.zero, graph.zero, graph.zero)
         self._gravity = lowering.vector(flat.gravity) if flat.gravity is not None else zero
         self._poses = lowering.poses("world")
-        self._accelerations = Accelerations(graph, self._poses, lowering.rate, lowering.coasting_rate, self._gravity)
+        rates = (lowering.rate, lowering.coasting_rate)
+        self._accelerations = Accelerations(graph, self._poses, *rates, self._gravity)
+        self._weightless = Accelerations(graph, self._poses, *rates, zero)
 
     def add(self, body: RigidBody | None, carrier: Carrier) -> int:
         """One mass or body; what could not be added is given back as a Lagrangian."""
@@ -102,6 +108,13 @@ class _Builder:
         self._add_inertia(omega, velocity, mass, moment, tensor)
         self._add_newton_euler(omega, velocity, moving, mass, moment, tensor)
 
+    def add_typed(self, body: TypedBody) -> None:
+        """A body without weight."""
+        omega, velocity = self._poses.own_twist(body.frame)
+        self._add_inertia(omega, velocity, body.mass, body.moment, body.tensor)
+        moving = self._weightless.of(body.frame)
+        self._add_newton_euler(omega, velocity, moving, body.mass, body.moment, body.tensor)
+
     def _add_inertia(self, omega: Vector, velocity: Vector, mass: int, moment: Vector, tensor: Axes) -> None:
         """1/2 m v.v + v . omega x mc + 1/2 omega . I omega."""
         graph, form = self._graph, self.form
@@ -129,37 +142,6 @@ class _Builder:
             turn = graph.subtract(graph.dot(spread[k], second[j]), graph.dot(spread[j], second[k]))
             form.add_force(velocity[i], graph.negate(push))
             form.add_force(omega[i], graph.negate(graph.add(turn, carried[i])))
-
-    def add_lagrangian(self, lagrangian: int) -> None:
-        """Momenta by velocities that are total derivatives, their rates of change at qdd = 0, and dL/dq without them.
-
-        Symbols stand for the velocities meanwhile, so that simplification does not reach through them.
-        """
-        graph, form, lowering = self._graph, self.form, self._lowering
-        velocities = {graph.symbol(Group.RELEASE_RATE, k): v for k, v in enumerate(self._total_derivatives())}
-        apart = Substitution(graph, {velocity: symbol for symbol, velocity in velocities.items()})
-        together = Substitution(graph, velocities)
-        parts = adjoints(graph, {apart.of(lagrangian): graph.one}, (Group.Q, *_VELOCITY))
-        for symbol, part in parts.items():
-            value = together.of(part)
-            if graph.group(symbol) is Group.Q:
-                form.add_force(graph.symbol(Group.QD, graph.b[symbol]), value)
-                continue
-            velocity = velocities.get(symbol, symbol)
-            form.add_force(velocity, graph.negate(lowering.coasting_rate.of(value)))
-            for other, weight in adjoints(graph, {part: graph.one}, _VELOCITY).items():
-                if other == symbol:
-                    form.add_square(velocity, together.of(weight))
-                elif other < symbol:
-                    form.add_product(velocity, velocities.get(other, other), together.of(weight))
-
-    def _total_derivatives(self) -> list[int]:
-        graph = self._graph
-        known = self._lowering.rate.known()
-        rates = (rate for node, rate in known.items() if not graph.groups[node] & ~_HOLONOMIC)
-        bare = (graph.a[rate] if graph.op[rate] is Op.NEGATE else rate for rate in rates)
-        moving = (rate for rate in bare if graph.depends(rate, Group.QD) and graph.op[rate] is not Op.SYMBOL)
-        return list(dict.fromkeys(moving))
 
 
 def _about_origin(graph: Graph, mass: int, com: Vector, tensor: Axes) -> Axes:

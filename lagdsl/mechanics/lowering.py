@@ -19,6 +19,7 @@ from lagdsl.mechanics import vectors
 from lagdsl.mechanics.acceleration import needs_accelerations
 from lagdsl.mechanics.operands import operands, step_expressions
 from lagdsl.mechanics.operations import binary, function
+from lagdsl.mechanics.own_vectors import OwnVectors
 from lagdsl.mechanics.poses import Poses, Release
 from lagdsl.mechanics.symbols import Symbols, input_rates
 from lagdsl.mechanics.vectors import Vector
@@ -55,6 +56,7 @@ class Lowering:
         self._frames = {item.name: item for item in model.named if isinstance(item, Frame)}
         self._origins = {name: flat.FrameOrigin(name) for name in self._frames}
         self._poses = Poses(graph, self.rate, self._release)
+        self.own = OwnVectors(graph, self._poses, self.rate, self._points, lambda x: self._values[id(x)])
 
     # ---- what others ask for -----------------------------------------------------------------------------------------
 
@@ -209,13 +211,17 @@ class Lowering:
             case flat.Vector(x, y, z):
                 return (self._node(x), self._node(y), self._node(z))
             case flat.Dot(left, right):
-                return self.graph.dot(self._triple(left), self._triple(right))
+                return self._dot(left, right)
             case flat.Cross(left, right):
                 return vectors.cross(self.graph, self._triple(left), self._triple(right))
             case flat.Norm(vector):
-                triple = self._triple(vector)
-                return self.graph.unary(Op.SQRT, self.graph.dot(triple, triple))
+                return self.graph.unary(Op.SQRT, self._dot(vector, vector))
         assert_never(expression)
+
+    def _dot(self, left: FlatExpression, right: FlatExpression) -> int:
+        if self._release == Release():
+            return self.own.dot(left, right)
+        return self.graph.dot(self._triple(left), self._triple(right))
 
     def _geometry(
         self,
