@@ -110,7 +110,8 @@ def built(name: str) -> Path:
     )
     command = ["g++" if source.suffix == ".cpp" else "cc", *flags, f"-I{NATIVE}", str(source), *libraries]
     headers = sorted([*NATIVE.glob("*.h*"), *(RUNTIME.glob("lag/*.h") if name == "lagdsl" else ())])
-    content = "\0".join((*command, source.read_text(), *(path.read_text() for path in headers)))
+    options = [word for word in command if not word.startswith((f"-I{NATIVE}", f"-I{RUNTIME}", str(NATIVE)))]
+    content = "\0".join((*options, source.read_text(), *(path.read_text() for path in headers)))
     target = folder() / f"{name}-{hashlib.sha256(content.encode()).hexdigest()[:16]}"
     if not target.exists():
         draft = target.with_suffix(f".{os.getpid()}")

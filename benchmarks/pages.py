@@ -25,7 +25,7 @@ Peers: Pinocchio's articulated-body algorithm, as its package has it and compile
 faster counts; the same algorithm on CasADi's expressions, generated as C; MuJoCo's `mj_forward` and, apart, only the
 parts that accelerations need; Lagrange's equations by CasADi, energies typed by hand in space and, for planar chains,
 in the plane, generated as C and compiled with six sets of flags, the best counts. lagdsl is what `engine="c"` gives;
-its masses and lengths can be changed at run time, those of generated C are numbers."""
+its masses and inertias can be changed at run time, those of generated C are numbers."""
 
 
 def page(found: dict[str, Results]) -> str:
