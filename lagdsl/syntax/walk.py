@@ -4,14 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
+from functools import cache
 
 from lagdsl.syntax import nodes
 
 
 def children(node: nodes.Node) -> Iterator[nodes.Node]:
     """The nodes that are fields of `node`, in source order."""
-    for field in fields(node):
-        yield from _nodes(getattr(node, field.name))
+    for name in _field_names(type(node)):
+        value = getattr(node, name)
+        if isinstance(value, nodes.Node | tuple):
+            yield from _nodes(value)
+
+
+@cache
+def _field_names(kind: type[nodes.Node]) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind))
 
 
 def _nodes(value: object) -> Iterator[nodes.Node]:
