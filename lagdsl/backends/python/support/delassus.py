@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-# S is solved where its least eigenvalue, of those that independent rows have, is above this part of the largest. What is
-# left in J a = g is rounding error down to 1e-10, but in M a = f + J'lam it grows with what eliminating lost.
+# S is solved where its least eigenvalue, of those that independent rows have, is above this part of the largest. What
+# is left in J a = g is rounding error down to 1e-10, but in M a = f + J'lam it grows with what eliminating lost.
 LEAST_EIGENVALUE = 1e-6
 # The eigenvalues of dependent rows are below this part of it: off the constraints they are not dependent.
 LARGEST_EXCESS = 1e-10
