@@ -18,6 +18,7 @@ from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.provided import Provider
 from lagdsl.mechanics.symbols import Symbols
+from lagdsl.mechanics.tangent import acceleration_tangent
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
@@ -81,6 +82,12 @@ def derive(flat: FlatModel, *, dense: bool | None = None, constrained: bool = Fa
         gamma = constraints.bias(derivation.lowering, derivation.rows)
         eliminated = eliminated_equations(
             derivation.lowering, flat, derivation.dynamics, derivation.symbols.directions, rows, gamma, cost
+        )
+    if eliminated:
+        change, row_change = blocks["residual_tangent"]
+        directions = derivation.symbols.directions
+        eliminated += (
+            acceleration_tangent(derivation.lowering, flat, derivation.dynamics, directions, change, row_change),
         )
     return Program(
         name=flat.name,

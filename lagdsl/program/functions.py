@@ -26,6 +26,7 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | constraint_tangent | t q qd z u w p dq dqd dz du dp | dphi (nc), and d(J qd + b) (nc), along a direction |
 | momentum_tangent | t q qd z u w p dqd | M dqd (nq) |
 | elimination | t q qd z u w p | a (nq), l (nc), Y (nk, nq), K (nk, nc), J (nk, nq), gamma (nk), pivot: see below |
+| acceleration_tangent | t q qd z u w p qdd lam dq dqd dz du dp | dqdd (nq), dlam (nc), ds (nk), pivot: see below |
 
 M written out has nq^2 entries, and in a long tree of bodies each of them is a sum over what both coordinates move;
 `momentum_tangent` is of the size of the kinetic energy. Programs of many coordinates have it in place of `mass_matrix`
@@ -38,6 +39,8 @@ at run time. The multipliers of the nk rows `Program.kept_rows` are left to run 
 
 with J and gamma of the kept rows, and J Y' symmetric and positive semidefinite. `pivot` is what subtraction left of the
 smallest pivot, relatively: where it is small or no number, the others are not to be used.
+`acceleration_tangent`, there with `elimination`, solves M dqdd - J' dlam = -dr, J dqdd = -ds in the same way: dqdd and
+dlam with the multipliers of the kept rows held, and ds of these rows.
 `w` is empty until events are there. Directions `dp` hold one entry per independent parameter.
 """
 
@@ -70,7 +73,14 @@ SIGNATURES: dict[str, tuple[Group, ...]] = {
 }
 
 # Functions that not every program has.
-OPTIONAL: dict[str, tuple[Group, ...]] = {"elimination": STATE, "momentum_tangent": (*STATE, Group.DIRECTION_QD)}
+OPTIONAL: dict[str, tuple[Group, ...]] = {
+    "elimination": STATE,
+    "momentum_tangent": (*STATE, Group.DIRECTION_QD),
+    "acceleration_tangent": (*SOLVED, *DIRECTIONS),
+}
+
+# Those that are for many directions at once only: modules of single calls do without.
+ALONG_MANY = ("acceleration_tangent",)
 
 # Those that a program may lack where it has `momentum_tangent`.
 WRITTEN_OUT = ("mass_matrix", "dynamics")

@@ -32,6 +32,7 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "initial_equation": (None,),
     "momentum_tangent": ((_N,),),
     "elimination": ((_N,), (_ROWS,), (_KEPT, _N), (_KEPT, _ROWS), (_KEPT, _N), (_KEPT,), ()),
+    "acceleration_tangent": ((_N,), (_ROWS,), (_KEPT,), ()),
 }
 
 

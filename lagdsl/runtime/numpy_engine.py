@@ -15,7 +15,8 @@ from lagdsl.backends.python.body import ELEMENTARY, body, body_name
 from lagdsl.backends.python.emit import motion_sizes, shapes, signature
 from lagdsl.backends.python.support import linear
 from lagdsl.backends.python.support.columns import BY_COLUMNS, formed
-from lagdsl.backends.python.support.motion import differentiate_motion, solve_motion
+from lagdsl.backends.python.support.derivatives import differentiate_motion
+from lagdsl.backends.python.support.motion import solve_motion
 from lagdsl.backends.python.support.vectorize import apply, split
 from lagdsl.graph.fold import SCALAR
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group, Op
@@ -72,7 +73,7 @@ class NumpyEngine:
 
     def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz). Raises SingularSystem."""
-        return self.jacobian_many(t, q, qd, z, u, w, p)
+        return self.jacobian_many("state", t, q, qd, z, u, w, p)[0]
 
     def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
         """Result blocks, each of shape (leading axes of the arguments, own shape)."""
@@ -108,10 +109,10 @@ class NumpyEngine:
         share_out(many.count, threads, lambda: part)
         return tuple(block.reshape(*many.leading, block.shape[-1]) for block in (qdd, lam))
 
-    def jacobian_many(self, *state: ArrayLike) -> Floats:
-        """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz). Raises SingularSystem."""
+    def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
+        """d(qd, qdd, zd)/dx (..., 2 nq + nz, nx) and dy/dx (..., ny, nx), exact. Raises SingularSystem."""
         try:
-            return differentiate_motion(self.evaluate_many, self._sizes, *map(np.asarray, state))
+            return differentiate_motion(self.evaluate_many, self._sizes, by, *map(np.asarray, state))
         except linear.SingularSystem as singular:
             raise SingularSystem(singular.coordinate) from None
 

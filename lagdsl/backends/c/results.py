@@ -35,6 +35,7 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "initial_equation": ("residual",),
     "momentum_tangent": ("momentum",),
     "elimination": ("qdd", "lam", "response", "lam_response", "jacobian", "gamma", "pivot"),
+    "acceleration_tangent": ("change", "lam_change", "rows", "pivot"),
 }
 _FEWEST_ZEROS = 8
 

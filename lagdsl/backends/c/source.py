@@ -6,28 +6,27 @@ from collections.abc import Mapping, Sequence
 
 from lagdsl.backends.c.dialect import PREPARED, SINGLE, Place
 from lagdsl.backends.c.function import Head, braced, code
-from lagdsl.backends.c.lanes import Parallel, in_lanes, without_lanes
 from lagdsl.backends.c.literal import number, string
 from lagdsl.backends.c.results import RESULTS, Results, definition, place_of, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
-from lagdsl.program.functions import WRITTEN_OUT
+from lagdsl.program.functions import ALONG_MANY, WRITTEN_OUT
 from lagdsl.program.passes.hoist import hoisted
 from lagdsl.program.program import Function, Layout, Program, Slot
 from lagdsl.program.verify import sizes
 
 
-def source(program: Program, stem: str, lanes: bool = False) -> str:
-    """Text of `stem`.c; with `lanes` also the functions of several states, or directions, at once."""
+def source(program: Program, stem: str) -> str:
+    """Text of `stem`.c."""
     prepared = {node: Place(PREPARED, index) for index, node in enumerate(hoisted(program))}
     scratch = 0
     functions: list[str] = []
-    for function in program.functions:
+    for function in _single(program):
         text, size = _function(program, function, prepared)
         functions.append(text)
         scratch = max(scratch, size)
     preparation, size = _prepare(program, prepared)
-    parallel = (in_lanes if lanes else without_lanes)(program, prepared, max(scratch, size))
+    memory = len(prepared) + max(scratch, size)
     return "\n".join(
         [
             f"/* Equations of motion of {comment_text(program.name)}, generated: see lag/model.h for what is what. */",
@@ -36,9 +35,8 @@ def source(program: Program, stem: str, lanes: bool = False) -> str:
             _tables(program),
             preparation,
             *functions,
-            parallel.definitions,
-            *_by_columns(program, stem, parallel.workspace),
-            _model(program, stem, len(prepared), parallel),
+            *_by_columns(program, stem, memory),
+            _model(program, stem, len(prepared), memory),
         ]
     )
 
@@ -56,6 +54,10 @@ def symbol(stem: str) -> str:
 
 
 # ---- functions -------------------------------------------------------------------------------------------------------
+
+
+def _single(program: Program) -> list[Function]:
+    return [function for function in program.functions if function.name not in ALONG_MANY]
 
 
 def _function(program: Program, function: Function, prepared: Mapping[int, Place]) -> tuple[str, int]:
@@ -77,13 +79,13 @@ def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]
     return body + braced(prepare, [*lines, "return model_prepare_from(&given, workspace);"]), made.scratch
 
 
-def _by_columns(program: Program, stem: str, memory: str) -> list[str]:
+def _by_columns(program: Program, stem: str, memory: int) -> list[str]:
     """The functions that are formed from others, whose memory is beyond that of all the others."""
     formed = [name for name in WRITTEN_OUT if not program.has(name)]
     return [_formed(name, stem, memory) for name in formed]
 
 
-def _formed(name: str, stem: str, memory: str) -> str:
+def _formed(name: str, stem: str, memory: int) -> str:
     parameters = ", ".join(["const lag_arguments *at", *(f"double *{result}" for result in RESULTS[name])])
     arguments = ", ".join([f"&{symbol(stem)}", "at", f"at->workspace + {memory}", *RESULTS[name]])
     helper = {"mass_matrix": "lag_mass_by_columns", "dynamics": "lag_dynamics_by_columns"}[name]
@@ -132,7 +134,7 @@ def _array(kind: str, name: str, rows: Sequence[str]) -> str:
     return f"static const {kind} model_{name}[] = {{\n" + "".join(f"    {row},\n" for row in rows) + "};\n\n"
 
 
-def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> str:
+def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
     layout = program.layout
     formed = [name for name in WRITTEN_OUT if not program.has(name)]
     beyond = 2 * len(layout.coordinates) + len(layout.constraints) if formed else 0
@@ -140,7 +142,7 @@ def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> st
         **sizes(layout),
         "ne": len(program.function("initial_equation").results[0].elements),
         "rank": len(layout.constraints) - sum(layout.redundant),
-        "workspace": f"{parallel.workspace} + {beyond}" if beyond else parallel.workspace,
+        "workspace": memory + beyond,
         "prepared": prepared,
         "nk": len(program.kept_rows),
     }
@@ -159,8 +161,6 @@ def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> st
         *(f".{name} = {count}" for name, count in counts.items()),
         *(f".{name} = model_{name}" for name, rows in tables.items() if rows),
         ".prepare = model_prepare",
-        *(f".{name} = model_{name}" for name in (*(f.name for f in program.functions), *formed)),
-        *parallel.members,
+        *(f".{name} = model_{name}" for name in (*(f.name for f in _single(program)), *formed)),
     ]
-    lines = [f"{member}\n" if member.startswith("#") else f"    {member},\n" for member in members]
-    return f"const lag_model {symbol(stem)} = {{\n" + "".join(lines) + "};\n"
+    return f"const lag_model {symbol(stem)} = {{\n" + "".join(f"    {member},\n" for member in members) + "};\n"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.graph.operation import FIRST_UNARY, Group
+from lagdsl.program.functions import ALONG_MANY
 from lagdsl.program.program import Program
 
 _PARAMETER = 1 << Group.P
@@ -15,7 +16,8 @@ def hoisted(program: Program) -> tuple[int, ...]:
     """
     graph = program.graph
     ops, groups, operands = graph.op, graph.groups, graph.operands
-    roots = [node for function in program.functions for block in function.results for node in block.elements]
+    single = [function for function in program.functions if function.name not in ALONG_MANY]
+    roots = [node for function in single for block in function.results for node in block.elements]
     wanted = {root for root in roots if not groups[root] & ~_PARAMETER}
     for node in graph.live(roots):
         if groups[node] & ~_PARAMETER:

@@ -1,4 +1,4 @@
-"""Accelerations, multipliers and their derivatives from the functions of a model."""
+"""Accelerations and multipliers from the functions of a model."""
 
 from collections.abc import Callable
 
@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.backends.python.support.delassus import solve_kept
-from lagdsl.backends.python.support.linear import SingularSystem, factorize, solve_system
+from lagdsl.backends.python.support.linear import SingularSystem, solve_system
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -71,35 +71,3 @@ def _solve_dense(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floa
     if np.any(undetermined >= 0):
         raise SingularSystem(int(undetermined[undetermined >= 0].flat[0]))
     return acceleration, multiplier
-
-
-def differentiate_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> Floats:
-    """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz), at t, q, qd, z, u, w, p. Raises SingularSystem.
-
-    Exact: with r = M qdd - f - J'lam and s = J qdd - g, differentiated by the model along every direction at once,
-    M dqdd - J'dlam = -dr and J dqdd = -ds.
-    """
-    acceleration, multiplier = solve_motion(evaluate, sizes, *state)
-    n, total = sizes.q, 2 * sizes.q + sizes.z
-    unit = np.eye(total)
-    directions = (
-        unit[:, :n],
-        unit[:, n : 2 * n],
-        unit[:, 2 * n :],
-        np.zeros((total, sizes.u)),
-        np.zeros((total, sizes.p)),
-    )
-    time, *vectors = state
-    spread = (np.asarray(time)[..., None], *(v[..., None, :] for v in (*vectors, acceleration, multiplier)))
-    motion, rows = evaluate("residual_tangent", *spread, *directions)
-    mass, _, jacobian, _ = evaluate("dynamics", *state)
-    factors, _ = factorize(mass, jacobian, sizes.rank)
-    with np.errstate(all="ignore"):
-        changes = factors.solve(-np.swapaxes(motion, -1, -2), -np.swapaxes(rows, -1, -2))
-    by_direction = [np.swapaxes(change, -1, -2) for change in changes]
-    (rates,) = evaluate("state_derivative_tangent", *spread, *directions, *by_direction)
-    result = np.zeros((*motion.shape[:-2], total, total))
-    result[..., :n, n : 2 * n] = np.eye(n)
-    result[..., n : 2 * n, :] = changes[0]
-    result[..., 2 * n :, :] = np.swapaxes(rates, -1, -2)
-    return result

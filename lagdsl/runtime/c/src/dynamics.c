@@ -7,13 +7,6 @@
 /* Where the functions of this file keep what. */
 typedef struct places {
     double *mass, *force, *jacobian, *gamma; /* (nq, nq) (nq) (nc, nq) (nc) */
-    double *qdd, *lam;                       /* (nq) (nc) */
-    double *direction;                       /* (2 nq + nz) of q, qd and z in a row */
-    double *zero_u, *zero_p;                 /* (nu) (np) */
-    double *motion, *rows, *rates;           /* (nq) (nc) (nz) */
-    double *dqdd, *dlam;                     /* (nq) (nc) */
-    double *directions;                      /* (2 nq + nz + nu + np) in lanes */
-    double *motions, *rows_of;               /* (nq) (nc) in lanes */
     double *response, *lam_response;         /* (nk, nq) (nk, nc) */
     double *kept_jacobian, *kept_gamma;      /* (nk, nq) (nk) */
     double *delassus;
@@ -36,19 +29,6 @@ static places place(const lag_model *model, double *memory)
     at.force = take(&memory, n);
     at.jacobian = take(&memory, m * n);
     at.gamma = take(&memory, m);
-    at.qdd = take(&memory, n);
-    at.lam = take(&memory, m);
-    at.direction = take(&memory, 2 * n + model->nz);
-    at.zero_u = take(&memory, model->nu);
-    at.zero_p = take(&memory, model->np);
-    at.motion = take(&memory, n);
-    at.rows = take(&memory, m);
-    at.rates = take(&memory, model->nz);
-    at.dqdd = take(&memory, n);
-    at.dlam = take(&memory, m);
-    at.directions = take(&memory, model->lanes * (2 * n + model->nz + model->nu + model->np));
-    at.motions = take(&memory, model->lanes * n);
-    at.rows_of = take(&memory, model->lanes * m);
     at.response = take(&memory, model->nk * n);
     at.lam_response = take(&memory, model->nk * m);
     at.kept_jacobian = take(&memory, model->nk * n);
@@ -62,10 +42,8 @@ size_t lag_dynamics_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    const size_t lanes = model->lanes * (3 * n + m + model->nz + model->nu + model->np);
     const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
-    const size_t own = n * n + m * n + 6 * n + 4 * m + 2 * model->nz + model->nu + model->np;
-    return own + lanes + kept + lag_system_memory(n, m);
+    return n * n + n + m * n + m + kept + lag_system_memory(n, m);
 }
 
 static void fill(size_t count, double value, double *x)
@@ -181,7 +159,7 @@ lag_status lag_forward_dynamics_of_lane(
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t kept = model->nk;
-    const size_t lanes = model->lanes;
+    const size_t lanes = formed->lanes;
     const places to = place(model, memory);
     lag_system system;
     if (formed->qdd != NULL) {
@@ -234,102 +212,4 @@ lag_status lag_forward_dynamics(
     }
     lag_system system;
     return solve(model, at, &to, &system, qdd, lam, coordinate);
-}
-
-/* Tangents of the residual in the directions `first` and following, as many as there are lanes. */
-static lag_status tangents(const lag_model *model, const lag_arguments *at, const places *to, size_t first)
-{
-    const size_t n = model->nq;
-    const size_t total = 2 * n + model->nz;
-    lag_arguments here = *at;
-    here.dq = to->directions;
-    here.dqd = here.dq + n * model->lanes;
-    here.dz = here.dqd + n * model->lanes;
-    here.du = here.dz + model->nz * model->lanes;
-    here.dp = here.du + model->nu * model->lanes;
-    fill(model->lanes * (total + model->nu + model->np), 0.0, to->directions);
-    for (size_t lane = 0; lane < model->lanes && first + lane < total; ++lane) {
-        to->directions[(first + lane) * model->lanes + lane] = 1.0;
-    }
-    return model->residual_tangent_lanes(&here, to->motions, to->rows_of);
-}
-
-/* The tangent of the residual in direction `which`, called for one after the other. */
-static lag_status tangent(const lag_model *model, const lag_arguments *at, const places *to, size_t which)
-{
-    if (model->residual_tangent_lanes == NULL) {
-        return model->residual_tangent(at, to->motion, to->rows);
-    }
-    lag_status status = which == 0 ? model->residual_tangent_primal(at) : LAG_OK;
-    if (status == LAG_OK && which % model->lanes == 0) {
-        status = tangents(model, at, to, which);
-    }
-    for (size_t i = 0; i < model->nq; ++i) {
-        to->motion[i] = to->motions[i * model->lanes + which % model->lanes];
-    }
-    for (size_t i = 0; i < model->nc; ++i) {
-        to->rows[i] = to->rows_of[i * model->lanes + which % model->lanes];
-    }
-    return status;
-}
-
-/* Column `which` of the Jacobian. */
-static lag_status column(
-    const lag_model *model, lag_arguments *at, const places *to, lag_system *system, size_t which, double *jacobian)
-{
-    const size_t n = model->nq;
-    const size_t total = 2 * n + model->nz;
-    to->direction[which] = 1.0;
-    lag_status status = tangent(model, at, to, which);
-    if (status != LAG_OK) {
-        return status;
-    }
-    for (size_t i = 0; i < n; ++i) {
-        to->motion[i] = -to->motion[i];
-    }
-    for (size_t i = 0; i < model->nc; ++i) {
-        to->rows[i] = -to->rows[i];
-    }
-    lag_system_solve(system, to->motion, to->rows, to->dqdd, to->dlam);
-    status = model->state_derivative_tangent(at, to->rates);
-    for (size_t i = 0; i < n; ++i) {
-        jacobian[i * total + which] = to->direction[n + i];
-        jacobian[(n + i) * total + which] = to->dqdd[i];
-    }
-    for (size_t i = 0; i < model->nz; ++i) {
-        jacobian[(2 * n + i) * total + which] = to->rates[i];
-    }
-    to->direction[which] = 0.0;
-    return status;
-}
-
-lag_status lag_state_jacobian(
-    const lag_model *model, const lag_arguments *at, double *memory, double *jacobian, size_t *coordinate)
-{
-    const size_t n = model->nq;
-    const size_t total = 2 * n + model->nz;
-    const places to = place(model, memory);
-    lag_arguments here = *at;
-    lag_system system;
-    lag_status status = solve(model, at, &to, &system, to.qdd, to.lam, coordinate);
-    if (status != LAG_OK) {
-        fill(total * total, (double)NAN, jacobian);
-        return status;
-    }
-    fill(total, 0.0, to.direction);
-    fill(model->nu, 0.0, to.zero_u);
-    fill(model->np, 0.0, to.zero_p);
-    here.qdd = to.qdd;
-    here.lam = to.lam;
-    here.dq = to.direction;
-    here.dqd = to.direction + n;
-    here.dz = to.direction + 2 * n;
-    here.du = to.zero_u;
-    here.dp = to.zero_p;
-    here.dqdd = to.dqdd;
-    here.dlam = to.dlam;
-    for (size_t which = 0; which < total && status == LAG_OK; ++which) {
-        status = column(model, &here, &to, &system, which, jacobian);
-    }
-    return status == LAG_OK ? finite_or_not(total * total, jacobian, LAG_OK) : status;
 }

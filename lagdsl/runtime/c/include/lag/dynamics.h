@@ -83,8 +83,9 @@ lag_status lag_factor_eliminated(
     double *memory,
     lag_delassus *system);
 
-/* What elimination_lanes() gave, or, where qdd is null, dynamics_lanes(): every array in groups of lanes. */
+/* What elimination() of several states gave, or, where qdd is null, dynamics(): every array in groups of `lanes`. */
 typedef struct lag_formed {
+    size_t lanes;
     const double *qdd, *lam, *response, *lam_response, *pivot; /* (nq) (nc) (nk, nq) (nk, nc) () */
     const double *mass, *force;                                /* (nq, nq) (nq) */
     const double *jacobian, *gamma;                            /* (nk, nq) (nk), or (nc, nq) (nc) */
@@ -99,12 +100,5 @@ lag_status lag_forward_dynamics_of_lane(
     double *qdd,
     double *lam,
     size_t *coordinate);
-
-/*
- * d(qd, qdd, zd)/d(q, qd, z) (2 nq + nz, 2 nq + nz) at t q qd z u w p, after prepare(). Exact: M dqdd - J'dlam = -dr and
- * J dqdd = -ds with the directional derivatives of the residuals.
- */
-lag_status lag_state_jacobian(
-    const lag_model *model, const lag_arguments *at, double *memory, double *jacobian, size_t *coordinate);
 
 #endif

@@ -12,8 +12,17 @@
 
 #if defined(__GNUC__)
 
-/* Numbers in a vector. A machine with shorter registers works on parts of it. */
+/* Numbers in a vector: as many as a register of the machine holds. More would be kept in memory. */
+#if defined(__AVX512F__)
 #define LAG_LANES 8
+#define LAG_LANES_EACH(x) {x, x, x, x, x, x, x, x}
+#elif defined(__AVX__)
+#define LAG_LANES 4
+#define LAG_LANES_EACH(x) {x, x, x, x}
+#else
+#define LAG_LANES 2
+#define LAG_LANES_EACH(x) {x, x}
+#endif
 
 typedef double lag_lanes __attribute__((vector_size(8 * LAG_LANES)));
 typedef unsigned long long lag_lanes_bits __attribute__((vector_size(8 * LAG_LANES)));
@@ -26,7 +35,7 @@ typedef double lag_lanes_memory __attribute__((vector_size(8 * LAG_LANES), align
 
 static inline lag_lanes lag_lanes_of(double x)
 {
-    return (lag_lanes){x, x, x, x, x, x, x, x};
+    return (lag_lanes)LAG_LANES_EACH(x);
 }
 
 /* One of the functions of a single number, lane by lane. */
