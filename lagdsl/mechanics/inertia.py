@@ -6,10 +6,13 @@ else, any Lagrangian, is differentiated by the velocities that it is written in 
 
 from __future__ import annotations
 
+from functools import partial
+
 from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.flat.model import FlatModel, RigidBody
 from lagdsl.graph.differentiate import mask_of
 from lagdsl.graph.graph import Graph
+from lagdsl.graph.identity import identical
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.carriers import Carrier, kinetic_energy, place_of, tensor_of
 from lagdsl.mechanics.frames import is_put
@@ -18,7 +21,9 @@ from lagdsl.mechanics.lagrangian_form import Apart, add_lagrangian
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.own_accelerations import Accelerations, Moving, spread_of
 from lagdsl.mechanics.symbols import Directions
-from lagdsl.mechanics.typed_bodies import TypedBody, typed_bodies
+from lagdsl.mechanics.terms import terms_of
+from lagdsl.mechanics.typed_bodies import typed_bodies
+from lagdsl.mechanics.typed_weights import Heights
 from lagdsl.mechanics.vectors import Axes, Vector, cross, scale
 
 _HELD = mask_of((Group.P,))
@@ -38,10 +43,7 @@ def acceleration_form(lowering: Lowering, flat: FlatModel, found: Dynamics, dire
         if term.kind in signs:
             rest = signs[term.kind](rest, lowering.scalar(term.value))
     apart = Apart(lowering)
-    bodies, rest = typed_bodies(apart, apart.of(rest))
-    for body in bodies:
-        builder.add_typed(body)
-    add_lagrangian(builder.form, lowering, apart, rest)
+    add_lagrangian(builder.form, lowering, apart, builder.add_typed_bodies(apart, apart.of(rest)))
     for rate, load, drag in zip(directions.rates, found.terms.load, found.terms.drag, strict=True):
         builder.form.add_force(rate, graph.subtract(load, drag))
     return builder.form
@@ -57,7 +59,7 @@ class _Builder:
         self._poses = lowering.poses("world")
         rates = (lowering.rate, lowering.coasting_rate)
         self._accelerations = Accelerations(graph, self._poses, *rates, self._gravity)
-        self._weightless = Accelerations(graph, self._poses, *rates, zero)
+        self._under: dict[Vector, Accelerations] = {self._gravity: self._accelerations}
 
     def add(self, body: RigidBody | None, carrier: Carrier) -> int:
         """One mass or body; what could not be added is given back as a Lagrangian."""
@@ -108,12 +110,34 @@ class _Builder:
         self._add_inertia(omega, velocity, mass, moment, tensor)
         self._add_newton_euler(omega, velocity, moving, mass, moment, tensor)
 
-    def add_typed(self, body: TypedBody) -> None:
-        """A body without weight."""
-        omega, velocity = self._poses.own_twist(body.frame)
-        self._add_inertia(omega, velocity, body.mass, body.moment, body.tensor)
-        moving = self._weightless.of(body.frame)
-        self._add_newton_euler(omega, velocity, moving, body.mass, body.moment, body.tensor)
+    def add_typed_bodies(self, apart: Apart, lagrangian: int) -> int:
+        """Bodies typed as energies, with their weights; what is no body is given back."""
+        graph = self._graph
+        if not apart.twists:
+            return lagrangian
+        heights = Heights(self._lowering)
+        bodies, rest = typed_bodies(apart, terms_of(graph, heights.apart(lagrangian)))
+        if not bodies:
+            return lagrangian
+        hanging, rest = heights.hang(bodies, rest)
+        for body, gravity in hanging:
+            omega, velocity = self._poses.own_twist(body.frame)
+            moving = self._accelerations_under(gravity).of(body.frame)
+            self._add_inertia(omega, velocity, body.mass, body.moment, body.tensor)
+            self._add_newton_euler(omega, velocity, moving, body.mass, body.moment, body.tensor)
+        return heights.together(graph.sum(graph.multiply(term.weight, term.node) for term in rest))
+
+    def _accelerations_under(self, wanted: Vector) -> Accelerations:
+        """By a gravity that depends on parameters only."""
+        graph = self._graph
+        for known, accelerations in self._under.items():
+            held = all(not graph.groups[x] & ~_HELD for x in known)
+            if known == wanted or (held and all(map(partial(identical, graph), known, wanted))):
+                return accelerations
+        lowering = self._lowering
+        made = Accelerations(graph, self._poses, lowering.rate, lowering.coasting_rate, wanted)
+        self._under[wanted] = made
+        return made
 
     def _add_inertia(self, omega: Vector, velocity: Vector, mass: int, moment: Vector, tensor: Axes) -> None:
         """1/2 m v.v + v . omega x mc + 1/2 omega . I omega."""

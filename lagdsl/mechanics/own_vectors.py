@@ -42,6 +42,9 @@ class OwnVectors:
         self._velocities: dict[int, Parts] = {}
         self.used: dict[str, None] = {}
         """Frames whose twist occurs."""
+        self.places: dict[Vector, tuple[str, Vector]] = {}
+        """Points whose velocity was taken along the axes of the frame that carries them: by world position the frame,
+        and the place from its origin."""
 
     def dot(self, left: FlatExpression, right: FlatExpression) -> int:
         """The scalar product, in the axes of one frame where both are along its axes."""
@@ -104,6 +107,7 @@ class OwnVectors:
             case flat.AngularVelocity(frame):
                 return {self._turned(frame): self._twist(frame)[0]}
             case flat.Derivative(operand):
+                self._note_place(operand)
                 return self._velocity_of(operand)
             case flat.Unary("-", operand):
                 return {frame: negate(self._graph, own) for frame, own in self._values_of(operand).items()}
@@ -144,6 +148,23 @@ class OwnVectors:
             frame = pose.parent
             pose = self._poses[frame]
         return frame
+
+    def _note_place(self, point: FlatExpression) -> None:
+        graph, offset, current = self._graph, (self._graph.zero, self._graph.zero, self._graph.zero), point
+        axes: dict[str, None] = {}
+        while not isinstance(current, flat.FrameOrigin):
+            match current:
+                case flat.PointReference(name):
+                    current = self._points[name].position
+                case flat.Binary("+", base, arm):
+                    for frame, own in self._values_of(arm).items():
+                        offset = add(graph, offset, own)
+                        axes[frame] = None
+                    current = base
+                case _:
+                    return
+        if not axes.keys() - {self._turned(current.frame)}:
+            self.places[self._world(point)] = (current.frame, offset)
 
     # ---- velocities --------------------------------------------------------------------------------------------------
 

@@ -6,7 +6,7 @@ mass, its moment, any inertia), its equations are Newton's and Euler's, which ne
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from lagdsl.graph.differentiate import adjoints, mask_of
 from lagdsl.graph.graph import Graph
@@ -14,7 +14,7 @@ from lagdsl.graph.identity import identical
 from lagdsl.graph.operation import Group, Op
 from lagdsl.graph.substitute import Substitution
 from lagdsl.mechanics.lagrangian_form import VELOCITY, Apart, Component
-from lagdsl.mechanics.terms import Term, terms_of
+from lagdsl.mechanics.terms import Term
 from lagdsl.mechanics.vectors import Axes, Vector
 from lagdsl.record import record
 
@@ -26,19 +26,21 @@ _LARGEST_TERM = 100
 
 @record(kw_only=True)
 class TypedBody:
-    """Mass, mass times place of its centre, and inertia about the origin, in the axes of `frame`."""
+    """Mass, mass times place of its centre, and inertia about the origin, in the axes of `frame`.
+
+    Of what a plane motion or one about a fixed origin leaves open, `open_mass` and `open_moment` tell.
+    """
 
     frame: str
     mass: int
     moment: Vector
     tensor: Axes
+    open_mass: bool
+    open_moment: tuple[bool, bool, bool]
 
 
-def typed_bodies(apart: Apart, lagrangian: int) -> tuple[list[TypedBody], int]:
-    """The bodies in a Lagrangian with the symbols of `apart`, and what is left of it."""
-    graph = apart.graph
-    if not apart.twists:
-        return [], lagrangian
+def typed_bodies(apart: Apart, lagrangian: Sequence[Term]) -> tuple[list[TypedBody], list[Term]]:
+    """The bodies in the terms of a Lagrangian with the symbols of `apart`, and the terms that are left."""
     found, bodies = _by_frame(apart, lagrangian), []
     rest = found.pop("")
     for frame, terms in found.items():
@@ -47,12 +49,10 @@ def typed_bodies(apart: Apart, lagrangian: int) -> tuple[list[TypedBody], int]:
             rest += terms
         else:
             bodies.append(body)
-    if not bodies:
-        return [], lagrangian
-    return bodies, graph.sum(graph.multiply(term.weight, term.node) for term in rest)
+    return bodies, rest
 
 
-def _by_frame(apart: Apart, lagrangian: int) -> dict[str, list[Term]]:
+def _by_frame(apart: Apart, lagrangian: Sequence[Term]) -> dict[str, list[Term]]:
     """Terms by the frame whose twist they are written in; "" where it is none or more than one."""
     graph = apart.graph
     frames: dict[int, dict[str, None]] = {}
@@ -61,7 +61,7 @@ def _by_frame(apart: Apart, lagrangian: int) -> dict[str, list[Term]]:
             frames.setdefault(apart.component(node).node, {})[frame] = None
     found: dict[str, list[Term]] = {"": []}
     shared: list[tuple[Term, list[str]]] = []
-    for term in terms_of(graph, lagrangian):
+    for term in lagrangian:
         symbols = None if graph.groups[term.node] & ~_IN_TWIST else _symbols(graph, term.node)
         if not symbols:
             found[""].append(term)
@@ -101,7 +101,21 @@ def _body(apart: Apart, frame: str, terms: list[Term]) -> TypedBody | None:
     if mass is None or moment is None:
         return None
     x, y, z = ((form.at(i, 0), form.at(i, 1), form.at(i, 2)) for i in range(3))
-    return TypedBody(frame=frame, mass=mass, moment=moment, tensor=(x, y, z))
+    still = [node == graph.zero for node in (*omega, *velocity)]
+    return TypedBody(
+        frame=frame,
+        mass=mass,
+        moment=moment,
+        tensor=(x, y, z),
+        open_mass=all(still[3:]),
+        open_moment=(_is_open(still, 0), _is_open(still, 1), _is_open(still, 2)),
+    )
+
+
+def _is_open(still: Sequence[bool], j: int) -> bool:
+    """Whether component j of the moment multiplies nothing that moves."""
+    i, k = (j + 1) % 3, (j + 2) % 3
+    return (still[i] or still[k + 3]) and (still[k] or still[i + 3])
 
 
 def _weights(graph: Graph, terms: list[Term]) -> dict[int, dict[int, int]] | None:

@@ -34,13 +34,17 @@ TYPED = """C[i] = F[i].point(c);
     w[i] = {omega(F[i])*F[i].x, omega(F[i])*F[i].y, omega(F[i])*F[i].z};
     kinetic 1/2*m*der(C[i])*der(C[i]);
     kinetic 1/2*(I[1]*w[i, 1]^2 + I[2]*w[i, 2]^2 + I[3]*w[i, 3]^2) + I[4]*w[i, 1]*w[i, 2] + I[5]*w[i, 1]*w[i, 3]
-        + I[6]*w[i, 2]*w[i, 3];"""
+        + I[6]*w[i, 2]*w[i, 3];
+    potential m*g_n*(C[i]*world.z);"""
 NAMES = "point C[N]; AngularVelocity w[N, 3];"
 
 
 def chain(kind: str, n: int, *, typed: bool) -> str:
     return CHAIN.format(
-        n=n, frame=FRAMES[kind], body=TYPED if typed else DECLARED, declarations=NAMES if typed else "gravity = 0;"
+        n=n,
+        frame=FRAMES[kind],
+        body=TYPED if typed else DECLARED,
+        declarations=NAMES if typed else "gravity = -g_n*world.z;",
     )
 
 
@@ -83,6 +87,23 @@ ANY = {
     "beside a body with weight": FREE.replace("gravity = 0", "gravity = -g_n*world.z")
     + """body (m = 2 kg, com = {0.1 m, 0.2 m, 0.3 m}, I = {0.3 kg.m2, 0.4 kg.m2, 0.5 kg.m2}) on B;
   kinetic (1 kg)*der(B.origin)*der(B.origin) + (0.2 kg.m2)*(omega(B)*B.z)^2;""",
+    "weights of other masses, at other places, along other directions": FREE
+    + """parameter Mass m = 2 kg;
+  point P = B.point({0.1 m, 0.2 m, 0.3 m});
+  point Q = B.point({0, 0.3 m, 0.1 m});
+  frame D = B.move({0, 0.2 m, 0.5 m});
+  kinetic 1/2*m*der(P)*der(P) + (0.2 kg.m2)*omega(B)*omega(B) + (1 kg)*der(D.origin)*der(D.origin);
+  kinetic 1/2*(3 kg)*der(Q)*der(Q) + (0.2 kg.m2)*omega(D)*omega(D);
+  potential (2 kg)*g_n*(P*world.z) + m*(3 m/s2)*(P*world.x + Q*world.y) + (3 kg)*g_n*(Q*world.z);
+  potential (2 kg)*g_n*(D.origin*world.z) + (1 N/m)*(P*world.z)^2;""",
+    "two bodies under two gravities": """coordinate Angle a, b;
+  frame A = world.rotz(a).rotx(b);
+  frame B = A.move({0.5 m, 0, 0}).roty(a + b);
+  point P = A.point({0.1 m, 0.2 m, 0.3 m});
+  kinetic (1 kg)*der(P)*der(P) + (0.2 kg.m2)*omega(A)*omega(A);
+  kinetic (2 kg)*der(B.origin)*der(B.origin) + (0.2 kg.m2)*(omega(B)*B.y)^2;
+  potential (2 kg)*(3 m/s2)*(P*world.z);
+  potential (4 kg)*(1 m/s2)*(B.origin*world.x);""",
     "a bead on a turning arm": """coordinate Angle a, b;
   coordinate Length s(start = 1);
   frame A = world.rotz(a).rotx(b);
