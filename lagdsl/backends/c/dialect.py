@@ -48,16 +48,22 @@ class Dialect:
 
     def read(self, array: str, index: str) -> str:
         """The value of an entry."""
-        entry = f"{array}[{index}]"
+        return self.value(array, f"{array}[{index}]")
+
+    def value(self, array: str, entry: str) -> str:
+        """The value of what the expression `entry` says is an entry of `array`."""
         return self.splatted(entry) if array in self.shared else entry
+
+    def kind(self, array: str) -> str:
+        """The type of an entry of an array."""
+        return "double" if not self.splat or array in self.shared else self.memory
 
     def declaration(self, array: str) -> str | None:
         """The line that makes an array of arguments known; None for results and scratch, which are parameters."""
-        of_one_number = not self.splat or array in self.shared
-        kind = "double" if of_one_number else self.memory
-        cast = "" if of_one_number else f"(const {kind} *)"
+        kind = self.kind(array)
+        cast = "" if kind == "double" else f"(const {kind} *)"
         if array == ARGUMENT_NAMES[Group.TIME]:
-            return f"const {kind} *const t = " + ("&at->t;" if of_one_number else f"{cast}at->times;")
+            return f"const {kind} *const t = " + (f"{cast}at->times;" if cast else "&at->t;")
         if array == PREPARED:
             return f"const {kind} *const {PREPARED} = {cast}at->workspace;"
         if array == PRIMAL:
