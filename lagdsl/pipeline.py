@@ -9,7 +9,7 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
@@ -24,6 +24,7 @@ from lagdsl.syntax.parser import parse
 
 if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
+    from lagdsl.mechanics.derive import Derived
     from lagdsl.mechanics.structure import Structure
     from lagdsl.program.program import Program
     from lagdsl.runtime.broadcast import BatchEngine
@@ -86,18 +87,25 @@ def elaborate(
 
 
 def derive(flat: FlatModel, derivation: Derivation = "graph") -> Program:
-    """The equations of motion as a program, by the route of that name."""
+    """The equations of motion as a program, by the route of that name; as they are before ranks are known."""
+    program, _ = _derived(flat, derivation)
+    return program
+
+
+def _derived(flat: FlatModel, derivation: Derivation) -> tuple[Program, Derived | None]:
+    """With what the graph route made the program from."""
     with _deep_recursion():
         match derivation:
             case "graph":
-                from lagdsl.mechanics.derive import derive as derive_on_graph
+                from lagdsl.mechanics.derive import derived
 
-                return derive_on_graph(flat)
+                found = derived(flat)
+                return found.program, found
             case "textbook":
                 from lagdsl.textbook.derive import derive as derive_by_textbook
                 from lagdsl.textbook.lower import lower
 
-                return lower(derive_by_textbook(flat), flat)
+                return lower(derive_by_textbook(flat), flat), None
             case _:
                 raise ValueError(f"there is no derivation `{derivation}`; there are graph, textbook")
 
@@ -106,9 +114,14 @@ def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Com
     """Flat model to program, with ranks, degrees of freedom and redundant rows; None after errors."""
     from lagdsl.mechanics.structure import analyze
 
-    structure = analyze(flat, derive(flat, derivation), sink)
+    program, derived = _derived(flat, derivation)
+    structure = analyze(flat, program, sink)
     if sink.has_errors:
         return None
+    if derived is not None:
+        from lagdsl.mechanics.derive import solved
+
+        structure = replace(structure, program=solved(derived, structure))
     if flat.invariants or flat.loads:
         from lagdsl.mechanics.derive import form_equations
         from lagdsl.mechanics.idle_loads import report_idle_loads

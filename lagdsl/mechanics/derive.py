@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from lagdsl.eliminate.count import flops
 from lagdsl.flat.expression import FlatExpression
@@ -17,6 +17,7 @@ from lagdsl.mechanics.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.mechanics.provided import Provider
+from lagdsl.mechanics.structure import Structure
 from lagdsl.mechanics.symbols import Symbols
 from lagdsl.mechanics.tangent import acceleration_tangent
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
@@ -56,13 +57,27 @@ def form_equations(flat: FlatModel) -> Derivation:
 _MANY = 40
 
 
-def derive(flat: FlatModel, *, dense: bool | None = None, constrained: bool = False) -> Program:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Derived:
+    """A program, and what it was made from. `forming` are the operations for M, f, J and gamma at run time."""
+
+    derivation: Derivation
+    program: Program
+    forming: int
+
+
+def derive(flat: FlatModel, *, dense: bool | None = None) -> Program:
     """All functions of `lagdsl.program.functions`; `dense`: those that write out M, else what forms it by columns. By
-    default the number of coordinates decides. `constrained`: `elimination` for models with constraints, too.
+    default the number of coordinates decides. Without `elimination` where there are constraints: see `solved`.
 
     Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that
     has none (E0304).
     """
+    return derived(flat, dense=dense).program
+
+
+def derived(flat: FlatModel, *, dense: bool | None = None) -> Derived:
+    """The same with what `solved` needs."""
     derivation = form_equations(flat)
     blocks = {
         **_equations(derivation, len(flat.coordinates) < _MANY if dense is None else dense),
@@ -75,27 +90,31 @@ def derive(flat: FlatModel, *, dense: bool | None = None, constrained: bool = Fa
         for name, arguments in {**SIGNATURES, **OPTIONAL}.items()
         if name in blocks
     )
-    eliminated: tuple[Function, ...] = ()
-    if constrained or not flat.constraints:
-        cost = _cost_of_forming(derivation, blocks)
-        rows = constraints.constraint_jacobian(derivation.graph, derivation.rows, derivation.symbols.directions)
-        gamma = constraints.bias(derivation.lowering, derivation.rows)
-        eliminated = eliminated_equations(
-            derivation.lowering, flat, derivation.dynamics, derivation.symbols.directions, rows, gamma, cost
-        )
-    if eliminated:
-        change, row_change = blocks["residual_tangent"]
-        directions = derivation.symbols.directions
-        eliminated += (
-            acceleration_tangent(derivation.lowering, flat, derivation.dynamics, directions, change, row_change),
-        )
-    return Program(
-        name=flat.name,
-        layout=layout(flat),
-        graph=derivation.graph,
-        functions=functions + eliminated,
-        kept_rows=tuple(range(len(derivation.rows.residuals))) if eliminated else (),
+    program = Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
+    result = Derived(derivation=derivation, program=program, forming=_cost_of_forming(derivation, blocks))
+    return result if flat.constraints else replace(result, program=_with_elimination(result, None))
+
+
+def solved(derived: Derived, structure: Structure) -> Program:
+    """The program of `structure` with `elimination` where there are constraints: their structure decides how."""
+    if not derived.derivation.flat.constraints:
+        return structure.program
+    return _with_elimination(derived, structure)
+
+
+def _with_elimination(derived: Derived, structure: Structure | None) -> Program:
+    derivation = derived.derivation
+    directions, lowering = derivation.symbols.directions, derivation.lowering
+    program = derived.program if structure is None else structure.program
+    rows = constraints.rows_of(lowering, derivation.rows, directions)
+    found = eliminated_equations(
+        lowering, derivation.flat, derivation.dynamics, directions, rows, structure, derived.forming
     )
+    if found is None:
+        return program
+    change = acceleration_tangent(found, *program.function("residual_tangent").results)
+    kept = tuple(row.index for row in found.factor.rows.kept)
+    return replace(program, functions=(*program.functions, found.function, change), kept_rows=kept)
 
 
 def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:

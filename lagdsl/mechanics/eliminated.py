@@ -6,16 +6,28 @@ from collections.abc import Sequence
 
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.eliminate.count import flops
-from lagdsl.eliminate.form import NotApplicable
-from lagdsl.eliminate.solve import Solution, solve
+from lagdsl.eliminate.form import AccelerationForm, NotApplicable
+from lagdsl.eliminate.rows import Row, Rows
+from lagdsl.eliminate.solve import Factor, Solution, solve
 from lagdsl.flat.model import FlatModel
-from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.inertia import acceleration_form
 from lagdsl.mechanics.lagrange import Dynamics
 from lagdsl.mechanics.lowering import Lowering
+from lagdsl.mechanics.multipliers import choose_rows, least_pivot, weak_rows
+from lagdsl.mechanics.structure import Structure
 from lagdsl.mechanics.symbols import Directions
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.program import Block, Function
+from lagdsl.record import record
+
+
+@record(kw_only=True)
+class Eliminated:
+    """The function `elimination`, and what solves other right-hand sides in the same way; `pivot` is that of both."""
+
+    function: Function
+    factor: Factor
+    pivot: int
 
 
 def eliminated_equations(
@@ -23,29 +35,46 @@ def eliminated_equations(
     flat: FlatModel,
     found: Dynamics,
     directions: Directions,
-    jacobian: Sequence[Sequence[int]],
-    gamma: Sequence[int],
+    rows: Sequence[Row],
+    structure: Structure | None,
     forming: int,
-) -> tuple[Function, ...]:
-    """The function `elimination`, or nothing; all rows of `jacobian` are left to run time.
+) -> Eliminated | None:
+    """None where it costs more than `forming`, the operations for M, f, J and gamma, and solving at run time.
 
-    `forming` are the operations for M, f, J and gamma that it is to beat.
+    `structure` is needed where there are rows.
     """
-    graph, size = lowering.graph, len(directions.rates)
-    if not size:
-        return ()
-    sides = [dict(zip(directions.rates, row, strict=True)) for row in jacobian]
+    graph, n, m = lowering.graph, len(directions.rates), len(rows)
+    if not n:
+        return None
+    most = forming + _factorization(n, m)
     try:
-        solution = solve(acceleration_form(lowering, flat, found, directions), directions.rates, sides)
+        form = acceleration_form(lowering, flat, found, directions)
+        if structure is None:
+            solution = solve(form, directions.rates, most=most)
+            pivot = solution.factor.pivot
+        else:
+            solution = _with_rows(form, directions, rows, structure, most)
+            pivot = least_pivot(solution.factor, structure)
     except NotApplicable:
-        return ()
+        return None
     except CompilationFailed:  # an input has no derivative that only this form asks for
-        return ()
-    blocks = _blocks(graph, solution, jacobian, gamma)
+        return None
+    blocks = _blocks(solution, m, pivot)
     cost = flops(graph, [node for block in blocks for node in block.elements])
-    if cost + _delassus(size, len(gamma)) >= forming + _factorization(size, len(gamma)):
-        return ()
-    return (Function(name="elimination", arguments=OPTIONAL["elimination"], results=blocks),)
+    if cost + _delassus(n, m, len(solution.along)) >= most:
+        return None
+    function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=blocks)
+    return Eliminated(function=function, factor=solution.factor, pivot=pivot)
+
+
+def _with_rows(
+    form: AccelerationForm, directions: Directions, rows: Sequence[Row], structure: Structure, most: int
+) -> Solution:
+    chosen: Rows | None = choose_rows(form.graph, rows, structure)
+    while chosen is not None:
+        solution = solve(form, directions.rates, chosen, most=most)
+        chosen = weak_rows(solution.factor, structure)
+    return solution
 
 
 def _factorization(n: int, m: int) -> int:
@@ -54,23 +83,25 @@ def _factorization(n: int, m: int) -> int:
     return 2 * m * m * n + 8 * m * n * n + (n - m) ** 3 // 3 + 2 * n * n + 4 * m * n
 
 
-def _delassus(n: int, m: int) -> int:
-    """Operations of forming J Y', of its Cholesky factorization and of solutions with it."""
-    return m * m * n + m**3 // 3 + 4 * m * n + 2 * m * m
+def _delassus(n: int, m: int, kept: int) -> int:
+    """Operations of forming J Y' of the kept rows, of its Cholesky factorization and of solutions with it."""
+    return kept * kept * n + kept**3 // 3 + 4 * kept * n + 2 * kept * (kept + m)
 
 
-def _blocks(
-    graph: Graph, solution: Solution, jacobian: Sequence[Sequence[int]], gamma: Sequence[int]
-) -> tuple[Block, ...]:
-    n, m = len(solution.accelerations), len(gamma)
-    responses = [node for row in solution.responses for node in row]
-    rows = [node for row in jacobian for node in row]
+def _blocks(solution: Solution, m: int, pivot: int) -> tuple[Block, ...]:
+    factor, own, along = solution.factor, solution.own, solution.along
+    n, nk, zero = len(factor.rates), len(along), factor.graph.zero
+    kept = factor.rows.kept
     return (
-        Block(name="a", shape=(n,), elements=tuple(solution.accelerations)),
-        Block(name="l", shape=(m,), elements=(graph.zero,) * m),
-        Block(name="Y", shape=(m, n), elements=tuple(responses)),
-        Block(name="K", shape=(m, m), elements=(graph.zero,) * (m * m)),
-        Block(name="J", shape=(m, n), elements=tuple(rows)),
-        Block(name="gamma", shape=(m,), elements=tuple(gamma)),
-        Block(name="pivot", shape=(), elements=(solution.pivot,)),
+        _block("a", (n,), [own.accelerations]),
+        _block("l", (m,), [[own.multipliers.get(row, zero) for row in range(m)]]),
+        _block("Y", (nk, n), [found.accelerations for found in along]),
+        _block("K", (nk, m), [[found.multipliers.get(row, zero) for row in range(m)] for found in along]),
+        _block("J", (nk, n), [[row.terms.get(rate, zero) for rate in factor.rates] for row in kept]),
+        _block("gamma", (nk,), [[row.bias for row in kept]]),
+        _block("pivot", (), [[pivot]]),
     )
+
+
+def _block(name: str, shape: tuple[int, ...], rows: Sequence[Sequence[int]]) -> Block:
+    return Block(name=name, shape=shape, elements=tuple(node for row in rows for node in row))

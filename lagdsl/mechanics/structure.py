@@ -5,7 +5,7 @@ Ranks are found numerically at three general points of the constraint set, the s
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import field, replace
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
@@ -14,7 +14,7 @@ from lagdsl.mechanics.structure_count import Count, count, count_text
 from lagdsl.mechanics.structure_dependence import Dependence, dependence, report_dependence
 from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.mechanics.structure_inertia import report_massless
-from lagdsl.mechanics.structure_points import Functions, geometry, probes
+from lagdsl.mechanics.structure_points import Functions, Geometry, Probe, geometry, probes
 from lagdsl.mechanics.structure_rates import report_integrable, report_nonlinear
 from lagdsl.program.program import Program
 from lagdsl.record import record
@@ -25,7 +25,7 @@ class Structure:
     """What the constraints leave free. `program` is the analyzed one with `Layout.redundant` filled.
 
     `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
-    the latter those that hold identically.
+    the latter those that hold identically. `points` lie on the constraints of `space`.
     """
 
     program: Program
@@ -35,6 +35,8 @@ class Structure:
     redundant: tuple[bool, ...]
     empty: tuple[bool, ...]
     count: Count | None
+    space: Geometry = field(compare=False, repr=False)
+    points: tuple[Probe, ...] = field(compare=False, repr=False)
 
     @property
     def configuration_freedom(self) -> int:
@@ -58,6 +60,8 @@ def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
         redundant=redundant,
         empty=found.dependence.empty,
         count=count(flat, len(flat.coordinates) - found.position_rank),
+        space=found.space,
+        points=tuple(found.points),
     )
 
 
@@ -68,6 +72,8 @@ class Examination:
     dependence: Dependence
     position_rank: int
     rank: int
+    space: Geometry
+    points: list[Probe]
 
 
 def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
@@ -84,7 +90,7 @@ def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
     report_massless(flat, space, points, sink)
     holonomic = set(space.position_rows)
     kept = [row for row, redundant in enumerate(found.redundant) if not redundant]
-    return Examination(found, sum(row in holonomic for row in kept), len(kept))
+    return Examination(found, sum(row in holonomic for row in kept), len(kept), space, points)
 
 
 def structure_text(structure: Structure) -> str:

@@ -53,7 +53,7 @@ def test_turned_pairs_with_any_weights(mirrored: bool) -> None:
         for j in range(i):
             form.add_product(velocity, velocities[j], graph.constant(weights[i, j]))
     solution = solve(form, rates)
-    found = np.array(evaluate(graph, solution.accelerations, {Group.Q: [0.7], Group.QD: [0.0] * 4}))
+    found = np.array(evaluate(graph, solution.own.accelerations, {Group.Q: [0.7], Group.QD: [0.0] * 4}))
     cos, sin, sign = np.cos(0.7), np.sin(0.7), -1.0 if mirrored else 1.0
     block = np.array([[cos, sin], [-sign * sin, sign * cos]])
     definition = np.vstack([np.eye(4), np.kron(np.eye(2), block)])

@@ -104,7 +104,7 @@ def test_pivot_tells_where_the_mass_matrix_is_singular() -> None:
         masses=(mass(1, "v(x, 0, 0)"), mass(1, "v(x + y, 0, 0)"), mass("s", "v(x + 2*y, 0, 0)")),
     )
     derivation, solution = eliminated(flat)
-    (regular,) = evaluate(derivation.graph, [solution.pivot], {Group.P: [1.0]})
-    (singular,) = evaluate(derivation.graph, [solution.pivot], {Group.P: [-0.2]})
+    (regular,) = evaluate(derivation.graph, [solution.factor.pivot], {Group.P: [1.0]})
+    (singular,) = evaluate(derivation.graph, [solution.factor.pivot], {Group.P: [-0.2]})
     assert regular > 0.1
     assert abs(singular) < 1e-15

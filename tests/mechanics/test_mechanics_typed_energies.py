@@ -65,7 +65,7 @@ def test_typed_bodies_accelerate_as_declared_ones(kind: str) -> None:
         flat = flat_model(chain(kind, 4, typed=typed))
         derivation, solution = eliminated(flat)
         parameters = [item.value for item in flat.parameters if not item.structural]
-        found.append(evaluate(derivation.graph, solution.accelerations, {**state, Group.P: parameters}))
+        found.append(evaluate(derivation.graph, solution.own.accelerations, {**state, Group.P: parameters}))
     np.testing.assert_allclose(found[1], found[0], rtol=1e-12, atol=1e-12)
 
 
