@@ -127,7 +127,7 @@ def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
     velocity = constraints.velocity_residuals(lowering, rows)
     jacobian = _matrix("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
     gamma = constraints.bias(lowering, rows)
-    f = lagrange.forcing(lowering, terms)
+    f = lagrange.forcing(lowering, terms) if dense or derivation.flat.states else []
     _refuse_accelerating_states(derivation, [*f, *gamma])
     tau = inverse_dynamics(lowering, derivation.flat, derivation.dynamics, directions)
     pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
