@@ -30,7 +30,7 @@ def _row(name: str, n: int, say: Callable[[str], None]) -> dict[str, object]:
     values = serial.wide_states(n, STATES)
     states = contest.folder() / "accuracy.txt"
     serial.write_states(states, values)
-    entry = contest.Contestant("lagdsl", "lagdsl", (made.library, made.symbol, "forward"))
+    entry = contest.Contestant("lagdsl", "lagdsl", (made.library, *made.symbols, "forward"))
     found = contest.results(states, entry)["forward"]
     exact = np.concatenate([oracle.serial_arm(arm, part) for part in np.array_split(values, 10)])
     row: dict[str, object] = {"model": name, "n": n}

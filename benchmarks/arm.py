@@ -26,7 +26,7 @@ def measure(say: Callable[[str], None]) -> dict[str, object]:
 def _batch() -> list[dict[str, object]]:
     """`model.batch`: wall and CPU nanoseconds per state, CPU summed over threads."""
     made = ours.program("panda", None)
-    engine, plain = CEngine(made, lanes=True), NumpyEngine(made)
+    engine, plain = CEngine(made), NumpyEngine(made)
     defaults = np.array(made.layout.defaults)
     own = defaults * np.random.default_rng(4).uniform(0.9, 1.1, (MANY, len(defaults)))
     rows = []

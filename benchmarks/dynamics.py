@@ -19,18 +19,26 @@ def measure(name: str, n: int, kinds: str = "forward", scalars: str | None = Non
     states = contest.folder() / f"states_{name}_{n}.txt"
     values = serial.states(n)
     serial.write_states(states, values)
-    made = {"lagdsl": ours.make(name, None if name == "panda" else n, lanes="batch" in kinds)}
+    made = {
+        "lagdsl": ours.make(
+            name, None if name == "panda" else n, parts=("states", "tangents") if "batch" in kinds else ()
+        )
+    }
     if scalars is not None:
         made["lagdsl_scalars"] = ours.make(scalars)
     enter = [
-        Contestant(label, "lagdsl", (each.library, each.symbol, kinds if label == "lagdsl" else "forward"))
+        Contestant(label, "lagdsl", (each.library, *each.symbols, kinds if label == "lagdsl" else "forward"))
         for label, each in made.items()
     ]
     generated = _generated(name, n)
     enter += [Contestant(label, "casadi", (each.library,)) for label, each in generated.items()]
     enter += _libraries(arm, "jacobian" in kinds)
     runs = contest.hold(states, enter)
-    errors = _errors(runs[0], oracle.serial_arm(arm, values))
+    exact = {"forward": oracle.serial_arm(arm, values)}
+    exact["batch"] = exact["forward"]
+    if "jacobian" in kinds:
+        exact["jacobian"] = oracle.serial_arm_jacobian(arm, values)
+    errors = _errors(runs[0], exact)
     for run in runs:
         run.least = {key: time for key, time in run.least.items() if errors["/".join(key)] < AGREES}
     return {
@@ -86,14 +94,12 @@ def _word(flags: str) -> str:
     return flags.replace(" ", "")
 
 
-def _errors(run: contest.Run, reference: np.ndarray) -> dict[str, float]:
-    """Largest error against the oracle, by label/kind; Jacobians against Pinocchio's."""
-    jacobian = run.results.get(("pinocchio", "jacobian"))
+def _errors(run: contest.Run, exact: dict[str, np.ndarray]) -> dict[str, float]:
+    """Largest error by label/kind; of results that are no numbers 1e300."""
     errors: dict[str, float] = {}
     for (label, kind), found in run.results.items():
-        exact = jacobian if kind == "jacobian" else reference
         with np.errstate(invalid="ignore"):
-            error = 0.0 if exact is None else float(np.max(oracle.error(found, exact)))
+            error = float(np.max(oracle.error(found, exact[kind])))
         errors[f"{label}/{kind}"] = error if np.isfinite(error) else 1e300
     return errors
 

@@ -63,7 +63,7 @@ def _evaluation(name: str, n: int, made: ours.Made) -> dict[str, object]:
     values = planar.four_bar_states(n, serial.STATES) if name == "four_bars" else serial.states(made.n)
     states = contest.folder() / f"growth_{name}_{n}.txt"
     serial.write_states(states, values)
-    entry = contest.Contestant("lagdsl", "lagdsl", (made.library, made.symbol, "forward"))
+    entry = contest.Contestant("lagdsl", "lagdsl", (made.library, *made.symbols, "forward"))
     runs = contest.hold(states, [entry], runs=RUNS)
     found = runs[0].results["lagdsl", "forward"]
     few = slice(0, 3)  # extended precision is slow

@@ -45,6 +45,19 @@ def serial_arm(arm: Arm, states: np.ndarray) -> np.ndarray:
     return qdd
 
 
+def serial_arm_jacobian(arm: Arm, states: np.ndarray) -> np.ndarray:
+    """d qdd/d(q, qd), (states, n * 2 n) row by row, by central differences of fourth order: good to about 1e-13."""
+    count, width = states.shape
+    h = Extended("1e-4")
+    result = np.empty((count, width // 2, width), Extended)
+    for i in range(width):
+        step = np.zeros(width, Extended)
+        step[i] = h
+        f = [serial_arm(arm, np.asarray(states, Extended) + k * step) for k in (-2, -1, 1, 2)]
+        result[:, :, i] = (f[0] - 8 * f[1] + 8 * f[2] - f[3]) / (12 * h)
+    return result.reshape(count, -1)
+
+
 def apply(matrix: np.ndarray, vector: np.ndarray) -> np.ndarray:
     return np.sum(matrix * vector[:, None, :], axis=2)
 

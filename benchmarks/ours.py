@@ -10,7 +10,7 @@ from pathlib import Path
 
 from measure import children_cpu_seconds, in_fresh_process
 
-from lagdsl.backends.c.emit import model_symbol, sources
+from lagdsl.backends.c.emit import model_symbol, part_symbol, sources
 from lagdsl.diagnostics import Sink
 from lagdsl.eliminate.count import flops
 from lagdsl.pipeline import front, middle
@@ -23,11 +23,12 @@ MODELS = Path(__file__).with_name("models")
 
 @dataclass(frozen=True)
 class Made:
-    """A model as a library. CPU seconds from text to C (imports not counted) and of the C compiler; characters of C;
-    coordinates; flops of one forward dynamics, None where the equations are solved at run time."""
+    """A model as a library, which has the constants `symbols`. CPU seconds from text to C (imports not counted) and of
+    the C compiler; characters of C; coordinates; flops of one forward dynamics, None where the equations are solved at
+    run time."""
 
     library: Path
-    symbol: str
+    symbols: tuple[str, ...]
     python: float
     compiler: float
     size: int
@@ -49,33 +50,37 @@ def program(name: str, n: int | None) -> Program:
     return compilation.program
 
 
-def make(name: str, n: int | None = None, *, lanes: bool = False) -> Made:
-    """A library as `engine="c"` makes it, afresh: nothing comes from the cache but the objects of the runtime."""
+def make(name: str, n: int | None = None, *, parts: tuple[str, ...] = ()) -> Made:
+    """A library as `engine="c"` makes it, afresh: nothing comes from the cache but the objects of the runtime.
+
+    `parts` are the functions of several states, or of several directions, that engines build when first needed.
+    """
     start = time.process_time()
     made = program(name, n)
-    files = sources(made, lanes)
+    files = sources(made, parts)
     python = time.process_time() - start
     seconds, library = children_cpu_seconds(lambda: build(_fresh(files), fresh=True))
     size = max(map(len, files.values()))
     coordinates = len(made.layout.coordinates)
-    return Made(library, model_symbol(made), python, seconds, size, coordinates, _flops(made))
+    symbols = (model_symbol(made), part_symbol(made, "states"), part_symbol(made, "tangents"))
+    return Made(library, symbols, python, seconds, size, coordinates, _flops(made))
 
 
-def in_processes(name: str, n: int | None = None, *, lanes: bool = False, runs: int = 1) -> Made:
+def in_processes(name: str, n: int | None = None, *, parts: tuple[str, ...] = (), runs: int = 1) -> Made:
     """The same in fresh processes: medians of the times."""
-    code = f"import ours; ours.tell({name!r}, {n!r}, {lanes!r})"
+    code = f"import ours; ours.tell({name!r}, {n!r}, {parts!r})"
     found = []
     for _ in range(runs):
         answer = in_fresh_process(code)
         assert isinstance(answer, dict)
-        found.append(Made(**{**answer, "library": Path(answer["library"])}))
+        found.append(Made(**{**answer, "library": Path(answer["library"]), "symbols": tuple(answer["symbols"])}))
     python, compiler = (statistics.median(getattr(made, what) for made in found) for what in ("python", "compiler"))
     return Made(**{**asdict(found[-1]), "python": python, "compiler": compiler})
 
 
-def tell(name: str, n: int | None, lanes: bool) -> None:
+def tell(name: str, n: int | None, parts: tuple[str, ...]) -> None:
     """Print `make` as JSON, the objects of the runtime being there already."""
-    made = make(name, n, lanes=lanes)
+    made = make(name, n, parts=parts)
     print(json.dumps({**asdict(made), "library": str(made.library)}))
 
 

@@ -73,7 +73,6 @@ def main() -> None:
         say(f"not installed, and left out: {', '.join(peers.missing())} (`make peers`, or PEERS=folder of a venv)")
     if names:
         ours.make("planar_chain", 2)  # compiles the runtime, which is not counted
-        ours.make("planar_chain", 2, lanes=True)
     for name in names:
         keep(name)
     page, table = write()
