@@ -19,13 +19,14 @@ _CANDIDATES = ("cc", "gcc", "clang")
 # No -ffast-math: results must be those of the graph's order of operations, the same in every run; for the same reason
 # no contraction into fused multiply-adds, which differ between machines, nor vectors that the compiler finds: GCC (seen
 # with 12.2) fuses in them all the same. Nobody reads errno or the traps of the floating-point unit.
-FLAGS = ("-std=c11", "-fPIC", "-ffp-contract=off", "-fno-tree-vectorize", "-fno-math-errno", "-fno-trapping-math")
+FLAGS = (
+    *("-std=c11", "-fPIC", "-O2", "-ffp-contract=off"),
+    *("-fno-tree-vectorize", "-fno-math-errno", "-fno-trapping-math", "-DLAG_QUICK"),
+)
 # Wider registers and shorter code: libraries in the cache run where they were compiled.
 _NATIVE = {"x86_64": "-march=native", "AMD64": "-march=native", "aarch64": "-mcpu=native"}
 _PROCESSORS = Path("/proc/cpuinfo")
 _KINDS_OF_PROCESSOR = ("vendor_id", "cpu family", "model", "stepping", "flags", "Features", "CPU ")
-# Above this size of generated text (bytes) compile time counts more than the speed of the result.
-_LARGE = 200_000
 _LONGEST_NOTE = 2000
 
 
@@ -52,18 +53,12 @@ def find_compiler() -> Compiler:
 
 def compile_object(compiler: Compiler, folder: Path, source: str, target: str) -> None:
     """Compile the C file `source` of `folder` into the object file `target`. Raises CompilationFailed (E0912)."""
-    size = (folder / source).stat().st_size
-    _run(compiler, folder, [*flags(size), *native_flags(compiler), "-I.", "-c", "-o", target, source])
+    _run(compiler, folder, [*FLAGS, *native_flags(compiler), "-I.", "-c", "-o", target, source])
 
 
 def link_shared(compiler: Compiler, folder: Path, objects: list[str], target: str) -> None:
     """Link object files into the shared library `target`. Raises CompilationFailed (E0912)."""
     _run(compiler, folder, ["-shared", "-o", target, *objects, "-lm"])
-
-
-def flags(size: int) -> tuple[str, ...]:
-    """Compiler flags for a text of `size` bytes; less optimization for what is too large for it."""
-    return (*FLAGS, "-O1" if size > _LARGE else "-O2")
 
 
 def native_flags(compiler: Compiler) -> tuple[str, ...]:

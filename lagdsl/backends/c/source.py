@@ -19,22 +19,20 @@ from lagdsl.program.verify import sizes
 def source(program: Program, stem: str) -> str:
     """Text of `stem`.c."""
     prepared = {node: Place(PREPARED, index) for index, node in enumerate(hoisted(program))}
-    scratch = 0
-    functions: list[str] = []
-    for function in _single(program):
-        text, size = _function(program, function, prepared)
-        functions.append(text)
-        scratch = max(scratch, size)
+    made = {function.name: _function(program, function, prepared) for function in _single(program)}
+    often = [name for name in made if name in _often(program)]
     preparation, size = _prepare(program, prepared)
-    memory = len(prepared) + max(scratch, size)
+    memory = len(prepared) + max(size, *(scratch for _, scratch in made.values()))
     return "\n".join(
         [
             f"/* Equations of motion of {comment_text(program.name)}, generated: see lag/model.h for what is what. */",
             f'#include "{stem}.h"\n',
             '#include <math.h>\n\n#include "lag/columns.h"\n#include "lag/trigonometry.h"\n',
             _tables(program),
+            *(made[name][0] for name in often),
+            '#include "lag/rarely.h"\n',
             preparation,
-            *functions,
+            *(text for name, (text, _) in made.items() if name not in often),
             *_by_columns(program, stem, memory),
             _model(program, stem, len(prepared), memory),
         ]
@@ -60,13 +58,28 @@ def _single(program: Program) -> list[Function]:
     return [function for function in program.functions if function.name not in ALONG_MANY]
 
 
+def _often(program: Program) -> tuple[str, ...]:
+    """What every evaluation of the equations of motion calls."""
+    return ("elimination" if program.has("elimination") else "dynamics", "state_derivative")
+
+
 def _function(program: Program, function: Function, prepared: Mapping[int, Place]) -> tuple[str, int]:
     names = RESULTS[function.name]
     parameters = ["const lag_arguments *at", *(f"double *{name}" for name in names)]
+    if function.name == "residual" and _is_inverse_dynamics(program, function):
+        signature = f"static lag_status model_residual({', '.join(parameters)})"
+        return braced(signature, ["(void)rows;", "return model_inverse_dynamics(at, motion);"]), 0
     head = Head(f"model_{function.name}", parameters, ["at", *names])
     contents = results(program, function, SINGLE)
     made = code(program.graph, contents.stores, prepared, SINGLE, head)
     return definition(head, made, contents, SINGLE, f"at->workspace + {len(prepared)}"), made.scratch
+
+
+def _is_inverse_dynamics(program: Program, residual: Function) -> bool:
+    """Without constraints they are the same, and need not be there twice."""
+    motion, rows = residual.results
+    (force,) = program.function("inverse_dynamics").results
+    return not rows.elements and motion.elements == force.elements
 
 
 def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]:
