@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
@@ -30,9 +30,11 @@ if TYPE_CHECKING:
     from lagdsl.runtime.broadcast import BatchEngine
 
 Derivation: TypeAlias = Literal["graph", "textbook"]
-EngineName: TypeAlias = Literal["numpy", "c"]
+EngineName: TypeAlias = Literal["auto", "numpy", "c"]
 
 _DEEPEST_RECURSION = 20_000
+# Operations of one evaluation from which on a run takes longer in Python than the C compiler does.
+_WORTH_COMPILING = 3_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -127,15 +129,23 @@ def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Com
         from lagdsl.mechanics.idle_loads import report_idle_loads
         from lagdsl.mechanics.invariants import report_proofs
 
-        equations = form_equations(flat)
+        equations = form_equations(flat) if derived is None else derived.derivation
         report_idle_loads(equations, sink)
         report_proofs(equations, sink)
     return Compilation(flat=flat, program=structure.program, structure=structure, diagnostics=sink.diagnostics)
 
 
 def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
-    """What computes the functions of `program`. Raises CompilationFailed where no C compiler is found."""
+    """What computes the functions of `program`; `auto` is C for a large one, where there is a compiler, else NumPy.
+
+    Raises CompilationFailed where `c` is asked for and no C compiler is found.
+    """
     match name:
+        case "auto":
+            if _operations(program) >= _WORTH_COMPILING:
+                with suppress(CompilationFailed):
+                    return engine_of(program, "c")
+            return engine_of(program, "numpy")
         case "numpy":
             from lagdsl.runtime.numpy_engine import NumpyEngine
 
@@ -145,7 +155,14 @@ def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
 
             return CEngine(program)
         case _:
-            raise ValueError(f"there is no engine `{name}`; there are numpy, c")
+            raise ValueError(f"there is no engine `{name}`; there are auto, numpy, c")
+
+
+def _operations(program: Program) -> int:
+    """Of one evaluation of the accelerations."""
+    name = next(name for name in ("elimination", "dynamics", "residual") if program.has(name))
+    roots = [node for block in program.function(name).results for node in block.elements]
+    return len(program.graph.live(roots))
 
 
 def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:

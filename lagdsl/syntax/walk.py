@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
-from functools import cache
 
 from lagdsl.syntax import nodes
+
+_FIELD_NAMES: dict[type[nodes.Node], tuple[str, ...]] = {}
 
 
 def children(node: nodes.Node) -> Iterator[nodes.Node]:
@@ -17,9 +18,11 @@ def children(node: nodes.Node) -> Iterator[nodes.Node]:
             yield from _nodes(value)
 
 
-@cache
 def _field_names(kind: type[nodes.Node]) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(kind))
+    known = _FIELD_NAMES.get(kind)
+    if known is None:
+        known = _FIELD_NAMES[kind] = tuple(field.name for field in fields(kind))
+    return known
 
 
 def _nodes(value: object) -> Iterator[nodes.Node]:
