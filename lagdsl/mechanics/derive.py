@@ -16,6 +16,7 @@ from lagdsl.mechanics.eliminated import eliminated_equations
 from lagdsl.mechanics.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
+from lagdsl.mechanics.positions import share_positions
 from lagdsl.mechanics.provided import Provider
 from lagdsl.mechanics.structure import Structure
 from lagdsl.mechanics.symbols import Symbols
@@ -44,6 +45,7 @@ def form_equations(flat: FlatModel) -> Derivation:
     graph = Graph()
     symbols = Symbols(graph, flat)
     lowering = Lowering(graph, flat, symbols)
+    share_positions(lowering, flat)
     found = lagrange.dynamics(lowering, flat, symbols.directions)
     totals = energies.system_energies(graph, found, symbols.directions)
     lowering.provide = Provider(lowering, flat, symbols, found, totals)

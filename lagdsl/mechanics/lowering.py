@@ -6,7 +6,7 @@ long sums nor long chains of frames meet a limit. `der` of anything is the total
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TypeAlias, assert_never, cast
 
 from lagdsl.flat import expression as flat
@@ -87,6 +87,17 @@ class Lowering:
             values[id(current)] = self._combine(current)
             stack.pop()
         return values[id(expression)]
+
+    def replace(self, nodes: Mapping[int, int]) -> None:
+        """Nodes to be others in all values so far, and so in what is made of them later."""
+        if not nodes:
+            return
+        for key, value in self._values.items():
+            if isinstance(value, int):
+                self._values[key] = nodes.get(value, value)
+            else:
+                x, y, z = (nodes.get(component, component) for component in value)
+                self._values[key] = (x, y, z)
 
     def poses(self, frame: str) -> Poses:
         """Poses and angular velocities, with that of `frame` made."""

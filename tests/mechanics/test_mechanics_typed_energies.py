@@ -69,6 +69,39 @@ def test_typed_bodies_accelerate_as_declared_ones(kind: str) -> None:
     np.testing.assert_allclose(found[1], found[0], rtol=1e-12, atol=1e-12)
 
 
+SUMS = {
+    "angles and places, each written out anew from its end": """phi[i] = sum(q[i+1-k] for k in 1:i);
+    x[i] = sum((0.3 m)*sin(phi[i+1-k]) for k in 1:i);
+    y[i] = -sum((0.3 m)*cos(phi[i+1-k]) for k in 1:i);""",
+    "middles of links": """phi[i] = q[i];
+    x[i] = (0.15 m)*sin(q[i]) + sum((0.3 m)*sin(q[i-k]) for k in 1:i-1);
+    y[i] = -(0.15 m)*cos(q[i]) - sum((0.3 m)*cos(q[i-k]) for k in 1:i-1);""",
+}
+
+
+@pytest.mark.parametrize("name", SUMS)
+def test_cost_of_sums_written_out_grows_with_the_links(name: str) -> None:
+    def chain(n: int) -> str:
+        return f"""model Chain
+  structural parameter Integer N = {n};
+  coordinate Angle q[N];
+  Angle phi[N];
+  Length x[N], y[N];
+equation
+  for i in 1:N loop
+    {SUMS[name]}
+    kinetic 0.5*(0.7 kg)*(der(x[i])^2 + der(y[i])^2) + 0.5*(0.02 kg.m2)*der(phi[i])^2;
+    potential (0.7 kg)*g_n*y[i];
+  end for;
+end Chain;
+"""
+
+    flops = {n: eliminated(flat_model(chain(n)))[1].flops for n in (5, 10, 15)}
+    assert flops[15] < 15 * 75
+    assert flops[15] - flops[10] == flops[10] - flops[5]
+    assert largest_residual(flat_model(chain(5))) < 1e-12
+
+
 FREE = """coordinate Length x, y, z;
   coordinate Angle a, b, c;
   frame B = world.move({x, y, z}).rotz(a).roty(b).rotx(c);
