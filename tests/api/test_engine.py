@@ -30,8 +30,3 @@ def test_without_a_compiler_large_models_run_in_numpy(
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     assert isinstance(_engine(root / "benchmarks" / "models" / "planar_chain.lag", N=100), NumpyEngine)
-
-
-def test_other_names_are_refused(root: Path) -> None:
-    with pytest.raises(ValueError, match="there are auto, numpy, c"):
-        lagdsl.compile(root / "models" / "pendulum.lag", engine="fortran")  # type: ignore[arg-type]
