@@ -170,6 +170,76 @@ static lag_status form(
     return status == LAG_OK ? states->dynamics(&all->at, all->mass, all->force, all->jacobian, all->gamma) : status;
 }
 
+/* Array x of `count` lanes to the states that they belong to. */
+static void deal(size_t lanes, size_t count, size_t size, const double *x, double *to)
+{
+    for (size_t lane = 0; lane < count; ++lane) {
+        for (size_t i = 0; i < size; ++i) {
+            to[lane * size + i] = x[i * lanes + lane];
+        }
+    }
+}
+
+static int finite(size_t count, const double *x)
+{
+    double part[4] = {0.0, 0.0, 0.0, 0.0}; /* nan where x is infinite or nan */
+    for (size_t i = 0; i < count; ++i) {
+        part[i % 4] += 0.0 * x[i];
+    }
+    return part[0] + part[1] + part[2] + part[3] == 0.0;
+}
+
+/* Whether elimination solved all lanes, with no row left to run time. */
+static int solved(const lag_model *model, const lag_states *states, const crowd *all)
+{
+    if (states->elimination == NULL || model->nk > 0) {
+        return 0;
+    }
+    const double smallest = lag_smallest_pivot(model);
+    int sound = finite(states->lanes * model->nq, all->force) && finite(states->lanes * model->nc, all->lam);
+    for (size_t lane = 0; lane < states->lanes; ++lane) {
+        sound &= all->pivot[lane] > smallest;
+    }
+    return sound;
+}
+
+/* States `first` and following from the lanes, each by itself. */
+static lag_status solve_lanes(
+    const lag_model *model,
+    const lag_states *states,
+    const lag_batch *batch,
+    const crowd *all,
+    size_t first,
+    size_t count,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    const lag_formed formed = {
+        .lanes = states->lanes,
+        .qdd = states->elimination == NULL ? NULL : all->force,
+        .lam = all->lam,
+        .response = all->response,
+        .lam_response = all->lam_response,
+        .pivot = all->pivot,
+        .mass = all->mass,
+        .force = all->force,
+        .jacobian = all->jacobian,
+        .gamma = all->gamma,
+    };
+    lag_status worst = LAG_OK;
+    for (size_t lane = 0; lane < count && worst != LAG_SINGULAR; ++lane) {
+        double *own_qdd = qdd + (first + lane) * model->nq;
+        double *own_lam = lam + (first + lane) * model->nc;
+        lag_status status = lag_forward_dynamics_of_lane(model, &formed, lane, batch->memory, own_qdd, own_lam, coordinate);
+        if (status == LAG_MISSING) {
+            status = solve_again(model, batch, first + lane, own_qdd, own_lam, coordinate);
+        }
+        worst = worse(worst, status);
+    }
+    return worst;
+}
+
 lag_status lag_batch_forward_dynamics(
     const lag_model *model,
     const lag_states *states,
@@ -183,35 +253,19 @@ lag_status lag_batch_forward_dynamics(
     }
     const size_t lanes = states->lanes;
     crowd all;
-    place(model, states, batch->lanes, &all);
-    const lag_formed formed = {
-        .lanes = lanes,
-        .qdd = states->elimination == NULL ? NULL : all.force,
-        .lam = all.lam,
-        .response = all.response,
-        .lam_response = all.lam_response,
-        .pivot = all.pivot,
-        .mass = all.mass,
-        .force = all.force,
-        .jacobian = all.jacobian,
-        .gamma = all.gamma,
-    };
     lag_status worst = LAG_OK;
+    place(model, states, batch->lanes, &all);
     for (size_t first = 0; first < batch->count && worst != LAG_SINGULAR; first += lanes) {
         const size_t count = batch->count - first < lanes ? batch->count - first : lanes;
-        lag_status status = form(model, states, batch, first, count, &all);
+        const lag_status status = form(model, states, batch, first, count, &all);
         if (status != LAG_OK) {
             return status;
         }
-        for (size_t lane = 0; lane < count && worst != LAG_SINGULAR; ++lane) {
-            const size_t i = first + lane;
-            double *own_qdd = qdd + i * model->nq;
-            double *own_lam = lam + i * model->nc;
-            status = lag_forward_dynamics_of_lane(model, &formed, lane, batch->memory, own_qdd, own_lam, coordinate);
-            if (status == LAG_MISSING) {
-                status = solve_again(model, batch, i, own_qdd, own_lam, coordinate);
-            }
-            worst = worse(worst, status);
+        if (solved(model, states, &all)) {
+            deal(lanes, count, model->nq, all.force, qdd + first * model->nq);
+            deal(lanes, count, model->nc, all.lam, lam + first * model->nc);
+        } else {
+            worst = worse(worst, solve_lanes(model, states, batch, &all, first, count, qdd, lam, coordinate));
         }
     }
     return worst;

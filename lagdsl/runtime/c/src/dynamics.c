@@ -102,6 +102,11 @@ static lag_status solve(
 static const double smallest_pivot = 1e-6;
 static const double smallest_pivot_with_rows_left = 1e-4;
 
+double lag_smallest_pivot(const lag_model *model)
+{
+    return model->nk > 0 ? smallest_pivot_with_rows_left : smallest_pivot;
+}
+
 lag_status lag_factor_eliminated(
     const lag_model *model,
     const double *response,
@@ -116,8 +121,7 @@ lag_status lag_factor_eliminated(
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
-    const double smallest = model->nk > 0 ? smallest_pivot_with_rows_left : smallest_pivot;
-    return pivot > smallest ? lag_delassus_factor(system, model->rank - solved) : LAG_MISSING;
+    return pivot > lag_smallest_pivot(model) ? lag_delassus_factor(system, model->rank - solved) : LAG_MISSING;
 }
 
 lag_status lag_solve_eliminated(

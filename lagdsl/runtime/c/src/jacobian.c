@@ -6,9 +6,6 @@
 #include "lag/delassus.h"
 #include "lag/dynamics.h"
 
-/* As for the accelerations themselves. */
-static const double smallest_pivot = 1e-6;
-
 /* Functions of `lanes` directions at once; with one lane they are those of the model itself. */
 typedef struct functions {
     size_t lanes;
@@ -178,7 +175,7 @@ static lag_status solve(
     if (model->nk > 0) {
         solve_kept(model, by, f->lanes, width, to);
     }
-    return to->pivot[0] > smallest_pivot && finite(f->lanes * model->nq, to->dqdd) ? LAG_OK : LAG_MISSING;
+    return to->pivot[0] > lag_smallest_pivot(model) && finite(f->lanes * model->nq, to->dqdd) ? LAG_OK : LAG_MISSING;
 }
 
 /* `count` rows of lanes into columns `column` and following of a matrix `columns` wide. */
@@ -295,7 +292,7 @@ static lag_status along_many(
     lag_status status;
     if (tangents->motion != NULL) {
         status = tangents->motion(at, to->qdd, to->lam, to->pivot);
-        if (status == LAG_OK && !(to->pivot[0] > smallest_pivot)) {
+        if (status == LAG_OK && !(to->pivot[0] > lag_smallest_pivot(model))) {
             status = LAG_MISSING;
         }
     } else if (tangents->acceleration != NULL) {

@@ -57,6 +57,9 @@ size_t lag_dynamics_memory(const lag_model *model);
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
 
+/* Where a pivot of elimination() is not above this, the dense system tells whether it is singular. */
+double lag_smallest_pivot(const lag_model *model);
+
 /*
  * What elimination() gave, with its qdd and lam where the accelerations and multipliers are wanted, completed for the rows
  * that it left; `memory` is lag_delassus_memory(nc, nk). LAG_MISSING: it kept too few digits, or has values that are no
