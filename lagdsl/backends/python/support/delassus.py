@@ -54,10 +54,13 @@ def solve_kept(
 
 def _parts(delassus: Floats, rank: int) -> tuple[Floats, Floats, Flags]:
     """H with S^-1 = H H' for `rank` independent rows, columns N with S N = 0, and whether the two can be told apart."""
+    count = delassus.shape[-1]
+    if rank == 0:  # S is round-off
+        whole = np.broadcast_to(np.eye(count), delassus.shape)
+        return whole[..., :0], whole, np.ones(delassus.shape[:-2], dtype=np.bool_)
     scale = _scale(delassus)
     scaled = delassus * scale[..., :, None] * scale[..., None, :]
     finite = np.asarray(np.isfinite(scaled).all(axis=(-1, -2)))
-    count = scaled.shape[-1]
     size, modes = np.linalg.eigh(np.where(finite[..., None, None], scaled, np.eye(count)))
     largest, free = size[..., -1:], count - rank
     dependent = np.arange(count) < free

@@ -11,7 +11,7 @@ static const double SHORT_RESPONSE = 1e-3;
 
 size_t lag_delassus_memory(size_t m, size_t kept)
 {
-    return kept * kept + kept * m + 5 * kept;
+    return 2 * kept * kept + kept * m + 6 * kept;
 }
 
 static double *take(double **memory, size_t count)
@@ -36,6 +36,8 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->weight = take(&memory, kept);
     s->chosen = take(&memory, kept);
     s->excess = take(&memory, kept * m);
+    s->gram = take(&memory, kept * kept);
+    s->part = take(&memory, kept);
     s->x = take(&memory, kept);
     s->rest = take(&memory, kept);
 }
@@ -47,6 +49,13 @@ static double dot(size_t count, const double *x, const double *y)
         sum += x[i] * y[i];
     }
     return sum;
+}
+
+static void fill(size_t count, double *x)
+{
+    for (size_t i = 0; i < count; ++i) {
+        x[i] = 0.0;
+    }
 }
 
 /* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
@@ -120,27 +129,50 @@ static void add_multipliers(const lag_delassus *s, const double *x, double *lam)
 }
 
 /* Each row beyond the rank, less the independent ones that give the same. */
-static void find_excess(lag_delassus *s)
+static void find_direction(lag_delassus *s, size_t own, double *direction)
 {
-    for (size_t i = s->rank; i < s->kept; ++i) {
-        const size_t own = (size_t)s->chosen[i];
-        double *direction = s->excess + (i - s->rank) * s->m;
-        for (size_t k = 0; k < s->rank; ++k) {
-            s->rest[k] = s->factor[own * s->kept + k];
+    for (size_t k = 0; k < s->rank; ++k) {
+        s->rest[k] = s->factor[own * s->kept + k];
+    }
+    solve_upper(s, s->rest);
+    fill(s->kept, s->x);
+    for (size_t k = 0; k < s->rank; ++k) {
+        s->x[(size_t)s->chosen[k]] = -s->rest[k];
+    }
+    s->x[own] = 1.0;
+    fill(s->m, direction);
+    add_multipliers(s, s->x, direction);
+    const double length = sqrt(dot(s->m, direction, direction));
+    for (size_t j = 0; j < s->m; ++j) {
+        direction[j] /= length;
+    }
+}
+
+/* 1: the combinations of multipliers that change nothing, and the factor of their products, are there. */
+static int find_excess(lag_delassus *s)
+{
+    const size_t count = s->kept - s->rank;
+    for (size_t i = 0; i < count; ++i) {
+        find_direction(s, (size_t)s->chosen[s->rank + i], s->excess + i * s->m);
+        for (size_t j = 0; j <= i; ++j) {
+            s->gram[i * count + j] = dot(s->m, s->excess + i * s->m, s->excess + j * s->m);
         }
-        solve_upper(s, s->rest);
-        for (size_t j = 0; j < s->kept; ++j) {
-            s->x[j] = 0.0;
-        }
-        for (size_t k = 0; k < s->rank; ++k) {
-            s->x[(size_t)s->chosen[k]] = -s->rest[k];
-        }
-        s->x[own] = 1.0;
+    }
+    return lag_cholesky(count, s->gram, 0.0) == count;
+}
+
+/* Takes from lam (m) what changes nothing but its length. */
+static void remove_excess(lag_delassus *s, double *lam)
+{
+    const size_t count = s->kept - s->rank;
+    for (size_t i = 0; i < count; ++i) {
+        s->part[i] = dot(s->m, s->excess + i * s->m, lam);
+    }
+    lag_cholesky_solve(count, s->gram, s->part);
+    for (size_t i = 0; i < count; ++i) {
         for (size_t j = 0; j < s->m; ++j) {
-            direction[j] = 0.0;
+            lam[j] -= s->part[i] * s->excess[i * s->m + j];
         }
-        add_multipliers(s, s->x, direction);
-        lag_orthonormalize(i - s->rank, s->m, s->excess, direction);
     }
 }
 
@@ -158,7 +190,7 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
         const double size = s->left[pivot] * s->weight[pivot];
         first = k == 0 ? size : first;
         if (k == rank) {
-            if (size <= LARGEST_EXCESS * first) {
+            if (rank == 0 || size <= LARGEST_EXCESS * first) {
                 break;
             }
             return LAG_MISSING;
@@ -168,8 +200,7 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
         }
         append_column(s, k);
     }
-    find_excess(s);
-    return LAG_OK;
+    return find_excess(s) ? LAG_OK : LAG_MISSING;
 }
 
 /* Multipliers x (kept) that give what is missing to gamma; zero for rows that are not chosen. */
@@ -200,7 +231,7 @@ void lag_delassus_solve(lag_delassus *s, const double *gamma, double *a, double 
 {
     solve_rest(s, gamma, a);
     add_multipliers(s, s->x, lam);
-    lag_remove_parts(s->kept - s->rank, s->m, s->excess, lam);
+    remove_excess(s, lam);
     for (size_t i = 0; i < s->kept; ++i) {
         s->x[i] = lam[s->row[i]];
     }

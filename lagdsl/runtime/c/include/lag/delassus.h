@@ -26,7 +26,9 @@ typedef struct lag_delassus {
     double *left;                   /* (kept) what is left of the diagonal of S */
     double *weight;                 /* (kept) for comparing rows */
     double *chosen;                 /* (kept) the independent rows in turn, then the others */
-    double *excess;                 /* (kept - rank, m) orthonormal combinations of multipliers that change nothing */
+    double *excess;                 /* (kept - rank, m) combinations of multipliers that change nothing, of length one */
+    double *gram;                   /* (kept - rank, kept - rank) factor of their products */
+    double *part;                   /* (kept) */
     double *x, *rest;               /* (kept) */
 } lag_delassus;
 
@@ -37,7 +39,7 @@ size_t lag_delassus_memory(size_t m, size_t kept);
 void lag_delassus_place(lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, double *memory);
 
 /*
- * Factors S, of whose rows `rank` are independent. LAG_MISSING: it has too few digits left to be solved, or the other rows
+ * Factors S, of whose rows `rank` are independent; none: S is round-off. LAG_MISSING: it has too few digits left to be solved, or the other rows
  * do not depend on them here; the dense system tells.
  */
 lag_status lag_delassus_factor(lag_delassus *system, size_t rank);
