@@ -27,7 +27,8 @@ def on_cluster(
     """
     distributed: Any = import_module("distributed")  # without complete types
     try:
-        client = distributed.Client(address, timeout=_PATIENCE)
+        # Not the default of this process: that would outlive a client that fails, and change what xarray does.
+        client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
         raise ConnectionError(f"no Dask scheduler answers at {address}") from error
     with client:
@@ -41,7 +42,7 @@ def on_cluster(
             return future
 
         width = _AHEAD * max(1, sum(client.nthreads().values()))
-        running = distributed.as_completed([submit(task) for task in islice(waiting, width)])
+        running = distributed.as_completed([submit(task) for task in islice(waiting, width)], loop=client.loop)
         for future in running:
             lost = future.exception()
             number = numbers.pop(future.key)
