@@ -55,7 +55,7 @@ class KernelText:
             return [gathering(cast(Gather, parts[1]), self._dialect)]
         if parts[0] == "store":
             text = self._expression(index, cast(int, parts[2]), leaves)
-            target = self._entry(cast(str, parts[1]), self._place(index, leaves.next()), self._dialect.memory)
+            target = self._entry(cast(str, parts[1]), self._place(index, leaves.next()), "")
             return [f"{target} = {text};"]
         text = self._expression(index, self._kernel.body[index], leaves)
         lines = [f"const {self._dialect.real} v{index} = {text};"]
@@ -72,9 +72,9 @@ class KernelText:
             return f"v{local}" if local >= 0 else self._scratch(self._place(index, leaf))
         if kind == "place":
             array = cast(str, rest[0])
-            self._used.setdefault(array, self._dialect.declaration(array))
-            kind = self._dialect.kind(array)
-            return self._dialect.value(array, self._entry(array, self._place(index, leaves.next()), f"const {kind}"))
+            declaration = self._used.setdefault(array, self._dialect.declaration(array))
+            only_read = "" if declaration is None else "const "
+            return self._dialect.value(array, self._entry(array, self._place(index, leaves.next()), only_read))
         if kind == "constant":
             values = cast(list[list[float]], columns(self._rolled, self._kernel, index, leaves.next()))
             found = self.tables.value(values)
@@ -91,9 +91,9 @@ class KernelText:
         return self.tables.index(cast(list[list[int]], columns(self._rolled, self._kernel, index, leaf)))
 
     def _scratch(self, index: Index) -> str:
-        return self._entry(SCRATCH, index, self._dialect.memory)
+        return self._entry(SCRATCH, index, "")
 
-    def _entry(self, array: str, index: Index, kind: str) -> str:
+    def _entry(self, array: str, index: Index, only_read: str) -> str:
         """The text of an entry: what moves alike from lap to lap is found from one pointer, at constant distances."""
         if not index.base and not index.slope:
             return f"{array}[{index.offset}]"
@@ -102,6 +102,7 @@ class KernelText:
             name = f"{array}_{len(self._pointers)}"
             self._pointers[key] = (name, index.offset)
             terms = [array, *([index.base] if index.base else []), *([str(index.offset)] if index.offset else [])]
+            kind = f"{only_read}{self._dialect.kind(array)}"
             self._pointing.append(f"{kind} *const {name} = {' + '.join(terms)}{index.slope};")
         name, first = self._pointers[key]
         return f"{name}[{index.offset - first}]"
