@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from lagdsl.backends.c.dialect import Place
 from lagdsl.backends.c.statement import Listing, Statement
 from lagdsl.graph.operation import ARGUMENT_NAMES, Op
+from lagdsl.record import record
 
 # A variable (its index among the statements), a constant, or an entry of an array.
 Leaf: TypeAlias = "int | float | Place"
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Shaped:
     """A statement without its indices: `shape` is a number that equal shapes share, `leaves` in order of reading."""
 

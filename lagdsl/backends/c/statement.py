@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, Place
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
 from lagdsl.program.passes.schedule import schedule
+from lagdsl.record import record
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,14 +29,13 @@ class Gather:
     count: int
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Statement:
-    """The variable of `node`, or a store of it, or a gathering; `reads` are the variables that its expression uses."""
+    """The variable of `node`, or a store of it, or a gathering."""
 
     node: int
-    store: Store | None
-    gather: Gather | None
-    reads: tuple[int, ...]
+    store: Store | None = None
+    gather: Gather | None = None
 
     @property
     def is_variable(self) -> bool:
@@ -66,9 +66,10 @@ def listing(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place])
     position = {node: index for index, node in enumerate(named)}
     due: list[list[Statement]] = [[] for _ in range(len(named) + 1)]
     for store in every:
-        reads = (store.node,) if store.node in position else _reads(graph, store.node, position, known)
-        due[1 + max((position[node] for node in reads), default=-1)].append(Statement(store.node, store, None, reads))
-    return Listing(graph, tuple(_ordered(graph, named, due, level, gathers, position, known)), known, 3 * len(inner))
+        statement = Statement(store.node, store)
+        last = max((position[node] for node in reads(graph, statement, position, known)), default=-1)
+        due[1 + last].append(statement)
+    return Listing(graph, tuple(_ordered(named, due, level, gathers)), known, 3 * len(inner))
 
 
 def _levels(graph: Graph, live: Sequence[int], given: Mapping[int, Place]) -> tuple[dict[int, int], list[int]]:
@@ -117,13 +118,7 @@ def _gathers(
 
 
 def _ordered(
-    graph: Graph,
-    named: list[int],
-    due: list[list[Statement]],
-    level: Mapping[int, int],
-    gathers: list[Gather],
-    position: Mapping[int, int],
-    known: Mapping[int, Place],
+    named: list[int], due: list[list[Statement]], level: Mapping[int, int], gathers: list[Gather]
 ) -> list[Statement]:
     """Variables by level, stores after what they read, and gatherings between the levels."""
     ordered: list[Statement] = []
@@ -139,18 +134,22 @@ def _ordered(
     for index in range(len(named) + 1):
         wanted = level.get(named[index], 0) if index < len(named) else len(gathers)
         while depth < wanted:
-            ordered.append(Statement(-1, None, gathers[depth], ()))
+            ordered.append(Statement(-1, gather=gathers[depth]))
             depth += 1
             ordered.extend(waiting[depth])
         if index < len(named):
-            node = named[index]
-            ordered.append(Statement(node, None, None, _reads(graph, node, position, known)))
+            ordered.append(Statement(named[index]))
             put(due[index + 1])
     return ordered
 
 
-def _reads(graph: Graph, node: int, named: Mapping[int, int], known: Mapping[int, Place]) -> tuple[int, ...]:
-    """The variables that the expression of `node` reads."""
+def reads(graph: Graph, statement: Statement, named: Container[int], known: Container[int]) -> tuple[int, ...]:
+    """The variables, of the nodes `named`, that the expression of a statement reads."""
+    node = statement.node
+    if statement.gather is not None:
+        return ()
+    if statement.store is not None and node in named:
+        return (node,)
     found: dict[int, None] = {}
     operands = graph.operands
     stack = [] if node in known else list(operands[node])

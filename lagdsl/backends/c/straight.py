@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.backends.c.dialect import SCRATCH, Dialect
-from lagdsl.backends.c.statement import Gather, Listing, Statement
+from lagdsl.backends.c.statement import Gather, Listing, Statement, reads
 from lagdsl.backends.expression import ExpressionPrinter
 from lagdsl.graph.operation import ARGUMENT_NAMES, Op
 from lagdsl.program.passes.chunk import Chunks, chunk
@@ -14,10 +14,10 @@ def pieces(listing: Listing, dialect: Dialect, largest: int) -> tuple[list[list[
     statements = listing.statements
     position = {statement.node: index for index, statement in enumerate(statements) if statement.is_variable}
 
-    def reads(index: int) -> list[int]:
-        return [position[node] for node in statements[index].reads]
+    def read_by(index: int) -> list[int]:
+        return [position[node] for node in reads(listing.graph, statements[index], position, listing.given)]
 
-    chunks = chunk(range(len(statements)), reads, max(largest, 1))
+    chunks = chunk(range(len(statements)), read_by, max(largest, 1))
     texts = [_piece(listing, dialect, position, chunks, which) for which in range(len(chunks.pieces))]
     return texts, listing.gathered + chunks.size
 
