@@ -207,11 +207,24 @@ static lag_status eliminate(
         : status;
 }
 
+/* Where no row is left to run time, elimination is the whole solution. */
+static lag_status eliminate_all(const lag_model *model, const lag_arguments *at, double *qdd, double *lam)
+{
+    double none = 0.0;
+    double pivot = 0.0;
+    const lag_status status = model->elimination(at, qdd, lam, &none, &none, &none, &none, &pivot);
+    const int usable = status == LAG_OK && pivot > lag_smallest_pivot(model);
+    return usable ? finite_or_not(model->nc, lam, finite_or_not(model->nq, qdd, LAG_OK)) : LAG_MISSING;
+}
+
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
+    if (model->elimination != NULL && model->nk == 0 && eliminate_all(model, at, qdd, lam) == LAG_OK) {
+        return LAG_OK;
+    }
     const places to = place(model, memory);
-    if (eliminate(model, at, &to, qdd, lam) == LAG_OK) {
+    if (model->nk > 0 && eliminate(model, at, &to, qdd, lam) == LAG_OK) {
         return LAG_OK;
     }
     lag_system system;
