@@ -14,8 +14,7 @@ from lagdsl.graph.differentiate import mask_of
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.identity import identical
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics.carriers import Carrier, kinetic_energy, place_of, tensor_of
-from lagdsl.mechanics.frames import is_put
+from lagdsl.mechanics.carriers import Carrier, is_in_world, kinetic_energy, place_of, tensor_of
 from lagdsl.mechanics.lagrange import Dynamics
 from lagdsl.mechanics.lagrangian_form import Apart, add_lagrangian
 from lagdsl.mechanics.lowering import Lowering
@@ -72,7 +71,7 @@ class _Builder:
         if not constant or graph.groups[carrier.mass] & ~_HELD or not holonomic:
             return self._lagrangian(carrier)
         if body is None:
-            self._add_point(carrier.mass, carrier.position)
+            self._add_mass(carrier)
             return graph.zero
         com, tensor = place_of(self._lowering, body), tensor_of(self._lowering, body)
         if any(graph.groups[x] & ~_HELD for row in (com, *tensor) for x in row):
@@ -85,6 +84,24 @@ class _Builder:
         height = graph.multiply(carrier.mass, graph.dot(self._gravity, carrier.position))
         return graph.add(kinetic_energy(graph, carrier), height)
 
+    def _add_mass(self, carrier: Carrier) -> None:
+        """In the axes of the frame that carries it, where one does: at a fixed place like a body, else by itself."""
+        graph, mass = self._graph, carrier.mass
+        own = self._lowering.own.places.get(carrier.position)
+        if own is None or not self._poses.is_carried(own[0]):
+            self._add_point(mass, carrier.position)
+            return
+        frame, place = own
+        moving = self._accelerations.of(frame)
+        if all(not graph.groups[x] & ~_HELD for x in place):
+            zero = (graph.zero, graph.zero, graph.zero)
+            tensor = _about_origin(graph, mass, place, (zero, zero, zero))
+            self._add_rigid(frame, moving, mass, scale(graph, mass, place), tensor)
+            return
+        for velocity, acceleration in zip(carrier.velocity, self._accelerations.shifted(moving, place), strict=True):
+            self.form.add_square(velocity, mass)
+            self.form.add_force(velocity, graph.negate(graph.multiply(mass, acceleration)))
+
     def _add_point(self, mass: int, position: Vector) -> None:
         """m (a - g) in world axes."""
         graph, form = self._graph, self.form
@@ -96,24 +113,19 @@ class _Builder:
 
     def _add_body(self, frame: str, carrier: Carrier, com: Vector, tensor: Axes) -> None:
         graph = self._graph
-        pose = self._poses[frame]
         if self._poses.is_released(frame):
             raise NotApplicable
         moving = self._accelerations.of(frame)
-        omega, velocity = self._poses.own_twist(frame)
         mass = carrier.mass
-        if carrier.position == pose.origin and is_put(pose):
+        if is_in_world(self._lowering, frame, carrier.position):
             self._add_point(mass, carrier.position)
             mass = graph.zero
-        moment = scale(graph, mass, com)
-        tensor = _about_origin(graph, mass, com, tensor)
-        self._add_inertia(omega, velocity, mass, moment, tensor)
-        self._add_newton_euler(omega, velocity, moving, mass, moment, tensor)
+        self._add_rigid(frame, moving, mass, scale(graph, mass, com), _about_origin(graph, mass, com, tensor))
 
     def add_typed_bodies(self, apart: Apart, lagrangian: int) -> int:
         """Bodies typed as energies, with their weights; what is no body is given back."""
         graph = self._graph
-        if not apart.twists:
+        if not apart.twists or lagrangian == graph.zero:
             return lagrangian
         heights = Heights(self._lowering)
         bodies, rest = typed_bodies(apart, terms_of(graph, heights.apart(lagrangian)))
@@ -121,10 +133,8 @@ class _Builder:
             return lagrangian
         hanging, rest = heights.hang(bodies, rest)
         for body, gravity in hanging:
-            omega, velocity = self._poses.own_twist(body.frame)
             moving = self._accelerations_under(gravity).of(body.frame)
-            self._add_inertia(omega, velocity, body.mass, body.moment, body.tensor)
-            self._add_newton_euler(omega, velocity, moving, body.mass, body.moment, body.tensor)
+            self._add_rigid(body.frame, moving, body.mass, body.moment, body.tensor)
         return heights.together(graph.sum(graph.multiply(term.weight, term.node) for term in rest))
 
     def _accelerations_under(self, wanted: Vector) -> Accelerations:
@@ -138,6 +148,12 @@ class _Builder:
         made = Accelerations(graph, self._poses, lowering.rate, lowering.coasting_rate, wanted)
         self._under[wanted] = made
         return made
+
+    def _add_rigid(self, frame: str, moving: Moving, mass: int, moment: Vector, tensor: Axes) -> None:
+        """`moment` and `tensor` about the origin of the frame."""
+        omega, velocity = self._poses.own_twist(frame)
+        self._add_inertia(omega, velocity, mass, moment, tensor)
+        self._add_newton_euler(omega, velocity, moving, mass, moment, tensor)
 
     def _add_inertia(self, omega: Vector, velocity: Vector, mass: int, moment: Vector, tensor: Axes) -> None:
         """1/2 m v.v + v . omega x mc + 1/2 omega . I omega."""

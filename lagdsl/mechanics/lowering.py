@@ -109,6 +109,10 @@ class Lowering:
         of = self.rate.of
         return (of(position[0]), of(position[1]), of(position[2]))
 
+    def own_velocity(self, point: FlatExpression) -> Vector | None:
+        """The velocity of a point along the axes of the frame that carries it; None where none does."""
+        return self.own.velocity(point) if self._release == Release() else None
+
     # ---- order of lowering -------------------------------------------------------------------------------------------
 
     def _needed(self, expression: FlatExpression) -> list[FlatExpression]:

@@ -14,7 +14,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Point
 from lagdsl.graph.graph import Graph
-from lagdsl.mechanics.frames import Loosened, Put, Shift, is_put
+from lagdsl.mechanics.frames import Loosened, Put, Shift
 from lagdsl.mechanics.poses import Poses
 from lagdsl.mechanics.vectors import Vector, add, cross, divide, negate, scale, to_own
 from lagdsl.mechanics.velocities import Rates, Twist, derivative
@@ -58,6 +58,13 @@ class OwnVectors:
         own = self._along(frames[0], a)
         return self._graph.dot(own, own if square else self._along(frames[0], b))
 
+    def velocity(self, point: FlatExpression) -> Vector | None:
+        """The velocity of a point along the axes of the frame that carries it; None where none does alone."""
+        self._prepare(point, moving=True)
+        parts = self._velocity_of(point)
+        self._note_place(point)
+        return next(iter(parts.values())) if len(parts) == 1 and "world" not in parts else None
+
     def _along(self, frame: str, parts: Parts) -> Vector:
         graph, zero = self._graph, self._graph.zero
         own = parts.get(frame, (zero, zero, zero))
@@ -68,18 +75,18 @@ class OwnVectors:
     def _world(self, expression: FlatExpression) -> Vector:
         return cast(Vector, self._lowered(expression))
 
-    def _prepare(self, expression: FlatExpression) -> None:
+    def _prepare(self, expression: FlatExpression, *, moving: bool = False) -> None:
         """Values and velocities of all operands first, so that long sums meet no limit of recursion."""
-        stack = [(expression, False)]
+        stack = [(expression, moving)]
         while stack:
-            current, moving = stack[-1]
-            known = self._velocities if moving else self._values
-            operands = [] if id(current) in known else _operands(self._points, current, moving=moving)
+            current, of_rate = stack[-1]
+            known = self._velocities if of_rate else self._values
+            operands = [] if id(current) in known else _operands(self._points, current, moving=of_rate)
             missing = [(x, rate) for x, rate in operands if id(x) not in (self._velocities if rate else self._values)]
             if missing:
                 stack += missing
                 continue
-            self._velocity_of(current) if moving else self._values_of(current)
+            self._velocity_of(current) if of_rate else self._values_of(current)
             stack.pop()
 
     # ---- vectors -----------------------------------------------------------------------------------------------------
@@ -179,7 +186,7 @@ class OwnVectors:
         match expression:
             case flat.PointReference(name):
                 return self._velocity_of(self._points[name].position)
-            case flat.FrameOrigin(frame) if not is_put(self._poses[frame]):
+            case flat.FrameOrigin(frame) if self._poses.is_carried(frame):
                 return {self._turned(frame): self._twist(frame)[1]}
             case flat.FrameAxis():
                 return self._carried(self._values_of(expression))

@@ -67,6 +67,7 @@ class Poses:
         self._rates = rates
         self._release = release
         self._poses = {"world": frames.world(graph)}
+        self._put: set[str] = set()
         self._released: set[str] = set()
         at_rest = (graph.zero, graph.zero, graph.zero)
         self._own = {"world": at_rest}
@@ -79,6 +80,10 @@ class Poses:
     def is_released(self, name: str) -> bool:
         """Whether a reaction releases this frame or one that carries it."""
         return name in self._released
+
+    def is_carried(self, name: str) -> bool:
+        """Whether the origin moves as a place of the frames before it, not as a position given in the world."""
+        return name not in self._put
 
     def __getitem__(self, name: str) -> Pose:
         return self._poses[name]
@@ -110,6 +115,9 @@ class Poses:
         released = any(isinstance(motion, Loosened | Released) for motion in pose.motions)
         if released or self.is_released(frame.parent):
             self._released.add(frame.name)
+        places = [motion.origin for motion in pose.motions if isinstance(motion, Put)]
+        if any(self._graph.depends(x, Group.Q) for x in places[-1]) if places else not self.is_carried(frame.parent):
+            self._put.add(frame.name)
 
     def _turn(
         self,

@@ -4,7 +4,7 @@ import pytest
 from elimination_models import PLANAR, SCALARS, SPATIAL, eliminated, flat_model, largest_residual
 from mechanics_models import body, constraint, definition, energy, expression, frame, mass, model, point, triple
 
-from lagdsl.flat.model import FlatModel, Move, Rotate, RotateAbout
+from lagdsl.flat.model import FlatModel, Move, Place, Rotate, RotateAbout
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 
@@ -66,6 +66,39 @@ GENERAL = {
         gravity="v(0, -9.81, 0)",
         bodies=(body("A", 1, (0, 0, 0), INERTIA), body("B", 1, (0.3, 0.1, 0), INERTIA)),
     ),
+    "beads on a turning arm": model(
+        coordinates=("a", "b", "s"),
+        named=(
+            frame(
+                "A",
+                "world",
+                Rotate(2, expression("0.3*sin(2*time) + b")),
+                Move(triple((0.1, 0.2, 0))),
+                Rotate(1, expression("a")),
+            ),
+            point("P", "A.origin + s*A.x"),
+        ),
+        gravity="v(0.5, 0, -9.81)",
+        masses=(mass(0.5, "p(P) + 0.3*A.z"), mass(0.7, "A.origin + 0.2*A.y"), mass(0.3, "p(P) + v(0, s, 0)")),
+    ),
+    "frames put at places of others": model(
+        coordinates=("a", "b", "c"),
+        named=(
+            frame("A", "world", Rotate(1, expression("a"))),
+            frame("B", "world", Place(expression("A.origin + A.x")), Rotate(1, expression("b"))),
+            frame("C", "B", Move(triple((0, 0, 0.4))), Rotate(1, expression("c"))),
+            frame(
+                "D",
+                "world",
+                Place(expression("C.origin + 0.3*C.z")),
+                Rotate(2, expression("a")),
+                Rotate(0, expression("c")),
+            ),
+        ),
+        gravity="v(0, 0, -9.81)",
+        bodies=tuple(body(name, 1 + k, (0.3, 0.1, 0.2), INERTIA) for k, name in enumerate("ABCD")),
+        masses=(mass(0.5, "C.origin + 0.2*C.x"), mass(0.2, "D.origin + 0.2*D.x + b*D.y")),
+    ),
     "a closed loop": model(
         coordinates=("a", "b", "c"),
         named=(point("P", "v(cos(a), sin(a), 0)"), point("Q", "p(P) + 2*v(cos(b), sin(b), 0)")),
@@ -94,6 +127,26 @@ def test_turning_about_a_vector_along_an_own_axis_is_turning_about_that_axis(
     assert largest_residual(by_vector) < 1e-13
     by_axis = pendulum(Rotate(2, expression(f"{sign}b")))
     assert eliminated(by_vector)[1].flops == eliminated(by_axis)[1].flops
+
+
+POINTS = """model Chain
+  coordinate Angle a[N], b[N];
+  structural parameter Integer N = 6;
+  frame F[N];
+  gravity = -g_n*world.z;
+  for i in 1:N loop
+    frame F[i] = (if i == 1 then world else F[i-1].move({0 m, 0 m, -1 m})).rotx(a[i]).roty(b[i]);
+    ELEMENT;
+  end for;
+end Chain;
+"""
+
+
+def test_masses_at_places_of_frames_cost_what_bodies_cost() -> None:
+    masses = flat_model(POINTS.replace("ELEMENT", "mass (1 kg) at F[i].point({0 m, 0 m, -1 m})"))
+    bodies = flat_model(POINTS.replace("ELEMENT", "body (m = 1 kg, com = {0 m, 0 m, -1 m}) on F[i]"))
+    assert largest_residual(masses) < 1e-13
+    assert eliminated(masses)[1].flops == eliminated(bodies)[1].flops
 
 
 def test_pivot_tells_where_the_mass_matrix_is_singular() -> None:
