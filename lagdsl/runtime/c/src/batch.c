@@ -182,11 +182,18 @@ static void deal(size_t lanes, size_t count, size_t size, const double *x, doubl
 
 static int finite(size_t count, const double *x)
 {
-    double part[4] = {0.0, 0.0, 0.0, 0.0}; /* nan where x is infinite or nan */
-    for (size_t i = 0; i < count; ++i) {
-        part[i % 4] += 0.0 * x[i];
+    double a = 0.0, b = 0.0, c = 0.0, d = 0.0; /* nan where a value is infinite or nan */
+    size_t i = 0;
+    for (; i + 3 < count; i += 4) {
+        a += 0.0 * x[i];
+        b += 0.0 * x[i + 1];
+        c += 0.0 * x[i + 2];
+        d += 0.0 * x[i + 3];
     }
-    return part[0] + part[1] + part[2] + part[3] == 0.0;
+    for (; i < count; ++i) {
+        a += 0.0 * x[i];
+    }
+    return (a + b) + (c + d) == 0.0;
 }
 
 /* Whether elimination solved all lanes, with no row left to run time. */

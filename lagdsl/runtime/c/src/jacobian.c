@@ -105,11 +105,18 @@ static void fill(size_t count, double value, double *x)
 
 static int finite(size_t count, const double *x)
 {
-    double part[4] = {0.0, 0.0, 0.0, 0.0}; /* nan where x is infinite or nan */
-    for (size_t i = 0; i < count; ++i) {
-        part[i % 4] += 0.0 * x[i];
+    double a = 0.0, b = 0.0, c = 0.0, d = 0.0; /* nan where a value is infinite or nan */
+    size_t i = 0;
+    for (; i + 3 < count; i += 4) {
+        a += 0.0 * x[i];
+        b += 0.0 * x[i + 1];
+        c += 0.0 * x[i + 2];
+        d += 0.0 * x[i + 3];
     }
-    return part[0] + part[1] + part[2] + part[3] == 0.0;
+    for (; i < count; ++i) {
+        a += 0.0 * x[i];
+    }
+    return (a + b) + (c + d) == 0.0;
 }
 
 /* What solves for accelerations and multipliers: the dense system, or what elimination left. */
@@ -175,7 +182,7 @@ static lag_status solve(
     if (model->nk > 0) {
         solve_kept(model, by, f->lanes, width, to);
     }
-    return to->pivot[0] > lag_smallest_pivot(model) && finite(f->lanes * model->nq, to->dqdd) ? LAG_OK : LAG_MISSING;
+    return to->pivot[0] > lag_smallest_pivot(model) ? LAG_OK : LAG_MISSING;
 }
 
 /* `count` rows of lanes into columns `column` and following of a matrix `columns` wide. */
@@ -340,6 +347,10 @@ lag_status lag_jacobian(
     place(model, lanes_of(tangents), memory, &to);
     if (lanes_of(tangents) > 1) {
         status = along_many(model, tangents, at, x, &to, rates, outputs, coordinate);
+        if (status == LAG_OK && finite(count, rates) && finite(output_count, outputs)) {
+            return LAG_OK;
+        }
+        status = status == LAG_OK ? LAG_MISSING : status;
     }
     if (status == LAG_MISSING) {
         status = along_one(model, at, x, &to, rates, outputs, coordinate);
