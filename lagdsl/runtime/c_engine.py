@@ -23,6 +23,7 @@ from lagdsl.runtime.build import build
 from lagdsl.runtime.cores import Part, share_out
 from lagdsl.runtime.engine import Floats, SingularSystem
 from lagdsl.runtime.load import VECTORS, Arguments, Batch, Library, Range, load
+from lagdsl.runtime.state_jacobian import StateJacobian
 
 _SINGULAR = 1
 _STATE_VECTORS = STATE[1:]
@@ -68,6 +69,7 @@ class CEngine:
         for i, group in enumerate(VECTORS):
             setattr(self._arguments, ARGUMENT_NAMES[group], self._vectors.ctypes.data + 8 * int(ends[i]))
         self._prepared: bytes | None = None
+        self._state_jacobian: StateJacobian | None = None
         at, model, index = byref(self._arguments), self._library.model, byref(self._coordinate)
         self._prepare_call = (model, at)
         memory = self._buffers.memory.ctypes.data
@@ -99,7 +101,15 @@ class CEngine:
 
     def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz). Raises SingularSystem."""
-        return self.jacobian_many("state", t, q, qd, z, u, w, p)[0]
+        if self._state_jacobian is None:
+            size = 2 * self._sizes.q + self._sizes.z
+            self._state_jacobian = StateJacobian(self._part("tangents"), self._arguments, size)
+        np.concatenate((q, qd, z, u, w, p), out=self._state)
+        self._prepared = None  # the parameters of the functions of one state may be others now
+        status, jacobian = self._state_jacobian(t, p)
+        if status == _SINGULAR:
+            raise SingularSystem(self._state_jacobian.coordinate.value)
+        return jacobian
 
     def _set_state(self, t: float, *vectors: Floats) -> None:
         self._arguments.t = t

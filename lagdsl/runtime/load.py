@@ -81,16 +81,12 @@ class Range(Structure):
     _fields_ = [("first", c_size_t), ("count", c_size_t)]
 
 
-class Range(Structure):
-    """lag_range."""
-
-    _fields_ = [("first", c_size_t), ("count", c_size_t)]
-
-
 @dataclass(frozen=True, slots=True)
 class Library:
-    """A loaded model: `model` is a pointer to its lag_model, `part` to its lag_states or lag_tangents, or null; the others
-    are functions compiled with it, and numbers of doubles that they need."""
+    """A loaded model: `model` points at its lag_model, `part` at its lag_states or lag_tangents, or is null.
+
+    The others are functions compiled with it, and how many doubles they need.
+    """
 
     model: object
     part: object
@@ -100,6 +96,7 @@ class Library:
     prepare: ctypes._NamedFuncPointer
     evaluate: ctypes._NamedFuncPointer
     forward_dynamics: ctypes._NamedFuncPointer
+    jacobian: ctypes._NamedFuncPointer
     batch_evaluate: ctypes._NamedFuncPointer
     batch_forward_dynamics: ctypes._NamedFuncPointer
     batch_jacobian: ctypes._NamedFuncPointer
@@ -126,6 +123,9 @@ def load(path: Path, symbol: str, part: str | None = None) -> Library:
         evaluate=_function(library, "lag_evaluate", [c_void_p, c_int, arguments, results]),
         forward_dynamics=_function(
             library, "lag_forward_dynamics", [c_void_p, arguments, c_void_p, results, results, index]
+        ),
+        jacobian=_function(
+            library, "lag_jacobian", [c_void_p, c_void_p, arguments, Range, c_void_p, results, results, index]
         ),
         batch_evaluate=_function(library, "lag_batch_evaluate", [c_void_p, c_int, batch, results, c_size_t]),
         batch_forward_dynamics=_function(
