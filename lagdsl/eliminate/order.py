@@ -17,17 +17,18 @@ from lagdsl.eliminate.definitions import Definitions
 from lagdsl.eliminate.form import NotApplicable
 from lagdsl.eliminate.matrix import SparseSystem
 from lagdsl.eliminate.rotations import Rotation
-from lagdsl.eliminate.rows import Row, is_multiplier, multiplier_of
+from lagdsl.eliminate.rows import Rows, components, is_multiplier, multiplier_of
 from lagdsl.eliminate.steps import Defined, Minimized, Step, Swapped
 from lagdsl.graph.graph import Graph
 
 
 class Elimination:
     """One order: variables by least `priority` as soon as nothing uses them, rates at once, `delayed` ones last, and
-    multipliers of `rows` as soon as the last rate that the row uses is eliminated.
+    multipliers of solved rows as soon as the last rate that the row uses is eliminated.
 
-    `steps` are what solving has to take back. `sizes` tell for every multiplier what its pivot was before others were
-    eliminated from it: J W^-1 J', of which they leave a part.
+    `steps` are what solving has to take back. By multiplier: `sizes` are what its pivot was before others were
+    eliminated from it, J W^-1 J'; `rests` what they left of it where the row follows from them; `tied` the other
+    multipliers that take part in a solved one.
     """
 
     def __init__(
@@ -39,7 +40,7 @@ class Elimination:
         priority: Mapping[int, tuple[int, int]],
         budget: Budget,
         delayed: Container[int] = (),
-        rows: Sequence[Row] = (),
+        rows: Rows | None = None,
     ) -> None:
         self._graph: Graph = system.graph
         self._system, self._terms = system, definitions.terms
@@ -57,12 +58,12 @@ class Elimination:
             group.append(rotation)
             for v in rotation.after:
                 self._group[v] = group
-        self._using: dict[int, list[Row]] = {}
-        for row in rows:
-            for rate in row.terms:
-                self._using.setdefault(rate, []).append(row)
-        self._open = {row.index: len(row.terms) for row in rows}
+        rows = rows or Rows()
+        self._following = {multiplier_of(row.index): None for row in rows.following}
+        self._waiting, self._open = _waiting(rows)
         self.sizes: dict[int, int] = {}
+        self.rests: dict[int, int] = {}
+        self.tied: dict[int, dict[int, int]] = {}
         self._ready: dict[int, None] = {}
         self._heap: list[tuple[tuple[int, int], int]] = []
         self.steps: list[Step] = []
@@ -163,13 +164,24 @@ class Elimination:
             raise NotApplicable
         row = dict(system.rows[variable])
         shares = system.minimize(variable)
-        self.steps.append(Minimized(variable, pivot, shares))
-        if not is_multiplier(variable):
+        if is_multiplier(variable):
+            self.tied[variable] = {k: share for k, share in shares.items() if is_multiplier(k)}
+        else:
             self._enlarge(row, shares)
-        for used in self._using.get(variable if rate is None else rate, ()):
-            self._open[used.index] -= 1
-            if not self._open[used.index]:
-                self._minimize(multiplier_of(used.index))
+        acting = {k: share for k, share in shares.items() if k not in self._following} if self._following else shares
+        self.steps.append(Minimized(variable, pivot, acting))
+        for multiplier in self._waiting.get(variable if rate is None else rate, ()):
+            self._open[multiplier] -= 1
+            if not self._open[multiplier]:
+                self._complete(multiplier)
+
+    def _complete(self, multiplier: int) -> None:
+        """Everything that its pivot is made from is eliminated."""
+        if multiplier not in self._following:
+            self._minimize(multiplier)
+            return
+        self.rests[multiplier] = self._graph.negate(self._system.pivot(multiplier))
+        self._system.take(multiplier)
 
     def _enlarge(self, row: Mapping[int, int], shares: Mapping[int, int]) -> None:
         graph = self._graph
@@ -177,6 +189,22 @@ class Elimination:
             if is_multiplier(k):
                 own = graph.multiply(row[k], share)
                 self.sizes[k] = graph.add(self.sizes.get(k, graph.zero), own)
+
+
+def _waiting(rows: Rows) -> tuple[dict[int, list[int]], dict[int, int]]:
+    """Multipliers by the rates and multipliers that are eliminated before them; and how many these are."""
+    waiting: dict[int, list[int]] = {}
+    solved = {row.index: None for row in rows.solved}
+    for group in components((*rows.solved, *rows.following)):
+        first = [multiplier_of(row.index) for row in group if row.index in solved]
+        for row in group:
+            for variable in (*row.terms, *(() if row.index in solved else first)):
+                waiting.setdefault(variable, []).append(multiplier_of(row.index))
+    counts: dict[int, int] = {}
+    for multipliers in waiting.values():
+        for multiplier in multipliers:
+            counts[multiplier] = counts.get(multiplier, 0) + 1
+    return waiting, counts
 
 
 def by_creation(definitions: Definitions, rates: Sequence[int]) -> dict[int, tuple[int, int]]:

@@ -4,8 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from lagdsl.eliminate.form import NotApplicable
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
+from lagdsl.record import record
+
+# What others leave of a row that follows from them is below this part of its size: its distance from them, squared.
+_FOLLOWS = 1e-10
+# A row whose size is below this part of the largest one is none: its entries are round-off.
+_SHORT = 1e-6
 
 
 class References:
@@ -35,7 +42,7 @@ class References:
                 known[node] = found[0]
             else:
                 lost = [other for part, other in zip(parts, found, strict=True) if part != other]
-                known[node] = _largest(graph, lost) if lost else node
+                known[node] = _extreme(graph, Op.MAX, lost) if lost else node
         return known[root]
 
     def _parts(self, node: int) -> tuple[int, ...]:
@@ -49,43 +56,60 @@ class References:
                 return ()
 
 
-def _largest(graph: Graph, nodes: list[int]) -> int:
-    largest = nodes[0]
-    for node in nodes[1:]:
-        if node != largest:
-            largest = graph.binary(Op.MAX, largest, node)
-    return largest
-
-
 def least(graph: Graph, pivots: Iterable[tuple[int, int]]) -> int:
-    """The least of pivot / reference; 1 where nothing was subtracted from any."""
+    """The least of pivot / |reference|; negative where a pivot is, 1 where nothing was subtracted from any.
+
+    Raises NotApplicable where a pivot is negative however parameters are chosen: the system is not positive definite.
+    """
     smallest = graph.one
     for pivot, reference in dict.fromkeys(pivots):
         if pivot != reference:
-            smallest = graph.binary(Op.MIN, smallest, graph.divide(pivot, reference))
+            part = graph.divide(pivot, graph.unary(Op.ABS, reference))
+        elif graph.op[pivot] is Op.NEGATE or graph.value.get(pivot, 1.0) <= 0.0:
+            raise NotApplicable
+        else:
+            part = graph.select(graph.binary(Op.LESS, graph.zero, pivot), graph.one, graph.negate(graph.one))
+        smallest = graph.binary(Op.MIN, smallest, part)
     return smallest
 
 
-def weakest(
-    graph: Graph,
-    pivot: int,
-    strengths: Mapping[int, tuple[int, int]],
-    usual: Mapping[int, float],
-    groups: Iterable[Sequence[int]],
-) -> int:
+@record(kw_only=True)
+class Loop:
+    """Rows that share coordinates, by index; `usual` are sizes of the solved ones, to compare them by."""
+
+    solved: Sequence[int]
+    following: Sequence[int]
+    usual: Mapping[int, float]
+
+
+def weakest(graph: Graph, pivot: int, strengths: Mapping[int, tuple[int, int]], groups: Sequence[Loop]) -> int:
     """The least of `pivot` and, over groups of rows, the pivot of a multiplier as a part of the largest size in its
-    group; each in its usual size."""
+    group; zero where a row does not follow from others that should."""
     smallest = pivot
+    everywhere = _extreme(graph, Op.MAX, [strengths[index][1] for group in groups for index in group.solved])
     for group in groups:
-        if all(strengths[index][0] == strengths[index][1] for index in group) and len(group) == 1:
-            continue
-        left, largest = None, None
-        for index in group:
-            scale = graph.constant(1.0 / usual[index])
-            own, size = (graph.multiply(scale, node) for node in strengths[index])
-            left = own if left is None else graph.binary(Op.MIN, left, own)
-            largest = size if largest is None else graph.binary(Op.MAX, largest, size)
-        assert left is not None
-        assert largest is not None
-        smallest = graph.binary(Op.MIN, smallest, graph.divide(left, largest))
+        if len(group.solved) > 1:
+            scales = {index: graph.constant(1.0 / group.usual[index]) for index in group.solved}
+            left = [graph.multiply(scale, strengths[index][0]) for index, scale in scales.items()]
+            sizes = [graph.multiply(scale, strengths[index][1]) for index, scale in scales.items()]
+            part = graph.divide(_extreme(graph, Op.MIN, left), _extreme(graph, Op.MAX, sizes))
+            smallest = graph.binary(Op.MIN, smallest, part)
+        longest = _extreme(graph, Op.MAX, [strengths[index][1] for index in group.solved] or [everywhere])
+        for index in group.following:
+            smallest = graph.binary(Op.MIN, smallest, _follows(graph, *strengths[index], longest))
     return smallest
+
+
+def _follows(graph: Graph, left: int, size: int, longest: int) -> int:
+    """Whether others leave nothing of a row; one that is short against `longest` is round-off."""
+    least_size = graph.multiply(graph.constant(_SHORT), longest)
+    most = graph.multiply(graph.constant(_FOLLOWS), graph.binary(Op.MAX, size, least_size))
+    return graph.binary(Op.LESS_EQUAL, graph.unary(Op.ABS, left), most)
+
+
+def _extreme(graph: Graph, op: Op, nodes: Sequence[int]) -> int:
+    found = nodes[0]
+    for node in dict.fromkeys(nodes):
+        if node != found:
+            found = graph.binary(op, found, node)
+    return found

@@ -24,14 +24,16 @@ class Row:
 
 @record(kw_only=True)
 class Rows:
-    """The rows of a model by what becomes of them.
+    """The rows of a model by what becomes of them; rows without terms, whose multipliers are zero, are none of these.
 
-    Multipliers of `solved` rows are eliminated, those of `kept` ones are left to run time. `stiffened`: the inertia
-    along a row, a node by its index, that M is given where it is singular by itself; as the accelerations along the
-    row are known, M a = f then holds with J' inertia bias added on the right.
+    Multipliers of `solved` rows are eliminated, those of `kept` ones are left to run time. `following` rows depend on
+    solved ones: they do not restrict accelerations, and all multipliers together are the shortest that do the same.
+    `stiffened`: the inertia along a row, a node by its index, that M is given where it is singular by itself; as the
+    accelerations along the row are known, M a = f then holds with J' inertia bias added on the right.
     """
 
     solved: tuple[Row, ...] = ()
+    following: tuple[Row, ...] = ()
     kept: tuple[Row, ...] = ()
     stiffened: Mapping[int, int] = field(default_factory=dict)
 

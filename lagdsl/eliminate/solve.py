@@ -12,6 +12,7 @@ from lagdsl.eliminate.order import Elimination, by_creation, by_depth
 from lagdsl.eliminate.pivots import References, least
 from lagdsl.eliminate.rows import Rows, Side, is_multiplier, multiplier_of, velocity_of
 from lagdsl.eliminate.steps import Minimized, Step, solve_steps
+from lagdsl.eliminate.surplus import Surplus, find_surplus, shortest
 from lagdsl.graph.graph import Graph
 from lagdsl.record import record
 
@@ -27,7 +28,8 @@ class Factor:
     """An order carried out: `steps` with the definitions `terms`, for any right-hand side. Nodes all.
 
     `pivot` is the least part that subtraction left of the pivot of a rate; about 1e-16 where M is singular. `strengths`
-    are, by solved row, the pivot of its multiplier, and what it would be without the others.
+    are, by row that is not kept, the pivot of its multiplier, and what it would be without the others; of a row that
+    follows from others, these leave nothing.
     """
 
     graph: Graph
@@ -37,11 +39,12 @@ class Factor:
     steps: Sequence[Step]
     pivot: int
     strengths: dict[int, tuple[int, int]]
+    surplus: Surplus
 
 
 @record(kw_only=True)
 class Response:
-    """Accelerations by rate, and multipliers of the solved rows by index, for one right-hand side."""
+    """Accelerations by rate, and multipliers of rows that are not kept by index, for one right-hand side."""
 
     accelerations: list[int]
     multipliers: dict[int, int]
@@ -94,9 +97,10 @@ def respond(factor: Factor, side: Side, budget: Budget | None = None) -> Respons
     for index, weight in rows.stiffened.items():
         given[velocity_of(index)] = graph.multiply(weight, side.biases.get(index, graph.zero))
     known = solve_steps(graph, factor.terms, factor.steps, given, budget or Budget(graph, None))
+    multipliers = {row.index: known[multiplier_of(row.index)] for row in rows.solved}
     return Response(
         accelerations=[known[rate] for rate in factor.rates],
-        multipliers={row.index: known[multiplier_of(row.index)] for row in rows.solved},
+        multipliers=shortest(graph, factor.surplus, multipliers),
     )
 
 
@@ -123,17 +127,18 @@ def _factorize(
     system = SparseSystem(graph, form.weights)
     for index, weight in rows.stiffened.items():
         system.add(velocity_of(index), velocity_of(index), weight)
-    for row in rows.solved:
+    for row in (*rows.solved, *rows.following):
         for rate, term in row.terms.items():
             system.add(multiplier_of(row.index), rate, graph.negate(term))
     run = Elimination(
-        system, definitions, rates, priority=priority, budget=budget, delayed=frozenset(delayed), rows=rows.solved
+        system, definitions, rates, priority=priority, budget=budget, delayed=frozenset(delayed), rows=rows
     )
     steps = run.run()
     pivots = {step.variable: step.pivot for step in steps if isinstance(step, Minimized)}
     inertias = [pivot for variable, pivot in pivots.items() if not is_multiplier(variable)]
     references = References(graph, of_sums=bool(rows.solved))
-    multipliers = {row.index: multiplier_of(row.index) for row in rows.solved}
+    left = run.rests | {v: graph.negate(pivot) for v, pivot in pivots.items() if is_multiplier(v)}
+    multipliers = {row.index: multiplier_of(row.index) for row in (*rows.solved, *rows.following)}
     return Factor(
         graph=graph,
         rates=rates,
@@ -141,5 +146,6 @@ def _factorize(
         terms=definitions.terms,
         steps=steps,
         pivot=least(graph, [(pivot, references.of(pivot)) for pivot in inertias]),
-        strengths={index: (graph.negate(pivots[v]), run.sizes[v]) for index, v in multipliers.items()},
+        strengths={index: (left[v], run.sizes[v]) for index, v in multipliers.items()},
+        surplus=find_surplus(graph, rows, run.tied),
     )

@@ -99,7 +99,7 @@ def derived(flat: FlatModel, *, dense: bool | None = None) -> Derived:
 
 def solved(derived: Derived, structure: Structure) -> Program:
     """The program of `structure` with `elimination` where there are constraints: their structure decides how."""
-    if not derived.derivation.flat.constraints:
+    if not derived.derivation.flat.constraints or not structure.points:
         return structure.program
     return _with_elimination(derived, structure)
 

@@ -13,7 +13,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.inertia import acceleration_form
 from lagdsl.mechanics.lagrange import Dynamics
 from lagdsl.mechanics.lowering import Lowering
-from lagdsl.mechanics.multipliers import choose_rows, least_pivot, weak_rows
+from lagdsl.mechanics.multipliers import choose_rows, least_pivot, strengths_at_points, without_weak_rows
 from lagdsl.mechanics.structure import Structure
 from lagdsl.mechanics.symbols import Directions
 from lagdsl.program.functions import OPTIONAL
@@ -53,8 +53,7 @@ def eliminated_equations(
             solution = solve(form, directions.rates, most=most)
             pivot = solution.factor.pivot
         else:
-            solution = _with_rows(form, directions, rows, structure, most)
-            pivot = least_pivot(solution.factor, structure)
+            solution, pivot = _with_rows(form, directions, rows, structure, most)
     except NotApplicable:
         return None
     except CompilationFailed:  # an input has no derivative that only this form asks for
@@ -69,18 +68,20 @@ def eliminated_equations(
 
 def _with_rows(
     form: AccelerationForm, directions: Directions, rows: Sequence[Row], structure: Structure, most: int
-) -> Solution:
+) -> tuple[Solution, int]:
     chosen: Rows | None = choose_rows(form.graph, rows, structure)
     while chosen is not None:
         solution = solve(form, directions.rates, chosen, most=most)
-        chosen = weak_rows(solution.factor, structure)
-    return solution
+        strengths = strengths_at_points(solution.factor, structure)
+        chosen = without_weak_rows(solution.factor, strengths)
+    return solution, least_pivot(solution.factor, strengths)
 
 
 def _factorization(n: int, m: int) -> int:
     """Operations of the null-space method: orthogonal factors of J', M turned by them from both sides, a Cholesky
     factorization of what is left free, and solutions with all of it."""
-    return 2 * m * m * n + 8 * m * n * n + (n - m) ** 3 // 3 + 2 * n * n + 4 * m * n
+    rank = min(n, m)
+    return 2 * m * rank * n + 8 * rank * n * n + (n - rank) ** 3 // 3 + 2 * n * n + 4 * m * n
 
 
 def _delassus(n: int, m: int, kept: int) -> int:

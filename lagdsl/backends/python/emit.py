@@ -140,6 +140,7 @@ def motion_sizes(program: Program) -> Sizes:
         rank=len(layout.constraints) - sum(layout.redundant),
         eliminated=program.has("elimination"),
         kept=program.kept_rows,
+        kept_rank=sum(not layout.redundant[row] for row in program.kept_rows),
     )
 
 

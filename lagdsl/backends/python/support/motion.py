@@ -16,14 +16,26 @@ Evaluate = Callable[..., tuple[Floats, ...]]
 class Sizes:
     """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
-    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, which leaves the rows `kept`.
+    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, which leaves the rows `kept`, of
+    which `kept_rank` are independent.
     """
 
     def __init__(
-        self, *, q: int, z: int, u: int, w: int, p: int, c: int, rank: int, eliminated: bool, kept: tuple[int, ...]
+        self,
+        *,
+        q: int,
+        z: int,
+        u: int,
+        w: int,
+        p: int,
+        c: int,
+        rank: int,
+        eliminated: bool,
+        kept: tuple[int, ...],
+        kept_rank: int,
     ) -> None:
         self.q, self.z, self.u, self.w, self.p, self.c, self.rank = q, z, u, w, p, c, rank
-        self.eliminated, self.kept = eliminated, kept
+        self.eliminated, self.kept, self.kept_rank = eliminated, kept, kept_rank
 
 
 # Where eliminating left less than this part of a pivot, the dense system tells whether it is singular. With rows left,
@@ -47,7 +59,7 @@ def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floa
             jacobian,
             bias,
             sizes.kept,
-            sizes.rank - sizes.c + len(sizes.kept),
+            sizes.kept_rank,
         )
         sound = sound & regular
     sound = sound & np.isfinite(acceleration).all(axis=-1) & np.isfinite(multiplier).all(axis=-1)

@@ -116,12 +116,15 @@ lag_status lag_factor_eliminated(
     double *memory,
     lag_delassus *system)
 {
-    const size_t solved = model->nc - model->nk;
+    size_t rank = 0;
     lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, memory);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
-    return pivot > lag_smallest_pivot(model) ? lag_delassus_factor(system, model->rank - solved) : LAG_MISSING;
+    for (size_t i = 0; i < model->nk; ++i) {
+        rank += model->redundant[model->kept_rows[i]] == 0;
+    }
+    return pivot > lag_smallest_pivot(model) ? lag_delassus_factor(system, rank) : LAG_MISSING;
 }
 
 lag_status lag_solve_eliminated(
