@@ -117,8 +117,13 @@ def _sweep(
             click.echo(f"interrupted; {kept} holds the finished runs, go on with --resume", err=True)
             click.get_current_context().exit(INTERRUPTED)
         raise
+    except ConnectionError as error:
+        hint = ""
+        if work.output is not None and journal_path(work.output).exists():
+            hint = f"; {journal_path(work.output)} holds the finished runs, go on with --resume"
+        raise click.UsageError(f"{error}{hint}") from error
     except OSError as error:
-        if isinstance(error, ConnectionError) or work.output is None:
+        if work.output is None:
             raise click.UsageError(str(error)) from error
         raise Unwritable(work.output, error) from error
     except ValueError as error:

@@ -21,10 +21,11 @@ def main() -> None:
     while True:
         try:
             task = pickle.load(requests)
-        except EOFError:
-            return
-        pickle.dump(runner(task), answers)
-        answers.flush()
+            pickle.dump(runner(task), answers)
+            answers.flush()
+        except (EOFError, BrokenPipeError):
+            # Nobody is there any more; `answers` would try again when it is closed.
+            os._exit(0)
 
 
 if __name__ == "__main__":

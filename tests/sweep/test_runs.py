@@ -326,6 +326,22 @@ class TestDataset:
         np.testing.assert_array_equal(data["h"].values, whole["h"].values)
         assert not kept.exists()
 
+    def test_a_cluster_that_goes_away(self, model: Model, tmp_path: Path) -> None:
+        LocalCluster = pytest.importorskip("distributed").LocalCluster
+        out = tmp_path / "out.nc"
+        values = {"g": np.arange(1.0, 100.0)}
+        with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
+            address = cluster.scheduler_address
+
+            def end(fraction: float) -> None:
+                cluster.close()
+
+            with pytest.raises(ConnectionError, match="was lost"):
+                model.sweep(values, stop=0.1, interval=0.1, scheduler=address, output=out, progress=end)
+        assert all(outcome.status == "ok" for outcome in outcomes(journal_path(out)))
+        data = model.sweep(values, stop=0.1, interval=0.1, jobs=1, output=out, resume=True)
+        assert (data["status"] == "ok").all()
+
     def test_the_c_engine(self, tmp_path: Path) -> None:
         data = lagdsl.compile(TEXT, engine="c").sweep({"g": [5, 6]}, stop=0.3, interval=0.1, jobs=2)
         assert (data["status"] == "ok").all()
