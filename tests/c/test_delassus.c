@@ -186,37 +186,63 @@ static void dependent_rows_share_as_in_the_dense_solution(void)
     }
 }
 
-/* Rows 0 and 3 solved before: what is left is the system of the others, with what their multipliers add to those. */
+/* All but the rows `row` solved before: what is left is the system of these, with what their multipliers add to the others. */
+static void solve_after_others(problem *x, size_t kept, const size_t *row, size_t rank)
+{
+    double response[MOST * MOST], lam_response[MOST * MOST] = {0};
+    for (size_t i = 0; i <= kept; ++i) { /* the last one: the forces; else the accelerations that a row gives */
+        problem part = *x;
+        size_t solved[MOST];
+        part.m = 0;
+        for (size_t k = 0; k < x->m; ++k) {
+            int left = 0;
+            for (size_t j = 0; j < kept; ++j) {
+                left = left || row[j] == k;
+            }
+            if (!left) {
+                memcpy(part.jacobian + part.m * x->n, x->jacobian + k * x->n, x->n * sizeof(double));
+                part.gamma[part.m] = i < kept ? 0.0 : x->gamma[k];
+                solved[part.m++] = k;
+            }
+        }
+        if (i < kept) {
+            memcpy(part.force, x->jacobian + row[i] * x->n, x->n * sizeof(double));
+        }
+        solve_dense(&part, part.m);
+        double *lam = i < kept ? lam_response + i * x->m : x->lam;
+        memset(lam, 0, x->m * sizeof(double));
+        memcpy(i < kept ? response + i * x->n : x->a, part.a, x->n * sizeof(double));
+        for (size_t k = 0; k < part.m; ++k) {
+            lam[solved[k]] = part.lam[k];
+        }
+    }
+    CHECK(solve_kept(x, kept, row, rank, response, lam_response) == LAG_OK);
+}
+
 static void rows_that_were_solved_before(void)
 {
-    static const size_t row[] = {1, 2, 4};
+    static const size_t some[] = {1, 2, 4}, last[] = {4}, three[] = {3, 4, 5};
     unsigned long long seed = 23;
     problem x;
     for (int trial = 0; trial < 50; ++trial) {
-        draw_problem(&x, 7, 5, 1.0, &seed);
+        draw_problem(&x, 8, 6, 1.0, &seed);
         combine(&x, 4, 2.0, -1.0);
         problem dense = x;
-        solve_dense(&dense, 4);
-        double response[3 * MOST], lam_response[3 * MOST] = {0};
-        for (size_t i = 0; i < 4; ++i) { /* the last one: the forces; each time the accelerations that rows 0 and 3 leave */
-            problem part = x;
-            part.m = 2;
-            memcpy(part.jacobian + 7, x.jacobian + 21, 7 * sizeof(double));
-            part.gamma[1] = x.gamma[3];
-            for (size_t j = 0; i < 3 && j < 7; ++j) {
-                part.force[j] = x.jacobian[row[i] * 7 + j];
-                part.gamma[0] = part.gamma[1] = 0.0;
-            }
-            solve_dense(&part, 2);
-            double *lam = i < 3 ? lam_response + i * 5 : x.lam;
-            memset(lam, 0, 5 * sizeof(double));
-            memcpy(i < 3 ? response + i * 7 : x.a, part.a, 7 * sizeof(double));
-            lam[0] = part.lam[0];
-            lam[3] = part.lam[1];
-        }
-        CHECK(solve_kept(&x, 3, row, 2, response, lam_response) == LAG_OK);
+        solve_dense(&dense, 5);
+        solve_after_others(&x, 3, some, 2);
         CHECK(rest(&x) < 1e-12);
         compare(&x, &dense, 1e-9);
+        solve_after_others(&x, 1, last, 0);
+        CHECK(rest(&x) < 1e-12);
+        compare(&x, &dense, 1e-9);
+        combine(&x, 3, 1.0, 50.0);
+        combine(&x, 5, 0.0, 0.0);
+        dense = x;
+        solve_dense(&dense, 3);
+        solve_after_others(&x, 3, three, 0);
+        CHECK(rest(&x) < 1e-12);
+        compare(&x, &dense, 1e-9);
+        CHECK(x.lam[5] == 0.0);
     }
 }
 

@@ -64,7 +64,7 @@ def test_any_rows_may_be_left(seed: int, n: int, m: int, data: st.DataObject) ->
 
 
 @settings(deadline=None)
-@given(st.integers(0, 10**6), st.integers(1, 3), st.sampled_from([(0, 1, 2, 3), (1, 2, 3), (2, 3)]))
+@given(st.integers(0, 10**6), st.integers(1, 3), st.sampled_from([(0, 1, 2, 3), (1, 2, 3), (2, 3), ()]))
 def test_dependent_rows_share_as_in_the_dense_solution(seed: int, more: int, left: tuple[int, ...]) -> None:
     mass, force, rows, bias = _draw(seed, 8, 4)
     mix = np.random.default_rng(seed + 1).normal(size=(more, 2)) * 10.0 ** np.arange(more)[:, None]

@@ -39,6 +39,8 @@ def solve_kept(
     `acceleration` and `multiplier` are those where the multipliers of the rows `kept` are zero; row i of `response` and
     of `multiplier_response` is what a unit of kept multiplier i adds to them. Of the kept rows `rank` are independent.
     """
+    if rank == 0 and not multiplier_response.any():  # the kept ones are zero
+        return acceleration, multiplier, np.ones(acceleration.shape[:-1], dtype=np.bool_)
     adds = multiplier_response + np.eye(multiplier.shape[-1])[list(kept)]
     with np.errstate(all="ignore"):
         held, excess, sound = _parts(jacobian @ _transposed(response), rank)

@@ -27,6 +27,7 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->m = m;
     s->kept = kept;
     s->rank = 0;
+    s->dependent = 0;
     s->row = row;
     s->response = NULL;
     s->lam_response = NULL;
@@ -151,7 +152,7 @@ static void find_direction(lag_delassus *s, size_t own, double *direction)
 /* 1: the combinations of multipliers that change nothing, and the factor of their products, are there. */
 static int find_excess(lag_delassus *s)
 {
-    const size_t count = s->kept - s->rank;
+    const size_t count = s->dependent;
     for (size_t i = 0; i < count; ++i) {
         find_direction(s, (size_t)s->chosen[s->rank + i], s->excess + i * s->m);
         for (size_t j = 0; j <= i; ++j) {
@@ -164,7 +165,7 @@ static int find_excess(lag_delassus *s)
 /* Takes from lam (m) what changes nothing but its length. */
 static void remove_excess(lag_delassus *s, double *lam)
 {
-    const size_t count = s->kept - s->rank;
+    const size_t count = s->dependent;
     for (size_t i = 0; i < count; ++i) {
         s->part[i] = dot(s->m, s->excess + i * s->m, lam);
     }
@@ -176,10 +177,36 @@ static void remove_excess(lag_delassus *s, double *lam)
     }
 }
 
+/* Whether a unit of kept multiplier i adds to others. */
+static int adds(const lag_delassus *s, size_t i)
+{
+    size_t j = 0;
+    while (j < s->m && s->lam_response[i * s->m + j] == 0.0) {
+        ++j;
+    }
+    return j < s->m;
+}
+
+/* S is round-off. Rows whose multipliers add to no others keep zero. */
+static lag_status factor_nothing(lag_delassus *s)
+{
+    s->dependent = 0;
+    for (size_t i = 0; i < s->kept; ++i) {
+        if (adds(s, i)) {
+            s->chosen[s->dependent++] = (double)i;
+        }
+    }
+    return find_excess(s) ? LAG_OK : LAG_MISSING;
+}
+
 lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
 {
     double first = 0.0;
     s->rank = rank;
+    s->dependent = s->kept - rank;
+    if (rank == 0) {
+        return factor_nothing(s);
+    }
     weigh(s);
     for (size_t k = 0; k < s->kept; ++k) {
         const size_t best = longest_rest(s, k);
@@ -190,7 +217,7 @@ lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
         const double size = s->left[pivot] * s->weight[pivot];
         first = k == 0 ? size : first;
         if (k == rank) {
-            if (rank == 0 || size <= LARGEST_EXCESS * first) {
+            if (size <= LARGEST_EXCESS * first) {
                 break;
             }
             return LAG_MISSING;
@@ -221,6 +248,9 @@ static void solve_rest(lag_delassus *s, const double *gamma, const double *a)
 static void add_accelerations(const lag_delassus *s, double *a)
 {
     for (size_t i = 0; i < s->kept; ++i) {
+        if (s->x[i] == 0.0) {
+            continue;
+        }
         for (size_t j = 0; j < s->n; ++j) {
             a[j] += s->response[i * s->n + j] * s->x[i];
         }
@@ -229,14 +259,20 @@ static void add_accelerations(const lag_delassus *s, double *a)
 
 void lag_delassus_solve(lag_delassus *s, const double *gamma, double *a, double *lam)
 {
-    solve_rest(s, gamma, a);
-    add_multipliers(s, s->x, lam);
-    remove_excess(s, lam);
+    if (s->rank > 0) {
+        solve_rest(s, gamma, a);
+        add_multipliers(s, s->x, lam);
+    }
+    if (s->dependent > 0) {
+        remove_excess(s, lam);
+    }
     for (size_t i = 0; i < s->kept; ++i) {
         s->x[i] = lam[s->row[i]];
     }
     add_accelerations(s, a);
-    solve_rest(s, gamma, a);
-    add_accelerations(s, a);
-    add_multipliers(s, s->x, lam);
+    if (s->rank > 0) {
+        solve_rest(s, gamma, a);
+        add_accelerations(s, a);
+        add_multipliers(s, s->x, lam);
+    }
 }

@@ -17,7 +17,7 @@
 /* One system; everything points into memory of the caller. */
 typedef struct lag_delassus {
     size_t n, m, kept;              /* accelerations, rows, rows that are left */
-    size_t rank;                    /* independent ones of these */
+    size_t rank, dependent;         /* independent ones of these; others, less those that are zero for sure */
     const size_t *row;              /* (kept) which rows */
     const double *response;         /* Y (kept, n) */
     const double *lam_response;     /* K (kept, m), zero at the kept rows */
@@ -26,8 +26,8 @@ typedef struct lag_delassus {
     double *left;                   /* (kept) what is left of the diagonal of S */
     double *weight;                 /* (kept) for comparing rows */
     double *chosen;                 /* (kept) the independent rows in turn, then the others */
-    double *excess;                 /* (kept - rank, m) combinations of multipliers that change nothing, of length one */
-    double *gram;                   /* (kept - rank, kept - rank) factor of their products */
+    double *excess;                 /* (dependent, m) combinations of multipliers that change nothing, of length one */
+    double *gram;                   /* (dependent, dependent) factor of their products */
     double *part;                   /* (kept) */
     double *x, *rest;               /* (kept) */
 } lag_delassus;
