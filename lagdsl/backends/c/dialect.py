@@ -27,6 +27,7 @@ class Place:
 class Dialect:
     """`real` is the type of a value, `memory` that of its place; arrays of `shared` hold single numbers all the same.
 
+    `fused` is the name of x*y + z rounded once.
     `suffix` ends the names of functions that there is one of per dialect; `splat` makes a value of a single number.
     `primal` is where in the workspace the values start that directions share.
     """
@@ -36,6 +37,7 @@ class Dialect:
     suffix: str
     splat: str
     functions: Mapping[Op, str]
+    fused: str
     shared: frozenset[str] = frozenset()
     primal: int = 0
 
@@ -85,6 +87,7 @@ SINGLE = Dialect(
     suffix="",
     splat="",
     functions={**_LIBRARY, **{op: f"lag_{name}" for op, name in _OWN.items()}},
+    fused="lag_fused",
 )
 LANES = Dialect(
     real="lag_lanes",
@@ -92,6 +95,7 @@ LANES = Dialect(
     suffix="_lanes",
     splat="lag_lanes_of",
     functions={op: f"lag_lanes_{name}" for op, name in {**_LIBRARY, **_OWN, Op.ABS: "abs"}.items()},
+    fused="lag_lanes_fused",
 )
 
 

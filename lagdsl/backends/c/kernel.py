@@ -11,6 +11,7 @@ from lagdsl.backends.c.literal import number
 from lagdsl.backends.c.roll import Kernel, Rolled, columns, laps
 from lagdsl.backends.c.statement import Gather
 from lagdsl.backends.c.straight import gathering
+from lagdsl.backends.expression import fused_arguments
 from lagdsl.graph.operation import Op
 
 _INFIX = {Op.ADD: "+", Op.SUBTRACT: "-", Op.MULTIPLY: "*", Op.DIVIDE: "/"}
@@ -79,6 +80,10 @@ class KernelText:
             values = cast(list[list[float]], columns(self._rolled, self._kernel, index, leaves.next()))
             found = self.tables.value(values)
             return self._dialect.literal(found) if isinstance(found, float) else self._dialect.splatted(found)
+        if kind == "fused":
+            op, which = cast(tuple[Op, int], rest[0])
+            x, y, z = (self._expression(index, cast(int, shape), leaves) for shape in rest[1:])
+            return f"{self._dialect.fused}({fused_arguments(op, which, x, y, z)})"
         op = cast(Op, kind)
         arguments = [self._expression(index, cast(int, argument), leaves) for argument in rest]
         if op is Op.NEGATE:

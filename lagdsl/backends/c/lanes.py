@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from lagdsl.backends.c.dialect import LANES, PREPARED, PRIMAL, SINGLE, Dialect, Place, directions
-from lagdsl.backends.c.function import Code, Head, braced, code
+from lagdsl.backends.c.function import FUSED, Code, Head, braced, code
 from lagdsl.backends.c.results import RESULTS, Results, definition, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
@@ -144,7 +144,7 @@ def _function(
     contents = results(program, function, dialect)
     names = RESULTS[function.name]
     parameters = ["const lag_arguments *at", *(f"{dialect.memory} *{result}" for result in names)]
-    head = Head(f"model_{function.name}_in_lanes", parameters, ["at", *names])
+    head = Head(f"model_{function.name}_in_lanes", parameters, ["at", *names], function.name in FUSED)
     made = code(program.graph, contents.stores, given, dialect, head)
     outer = ", ".join(["const lag_arguments *at", *(f"double *{result}" for result in names)])
     inner = ", ".join(["at", *(f"({dialect.memory} *){result}" for result in names)])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from lagdsl.backends.c.dialect import Place
@@ -24,7 +25,8 @@ class Shaped:
 class Shapes:
     """Numbers for shapes of expressions; `parts` tells what number i is made of: an operation and shapes, or a leaf."""
 
-    def __init__(self, listing: Listing) -> None:
+    def __init__(self, listing: Listing, fused: Mapping[int, int]) -> None:
+        self._fused = fused
         self._graph, self._given = listing.graph, listing.given
         self._number: dict[tuple[object, ...], int] = {}
         self.parts: list[tuple[object, ...]] = []
@@ -62,6 +64,8 @@ class Shapes:
     def _operation(self, node: int) -> tuple[int, tuple[Leaf, ...]]:
         """Arguments of sums and products stand in the order of their shapes: both orders give the same bits."""
         op, operands = self._graph.op[node], self._graph.operands[node]
+        if node in self._fused:
+            return self._fusion(op, operands, self._fused[node])
         if len(operands) == 1:
             shape, leaves = self._expression(operands[0])
             return self._numbered(op, shape), leaves
@@ -73,6 +77,14 @@ class Shapes:
             return self._numbered(op, first, second), first_leaves + second_leaves
         found = [self._expression(operand) for operand in operands]
         return self._numbered(op, *(shape for shape, _ in found)), tuple(leaf for _, leaves in found for leaf in leaves)
+
+    def _fusion(self, op: Op, operands: Sequence[int], which: int) -> tuple[int, tuple[Leaf, ...]]:
+        """The shapes of both factors and of what is added."""
+        first, second = (self._expression(factor) for factor in self._graph.operands[operands[which]])
+        if second[0] < first[0]:
+            first, second = second, first
+        rest = self._expression(operands[1 - which])
+        return self._numbered("fused", (op, which), first[0], second[0], rest[0]), first[1] + second[1] + rest[1]
 
     def _numbered(self, *parts: object) -> int:
         number = self._number.get(parts)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from lagdsl.backends.c.dialect import PREPARED, SINGLE, Place
-from lagdsl.backends.c.function import Head, braced, code
+from lagdsl.backends.c.function import FUSED, Head, braced, code
 from lagdsl.backends.c.literal import number, string
 from lagdsl.backends.c.results import RESULTS, Results, definition, place_of, results
 from lagdsl.backends.c.statement import Store
@@ -69,7 +69,7 @@ def _function(program: Program, function: Function, prepared: Mapping[int, Place
     if function.name == "residual" and _is_inverse_dynamics(program, function):
         signature = f"static lag_status model_residual({', '.join(parameters)})"
         return braced(signature, ["(void)rows;", "return model_inverse_dynamics(at, motion);"]), 0
-    head = Head(f"model_{function.name}", parameters, ["at", *names])
+    head = Head(f"model_{function.name}", parameters, ["at", *names], function.name in FUSED)
     contents = results(program, function, SINGLE)
     made = code(program.graph, contents.stores, prepared, SINGLE, head)
     return definition(head, made, contents, SINGLE, f"at->workspace + {len(prepared)}"), made.scratch
