@@ -20,7 +20,7 @@ from lagdsl.program.verify import RESULT_SHAPES, sizes
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.build import build
-from lagdsl.runtime.cores import Part, share_out
+from lagdsl.runtime.cores import Part, cores, share_out
 from lagdsl.runtime.engine import Floats, SingularSystem
 from lagdsl.runtime.load import VECTORS, Arguments, Batch, Library, Range, load
 from lagdsl.runtime.state_jacobian import StateJacobian
@@ -158,8 +158,11 @@ class CEngine:
         share_out(many.count, threads, lambda: self._worker(library, many, solve))
         return tuple(block for block, _ in found)
 
-    def jacobian_many(self, by: str, *state: ArrayLike, threads: int = 1) -> tuple[Floats, Floats]:
-        """d(qd, qdd, zd)/dx (..., 2 nq + nz, nx) and dy/dx (..., ny, nx), exact. Raises SingularSystem."""
+    def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
+        """d(qd, qdd, zd)/dx (..., 2 nq + nz, nx) and dy/dx (..., ny, nx), exact. Raises SingularSystem.
+
+        x are the "state" q, qd, z, the "input" u or the "parameter" p. Works on all cores.
+        """
         many = self._spread(STATE, state)
         library = self._part("parameter_tangents" if by == "parameter" else "tangents")
         first_variable, count = variables(self._sizes, by)
@@ -172,7 +175,7 @@ class CEngine:
             model, part = library.model, library.part
             return int(library.batch_jacobian(model, part, byref(batch), x, *results, byref(coordinate)))
 
-        share_out(many.count, threads, lambda: self._worker(library, many, differentiate))
+        share_out(many.count, cores(), lambda: self._worker(library, many, differentiate))
         return found[0][0], found[1][0]
 
     def _worker(self, library: Library, many: Spread, call: Callable[[Batch, int, c_size_t], int]) -> Part:

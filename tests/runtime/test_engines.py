@@ -251,6 +251,9 @@ def test_the_interface_is_the_same_over_both_engines() -> None:
         "output": (q, [1.0]),
         "energy": (q, [1.0]),
         "state_jacobian": (q, [1.0]),
+        "input_jacobian": (q, [1.0]),
+        "parameter_jacobian": (q, [1.0]),
+        "output_jacobian": (q, [1.0]),
     }.items():
         found, expected = getattr(c, name)(0.5, *arguments), getattr(numpy, name)(0.5, *arguments)
         assert found.shape == expected.shape
