@@ -86,7 +86,7 @@ def weakest(graph: Graph, pivot: int, strengths: Mapping[int, tuple[int, int]], 
     """The least of `pivot` and, over groups of rows, the pivot of a multiplier as a part of the largest size in its
     group; zero where a row does not follow from others that should."""
     smallest = pivot
-    everywhere = _extreme(graph, Op.MAX, [strengths[index][1] for group in groups for index in group.solved])
+    everywhere = [strengths[index][1] for group in groups for index in group.solved]
     for group in groups:
         if len(group.solved) > 1:
             scales = {index: graph.constant(1.0 / group.usual[index]) for index in group.solved}
@@ -94,8 +94,8 @@ def weakest(graph: Graph, pivot: int, strengths: Mapping[int, tuple[int, int]], 
             sizes = [graph.multiply(scale, strengths[index][1]) for index, scale in scales.items()]
             part = graph.divide(_extreme(graph, Op.MIN, left), _extreme(graph, Op.MAX, sizes))
             smallest = graph.binary(Op.MIN, smallest, part)
-        longest = _extreme(graph, Op.MAX, [strengths[index][1] for index in group.solved] or [everywhere])
         for index in group.following:
+            longest = _extreme(graph, Op.MAX, [strengths[index][1] for index in group.solved] or everywhere)
             smallest = graph.binary(Op.MIN, smallest, _follows(graph, *strengths[index], longest))
     return smallest
 

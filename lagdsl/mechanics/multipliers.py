@@ -5,7 +5,6 @@ depend on each other there and nowhere else.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
@@ -32,11 +31,18 @@ Strengths: TypeAlias = Mapping[int, tuple[Floats, Floats]]
 def choose_rows(graph: Graph, rows: Sequence[Row], structure: Structure) -> Rows:
     """Rows that depend on no others are solved for."""
     redundant = structure.redundant
-    solved = tuple(row for row in rows if row.terms and not redundant[row.index])
-    others = tuple(row for row in rows if row.terms and redundant[row.index])
+    solved = [row for row in rows if row.terms and not redundant[row.index]]
+    others = [row for row in rows if row.terms and redundant[row.index]]
     weights = stiffened([row.index for row in solved], structure.space, structure.points)
-    constants = {index: graph.constant(weight) for index, weight in weights.items()}
-    return Rows(solved=solved, following=others if solved else (), kept=() if solved else others, stiffened=constants)
+    return _divided(solved, others, [], {index: graph.constant(weight) for index, weight in weights.items()})
+
+
+def _divided(solved: list[Row], following: list[Row], kept: list[Row], stiffened: Mapping[int, int]) -> Rows:
+    """Without any solved row there is nothing that others can follow from, or be short against."""
+    if not solved:
+        following, kept = [], [*following, *kept]
+    order = sorted(kept, key=lambda row: row.index)
+    return Rows(solved=tuple(solved), following=tuple(following), kept=tuple(order), stiffened=stiffened)
 
 
 def without_weak_rows(factor: Factor, strengths: Strengths) -> Rows | None:
@@ -55,11 +61,11 @@ def without_weak_rows(factor: Factor, strengths: Strengths) -> Rows | None:
                 kept |= {row.index: row for row in members}
     if len(kept) == len(rows.kept):
         return None
-    return replace(
-        rows,
-        solved=tuple(row for row in rows.solved if row.index not in kept),
-        following=tuple(row for row in rows.following if row.index not in kept),
-        kept=tuple(kept[index] for index in sorted(kept)),
+    return _divided(
+        [row for row in rows.solved if row.index not in kept],
+        [row for row in rows.following if row.index not in kept],
+        list(kept.values()),
+        rows.stiffened,
     )
 
 

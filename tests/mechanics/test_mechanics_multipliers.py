@@ -7,6 +7,7 @@ from elimination_models import flat_model
 from lagdsl.diagnostics import Sink
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
+from lagdsl.mechanics import multipliers
 from lagdsl.mechanics.derive import derived, solved
 from lagdsl.mechanics.structure import Structure, analyze
 from lagdsl.mechanics.structure_points import probes
@@ -167,3 +168,21 @@ def test_quaternion_gets_its_inertia_from_its_length(more: str) -> None:
     worst, pivot = worst_residual(text)
     assert worst < 1e-12
     assert pivot > 1e-2
+
+
+def test_loops_with_weak_multipliers_are_left_to_run_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All loops are taken for weak: rows that follow from those left are left with them."""
+    monkeypatch.setattr(multipliers, "_WELL_CONDITIONED", np.inf)
+    more = "    constraint l1*cos(a[i]) + 0.5*l2*cos(a[i] + b[i]) = 0.5*d + l1*cos(c[i]);\n"
+    program, structure = compiled(four_bars(2, rows=more, **PARALLEL))
+    assert program.kept_rows == (0, 1, 2, 3, 4, 5)
+    symbols = symbols_at(structure, structure.space.q, np.zeros(6))
+    mass, force, jacobian, gamma = results(program, "dynamics", symbols)
+    a, lam, response, lam_response, rows, bias, pivot = results(program, "elimination", symbols)
+    assert pivot > 1e-3
+    np.testing.assert_array_equal(lam, 0.0)
+    np.testing.assert_array_equal(lam_response, 0.0)
+    np.testing.assert_array_equal(rows, jacobian)
+    np.testing.assert_array_equal(bias, gamma)
+    np.testing.assert_allclose(mass @ a, force, atol=1e-12)
+    np.testing.assert_allclose(mass @ response.T, jacobian.T, atol=1e-12)
