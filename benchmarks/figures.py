@@ -58,14 +58,13 @@ def _growth(found: Results, path: Path) -> None:
 
 
 def _guides(axis: Any, found: Results, key: str, scale: float) -> None:
-    """Lines of slope 1 and 2 through the first point of the planar chain."""
+    """Lines of slope 1 and 2 through the first point of the planar chain, in what grows."""
     first = next((p for p in found["curves"]["planar_chain"] if p[key] is not None), None)
     if first is not None and key != "compiler":
         n, value = first["n"], first[key] * scale
-        for power, style in ((1, ":"), (2, "-.")):
-            axis.loglog(
-                [n, 500], [value, value * (500 / n) ** power], style, color="0.6", label=f"slope {power}", zorder=0
-            )
+        for power, style, end in ((1, ":", 500), (2, "-.", 100)):
+            line = [value, value * (end / n) ** power]
+            axis.loglog([n, end], line, style, color="0.6", label=f"slope {power}", zorder=0)
 
 
 def _chains(rows: list[Results], path: Path) -> None:

@@ -12,8 +12,6 @@ import peers
 
 import lagdsl
 
-QUIET = 1.3  # load average above which others were certainly at work, too
-
 
 def describe() -> dict[str, object]:
     """Processor, versions, date, and the load average of the last minute."""
@@ -27,7 +25,7 @@ def describe() -> dict[str, object]:
             "Python": platform.python_version(),
             "NumPy": np.__version__,
             "SymPy": version("sympy"),
-            "cc": _first_line(["cc", "--version"]),
+            "C compiler": _first_line(["cc", "--version"]),
             **{name: told["version"] for name, told in peers.where().items()},
         },
         "load": load(),

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-import machine
 from dynamics import family
 from targets import Results, table, targets
 
@@ -68,17 +67,13 @@ def _noise(found: dict[str, Results]) -> list[str]:
         lines.append(
             f"| {name} | {part['date']} | {part['versions']['lagdsl']} | {part['load']} / {part['load after']} |"
         )
-    busy = [
-        name
-        for name, part in found.items()
-        if max(part["load"], part["load after"]) > machine.QUIET + part["cores"] / 2
-    ]
+    busy = [name for name, part in found.items() if max(part["load"], part["load after"]) > part["cores"]]
     if busy:
         lines += [
             "",
-            f"The machine was busy with other work while {', '.join(busy)} ran: CPU times there are too long by up",
+            f"Others were at work while {', '.join(busy)} ran (load above the number of cores): CPU times there are",
         ]
-        lines += ["to a half and ratios of times noisy."]
+        lines += ["too long, by up to a half, and single ratios off by some percent."]
     return lines
 
 
@@ -163,6 +158,9 @@ def _growth(found: Results) -> list[str]:
             )
         slopes = [exponent(points, key) for key in ("python", "compiler", "size", "evaluation")]
         lines.append("| exponent | " + " | ".join("" if s is None else f"{s:.2f}" for s in slopes) + " | |")
+        last = [exponent(points[1:], key) for key in ("python", "compiler", "size", "evaluation")]
+        if None not in last:
+            lines.append("| without the first size | " + " | ".join(f"{s:.2f}" for s in last) + " | |")
     rows = {p["n"]: p["python"] for p in found["sympy"]}
     told = ", ".join(f"{n} links {seconds:.2f} s" for n, seconds in rows.items())
     return [*lines, "", f"SymPy `LagrangesMethod` and `lambdify`, planar chain, mass matrix and forcing: {told}."]
