@@ -157,21 +157,32 @@ class OwnVectors:
         return frame
 
     def _note_place(self, point: FlatExpression) -> None:
-        graph, offset, current = self._graph, (self._graph.zero, self._graph.zero, self._graph.zero), point
+        zero = self._graph.zero
+        offset: Vector = (zero, zero, zero)
         axes: dict[str, None] = {}
-        while not isinstance(current, flat.FrameOrigin):
+        frame: str | None = None
+        current: FlatExpression | None = point
+        while current is not None:
             match current:
                 case flat.PointReference(name):
                     current = self._points[name].position
+                    continue
+                case flat.FrameOrigin(name):
+                    frame, current = name, None
+                    continue
                 case flat.Binary("+", base, arm):
-                    for frame, own in self._values_of(arm).items():
-                        offset = add(graph, offset, own)
-                        axes[frame] = None
                     current = base
-                case _:
-                    return
-        if not axes.keys() - {self._turned(current.frame)}:
-            self.places[self._world(point)] = (current.frame, offset)
+                case arm:
+                    current = None
+            for along, own in self._values_of(arm).items():
+                offset = add(self._graph, offset, own)
+                axes[along] = None
+        if frame is None and len(axes) == 1:
+            (frame,) = axes
+            if self._poses[frame].origin != (zero, zero, zero):
+                return
+        if frame not in (None, "world") and not axes.keys() - {self._turned(frame)}:
+            self.places[self._world(point)] = (frame, offset)
 
     # ---- velocities --------------------------------------------------------------------------------------------------
 

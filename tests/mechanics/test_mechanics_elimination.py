@@ -81,6 +81,15 @@ GENERAL = {
         gravity="v(0.5, 0, -9.81)",
         masses=(mass(0.5, "p(P) + 0.3*A.z"), mass(0.7, "A.origin + 0.2*A.y"), mass(0.3, "p(P) + v(0, s, 0)")),
     ),
+    "a mass on a rod about the origin of the world": model(
+        coordinates=("a", "b", "s"),
+        named=(
+            frame("A", "world", Rotate(2, expression("a")), Rotate(1, expression("b"))),
+            frame("B", "A", Move(triple((0, 0.2, 0)))),
+        ),
+        gravity="v(0.5, 0, -9.81)",
+        masses=(mass(0.5, "-0.7*A.z"), mass(0.2, "s*B.x + 0.1*A.y"), mass(0.3, "0.1*A.x + B.origin")),
+    ),
     "frames put at places of others": model(
         coordinates=("a", "b", "c"),
         named=(
