@@ -55,14 +55,17 @@ class Listing:
 def listing(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place]) -> Listing:
     """Statements that do all `stores`, each as soon as it can be done; `given` values are in their places already.
 
-    Level by level: sines and cosines of arguments that hold no others, then what those are needed for, and so on.
+    Sines and cosines come first: those of arguments that hold no others, then what further ones need, and so on.
     """
     live = graph.live([store.node for store in stores], given)
-    level, turned = _levels(graph, live, given)
+    turned = [node for node in live if graph.op[node] in (Op.SIN, Op.COS) and node not in given]
+    level = _levels(graph, turned, given)
     gathers, inner, known = _gathers(graph, level, turned, given)
     every = [*inner, *stores]
     roots = [store.node for store in every]
-    named = sorted(schedule(graph, roots, known, live).named, key=lambda node: (level.get(node, 0), node))
+    named: Sequence[int] = schedule(graph, roots, known, live).named
+    if level:
+        named = sorted(named, key=lambda node: (level.get(node, len(gathers)), node))
     position = {node: index for index, node in enumerate(named)}
     due: list[list[Statement]] = [[] for _ in range(len(named) + 1)]
     for store in every:
@@ -72,24 +75,14 @@ def listing(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place])
     return Listing(graph, tuple(_ordered(named, due, level, gathers)), known, 3 * len(inner))
 
 
-def _levels(graph: Graph, live: Sequence[int], given: Mapping[int, Place]) -> tuple[dict[int, int], list[int]]:
-    """How many sines or cosines are one inside the other, by node; and all of them."""
+def _levels(graph: Graph, turned: Sequence[int], given: Mapping[int, Place]) -> dict[int, int]:
+    """For what sines and cosines are computed from: how many of these are one inside the other."""
     level: dict[int, int] = {}
-    turned: list[int] = []
-    ops, operands = graph.op, graph.operands
-    for node in live:
-        if node in given:
-            continue
-        deepest = 0
-        for operand in operands[node]:
-            if operand in level:
-                deepest = max(deepest, level[operand])
-        if ops[node] is Op.SIN or ops[node] is Op.COS:
-            turned.append(node)
-            deepest += 1
-        if deepest:
-            level[node] = deepest
-    return level, turned
+    inside = set(turned)
+    for node in graph.live([graph.a[node] for node in turned], given):
+        if node not in given:
+            level[node] = max((level.get(x, 0) for x in graph.operands[node]), default=0) + (node in inside)
+    return level
 
 
 def _gathers(
@@ -118,21 +111,21 @@ def _gathers(
 
 
 def _ordered(
-    named: list[int], due: list[list[Statement]], level: Mapping[int, int], gathers: list[Gather]
+    named: Sequence[int], due: list[list[Statement]], level: Mapping[int, int], gathers: list[Gather]
 ) -> list[Statement]:
     """Variables by level, stores after what they read, and gatherings between the levels."""
     ordered: list[Statement] = []
-    depth = 0
+    depth, last = 0, len(gathers)
     waiting: list[list[Statement]] = [[] for _ in range(len(gathers) + 1)]
 
     def put(statements: list[Statement]) -> None:
         for statement in statements:
-            needed = level.get(statement.node, 0)
+            needed = level.get(statement.node, last)
             (ordered if needed <= depth else waiting[needed]).append(statement)
 
     put(due[0])
     for index in range(len(named) + 1):
-        wanted = level.get(named[index], 0) if index < len(named) else len(gathers)
+        wanted = level.get(named[index], last) if index < len(named) else last
         while depth < wanted:
             ordered.append(Statement(-1, gather=gathers[depth]))
             depth += 1
