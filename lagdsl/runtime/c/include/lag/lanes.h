@@ -26,6 +26,7 @@
 
 typedef double lag_lanes __attribute__((vector_size(8 * LAG_LANES)));
 typedef unsigned long long lag_lanes_bits __attribute__((vector_size(8 * LAG_LANES)));
+typedef long long lag_lanes_truth __attribute__((vector_size(8 * LAG_LANES)));
 
 /* A vector in an array of doubles. */
 typedef double lag_lanes_memory __attribute__((vector_size(8 * LAG_LANES), aligned(8), may_alias));
@@ -84,28 +85,78 @@ LAG_LANES_UNARY(lag_lanes_tanh, tanh)
 LAG_LANES_UNARY(lag_lanes_exp, exp)
 LAG_LANES_UNARY(lag_lanes_log, log)
 LAG_LANES_UNARY(lag_lanes_sqrt, sqrt)
-LAG_LANES_UNARY(lag_lanes_abs, fabs)
-LAG_LANES_UNARY(lag_lanes_sign, lag_sign)
 LAG_LANES_UNARY(lag_lanes_floor, floor)
 LAG_LANES_UNARY(lag_lanes_ceil, ceil)
-LAG_LANES_UNARY(lag_lanes_not, lag_not)
 LAG_LANES_BINARY(lag_lanes_pow, pow)
 LAG_LANES_BINARY(lag_lanes_atan2, atan2)
 LAG_LANES_BINARY(lag_lanes_mod, lag_mod)
-LAG_LANES_BINARY(lag_lanes_min, lag_min)
-LAG_LANES_BINARY(lag_lanes_max, lag_max)
-LAG_LANES_BINARY(lag_lanes_less, lag_less)
-LAG_LANES_BINARY(lag_lanes_less_equal, lag_less_equal)
-LAG_LANES_BINARY(lag_lanes_equal, lag_equal)
-LAG_LANES_BINARY(lag_lanes_and, lag_and)
-LAG_LANES_BINARY(lag_lanes_or, lag_or)
+
+/* Where the condition, all bits or none, holds, the value. */
+static inline lag_lanes lag_lanes_choose(lag_lanes_truth condition, lag_lanes value, lag_lanes otherwise)
+{
+    const lag_lanes_bits mask = (lag_lanes_bits)condition;
+    return (lag_lanes)((mask & (lag_lanes_bits)value) | (~mask & (lag_lanes_bits)otherwise));
+}
+
+static inline lag_lanes lag_lanes_number(lag_lanes_truth condition)
+{
+    return lag_lanes_choose(condition, lag_lanes_of(1.0), lag_lanes_of(0.0));
+}
+
+static inline lag_lanes lag_lanes_min(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_choose(x <= y, x, y);
+}
+
+static inline lag_lanes lag_lanes_max(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_choose(x >= y, x, y);
+}
+
+static inline lag_lanes lag_lanes_less(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number(x < y);
+}
+
+static inline lag_lanes lag_lanes_less_equal(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number(x <= y);
+}
+
+static inline lag_lanes lag_lanes_equal(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number(x == y);
+}
+
+static inline lag_lanes lag_lanes_not(lag_lanes x)
+{
+    return lag_lanes_number(x == lag_lanes_of(0.0));
+}
+
+static inline lag_lanes lag_lanes_and(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number((x != lag_lanes_of(0.0)) & (y != lag_lanes_of(0.0)));
+}
+
+static inline lag_lanes lag_lanes_or(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number((x != lag_lanes_of(0.0)) | (y != lag_lanes_of(0.0)));
+}
 
 static inline lag_lanes lag_lanes_select(lag_lanes condition, lag_lanes value, lag_lanes otherwise)
 {
-    for (size_t lane = 0; lane < LAG_LANES; ++lane) {
-        value[lane] = lag_select(condition[lane], value[lane], otherwise[lane]);
-    }
-    return value;
+    return lag_lanes_choose(condition != lag_lanes_of(0.0), value, otherwise);
+}
+
+static inline lag_lanes lag_lanes_abs(lag_lanes x)
+{
+    return (lag_lanes)((lag_lanes_bits)x & ~(lag_lanes_bits)lag_lanes_of(-0.0));
+}
+
+static inline lag_lanes lag_lanes_sign(lag_lanes x)
+{
+    const lag_lanes zero = lag_lanes_of(0.0);
+    return lag_lanes_choose(x > zero, lag_lanes_of(1.0), lag_lanes_choose(x < zero, lag_lanes_of(-1.0), x));
 }
 
 #else
