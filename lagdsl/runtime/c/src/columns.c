@@ -54,7 +54,9 @@ lag_status lag_dynamics_by_columns(
     if (status == LAG_OK) {
         status = model->residual(&still, unused, gamma);
     }
-    negate(n, force);
-    negate(model->nc, gamma);
+    if (status == LAG_OK) {
+        negate(n, force);
+        negate(model->nc, gamma);
+    }
     return status;
 }
