@@ -23,6 +23,7 @@ _OF_DIRECTIONS = {
     "state_derivative": "state_derivative_tangent",
     "output": "output_tangent",
 }
+_FUSED = (*FUSED, "acceleration_tangent")
 _STATE_AND_INPUT = (Group.DIRECTION_Q, Group.DIRECTION_QD, Group.DIRECTION_Z, Group.DIRECTION_U)
 # Numbers in the longest vector: arrays of vectors start at multiples of it.
 _WIDEST = 8
@@ -144,7 +145,7 @@ def _function(
     contents = results(program, function, dialect)
     names = RESULTS[function.name]
     parameters = ["const lag_arguments *at", *(f"{dialect.memory} *{result}" for result in names)]
-    head = Head(f"model_{function.name}_in_lanes", parameters, ["at", *names], function.name in FUSED)
+    head = Head(f"model_{function.name}_in_lanes", parameters, ["at", *names], function.name in _FUSED)
     made = code(program.graph, contents.stores, given, dialect, head)
     outer = ", ".join(["const lag_arguments *at", *(f"double *{result}" for result in names)])
     inner = ", ".join(["at", *(f"({dialect.memory} *){result}" for result in names)])
