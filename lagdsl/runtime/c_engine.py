@@ -30,6 +30,8 @@ _STATE_VECTORS = STATE[1:]
 _SOLVED = (Group.QDD, Group.LAMBDA)
 # For so many states it is worth compiling the functions of several at once; results are the same to the bit.
 _CROWD = 2048
+# States of one call of C.
+_LARGEST_PART = 4096
 
 
 class CEngine:
@@ -155,7 +157,7 @@ class CEngine:
             model, part = library.model, library.part
             return int(library.batch_forward_dynamics(model, part, byref(batch), *results, byref(coordinate)))
 
-        share_out(many.count, threads, lambda: self._worker(library, many, solve))
+        share_out(many.count, threads, lambda: self._worker(library, many, solve), _LARGEST_PART)
         return tuple(block for block, _ in found)
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
