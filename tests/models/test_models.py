@@ -36,6 +36,9 @@ from models.corpus import (
 EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in MODELS])
 STEP = 1e-30
 ROUNDING = 1e-12  # of the size of the terms
+# What solving may leave, of the size of the terms: multipliers take back accelerations that forces alone would make,
+# and where little stands in a row, rounding errors of those are left.
+LEFT = 1e-10
 
 
 def test_there_are_at_least_twenty_six_models_each_with_expectations() -> None:
@@ -138,7 +141,7 @@ def _assert_solved(engine: Engine, states: Arrays, program: Program, *as_large_a
         largest = state | {Group.QDD: _level(qdd), Group.LAMBDA: _level(lam)}
         sizes = [_residual_sizes(each, solved, largest) for each in (program, *as_large_as)]
         for (value, _), *size in zip(values_with_size(program, "residual", solved), *sizes, strict=True):
-            _assert_close(value, np.zeros_like(value), np.maximum.reduce(size), "residual")
+            _assert_close(value, np.zeros_like(value), np.maximum.reduce(size), "residual", LEFT)
 
 
 def _residual_sizes(program: Program, solved: Arrays, largest: Arrays) -> list[np.ndarray]:
@@ -150,9 +153,9 @@ def _level(vector: np.ndarray) -> np.ndarray:
     return np.full_like(vector, np.max(np.abs(vector), initial=0.0))
 
 
-def _assert_close(ours: np.ndarray, theirs: np.ndarray, size: np.ndarray, what: str) -> None:
+def _assert_close(ours: np.ndarray, theirs: np.ndarray, size: np.ndarray, what: str, part: float = ROUNDING) -> None:
     assert ours.shape == theirs.shape, what
-    wrong = np.abs(ours - theirs) > ROUNDING * size
+    wrong = np.abs(ours - theirs) > part * size
     assert not np.any(wrong), (what, np.argwhere(wrong)[:3], ours[wrong][:3], theirs[wrong][:3], size[wrong][:3])
 
 
