@@ -24,11 +24,11 @@ _NOTHING = 1e-6
 
 def stiffened(independent: Sequence[int], space: Geometry, points: Sequence[Probe]) -> dict[int, float]:
     """Inertia by row, in its unit: about that of the coordinates it moves. Rows with few coordinates come first."""
-    masses = [point.mass for point in points if point.mass is not None]
-    free = [_weightless(mass, space.sizes) for mass in masses]
+    known = [(point.rows, point.mass) for point in points if point.mass is not None]
+    free = [_weightless(mass, space.sizes) for _, mass in known]
     if not any(directions.shape[1] for directions in free):
         return {}
-    reach = [point.rows @ directions for point, directions in zip(points, free, strict=True)]
+    reach = [rows @ directions for (rows, _), directions in zip(known, free, strict=True)]
     longest = np.max([np.max(np.abs(at), axis=1, initial=0.0) for at in reach], axis=0)
     candidates = [row for row in independent if longest[row] > _NOTHING]
     candidates.sort(key=lambda row: (int(np.sum(space.pattern[row])), row))
@@ -38,7 +38,7 @@ def stiffened(independent: Sequence[int], space: Geometry, points: Sequence[Prob
         if all(_holds(at, chosen, candidates, rank) for at, rank in zip(reach, ranks, strict=True)):
             break
         chosen.append(row)
-    inertia = np.median([np.diag(mass) for mass in masses], axis=0) * space.sizes**2
+    inertia = np.median([np.diag(mass) for _, mass in known], axis=0) * space.sizes**2
     return {
         row: power_of_two(float(np.max(inertia[space.pattern[row]])) / float(space.row_sizes[row]) ** 2)
         for row in sorted(chosen)
