@@ -110,7 +110,7 @@ class CEngine:
         self._prepared = None  # the parameters of the functions of one state may be others now
         status, jacobian = self._state_jacobian(t, p)
         if status == _SINGULAR:
-            raise SingularSystem(self._state_jacobian.coordinate.value)
+            raise SingularSystem(self._state_jacobian.coordinate.value, self.layout)
         return jacobian
 
     def _set_state(self, t: float, *vectors: Floats) -> None:
@@ -126,7 +126,7 @@ class CEngine:
 
     def _check(self, status: int) -> None:
         if status == _SINGULAR:
-            raise SingularSystem(self._coordinate.value)
+            raise SingularSystem(self._coordinate.value, self.layout)
 
     # ---- many states -------------------------------------------------------------------------------------------------
 
@@ -190,7 +190,7 @@ class CEngine:
             for name, array, stride in many.arrays:
                 setattr(batch, name, array.ctypes.data + 8 * first * stride)
             if call(batch, first, coordinate) == _SINGULAR:
-                raise SingularSystem(coordinate.value)
+                raise SingularSystem(coordinate.value, self.layout)
 
         return part
 

@@ -59,7 +59,7 @@ class NumpyEngine:
         try:
             return solve_motion(self.evaluate, self._sizes, np.asarray(t), q, qd, z, u, w, p)
         except linear.SingularSystem as singular:
-            raise SingularSystem(singular.coordinate) from None
+            raise SingularSystem(singular.coordinate, self.layout) from None
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of any function of the program."""
@@ -89,7 +89,7 @@ class NumpyEngine:
         try:
             return solve_motion(self.evaluate_many, self._sizes, *map(np.asarray, state))
         except linear.SingularSystem as singular:
-            raise SingularSystem(singular.coordinate) from None
+            raise SingularSystem(singular.coordinate, self.layout) from None
 
     def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
         """`solve_many` in parts, whose intermediate arrays stay in the caches, shared out to threads."""
@@ -114,7 +114,7 @@ class NumpyEngine:
         try:
             return differentiate_motion(self.evaluate_many, self._sizes, by, *map(np.asarray, state))
         except linear.SingularSystem as singular:
-            raise SingularSystem(singular.coordinate) from None
+            raise SingularSystem(singular.coordinate, self.layout) from None
 
     def _is_formed(self, function: str) -> bool:
         return function in BY_COLUMNS and function not in self._functions
