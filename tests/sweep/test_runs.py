@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -142,8 +143,6 @@ class TestRuns:
         made.close()
 
     def test_a_process_that_dies_takes_one_run_with_it(self, subject: Subject) -> None:
-        import pickle
-
         worker = _Worker(pickle.dumps(([subject], OPTIONS)))
         try:
             worker._running().kill()
@@ -153,6 +152,17 @@ class TestRuns:
         finally:
             worker.stop()
         assert worker.run(_task({})).status == "failed"
+
+    def test_a_worker_whose_sweep_is_killed_ends_its_run(self, subject: Subject) -> None:
+        from dataclasses import replace
+
+        worker = _Worker(pickle.dumps(((subject,), replace(OPTIONS, stop=1e9))))
+        with worker._running() as process:
+            assert process.stdin is not None
+            pickle.dump(_task({"g": 1e-20}), process.stdin)
+            process.stdin.close()  # as the system does when its other side is killed
+            assert process.wait(timeout=60) == 0
+        worker._process = None
 
     def test_functions_cannot_be_sent(self, subject: Subject) -> None:
         from dataclasses import replace
