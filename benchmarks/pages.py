@@ -68,7 +68,7 @@ def _limits(found: dict[str, Results]) -> list[str]:
     times = row["times"]["forward"]
     exact = min(time for label, time in times.items() if family(label) == "casadi" and "fast-math" not in label)
     return [
-        "The chain of 10 links: elimination goes from link to link and each step waits for the one before (a flop takes",
+        "The chain of 10 links: elimination goes from link to link and each step waits for the last (a flop takes",
         "twice as long as in a spatial chain), while CasADi forms a mass matrix of ten rows from independent sums. Its",
         "fastest C is compiled with `-ffast-math`, which reorders sums; lagdsl does not use it, because results are",
         "the same to the last bit in every form of a model. Against CasADi's best C without it the ratio is "
