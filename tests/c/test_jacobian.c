@@ -190,6 +190,7 @@ static lag_status outputs_in_lanes(const lag_arguments *at, double *y)
 }
 
 static const size_t kept[1] = {0};
+static const unsigned char redundant[1] = {0};
 
 static lag_model made(int with_elimination)
 {
@@ -198,6 +199,7 @@ static lag_model made(int with_elimination)
         .version = LAG_MODEL_VERSION, .nq = 2, .nz = 1, .nu = 1, .np = 1, .nc = rows, .ny = 1, .rank = rows, .workspace = 2,
         .prepared = 1, .prepare = prepare, .dynamics = dynamics, .residual_tangent = residual_tangent,
         .state_derivative_tangent = state_derivative_tangent, .output_tangent = output_tangent, .nk = rows, .kept_rows = kept,
+        .redundant = redundant,
     };
     model.elimination = with_elimination ? elimination : NULL;
     return model;
