@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import islice
 
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.eliminate.count import flops
@@ -10,6 +11,7 @@ from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.eliminate.rows import Row, Rows
 from lagdsl.eliminate.solve import Factor, Solution, solve
 from lagdsl.flat.model import FlatModel
+from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.inertia import acceleration_form
 from lagdsl.mechanics.lagrange import Dynamics
 from lagdsl.mechanics.lowering import Lowering
@@ -17,6 +19,8 @@ from lagdsl.mechanics.multipliers import choose_rows, least_pivot, strengths_at_
 from lagdsl.mechanics.structure import Structure
 from lagdsl.mechanics.symbols import Directions
 from lagdsl.program.functions import OPTIONAL
+from lagdsl.program.passes.fuse import exact
+from lagdsl.program.passes.shallow import shallow
 from lagdsl.program.program import Block, Function
 from lagdsl.record import record
 
@@ -62,7 +66,7 @@ def eliminated_equations(
     cost = flops(graph, [node for block in blocks for node in block.elements])
     if cost + _delassus(n, m, len(solution.along)) >= most:
         return None
-    function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=blocks)
+    function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=_shallow(graph, blocks))
     return Eliminated(function=function, factor=solution.factor, pivot=pivot)
 
 
@@ -101,6 +105,16 @@ def _blocks(solution: Solution, m: int, pivot: int) -> tuple[Block, ...]:
         _block("J", (nk, n), [[row.terms.get(rate, zero) for rate in factor.rates] for row in kept]),
         _block("gamma", (nk,), [[row.bias for row in kept]]),
         _block("pivot", (), [[pivot]]),
+    )
+
+
+def _shallow(graph: Graph, blocks: Sequence[Block]) -> tuple[Block, ...]:
+    """The same values, sooner; what the last one, the check of pivots, compares is nothing that must be exact."""
+    kept = exact(graph, [node for block in blocks[:-1] for node in block.elements])
+    nodes = iter(shallow(graph, [node for block in blocks for node in block.elements], kept))
+    return tuple(
+        Block(name=block.name, shape=block.shape, elements=tuple(islice(nodes, len(block.elements))))
+        for block in blocks
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, Dialect, Place
@@ -11,7 +11,7 @@ from lagdsl.backends.c.roll import roll
 from lagdsl.backends.c.statement import Listing, Store, listing
 from lagdsl.backends.c.straight import pieces
 from lagdsl.graph.graph import Graph
-from lagdsl.program.passes.fuse import fused
+from lagdsl.program.passes.fuse import exact, fused
 
 # Compilers need superlinear time for long functions: above the first number of statements they are rolled, where that
 # leaves less than this part of the text, or cut into pieces of the second number.
@@ -20,6 +20,8 @@ _PIECE = 150
 _ROLLED_PART = 0.5
 # Functions of inertia, in which sums are fused with their products: accelerations wait for a chain of these.
 FUSED = ("elimination",)
+# The result whose comparisons are with thresholds, not with what is nothing when exact.
+_CHECK = "pivot"
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,8 +45,9 @@ class Code:
 
 def code(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place], dialect: Dialect, head: Head) -> Code:
     """Statements that do all `stores`. `given` are the places of values that are at hand already."""
-    made = listing(graph, stores, given)
-    sums = _fused(made, stores) if head.fused else {}
+    kept = exact(graph, [store.node for store in stores if store.target.array != _CHECK]) if head.fused else None
+    made = listing(graph, stores, given, kept)
+    sums = {} if kept is None else _fused(made, stores, kept)
     if len(made.statements) <= LONGEST_FUNCTION:
         bodies, scratch = pieces(made, dialect, len(made.statements), sums)
         return Code("", tuple(line for body in bodies for line in body), scratch)
@@ -60,10 +63,10 @@ def code(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place], di
     )
 
 
-def _fused(made: Listing, stores: tuple[Store, ...]) -> dict[int, int]:
+def _fused(made: Listing, stores: tuple[Store, ...], kept: Collection[int]) -> dict[int, int]:
     named = {statement.node for statement in made.statements if statement.is_variable}
     live = made.graph.live([store.node for store in stores], made.given)
-    return fused(made.graph, live, named, made.given)
+    return fused(made.graph, live, named, made.given, kept)
 
 
 def _piece(head: Head, dialect: Dialect, index: int, body: Sequence[str]) -> str:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, Place
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
+from lagdsl.program.passes.fuse import fusible
 from lagdsl.program.passes.schedule import schedule
 from lagdsl.record import record
 
@@ -52,10 +53,13 @@ class Listing:
     gathered: int
 
 
-def listing(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place]) -> Listing:
+def listing(
+    graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place], exact: Collection[int] | None = None
+) -> Listing:
     """Statements that do all `stores`, each as soon as it can be done; `given` values are in their places already.
 
     Sines and cosines come first: those of arguments that hold no others, then what further ones need, and so on.
+    With `exact`, the nodes that are not to be fused, products that all their sums can be fused with get no variable.
     """
     live = graph.live([store.node for store in stores], given)
     turned = [node for node in live if graph.op[node] in (Op.SIN, Op.COS) and node not in given]
@@ -63,7 +67,8 @@ def listing(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place])
     gathers, inner, known = _gathers(graph, level, turned, given)
     every = [*inner, *stores]
     roots = [store.node for store in every]
-    named: Sequence[int] = schedule(graph, roots, known, live).named
+    inside = () if exact is None else fusible(graph, live, roots, exact)
+    named: Sequence[int] = schedule(graph, roots, known, live, inside).named
     if level:
         named = sorted(named, key=lambda node: (level.get(node, len(gathers)), node))
     position = {node: index for index, node in enumerate(named)}

@@ -16,13 +16,14 @@ _LATENCY = {Op.NEGATE: 0, Op.ADD: 1, Op.SUBTRACT: 1, Op.MULTIPLY: 1, Op.DIVIDE: 
 _SLOW = 5
 
 
-def fused(graph: Graph, live: Sequence[int], named: Collection[int], given: Collection[int]) -> dict[int, int]:
+def fused(
+    graph: Graph, live: Sequence[int], named: Collection[int], given: Collection[int], exact: Collection[int]
+) -> dict[int, int]:
     """By sum or difference among the `live` nodes: which of its two operands, 0 or 1, is a product to be fused.
 
     Products that are `named` have other users, `given` ones are at hand. Of two products it is the later one.
     """
     ops, operands = graph.op, graph.operands
-    exact = _exact(graph, live)
     when: dict[int, int] = {}
     chosen: dict[int, int] = {}
     for node in live:
@@ -45,13 +46,26 @@ def fused(graph: Graph, live: Sequence[int], named: Collection[int], given: Coll
     return chosen
 
 
-def _exact(graph: Graph, live: Sequence[int]) -> set[int]:
-    """Nodes that a step or a condition is computed from."""
-    exact: set[int] = set()
-    for node in reversed(live):
+def fusible(graph: Graph, live: Sequence[int], roots: Sequence[int], exact: Collection[int]) -> set[int]:
+    """Products that are used in sums and differences only, always with something that is no product."""
+    ops, operands = graph.op, graph.operands
+    found = {node for node in live if ops[node] is Op.MULTIPLY and node not in exact}
+    found.difference_update(roots)
+    for node in live:
+        own = operands[node]
+        fuses = ops[node] in (Op.ADD, Op.SUBTRACT) and node not in exact
+        if not fuses or all(ops[x] is Op.MULTIPLY for x in own):
+            found.difference_update(own)
+    return found
+
+
+def exact(graph: Graph, roots: Sequence[int]) -> set[int]:
+    """Nodes that a step or a condition in what `roots` are computed from depends on."""
+    found: set[int] = set()
+    for node in reversed(graph.live(roots)):
         op, own = graph.op[node], graph.operands[node]
-        if op in STEPS or op in (Op.MOD, Op.MIN, Op.MAX, Op.ABS) or node in exact:
-            exact.update(own)
+        if op in STEPS or op is Op.MOD or node in found:
+            found.update(own)
         elif op is Op.SELECT:
-            exact.add(own[0])
-    return exact
+            found.add(own[0])
+    return found

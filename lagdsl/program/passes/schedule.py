@@ -25,9 +25,16 @@ class Schedule:
 
 
 def schedule(
-    graph: Graph, roots: Sequence[int], given: Collection[int] = (), live: Sequence[int] | None = None
+    graph: Graph,
+    roots: Sequence[int],
+    given: Collection[int] = (),
+    live: Sequence[int] | None = None,
+    repeated: Collection[int] = (),
 ) -> Schedule:
-    """Statements that compute `roots`, where the nodes of `given` are at hand already; `live`, where it is known."""
+    """Statements that compute `roots`, where the nodes of `given` are at hand already; `live`, where it is known.
+
+    Those of `repeated` stay inside all expressions that use them, where it is one operation.
+    """
     ops, operands = graph.op, graph.operands
     live = graph.live(roots, given) if live is None else live
     uses = dict.fromkeys(live, 0)
@@ -50,7 +57,7 @@ def schedule(
         total = 1
         for operand in operands[node]:
             total += weight[operand]
-        if total > _LARGEST_EXPRESSION or uses[node] > 1:
+        if total > _LARGEST_EXPRESSION or (uses[node] > 1 and not (total == 1 and node in repeated)):
             named.append(node)
             total = 0
         weight[node] = total
