@@ -27,11 +27,16 @@ from lagdsl.record import record
 
 @record(kw_only=True)
 class Eliminated:
-    """The function `elimination`, and what solves other right-hand sides in the same way; `pivot` is that of both."""
+    """The function `elimination`, and what solves other right-hand sides in the same way; `pivot` is that of both.
+
+    `accelerations` and `multipliers` are those of the function, with the nodes that `factor` has too.
+    """
 
     function: Function
     factor: Factor
     pivot: int
+    accelerations: Block
+    multipliers: Block
 
 
 def eliminated_equations(
@@ -67,7 +72,9 @@ def eliminated_equations(
     if cost + _delassus(n, m, len(solution.along)) >= most:
         return None
     function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=_shallow(graph, blocks))
-    return Eliminated(function=function, factor=solution.factor, pivot=pivot)
+    return Eliminated(
+        function=function, factor=solution.factor, pivot=pivot, accelerations=blocks[0], multipliers=blocks[1]
+    )
 
 
 def _with_rows(
