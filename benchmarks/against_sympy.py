@@ -54,3 +54,21 @@ def sympy_cart_double_pendulum() -> Callable[..., object]:
     method = LagrangesMethod(kinetic - potential, q, forcelist=[(hook, (u - c * rates[0]) * frame.x)], frame=frame)
     method.form_lagranges_equations()
     return sm.lambdify([q, rates, parameters], [method.mass_matrix, method.forcing], cse=True)
+
+
+def chain(n: int) -> Callable[..., object]:
+    """The same for the planar chain of n bars in angles between neighbors: models/planar_chain.lag."""
+    time = dynamicsymbols._t
+    q = list(dynamicsymbols(f"q0:{n}"))
+    m, length, g = parameters = sm.symbols("m l g", positive=True)
+    kinetic = potential = angle = x = y = sm.S.Zero
+    for coordinate in q:
+        angle += coordinate
+        cx, cy = x + length * sm.cos(angle) / 2, y + length * sm.sin(angle) / 2
+        kinetic += m * (cx.diff(time) ** 2 + cy.diff(time) ** 2) / 2 + m * length**2 / 24 * angle.diff(time) ** 2
+        potential -= m * g * cx
+        x, y = x + length * sm.cos(angle), y + length * sm.sin(angle)
+    method = LagrangesMethod(kinetic - potential, q)
+    method.form_lagranges_equations()
+    rates = [coordinate.diff(time) for coordinate in q]
+    return sm.lambdify([q, rates, parameters], [method.mass_matrix, method.forcing], cse=True)

@@ -1,7 +1,7 @@
 """Run by the interpreter of the peers' environment: what needs their Python packages. It answers in JSON.
 
 in_peers.py where                              folders and versions of what is installed
-in_peers.py casadi ARM N FILE.c                Lagrange's equations by CasADi, as C
+in_peers.py casadi ARM N WAY FILE.c            Lagrange's equations by CasADi, as C; WAY is one of WAYS
 in_peers.py pinocchio ARM N STATES.npy OUT.npy forward dynamics at many states
 """
 
@@ -44,12 +44,10 @@ def exact(values, shape):
     return ca.sparsify(ca.DM(np.array(values, dtype=float).reshape(shape)))
 
 
-def casadi_function(arm: Arm):
-    """f(q, qd) -> qdd: energies of the links by hand, Lagrange's equations by differentiation, M by LDL."""
+def in_space(arm: Arm, q, v):
+    """Kinetic and potential energy, link by link in its own axes."""
     import casadi as ca
 
-    n = len(arm.links)
-    q, v = ca.SX.sym("q", n), ca.SX.sym("v", n)
     kinetic = potential = 0
     turn, speed, rotation, place = ca.SX.zeros(3), ca.SX.zeros(3), ca.SX.eye(3), ca.SX.zeros(3)
     for i, link in enumerate(arm.links):
@@ -70,6 +68,39 @@ def casadi_function(arm: Arm):
         inertia = exact([xx, xy, xz, xy, yy, yz, xz, yz, zz], (3, 3))
         kinetic += link.mass / 2 * ca.dot(at_center, at_center) + ca.dot(turn, inertia @ turn) / 2
         potential -= link.mass * ca.dot(ca.DM(arm.gravity), place + rotation @ center)
+    return kinetic, potential
+
+
+def in_plane(arm: Arm, q, v):
+    """The same of a planar arm, in the axes of the world: sums of sines and cosines of absolute angles."""
+    import casadi as ca
+
+    kinetic = potential = angle = rate = x = y = vx = vy = 0
+    for i, link in enumerate(arm.links):
+        offset = link.place[0]
+        if i:
+            x, y = x + offset * c, y + offset * s  # noqa: F821  of the link before
+            vx, vy = vx - offset * s * rate, vy + offset * c * rate  # noqa: F821
+        angle, rate = angle + q[i], rate + v[i]
+        c, s = ca.cos(angle), ca.sin(angle)
+        center = link.center[0]
+        ux, uy = vx - center * s * rate, vy + center * c * rate
+        kinetic += link.mass / 2 * (ux**2 + uy**2) + link.inertia[2] / 2 * rate**2
+        potential -= link.mass * (arm.gravity[0] * (x + center * c) + arm.gravity[1] * (y + center * s))
+    return kinetic, potential
+
+
+# How the energies are typed.
+WAYS = {"space": in_space, "plane": in_plane}
+
+
+def casadi_function(arm: Arm, way: str):
+    """f(q, qd) -> qdd: energies by hand, Lagrange's equations by differentiation, M by LDL."""
+    import casadi as ca
+
+    n = len(arm.links)
+    q, v = ca.SX.sym("q", n), ca.SX.sym("v", n)
+    kinetic, potential = WAYS[way](arm, q, v)
     momentum = ca.gradient(kinetic, v)
     mass = ca.jacobian(momentum, v)
     rest = ca.gradient(kinetic - potential, q) - ca.jtimes(momentum, q, v)
@@ -77,10 +108,12 @@ def casadi_function(arm: Arm):
     return ca.Function("f", [q, v], [ca.ldl_solve(rest, d, lt, p)])
 
 
-def generate(arm: Arm, path: Path) -> dict[str, float]:
-    """C of that function; Python's CPU seconds and the number of instructions."""
+def generate(arm: Arm, way: str, path: Path) -> dict[str, float]:
+    """C of that function; Python's CPU seconds, imports not counted, and the number of instructions."""
+    import casadi  # noqa: F401
+
     start = time.process_time()
-    f = casadi_function(arm)
+    f = casadi_function(arm, way)
     os.chdir(path.parent)
     f.generate(path.name)
     return {"seconds": time.process_time() - start, "instructions": f.n_instructions()}
@@ -110,7 +143,10 @@ def main() -> None:
         answer: object = where()
     else:
         arm = ARMS[rest[0]](int(rest[1]))
-        answer = generate(arm, Path(rest[2])) if command == "casadi" else forward(arm, Path(rest[2]), Path(rest[3]))
+        if command == "casadi":
+            answer = generate(arm, rest[2], Path(rest[3]))
+        else:
+            answer = forward(arm, Path(rest[2]), Path(rest[3]))
     print(json.dumps(answer))
 
 

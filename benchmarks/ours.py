@@ -1,14 +1,18 @@
-"""lagdsl's part: text to C, C to a library, the library in a C loop."""
+"""lagdsl's part: text to C, C to a library."""
 
+import json
 import os
-import resource
+import statistics
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from lagdsl.backends.c.emit import model_symbol, sources
+from measure import children_cpu_seconds, in_fresh_process
+
+from lagdsl.backends.c.emit import model_symbol, part_symbol, sources
 from lagdsl.diagnostics import Sink
+from lagdsl.eliminate.count import flops
 from lagdsl.pipeline import front, middle
 from lagdsl.program.program import Program
 from lagdsl.runtime.build import build
@@ -19,14 +23,17 @@ MODELS = Path(__file__).with_name("models")
 
 @dataclass(frozen=True)
 class Made:
-    """A model as a library; CPU seconds of the compiler (text to C) and of the C compiler, characters of C."""
+    """A model as a library, which has the constants `symbols`. CPU seconds from text to C (imports not counted) and of
+    the C compiler; characters of C; coordinates; flops of one forward dynamics, None where the equations are solved at
+    run time."""
 
     library: Path
-    symbol: str
-    program: Program
+    symbols: tuple[str, ...]
     python: float
     compiler: float
     size: int
+    n: int
+    flops: int | None
 
 
 def program(name: str, n: int | None) -> Program:
@@ -43,38 +50,46 @@ def program(name: str, n: int | None) -> Program:
     return compilation.program
 
 
-def text(name: str, n: int | None) -> tuple[Program, Mapping[str, str], float]:
-    """The C sources, and the CPU seconds they took."""
+def make(name: str, n: int | None = None, *, parts: tuple[str, ...] = ()) -> Made:
+    """A library as `engine="c"` makes it, afresh: nothing comes from the cache but the objects of the runtime.
+
+    `parts` are the functions of several states, or of several directions, that engines build when first needed.
+    """
     start = time.process_time()
     made = program(name, n)
-    files = sources(made)
-    return made, files, time.process_time() - start
+    files = sources(made, parts)
+    python = time.process_time() - start
+    seconds, library = children_cpu_seconds(lambda: build(_fresh(files), fresh=True))
+    size = max(map(len, files.values()))
+    coordinates = len(made.layout.coordinates)
+    symbols = (model_symbol(made), part_symbol(made, "states"), part_symbol(made, "tangents"))
+    return Made(library, symbols, python, seconds, size, coordinates, _flops(made))
 
 
-def make(name: str, n: int | None, *compilers: str) -> list[Made]:
-    """A library by each compiler, afresh: nothing comes from the cache but the objects of the runtime."""
-    made, files, python = text(name, n)
-    result = []
-    for compiler in compilers:
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        library = _built(files, compiler)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-        size = max(map(len, files.values()))
-        result.append(Made(library, model_symbol(made), made, python, seconds, size))
-    return result
+def in_processes(name: str, n: int | None = None, *, parts: tuple[str, ...] = (), runs: int = 1) -> Made:
+    """The same in fresh processes: medians of the times."""
+    code = f"import ours; ours.tell({name!r}, {n!r}, {parts!r})"
+    found = []
+    for _ in range(runs):
+        answer = in_fresh_process(code)
+        assert isinstance(answer, dict)
+        found.append(Made(**{**answer, "library": Path(answer["library"]), "symbols": tuple(answer["symbols"])}))
+    python, compiler = (statistics.median(getattr(made, what) for made in found) for what in ("python", "compiler"))
+    return Made(**{**asdict(found[-1]), "python": python, "compiler": compiler})
 
 
-def _built(files: Mapping[str, str], compiler: str) -> Path:
-    before = os.environ.get("CC")
-    os.environ["CC"] = compiler
-    try:
-        return build(_fresh(files), fresh=True)
-    finally:
-        if before is None:
-            del os.environ["CC"]
-        else:
-            os.environ["CC"] = before
+def tell(name: str, n: int | None, parts: tuple[str, ...]) -> None:
+    """Print `make` as JSON, the objects of the runtime being there already."""
+    made = make(name, n, parts=parts)
+    print(json.dumps({**asdict(made), "library": str(made.library)}))
+
+
+def _flops(made: Program) -> int | None:
+    """Of qdd, where all multipliers are solved for while they are expressions."""
+    if not made.has("elimination") or made.kept_rows:
+        return None
+    (block,) = [each for each in made.function("elimination").results if each.name in ("a", "qdd")]
+    return flops(made.graph, block.elements)
 
 
 def _fresh(files: Mapping[str, str]) -> dict[str, str]:

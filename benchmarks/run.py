@@ -1,96 +1,82 @@
-"""Run all benchmarks, print the tables and write them to benchmarks/README.md: `make bench`."""
+"""Measure, keep the results of every part in results/, write the figures and README.md from all of them.
 
+run.py                    everything: `make bench`
+run.py --only arm,text    some parts; the others stay as they were measured last
+run.py --only             nothing: README.md and figures anew from what is there
+"""
+
+import argparse
+import json
 import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 
-import dynamics
+import accuracy
+import arm
+import chains
+import figures
 import growth
-import scale
-from measure import first_call_cpu_seconds, process_cpu_seconds
+import machine
+import ours
+import pages
+import peers
+import start
+import text
 
-README = Path(__file__).with_name("README.md")
-PENDULUM = Path(__file__).parents[1] / "models" / "pendulum.lag"
-
-
-def no_swell() -> list[str]:
-    """Table of growth with the fitted exponents."""
-    rows = growth.measure()
-    sizes = [float(row.links) for row in rows]
-    nodes = growth.exponent(sizes, [float(row.nodes) for row in rows])
-    seconds = growth.exponent(sizes, [row.seconds for row in rows])
-    return [
-        "## No swell: the hanging chain, text to program, all functions",
-        "",
-        "| links | graph nodes | CPU s |",
-        "|---|---|---|",
-        *(f"| {row.links} | {row.nodes} | {row.seconds:.3f} |" for row in rows),
-        f"| exponent (must stay below 2) | {nodes:.2f} | {seconds:.2f} |",
-    ]
+HERE = Path(__file__).parent
+RESULTS = HERE / "results"
+PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
+    "text": text.measure,
+    "arm": arm.measure,
+    "chains": chains.measure,
+    "accuracy": accuracy.measure,
+    "growth": growth.measure,
+    "start": start.measure,
+}
 
 
-def against_sympy() -> list[str]:
-    """Cart double pendulum, definition to callable functions."""
-    ours = first_call_cpu_seconds("against_sympy", "lagdsl_cart_double_pendulum")
-    theirs = first_call_cpu_seconds("against_sympy", "sympy_cart_double_pendulum")
-    return [
-        "## Text to callable NumPy functions: the cart double pendulum",
-        "",
-        "First call in a fresh process, imports not counted.",
-        "",
-        "| | CPU s |",
-        "|---|---|",
-        f"| lagdsl, all functions (text to callable) | {ours:.3f} |",
-        f"| SymPy `LagrangesMethod` and `lambdify`, mass matrix and forcing | {theirs:.3f} |",
-        f"| ratio (must be at most 0.1) | {ours / theirs:.3f} |",
-    ]
-
-
-def start_up() -> list[str]:
-    """`lag check` of a ten-line model as a whole process."""
-    numpy = process_cpu_seconds([sys.executable, "-c", "import numpy"])
-    check = process_cpu_seconds([sys.executable, "-m", "lagdsl", "check", str(PENDULUM)])
-    return [
-        "## `lag check` on a ten-line model",
-        "",
-        "| whole process | CPU s |",
-        "|---|---|",
-        f'| `python -c "import numpy"` | {numpy:.3f} |',
-        f"| `lag check models/pendulum.lag` | {check:.3f} |",
-        f"| ratio (must be at most 4) | {check / numpy:.2f} |",
-    ]
-
-
-def against_peers() -> list[str]:
-    """Forward dynamics against the installed peers, growth, many states."""
-    rows = dynamics.measure(dynamics.CASES, _say)
-    curves = scale.curves(_say)
-    peers: dict[str, list[tuple[int, float]]] = {}
-    for row in rows:
-        for peer in ("pinocchio", "mujoco", "casadi"):
-            time = dynamics.best(row, peer)
-            if time is not None and row.model.endswith("_chain"):
-                peers.setdefault(f"{row.model}, {peer}", []).append((row.n, time))
-    scale.draw(curves, peers)
-    return [*dynamics.tables(rows), "", *scale.batch(), "", *scale.tables(curves)]
-
-
-def _say(what: str) -> None:
+def say(what: str) -> None:
     """To people who wait."""
-    print(what, file=sys.stderr, flush=True)
+    print(f"{time.strftime('%H:%M:%S')} {what}", file=sys.stderr, flush=True)
+
+
+def keep(name: str) -> None:
+    """Measure a part; it replaces what was there only when it is whole."""
+    before = machine.describe()
+    found = PARTS[name](say)
+    answer = {**before, "load after": machine.load(), **found}
+    RESULTS.mkdir(exist_ok=True)
+    draft = RESULTS / f"{name}.json.new"
+    draft.write_text(json.dumps(answer, indent=1, allow_nan=False) + "\n")
+    draft.replace(RESULTS / f"{name}.json")
+
+
+def write() -> tuple[str, str]:
+    """README.md and the figures, from the results that are there; the whole page, and the table of targets."""
+    found = {path.stem: json.loads(path.read_text()) for path in sorted(RESULTS.glob("*.json"))}
+    figures.draw(found, HERE)
+    content = pages.page(found)
+    (HERE / "README.md").write_text(content, encoding="utf-8")
+    return content, pages.summary(found)
 
 
 def main() -> None:
-    """Measure, print, write."""
-    lines = [
-        "# Benchmarks",
-        "",
-        "Written by `make bench`: medians of CPU time, every ratio from one run on one machine.",
-    ]
-    for table in (start_up, against_sympy, no_swell, against_peers):
-        lines += ["", *table()]
-    text = "\n".join(lines) + "\n"
-    print(text)
-    README.write_text(text, encoding="utf-8")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", metavar="PARTS", nargs="?", const="", help=f"of {', '.join(PARTS)}, with commas")
+    chosen = parser.parse_args().only
+    names = list(PARTS) if chosen is None else [name for name in chosen.split(",") if name]
+    for name in names:
+        if name not in PARTS:
+            parser.error(f"there is no part {name}; there are {', '.join(PARTS)}")
+    if names and peers.missing():
+        say(f"not installed, and left out: {', '.join(peers.missing())} (`make peers`, or PEERS=folder of a venv)")
+    if names:
+        ours.make("planar_chain", 2)  # compiles the runtime, which is not counted
+    for name in names:
+        keep(name)
+    page, table = write()
+    print(page if chosen is None else table)
 
 
 if __name__ == "__main__":

@@ -124,9 +124,16 @@ def states(n: int, count: int = STATES, seed: int = 1) -> np.ndarray:
     return np.random.default_rng(seed).uniform(-1.0, 1.0, (count, 2 * n))
 
 
+def wide_states(n: int, count: int, seed: int = 2) -> np.ndarray:
+    """The same, angles all around and fast: q within pi, qd of standard deviation 5 rad/s."""
+    generator = np.random.default_rng(seed)
+    return np.hstack([generator.uniform(-np.pi, np.pi, (count, n)), generator.normal(0.0, 5.0, (count, n))])
+
+
 def write_states(path: Path, values: np.ndarray) -> None:
-    """As native/bench.h reads them."""
-    path.write_text("\n".join(_line(row) for row in values) + "\n")
+    """As native/contest.c reads them: how many, how many coordinates, then q and qd of each."""
+    rows, width = values.shape
+    path.write_text("\n".join([f"{rows} {width // 2}", *(_line(row) for row in values)]) + "\n")
 
 
 def _quaternion(quarter: int) -> tuple[float, float, float, float]:

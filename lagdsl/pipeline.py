@@ -8,8 +8,8 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
-from dataclasses import dataclass
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
@@ -24,15 +24,17 @@ from lagdsl.syntax.parser import parse
 
 if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
+    from lagdsl.mechanics.derive import Derived
     from lagdsl.mechanics.structure import Structure
     from lagdsl.program.program import Program
     from lagdsl.runtime.broadcast import BatchEngine
 
 Derivation: TypeAlias = Literal["graph", "textbook"]
-EngineName: TypeAlias = Literal["numpy", "c"]
+EngineName: TypeAlias = Literal["auto", "numpy", "c"]
 
 _DEEPEST_RECURSION = 20_000
-_MANY = 40
+# Operations of one evaluation from which on a run takes longer in Python than the C compiler does.
+_WORTH_COMPILING = 3_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,44 +88,64 @@ def elaborate(
     return None if sink.has_errors else flat
 
 
-def derive(flat: FlatModel, derivation: Derivation = "graph", *, dense: bool = True) -> Program:
-    """The equations of motion as a program, by the route of that name; `dense` as on the graph route."""
+def derive(flat: FlatModel, derivation: Derivation = "graph") -> Program:
+    """The equations of motion as a program, by the route of that name; as they are before ranks are known."""
+    program, _ = _derived(flat, derivation)
+    return program
+
+
+def _derived(flat: FlatModel, derivation: Derivation) -> tuple[Program, Derived | None]:
+    """With what the graph route made the program from."""
     with _deep_recursion():
         match derivation:
             case "graph":
-                from lagdsl.mechanics.derive import derive as derive_on_graph
+                from lagdsl.mechanics.derive import derived
 
-                return derive_on_graph(flat, dense=dense)
+                found = derived(flat)
+                return found.program, found
             case "textbook":
                 from lagdsl.textbook.derive import derive as derive_by_textbook
                 from lagdsl.textbook.lower import lower
 
-                return lower(derive_by_textbook(flat), flat)
+                return lower(derive_by_textbook(flat), flat), None
             case _:
                 raise ValueError(f"there is no derivation `{derivation}`; there are graph, textbook")
 
 
-def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph", *, dense: bool = True) -> Compilation | None:
+def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Compilation | None:
     """Flat model to program, with ranks, degrees of freedom and redundant rows; None after errors."""
     from lagdsl.mechanics.structure import analyze
 
-    structure = analyze(flat, derive(flat, derivation, dense=dense), sink)
+    program, derived = _derived(flat, derivation)
+    structure = analyze(flat, program, sink)
     if sink.has_errors:
         return None
+    if derived is not None:
+        from lagdsl.mechanics.derive import solved
+
+        structure = replace(structure, program=solved(derived, structure))
     if flat.invariants or flat.loads:
         from lagdsl.mechanics.derive import form_equations
         from lagdsl.mechanics.idle_loads import report_idle_loads
         from lagdsl.mechanics.invariants import report_proofs
 
-        equations = form_equations(flat)
+        equations = form_equations(flat) if derived is None else derived.derivation
         report_idle_loads(equations, sink)
         report_proofs(equations, sink)
     return Compilation(flat=flat, program=structure.program, structure=structure, diagnostics=sink.diagnostics)
 
 
 def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
-    """What computes the functions of `program`. Raises CompilationFailed where no C compiler is found."""
+    """What computes the functions of `program`; `auto` is C for a large one, where there is a compiler, else NumPy.
+
+    Raises CompilationFailed where `c` is asked for and no C compiler is found.
+    """
     match name:
+        case "auto":
+            if _operations(program) >= _WORTH_COMPILING:
+                with suppress(CompilationFailed):
+                    return engine_of(program, "c")
+            return engine_of(program, "numpy")
         case "numpy":
             from lagdsl.runtime.numpy_engine import NumpyEngine
 
@@ -133,7 +155,14 @@ def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
 
             return CEngine(program)
         case _:
-            raise ValueError(f"there is no engine `{name}`; there are numpy, c")
+            raise ValueError(f"there is no engine `{name}`; there are auto, numpy, c")
+
+
+def _operations(program: Program) -> int:
+    """Of one evaluation of the accelerations."""
+    name = next(name for name in ("elimination", "dynamics", "residual") if program.has(name))
+    roots = [node for block in program.function(name).results for node in block.elements]
+    return len(program.graph.live(roots))
 
 
 def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:
@@ -148,8 +177,7 @@ def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnost
     compilation = None
     try:
         flat = elaborate(unit, sink, model=model)
-        # A check evaluates M a few times: it need not be written out where it is large.
-        compilation = middle(flat, sink, dense=len(flat.coordinates) < _MANY) if flat is not None else None
+        compilation = middle(flat, sink) if flat is not None else None
         if compilation is not None:
             from lagdsl.simulate.first_instant import check_first_instant
             from lagdsl.simulate.initialize import initial_state

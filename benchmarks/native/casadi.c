@@ -1,7 +1,10 @@
-/* A function f(q, qd) -> qdd that CasADi generated, in a C loop: casadi LIBRARY STATES N. */
-#include "bench.h"
+/* A function f(q, qd) -> qdd that CasADi generated: LIBRARY. */
+#include "contest.h"
 
 #include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 typedef int (*function)(const double **, double **, long long *, double *, int);
 typedef int (*sizes)(long long *, long long *, long long *, long long *);
@@ -25,30 +28,33 @@ static void call(void *given, int k)
     c->f(c->arguments, c->results, c->integers, c->work, 0);
 }
 
-int main(int count, char **arguments)
+static void fetch(void *given, int k, double *results)
 {
-    void *library = count == 4 ? dlopen(arguments[1], RTLD_NOW) : NULL;
+    context *c = given;
+    (void)k;
+    memcpy(results, c->qdd, (size_t)c->n * sizeof(double));
+}
+
+int enter(const field *of, int count, char **arguments)
+{
+    void *library = count == 1 ? dlopen(arguments[0], RTLD_NOW | RTLD_LOCAL) : NULL;
     if (library == NULL) {
         fprintf(stderr, "%s\n", dlerror());
         return 1;
     }
-    context c;
+    context *c = calloc(1, sizeof *c);
     long long arg, res, iw, w;
-    c.n = atoi(arguments[3]);
-    c.states = read_states(arguments[2], STATES, 2 * c.n);
-    *(void **)&c.f = dlsym(library, "f");
+    c->n = of->n;
+    c->states = of->states;
+    *(void **)&c->f = dlsym(library, "f");
     sizes work;
     *(void **)&work = dlsym(library, "f_work");
     work(&arg, &res, &iw, &w);
-    c.arguments = calloc((size_t)arg + 1, sizeof *c.arguments);
-    c.results = calloc((size_t)res + 1, sizeof *c.results);
-    c.integers = calloc((size_t)iw + 1, sizeof *c.integers);
-    c.work = calloc((size_t)w + 1, sizeof *c.work);
-    c.qdd = calloc((size_t)c.n, sizeof *c.qdd);
-    for (int k = 0; k < STATES; ++k) {
-        call(&c, k);
-        show("forward", k, c.qdd, c.n);
-    }
-    bench("casadi", call, &c);
+    c->arguments = calloc((size_t)arg + 1, sizeof *c->arguments);
+    c->results = calloc((size_t)res + 1, sizeof *c->results);
+    c->integers = calloc((size_t)iw + 1, sizeof *c->integers);
+    c->work = calloc((size_t)w + 1, sizeof *c->work);
+    c->qdd = calloc((size_t)c->n + 1, sizeof *c->qdd);
+    of->add((contestant){"forward", "", call, fetch, c, c->n, 1});
     return 0;
 }

@@ -1,9 +1,7 @@
-// Pinocchio's forward dynamics and its derivatives in a C++ loop: pinocchio MODEL STATES, the model as serial.py writes it.
-#include "bench.h"
+// Pinocchio's forward dynamics and its derivatives: MODEL, as serial.py writes it.
+#include "contest.h"
 
-#include <Eigen/Core>
-#include <fstream>
-#include <pinocchio/multibody.hpp>
+#include "pinocchio_model.hpp"
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/aba-derivatives.hpp>
 
@@ -11,34 +9,11 @@ namespace pin = pinocchio;
 using Vector = Eigen::VectorXd;
 using View = Eigen::Ref<const Vector>;
 
-static pin::Model read_model(const char *path)
-{
-    std::ifstream file(path);
-    pin::Model model;
-    int count;
-    double x, y, z;
-    file >> count >> x >> y >> z;
-    model.gravity.linear(Eigen::Vector3d(x, y, z));
-    for (int i = 0; i < count; ++i) {
-        Eigen::Matrix3d rotation, inertia;
-        Eigen::Vector3d place, center;
-        double mass, xx, yy, zz, xy, xz, yz;
-        for (int k = 0; k < 9; ++k) {
-            file >> rotation(k / 3, k % 3);
-        }
-        file >> place[0] >> place[1] >> place[2] >> mass >> center[0] >> center[1] >> center[2];
-        file >> xx >> yy >> zz >> xy >> xz >> yz;
-        inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-        const auto joint = model.addJoint((pin::JointIndex)i, pin::JointModelRZ(), pin::SE3(rotation, place), "j" + std::to_string(i));
-        model.appendBodyToJoint(joint, pin::Inertia(mass, center, inertia), pin::SE3::Identity());
-    }
-    return model;
-}
-
 struct Context {
     pin::Model model;
     pin::Data data;
-    Vector q[STATES], v[STATES], tau;
+    std::vector<Vector> q, v;
+    Vector tau;
 };
 
 static void aba_world(void *context, int k)
@@ -59,24 +34,39 @@ static void derivatives(void *context, int k)
     pin::computeABADerivatives(c.model, c.data, View(c.q[k]), View(c.v[k]), View(c.tau));
 }
 
-int main(int, char **arguments)
+static void fetch_forward(void *context, int, double *results)
 {
-    Context c;
-    c.model = read_model(arguments[1]);
-    c.data = pin::Data(c.model);
+    const Context &c = *static_cast<Context *>(context);
+    Vector::Map(results, c.model.nv) = c.data.ddq;
+}
+
+static void fetch_derivatives(void *context, int, double *results)
+{
+    const Context &c = *static_cast<Context *>(context);
     const int n = c.model.nv;
-    const double *states = read_states(arguments[2], STATES, 2 * n);
-    c.tau = Vector::Zero(n);
-    for (int k = 0; k < STATES; ++k) {
-        c.q[k] = Vector::Map(states + 2 * n * k, n);
-        c.v[k] = Vector::Map(states + 2 * n * k + n, n);
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> map(results, n, 2 * n);
+    map.leftCols(n) = c.data.ddq_dq;
+    map.rightCols(n) = c.data.ddq_dv;
+}
+
+extern "C" int enter(const field *of, int count, char **arguments)
+{
+    if (count != 2) {
+        return 1;
     }
-    for (int k = 0; k < STATES; ++k) {
-        aba_local(&c, k);
-        show("forward", k, c.data.ddq.data(), n);
+    Context *c = new Context;
+    c->model = read_model(arguments[0]);
+    c->data = pin::Data(c->model);
+    const int n = c->model.nv;
+    c->tau = Vector::Zero(n);
+    for (int k = 0; k < of->rows; ++k) {
+        c->q.push_back(Vector::Map(of->states + 2 * n * k, n));
+        c->v.push_back(Vector::Map(of->states + 2 * n * k + n, n));
     }
-    bench("aba_local", aba_local, &c);
-    bench("aba_world", aba_world, &c);
-    bench("derivatives", derivatives, &c);
+    of->add({"forward", "_local", aba_local, fetch_forward, c, n, 1});
+    of->add({"forward", "_world", aba_world, fetch_forward, c, n, 1});
+    if (std::string(arguments[1]) == "jacobian") {
+        of->add({"jacobian", "", derivatives, fetch_derivatives, c, 2 * n * n, 1});
+    }
     return 0;
 }

@@ -37,7 +37,9 @@ _SECONDS = "e.g. 10, '500 ms'"
     help="Parameter or start value: 'm=2 kg', 'x.start=1 m'.",
 )
 @click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
-@click.option("--engine", type=click.Choice(["numpy", "c"]), default="numpy", show_default=True)
+@click.option(
+    "--engine", type=click.Choice(["auto", "numpy", "c"]), default="auto", show_default=True, help="auto: C if large."
+)
 @click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf.")
 @click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the columns to this .csv or .parquet.")

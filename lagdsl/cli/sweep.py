@@ -76,6 +76,8 @@ def command(
     from lagdsl.sweep.sweep import Work, options_of
 
     require_writable(output)
+    if resume and output is None:
+        raise click.UsageError("--resume goes on with a sweep to a file: say which with -o")
     _require_packages(output, scheduler)
     source = read_or_leave(file, style)
     signals = _read_inputs(inputs, style)
@@ -96,7 +98,7 @@ def command(
     data = _sweep(the_plan, known, subjects, options, work)
     if output is None:
         click.echo(_summary(data, the_plan))
-    failed = _tell_failures(data)
+    failed = _tell_failures(data, the_plan)
     if failed == the_plan.runs:
         click.get_current_context().exit(FAILED_RUN)
 
@@ -107,7 +109,7 @@ def _sweep(
     from lagdsl.sweep.sweep import journal_path, sweep
 
     try:
-        with progress(f"{plan.runs} runs") as report:
+        with progress(_counted(plan.runs)) as report:
             return sweep(plan, known, subjects, options, work, report)
     except KeyboardInterrupt:
         if work.output is not None:
@@ -115,8 +117,13 @@ def _sweep(
             click.echo(f"interrupted; {kept} holds the finished runs, go on with --resume", err=True)
             click.get_current_context().exit(INTERRUPTED)
         raise
+    except ConnectionError as error:
+        hint = ""
+        if work.output is not None and journal_path(work.output).exists():
+            hint = f"; {journal_path(work.output)} holds the finished runs, go on with --resume"
+        raise click.UsageError(f"{error}{hint}") from error
     except OSError as error:
-        if isinstance(error, ConnectionError) or work.output is None:
+        if work.output is None:
             raise click.UsageError(str(error)) from error
         raise Unwritable(work.output, error) from error
     except ValueError as error:
@@ -235,15 +242,24 @@ def _summary(data: xarray.Dataset, plan: Plan) -> str:
         "  ".join([row[0].ljust(widths[0]), *(row[i].rjust(widths[i]) for i in (1, 2, 3)), row[4]]).rstrip()
         for row in rows
     ]
-    return "\n".join([f"{data.attrs['model']}: {plan.runs} runs", *lines])
+    return "\n".join([f"{data.attrs['model']}: {_counted(plan.runs)}", *lines])
 
 
-def _tell_failures(data: xarray.Dataset) -> int:
-    """How many runs failed; that and the most frequent reason go to standard error."""
+def _tell_failures(data: xarray.Dataset, plan: Plan) -> int:
+    """How many runs failed; that, the most frequent reasons and where each was met first go to standard error."""
     from lagdsl.sweep.dataset import MESSAGE, STATUS, about_runs
+    from lagdsl.sweep.plan import place
 
     status, messages = about_runs(data, STATUS), about_runs(data, MESSAGE)
     reasons = Counter(why for each, why in zip(status, messages, strict=True) if each != "ok")
     for reason, count in reasons.most_common(_MOST_REASONS):
-        click.echo(f"{count} of {len(status)} runs failed: {reason}", err=True)
+        first = place(plan, messages.index(reason))
+        where = f" ({'at' if count == 1 else 'first at'} {first})" if first else ""
+        click.echo(f"{count} of {_counted(len(status))} failed: {reason}{where}", err=True)
+    if len(reasons) > _MOST_REASONS:
+        click.echo(f"and for {len(reasons) - _MOST_REASONS} more reasons", err=True)
     return reasons.total()
+
+
+def _counted(runs: int) -> str:
+    return "1 run" if runs == 1 else f"{runs} runs"

@@ -14,7 +14,7 @@ import numpy as np
 from lagdsl.cli.assignments import Settings, settings
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
-from lagdsl.sweep.plan import LARGEST, Axis, Plan, Target
+from lagdsl.sweep.plan import Axis, Plan, Target, require_few
 from lagdsl.units.naming import rate_text
 
 Draw: TypeAlias = Callable[[np.random.Generator, int, list[float]], Floats]
@@ -32,19 +32,25 @@ _DISTRIBUTIONS: dict[str, tuple[tuple[str, ...], Draw]] = {
 
 
 def plan(flat: FlatModel, pairs: dict[str, str], random: int | None, seed: int) -> Plan:
-    """The runs that the texts ask for. Raises UsageError for what is no value, range, list or distribution."""
+    """The runs that the texts ask for. Raises UsageError for what is no value, range, list or distribution, ValueError
+    for too many runs."""
     axes: list[Axis] = []
     fixed: list[Axis] = []
     samples: list[Axis] = []
+    runs = 1 if random is None else random
+    require_few(runs)
     for number, (name, text) in enumerate(pairs.items()):
         call = _CALL.fullmatch(text)
         if call is not None:
+            _require_distribution(name, text, call)
             if random is None:
                 raise click.UsageError(f"{name}={text}: how many draws? Say --random N")
             # A stream of its own for every name: one more name changes no other draws.
             samples.append(_drawn(flat, name, text, call, random, np.random.default_rng([seed, number])))
         else:
-            texts = _texts(name, text)
+            texts = _texts(name, text, runs)
+            runs *= len(texts)
+            require_few(runs)
             axis = _axis(flat, name, texts)
             (axes if len(texts) > 1 else fixed).append(axis)
     if random is not None and not samples:
@@ -52,10 +58,10 @@ def plan(flat: FlatModel, pairs: dict[str, str], random: int | None, seed: int) 
     return Plan(axes=tuple(axes), samples=tuple(samples), fixed=tuple(fixed))
 
 
-def _texts(name: str, text: str) -> list[str]:
-    """The single values; a unit at the end counts for all that have none."""
+def _texts(name: str, text: str, runs: int) -> list[str]:
+    """The single values, each of which makes `runs` runs; a unit at the end counts for all that have none."""
     if ":" in text:
-        return _range(name, text)
+        return _range(name, text, runs)
     pieces = text.split(",")
     last = _QUANTITY.fullmatch(pieces[-1])
     unit = last[2] if last else ""
@@ -66,7 +72,7 @@ def _texts(name: str, text: str) -> list[str]:
     ]
 
 
-def _range(name: str, text: str) -> list[str]:
+def _range(name: str, text: str, runs: int) -> list[str]:
     """`first:step:last unit`, the last included where the steps meet it. Counted in the decimals that were typed."""
     parts = [_QUANTITY.fullmatch(piece) for piece in text.split(":")]
     if len(parts) != 3 or None in parts:
@@ -79,8 +85,7 @@ def _range(name: str, text: str) -> list[str]:
     if step == 0 or (last - first) / step < 0:
         raise click.UsageError(f"{name}={text}: steps of {float(step):g} do not lead from the first to the last value")
     count = (last - first) // step + 1
-    if count > LARGEST:
-        raise click.UsageError(f"{name}={text}: {count} values, at most {LARGEST} are possible")
+    require_few(count * runs)
     return [f"{float(first + i * step)!r} {unit}".strip() for i in range(count)]
 
 
@@ -108,12 +113,8 @@ def _drawn(
     flat: FlatModel, name: str, text: str, call: re.Match[str], count: int, generator: np.random.Generator
 ) -> Axis:
     """`count` draws; those that a parameter may not have fail as runs, not here."""
-    if call[1] not in _DISTRIBUTIONS:
-        raise click.UsageError(f"{name}={text}: there are the distributions {', '.join(_DISTRIBUTIONS)}")
     meanings, draw = _DISTRIBUTIONS[call[1]]
     given = [piece.strip() for piece in call[2].split(",")]
-    if len(given) != len(meanings):
-        raise click.UsageError(f"{name}={text}: {call[1]} takes {', '.join(meanings)}")
     arguments: list[float] = []
     key, target = name, "parameter"
     for meaning, piece in zip(meanings, given, strict=True):
@@ -134,6 +135,15 @@ def _drawn(
     return Axis(
         name=name, key=key, target="start" if target == "start" else "parameter", unit=_unit(flat, key), values=values
     )
+
+
+def _require_distribution(name: str, text: str, call: re.Match[str]) -> None:
+    """There is one of that name, and it takes so many numbers."""
+    if call[1] not in _DISTRIBUTIONS:
+        raise click.UsageError(f"{name}={text}: there are the distributions {', '.join(_DISTRIBUTIONS)}")
+    meanings, _ = _DISTRIBUTIONS[call[1]]
+    if len(call[2].split(",")) != len(meanings):
+        raise click.UsageError(f"{name}={text}: {call[1]} takes {', '.join(meanings)}")
 
 
 def _require_drawable(name: str, text: str, distribution: str, arguments: list[float]) -> None:

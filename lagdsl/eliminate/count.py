@@ -15,3 +15,20 @@ def flops(graph: Graph, roots: Iterable[int]) -> int:
     """Additions, subtractions, multiplications and divisions of one evaluation. What depends on parameters alone is
     computed once and not counted; nor are functions and changes of sign."""
     return sum(1 for node in graph.live(roots) if graph.op[node] in _COUNTED and graph.groups[node] & ~_PARAMETER)
+
+
+class TooMany(Exception):  # noqa: N818  it is a reason to try something else
+    """More nodes were made than the result can be worth."""
+
+
+class Budget:
+    """How many nodes may still be made; None: any number."""
+
+    def __init__(self, graph: Graph, nodes: int | None) -> None:
+        self._graph = graph
+        self._most = None if nodes is None else len(graph) + nodes
+
+    def check(self) -> None:
+        """Raises TooMany."""
+        if self._most is not None and len(self._graph) > self._most:
+            raise TooMany

@@ -1,4 +1,4 @@
-"""A sparse symmetric matrix of nodes with right-hand sides, and the congruences and pivots that shrink it."""
+"""A sparse symmetric matrix of nodes, and the congruences and pivots that shrink it."""
 
 from __future__ import annotations
 
@@ -12,14 +12,11 @@ Pair: TypeAlias = "tuple[dict[int, int], dict[int, int]]"
 
 
 class SparseSystem:
-    """W a = h for several h: rows by variable, only what is not identically zero; each right-hand side likewise."""
+    """W of W a = h: rows by variable, only what is not identically zero."""
 
-    def __init__(
-        self, graph: Graph, weights: Mapping[int, Mapping[int, int]], sides: Sequence[Mapping[int, int]]
-    ) -> None:
+    def __init__(self, graph: Graph, weights: Mapping[int, Mapping[int, int]]) -> None:
         self.graph = graph
         self.rows: dict[int, dict[int, int]] = {j: {} for j in weights}
-        self.sides = [{j: value for j, value in side.items() if value != graph.zero} for side in sides]
         for j, row in weights.items():
             for k, weight in row.items():
                 if k <= j:
@@ -41,11 +38,6 @@ class SparseSystem:
         row[k] = total
         self.rows.setdefault(k, {})[j] = total
 
-    def add_side(self, index: int, j: int, value: int) -> None:
-        if value != self.graph.zero:
-            side = self.sides[index]
-            side[j] = self.graph.add(side.get(j, self.graph.zero), value)
-
     def take(self, j: int) -> dict[int, int]:
         """The row of j, removed."""
         row = self.rows.pop(j, {})
@@ -54,18 +46,12 @@ class SparseSystem:
                 self.rows[k].pop(j, None)
         return row
 
-    def take_sides(self, j: int) -> list[int]:
-        return [side.pop(j, self.graph.zero) for side in self.sides]
-
     # ---- steps -------------------------------------------------------------------------------------------------------
 
     def substitute(self, j: int, terms: Mapping[int, int]) -> None:
         """Replace a_j by its definition, the sum of `terms`."""
-        graph, row, sides = self.graph, self.take(j), self.take_sides(j)
+        graph, row = self.graph, self.take(j)
         diagonal = row.pop(j, graph.zero)
-        for index, side in enumerate(sides):
-            for p, c in terms.items():
-                self.add_side(index, p, graph.multiply(c, side))
         for k, weight in row.items():
             for p, c in terms.items():
                 product = graph.multiply(c, weight)
@@ -77,20 +63,16 @@ class SparseSystem:
                 for k in arguments[: position + 1]:
                     self.add(p, k, graph.multiply(terms[k], scaled))
 
-    def minimize(self, j: int) -> tuple[dict[int, int], list[int]]:
-        """Eliminate a_j by its own equation: a_j = u - sum_k y_k a_k; gives the y and, for each right-hand side, u."""
-        graph, row, sides = self.graph, self.take(j), self.take_sides(j)
+    def minimize(self, j: int) -> dict[int, int]:
+        """Eliminate a_j by its own equation: a_j = u - sum_k y_k a_k; gives the y."""
+        graph, row = self.graph, self.take(j)
         inverse = graph.divide(graph.one, row.pop(j))
         others = sorted(row)
         shares = {k: graph.multiply(row[k], inverse) for k in others}
         for position, p in enumerate(others):
             for k in others[: position + 1]:
                 self.add(p, k, graph.negate(graph.multiply(row[k], shares[p])))
-        parts = [graph.multiply(side, inverse) for side in sides]
-        for index, part in enumerate(parts):
-            for k in others:
-                self.add_side(index, k, graph.negate(graph.multiply(row[k], part)))
-        return shares, parts
+        return shares
 
     def rotate(self, rotations: Sequence[Rotation]) -> None:
         """Replace several pairs turned by the same angle by the pairs they come from."""
@@ -116,23 +98,15 @@ class SparseSystem:
             for row in pair if position != at else pair[:1]:
                 if y in row:
                     row[y] = graph.negate(row[y])
-        for side in self.sides:
-            if y in side:
-                side[y] = graph.negate(side[y])
 
     def _rotate_outside(self, rotation: Rotation, rows: Pair, inside: Mapping[int, None]) -> None:
-        """W of the pair with all other variables, and the right-hand sides."""
+        """W of the pair with all other variables."""
         graph, (x, y) = self.graph, rotation.before
         for k in dict.fromkeys((*rows[0], *rows[1])):
             if k not in inside:
                 first, second = self._turn_back(rotation, rows[0].get(k, graph.zero), rows[1].get(k, graph.zero))
                 self.add(x, k, graph.add(first, first) if k == x else first)
                 self.add(y, k, graph.add(second, second) if k == y else second)
-        for index, side in enumerate(self.sides):
-            first, second = (side.pop(v, graph.zero) for v in rotation.after)
-            first, second = self._turn_back(rotation, first, second)
-            self.add_side(index, x, first)
-            self.add_side(index, y, second)
 
     def _turn_back(self, rotation: Rotation, first: int, second: int) -> tuple[int, int]:
         graph, c, s = self.graph, rotation.cosine, rotation.sine

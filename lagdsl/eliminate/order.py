@@ -12,47 +12,23 @@ from __future__ import annotations
 from collections.abc import Container, Mapping, Sequence
 from heapq import heappop, heappush
 
+from lagdsl.eliminate.count import Budget
 from lagdsl.eliminate.definitions import Definitions
 from lagdsl.eliminate.form import NotApplicable
 from lagdsl.eliminate.matrix import SparseSystem
 from lagdsl.eliminate.rotations import Rotation
+from lagdsl.eliminate.rows import Rows, components, is_multiplier, multiplier_of
+from lagdsl.eliminate.steps import Defined, Minimized, Step, Swapped
 from lagdsl.graph.graph import Graph
-from lagdsl.record import record
-
-
-@record()
-class Defined:
-    """The variable follows from its definition."""
-
-    variable: int
-
-
-@record()
-class Minimized:
-    """a = u - sum of shares times others, with u by right-hand side; `pivot` is what was divided by."""
-
-    variable: int
-    pivot: int
-    shares: dict[int, int]
-    parts: list[int]
-
-
-@record()
-class Swapped:
-    """A rate that follows from the variable it alone makes free: variable = rest + factor * rate."""
-
-    rate: int
-    variable: int
-    factor: int
-
-
-Step = Defined | Minimized | Swapped
 
 
 class Elimination:
-    """One order: variables by least `priority` as soon as nothing uses them, rates at once, `delayed` ones last.
+    """One order: variables by least `priority` as soon as nothing uses them, rates at once, `delayed` ones last, and
+    multipliers of solved rows as soon as the last rate that the row uses is eliminated.
 
-    `steps` are what solving has to take back.
+    `steps` are what solving has to take back. By multiplier: `sizes` are what its pivot was before others were
+    eliminated from it, J W^-1 J'; `rests` what they left of it where the row follows from them; `tied` the other
+    multipliers that take part in a solved one.
     """
 
     def __init__(
@@ -62,13 +38,15 @@ class Elimination:
         rates: Sequence[int],
         *,
         priority: Mapping[int, tuple[int, int]],
+        budget: Budget,
         delayed: Container[int] = (),
+        rows: Rows | None = None,
     ) -> None:
         self._graph: Graph = system.graph
         self._system, self._terms = system, definitions.terms
         self._rates, self._delayed = rates, delayed
         self._left = dict.fromkeys((*rates, *definitions.terms), 0)
-        self._priority = priority
+        self._priority, self._budget = priority, budget
         for terms in definitions.terms.values():
             for p in terms:
                 self._left[p] += 1
@@ -80,22 +58,30 @@ class Elimination:
             group.append(rotation)
             for v in rotation.after:
                 self._group[v] = group
+        rows = rows or Rows()
+        self._following = {multiplier_of(row.index): None for row in rows.following}
+        self._waiting, self._open = _waiting(rows)
+        self.sizes: dict[int, int] = {}
+        self.rests: dict[int, int] = {}
+        self.tied: dict[int, dict[int, int]] = {}
         self._ready: dict[int, None] = {}
         self._heap: list[tuple[tuple[int, int], int]] = []
         self.steps: list[Step] = []
 
     def run(self) -> list[Step]:
-        """Raises NotApplicable where a coordinate has no inertia."""
+        """Raises NotApplicable where a coordinate has no inertia, and TooMany."""
         for variable in (*self._terms, *self._rates):
             if not self._left[variable]:
                 self._release(variable)
         while self._heap or self._ready:
+            self._budget.check()
             if self._heap:
                 self._eliminate(heappop(self._heap)[1])
             else:
                 self._turn_some()
         for rate in reversed(self._rates):
             if rate in self._delayed:
+                self._budget.check()
                 self._minimize(rate)
         return self.steps
 
@@ -154,33 +140,76 @@ class Elimination:
         if self._system.pivot(variable) == self._graph.zero:
             return None
         for p, factor in self._terms[variable].items():
-            alone = p not in self._terms and self._left[p] == 1 and not self._system.rows.get(p)
+            alone = p not in self._terms and self._left[p] == 1 and self._weighs_nothing(p)
             if alone and p not in self._delayed and self._graph.is_constant(factor):
                 return p
         return None
 
-    def _swap(self, variable: int, rate: int) -> None:
-        graph, system, terms = self._graph, self._system, self._terms[variable]
-        factor = terms[rate]
-        for index, side in enumerate(system.take_sides(rate)):
-            moved = graph.divide(side, factor)
-            system.add_side(index, variable, moved)
-            for p, c in terms.items():
-                if p != rate:
-                    system.add_side(index, p, graph.negate(graph.multiply(c, moved)))
-        self.steps.append(Swapped(rate, variable, factor))
-        self._minimize(variable)
+    def _weighs_nothing(self, rate: int) -> bool:
+        return all(is_multiplier(k) for k in self._system.rows.get(rate, ()))
 
-    def _minimize(self, variable: int) -> None:
-        pivot = self._system.pivot(variable)
+    def _swap(self, variable: int, rate: int) -> None:
+        graph, terms = self._graph, self._terms[variable]
+        factor = terms[rate]
+        shared = {p: graph.negate(graph.divide(c, factor)) for p, c in terms.items() if p != rate}
+        self._system.substitute(rate, {variable: graph.divide(graph.one, factor), **shared})
+        self.steps.append(Swapped(rate, variable, factor))
+        self._minimize(variable, rate)
+
+    def _minimize(self, variable: int, rate: int | None = None) -> None:
+        """Eliminate by its own equation; `rate`: the rate that is done with it, where it is another one."""
+        system = self._system
+        pivot = system.pivot(variable)
         if pivot == self._graph.zero:
             raise NotApplicable
-        self.steps.append(Minimized(variable, pivot, *self._system.minimize(variable)))
+        row = dict(system.rows[variable])
+        shares = system.minimize(variable)
+        if is_multiplier(variable):
+            self.tied[variable] = {k: share for k, share in shares.items() if is_multiplier(k)}
+        else:
+            self._enlarge(row, shares)
+        acting = {k: share for k, share in shares.items() if k not in self._following} if self._following else shares
+        self.steps.append(Minimized(variable, pivot, acting))
+        for multiplier in self._waiting.get(variable if rate is None else rate, ()):
+            self._open[multiplier] -= 1
+            if not self._open[multiplier]:
+                self._complete(multiplier)
+
+    def _complete(self, multiplier: int) -> None:
+        """Everything that its pivot is made from is eliminated."""
+        if multiplier not in self._following:
+            self._minimize(multiplier)
+            return
+        self.rests[multiplier] = self._graph.negate(self._system.pivot(multiplier))
+        self._system.take(multiplier)
+
+    def _enlarge(self, row: Mapping[int, int], shares: Mapping[int, int]) -> None:
+        graph = self._graph
+        for k, share in shares.items():
+            if is_multiplier(k):
+                own = graph.multiply(row[k], share)
+                self.sizes[k] = graph.add(self.sizes.get(k, graph.zero), own)
+
+
+def _waiting(rows: Rows) -> tuple[dict[int, list[int]], dict[int, int]]:
+    """Multipliers by the rates and multipliers that are eliminated before them; and how many these are."""
+    waiting: dict[int, list[int]] = {}
+    solved = {row.index: None for row in rows.solved}
+    for group in components((*rows.solved, *rows.following)):
+        first = [multiplier_of(row.index) for row in group if row.index in solved]
+        for row in group:
+            for variable in (*row.terms, *(() if row.index in solved else first)):
+                waiting.setdefault(variable, []).append(multiplier_of(row.index))
+    counts: dict[int, int] = {}
+    for multipliers in waiting.values():
+        for multiplier in multipliers:
+            counts[multiplier] = counts.get(multiplier, 0) + 1
+    return waiting, counts
 
 
 def by_creation(definitions: Definitions, rates: Sequence[int]) -> dict[int, tuple[int, int]]:
-    """What was written last comes first."""
-    return {variable: (-variable, 0) for variable in (*rates, *definitions.terms)}
+    """Rows come first, then what was written last."""
+    return {variable: (int(variable >= 0), -variable) for variable in (*rates, *definitions.terms)}
 
 
 def by_depth(definitions: Definitions, rates: Sequence[int]) -> dict[int, tuple[int, int]]:
@@ -199,24 +228,3 @@ def by_depth(definitions: Definitions, rates: Sequence[int]) -> dict[int, tuple[
         least = min((height for height, _ in known), default=0)
         depths[variable] = least, min((length for _, length in known), default=0) - 1
     return depths
-
-
-def back_substitute(graph: Graph, definitions: Definitions, steps: Sequence[Step], sides: int) -> list[dict[int, int]]:
-    """Accelerations of all variables for each right-hand side, the last step first."""
-    found: list[dict[int, int]] = [{} for _ in range(sides)]
-    for step in reversed(steps):
-        for index, known in enumerate(found):
-            match step:
-                case Minimized(variable, _, shares, parts):
-                    known[variable] = graph.subtract(parts[index], _sum(graph, shares, known))
-                case Defined(variable):
-                    known[variable] = _sum(graph, definitions.terms[variable], known)
-                case Swapped(rate, variable, factor):
-                    others = {p: c for p, c in definitions.terms[variable].items() if p != rate}
-                    rest = graph.subtract(known[variable], _sum(graph, others, known))
-                    known[rate] = graph.divide(rest, factor)
-    return found
-
-
-def _sum(graph: Graph, terms: Mapping[int, int], known: Mapping[int, int]) -> int:
-    return graph.sum(graph.multiply(c, known[p]) for p, c in terms.items())

@@ -4,74 +4,148 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from lagdsl.eliminate.count import flops
+from lagdsl.eliminate.count import Budget, TooMany, flops
 from lagdsl.eliminate.definitions import Definitions, find_definitions
-from lagdsl.eliminate.form import AccelerationForm
+from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.eliminate.matrix import SparseSystem
-from lagdsl.eliminate.order import Elimination, Minimized, Step, back_substitute, by_creation, by_depth
+from lagdsl.eliminate.order import Elimination, by_creation, by_depth
+from lagdsl.eliminate.pivots import References, least
+from lagdsl.eliminate.rows import Rows, Side, is_multiplier, multiplier_of, velocity_of
+from lagdsl.eliminate.steps import Minimized, Step, solve_steps
+from lagdsl.eliminate.surplus import Surplus, find_surplus, shortest
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Op
 from lagdsl.record import record
 
 # The composite order costs the square of the depth at least; beyond this many rates it never won.
 _LARGEST_DELAYED = 16
+# Nodes that an order may make before it is given up, by the operations that it is to beat.
+_NODES_PER_OPERATION = 2
+_FEWEST = 1000
+
+
+@record(kw_only=True)
+class Factor:
+    """An order carried out: `steps` with the definitions `terms`, for any right-hand side. Nodes all.
+
+    `pivot` is the least part that subtraction left of the pivot of a rate; about 1e-16 where M is singular. `strengths`
+    are, by row that is not kept, the pivot of its multiplier, and what it would be without the others; of a row that
+    follows from others, these leave nothing.
+    """
+
+    graph: Graph
+    rates: Sequence[int]
+    rows: Rows
+    terms: Mapping[int, Mapping[int, int]]
+    steps: Sequence[Step]
+    pivot: int
+    strengths: dict[int, tuple[int, int]]
+    surplus: Surplus
+
+
+@record(kw_only=True)
+class Response:
+    """Accelerations by rate, and multipliers of rows that are not kept by index, for one right-hand side."""
+
+    accelerations: list[int]
+    multipliers: dict[int, int]
 
 
 @record(kw_only=True)
 class Solution:
-    """`accelerations` qdd by the form's own forces; `responses` M^-1 b, one row per further right-hand side.
+    """`own` for the form's own forces with the biases of the rows, and `along` the kept rows, one by one, with nothing
+    else."""
 
-    `pivot` is the least part that subtraction left of a pivot: about 1e-16 where M is singular. Nodes all.
-    """
-
-    accelerations: list[int]
-    responses: list[list[int]]
-    pivot: int
+    factor: Factor
+    own: Response
+    along: list[Response]
     flops: int
 
 
-def solve(form: AccelerationForm, rates: Sequence[int], sides: Sequence[Mapping[int, int]] = ()) -> Solution:
-    """Accelerations of `rates` (nodes of symbols QD). `sides` are right-hand sides by rate.
+def solve(
+    form: AccelerationForm, rates: Sequence[int], rows: Rows | None = None, *, most: int | None = None
+) -> Solution:
+    """Accelerations of `rates` (nodes of symbols QD).
 
-    Raises NotApplicable where a velocity is not linear in the rates, or a coordinate has no inertia.
+    Raises NotApplicable where a velocity is not linear in the rates, where a coordinate has no inertia, or where it
+    needs more than `most` operations, by and large.
     """
-    graph = form.graph
-    definitions = find_definitions(graph, dict.fromkeys((*form.weights, *form.forces)))
-    orders = [by_depth(definitions, rates), by_creation(definitions, rates)]
-    candidates = [_solve(form, definitions, rates, sides, priority, delayed=()) for priority in orders]
-    if 1 < len(rates) <= _LARGEST_DELAYED:
-        candidates += [_solve(form, definitions, rates, sides, priority, delayed=rates) for priority in orders]
+    rows = rows or Rows()
+    definitions = find_definitions(form.graph, dict.fromkeys((*form.weights, *form.forces)))
+    stiffened = [row for row in (*rows.solved, *rows.kept) if row.index in rows.stiffened]
+    terms = {**definitions.terms, **{velocity_of(row.index): row.terms for row in stiffened}}
+    definitions = Definitions(terms=terms, rotations=definitions.rotations)
+    candidates = []
+    for delayed in ((), rates) if 1 < len(rates) <= _LARGEST_DELAYED else ((),):
+        for priority in (by_depth(definitions, rates), by_creation(definitions, rates)):
+            budget = Budget(form.graph, None if most is None else _NODES_PER_OPERATION * (most + _FEWEST))
+            try:
+                factor = _factorize(form, definitions, rates, rows, priority, budget, delayed=delayed)
+                candidates.append(_solve(form, factor, budget))
+            except TooMany:
+                continue
+    if not candidates:
+        raise NotApplicable
     return min(candidates, key=lambda solution: solution.flops)
 
 
-def _solve(
-    form: AccelerationForm,
-    definitions: Definitions,
-    rates: Sequence[int],
-    sides: Sequence[Mapping[int, int]],
-    priority: Mapping[int, tuple[int, int]],
-    *,
-    delayed: Sequence[int],
-) -> Solution:
-    graph = form.graph
-    system = SparseSystem(graph, form.weights, [form.forces, *sides])
-    steps = Elimination(system, definitions, rates, priority=priority, delayed=frozenset(delayed)).run()
-    found = back_substitute(graph, definitions, steps, 1 + len(sides))
-    rows = [[known[rate] for rate in rates] for known in found]
-    roots = [node for row in rows for node in row]
-    return Solution(
-        accelerations=rows[0],
-        responses=rows[1:],
-        pivot=smallest_pivot(graph, steps),
-        flops=flops(graph, roots),
+def respond(factor: Factor, side: Side, budget: Budget | None = None) -> Response:
+    """The solution for any right-hand side, with the multipliers of kept rows zero. Raises TooMany."""
+    graph, rows = factor.graph, factor.rows
+    given = dict(side.forces)
+    for row in rows.solved:
+        given[multiplier_of(row.index)] = graph.negate(side.biases.get(row.index, graph.zero))
+    for index, weight in rows.stiffened.items():
+        given[velocity_of(index)] = graph.multiply(weight, side.biases.get(index, graph.zero))
+    known = solve_steps(graph, factor.terms, factor.steps, given, budget or Budget(graph, None))
+    multipliers = {row.index: known[multiplier_of(row.index)] for row in rows.solved}
+    return Response(
+        accelerations=[known[rate] for rate in factor.rates],
+        multipliers=shortest(graph, factor.surplus, multipliers),
     )
 
 
-def smallest_pivot(graph: Graph, steps: Sequence[Step]) -> int:
-    """The least of pivot / what the last elimination before subtracted from; 1 where nothing was subtracted."""
-    least = graph.one
-    for step in steps:
-        if isinstance(step, Minimized) and graph.op[step.pivot] is Op.SUBTRACT:
-            part = graph.divide(step.pivot, graph.a[step.pivot])
-            least = graph.binary(Op.MIN, least, part)
-    return least
+def _solve(form: AccelerationForm, factor: Factor, budget: Budget) -> Solution:
+    rows = factor.rows
+    biases = {row.index: row.bias for row in (*rows.solved, *rows.kept)}
+    own = respond(factor, Side(forces=form.forces, biases=biases), budget)
+    along = [respond(factor, Side(forces=row.terms), budget) for row in rows.kept]
+    roots = [node for found in (own, *along) for node in (*found.accelerations, *found.multipliers.values())]
+    return Solution(factor=factor, own=own, along=along, flops=flops(form.graph, roots))
+
+
+def _factorize(
+    form: AccelerationForm,
+    definitions: Definitions,
+    rates: Sequence[int],
+    rows: Rows,
+    priority: Mapping[int, tuple[int, int]],
+    budget: Budget,
+    *,
+    delayed: Sequence[int],
+) -> Factor:
+    graph = form.graph
+    system = SparseSystem(graph, form.weights)
+    for index, weight in rows.stiffened.items():
+        system.add(velocity_of(index), velocity_of(index), weight)
+    for row in (*rows.solved, *rows.following):
+        for rate, term in row.terms.items():
+            system.add(multiplier_of(row.index), rate, graph.negate(term))
+    run = Elimination(
+        system, definitions, rates, priority=priority, budget=budget, delayed=frozenset(delayed), rows=rows
+    )
+    steps = run.run()
+    pivots = {step.variable: step.pivot for step in steps if isinstance(step, Minimized)}
+    inertias = [pivot for variable, pivot in pivots.items() if not is_multiplier(variable)]
+    references = References(graph, of_sums=bool(rows.solved))
+    left = run.rests | {v: graph.negate(pivot) for v, pivot in pivots.items() if is_multiplier(v)}
+    multipliers = {row.index: multiplier_of(row.index) for row in (*rows.solved, *rows.following)}
+    return Factor(
+        graph=graph,
+        rates=rates,
+        rows=rows,
+        terms=definitions.terms,
+        steps=steps,
+        pivot=least(graph, [(pivot, references.of(pivot)) for pivot in inertias]),
+        strengths={index: (left[v], run.sizes[v]) for index, v in multipliers.items()},
+        surplus=find_surplus(graph, rows, run.tied),
+    )

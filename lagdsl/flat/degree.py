@@ -30,7 +30,7 @@ class RateDegree:
 
     def _compute(self, expression: fx.FlatExpression) -> float:
         orders = self.dependence.of(expression)
-        if not any(order and name in self._moving for name, order in orders.items()):
+        if not any(name in self._moving for name in orders.differentiated()):
             return 0
         match expression:
             case fx.Variable(name):

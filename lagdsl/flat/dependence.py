@@ -2,15 +2,75 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import reduce
+from itertools import zip_longest
+from operator import or_
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.traversal import operands, postorder, step_expressions
 
-Orders = dict[str, int]
-"""Variable -> highest number of time derivatives: {"theta": 1} for an expression of theta and der(theta)."""
+
+class Orders(Mapping[str, int]):
+    """Variable -> highest number of time derivatives: {"theta": 1} for an expression of theta and der(theta).
+
+    Kept as sets of bits, `levels[k]` of the variables with at least k derivatives: in a long chain of frames each one
+    depends on all joints before it, and merging must not cost as much as that.
+    """
+
+    __slots__ = ("_levels", "_variables")
+
+    def __init__(self, variables: _Variables, levels: tuple[int, ...] = ()) -> None:
+        self._variables = variables
+        self._levels = levels
+
+    def __getitem__(self, name: str) -> int:
+        bit = 1 << self._variables.index[name]
+        order = sum(1 for level in self._levels if level & bit) - 1
+        if order < 0:
+            raise KeyError(name)
+        return order
+
+    def __iter__(self) -> Iterator[str]:
+        return self._variables.names_in(self._levels[0] if self._levels else 0)
+
+    def __len__(self) -> int:
+        return self._levels[0].bit_count() if self._levels else 0
+
+    def differentiated(self) -> Iterator[str]:
+        """The variables that occur with at least one derivative."""
+        return self._variables.names_in(self._levels[1] if len(self._levels) > 1 else 0)
+
+    def raised(self) -> Orders:
+        """Of the time derivative."""
+        return Orders(self._variables, (*self._levels[:1], *self._levels))
+
+    def merged(self, *others: Orders) -> Orders:
+        """Of what depends on this and on the others."""
+        levels = [orders._levels for orders in (self, *others)]
+        return Orders(self._variables, tuple(reduce(or_, masks) for masks in zip_longest(*levels, fillvalue=0)))
+
+
+class _Variables:
+    """Numbers of variables, by first occurrence."""
+
+    def __init__(self) -> None:
+        self.index: dict[str, int] = {}
+        self._names: list[str] = []
+
+    def alone(self, name: str) -> Orders:
+        if name not in self.index:
+            self.index[name] = len(self._names)
+            self._names.append(name)
+        return Orders(self, (1 << self.index[name],))
+
+    def names_in(self, bits: int) -> Iterator[str]:
+        while bits:
+            last = bits & -bits
+            yield self._names[last.bit_length() - 1]
+            bits ^= last
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +78,7 @@ class Dependence:
     """Answers for one flat model; named elements and shared nodes are looked at once."""
 
     flat: fm.FlatModel
+    _variables: _Variables = field(init=False, repr=False, default_factory=_Variables)
     _named: dict[str, fm.Named] = field(init=False, repr=False)
     _by_name: dict[tuple[str, str], Orders] = field(init=False, repr=False, default_factory=dict)
     _by_node: dict[int, tuple[fx.FlatExpression, Orders]] = field(init=False, repr=False, default_factory=dict)
@@ -33,19 +94,23 @@ class Dependence:
             known[id(node)] = (node, self._compute(node))
         return known[id(expression)][1]
 
+    @property
+    def nothing(self) -> Orders:
+        return Orders(self._variables)
+
     def of_all(self, expressions: Iterable[fx.FlatExpression]) -> Orders:
-        return _merged(self.of(expression) for expression in expressions)
+        return self.nothing.merged(*(self.of(expression) for expression in expressions))
 
     def of_frame(self, name: str, *, turning_only: bool = False) -> Orders:
         """Of position and orientation of a frame, or of its orientation only."""
         key = (name, "axes" if turning_only else "frame")
         if key not in self._by_name:
             frame = self._named.get(name)
-            orders: Orders = {}
+            orders = self.nothing
             if isinstance(frame, fm.Frame):
                 steps = [step_expressions(step, turning_only=turning_only) for step in frame.steps]
                 parent = self.of_frame(frame.parent, turning_only=turning_only)
-                orders = _merged([parent, *(self.of_all(expressions) for expressions in steps)])
+                orders = parent.merged(*(self.of_all(expressions) for expressions in steps))
             self._by_name[key] = orders
         return self._by_name[key]
 
@@ -54,33 +119,21 @@ class Dependence:
             case fx.Variable(name):
                 return self._variable(name)
             case fx.Derivative(operand):
-                return _raised(self.of(operand))
+                return self.of(operand).raised()
             case fx.PointReference(name):
                 point = self._named.get(name)
-                return self.of(point.position) if isinstance(point, fm.Point) else {}
+                return self.of(point.position) if isinstance(point, fm.Point) else self.nothing
             case fx.FrameOrigin(frame):
                 return self.of_frame(frame)
             case fx.FrameAxis(frame):
                 return self.of_frame(frame, turning_only=True)
             case fx.AngularVelocity(frame):
-                return _raised(self.of_frame(frame, turning_only=True))
+                return self.of_frame(frame, turning_only=True).raised()
             case fx.MaterialVelocity(point_expression, frame):
-                return _merged([self.of(point_expression), _raised(self.of_frame(frame))])
+                return self.of(point_expression).merged(self.of_frame(frame).raised())
             case _:
                 return self.of_all(operands(expression))
 
     def _variable(self, name: str) -> Orders:
         item = self._named.get(name)
-        return self.of(item.value) if isinstance(item, fm.Definition) else {name: 0}
-
-
-def _raised(orders: Orders) -> Orders:
-    return {name: order + 1 for name, order in orders.items()}
-
-
-def _merged(parts: Iterable[Mapping[str, int]]) -> Orders:
-    merged: Orders = {}
-    for part in parts:
-        for name, order in part.items():
-            merged[name] = max(order, merged.get(name, 0))
-    return merged
+        return self.of(item.value) if isinstance(item, fm.Definition) else self._variables.alone(name)

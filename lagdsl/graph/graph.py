@@ -8,7 +8,7 @@ graph is one loop over lists.
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Container, Hashable, Iterable, Sequence
 
 from lagdsl.graph.fold import fold
 from lagdsl.graph.operation import FIRST_BINARY, FIRST_TERNARY, FIRST_UNARY, Group, Op
@@ -23,8 +23,8 @@ _CONSTANT, _NEGATE, _ADD, _SUBTRACT, _MULTIPLY = Op.CONSTANT, Op.NEGATE, Op.ADD,
 class Graph:
     """Nodes as parallel lists, indexed by id: `op`, and arguments `a`, `b`, `c` (ids; -1 where absent).
 
-    A constant keeps its value in `value`; a symbol keeps its group in `a` and its index in that array in `b`. `groups`
-    holds for every node the groups of symbols it is computed from, as a bit mask (`1 << group`).
+    A constant keeps its value in `value`; a symbol keeps its group in `a` and its index in that array in `b`;
+    `operands` are the nodes that a node is computed from, `groups` the groups of symbols, as a bit mask (`1 << group`).
     """
 
     def __init__(self) -> None:
@@ -32,6 +32,7 @@ class Graph:
         self.a: list[int] = []
         self.b: list[int] = []
         self.c: list[int] = []
+        self.operands: list[tuple[int, ...]] = []
         self.groups: list[int] = []
         self.value: dict[int, float] = {}
         self._index: list[dict[Hashable, int]] = [{} for _ in range(max(Op) + 1)]
@@ -49,7 +50,7 @@ class Graph:
         assert not math.isnan(value)
         node = self._index[_CONSTANT].get(value)
         if node is None:
-            node = self._append(_CONSTANT, -1, -1, -1, 0)
+            node = self._append(_CONSTANT, -1, -1, -1, (), 0)
             self._index[_CONSTANT][value] = node
             self.value[node] = value
         return node
@@ -59,7 +60,7 @@ class Graph:
         key = (int(group), index)
         node = table.get(key)
         if node is None:
-            node = self._append(Op.SYMBOL, *key, -1, 1 << group)
+            node = self._append(Op.SYMBOL, *key, -1, (), 1 << group)
             table[key] = node
         return node
 
@@ -239,7 +240,7 @@ class Graph:
         node = table.get(key)
         if node is None:
             groups = self.groups[condition] | self.groups[value] | self.groups[otherwise]
-            node = table[key] = self._append(Op.SELECT, *key, groups)
+            node = table[key] = self._append(Op.SELECT, *key, key, groups)
         return node
 
     # ---- sums and products -------------------------------------------------------------------------------------------
@@ -257,14 +258,7 @@ class Graph:
 
     def arguments(self, node: int) -> tuple[int, ...]:
         """Ids of the nodes that `node` is computed from."""
-        op = self.op[node]
-        if op < FIRST_UNARY:
-            return ()
-        if op < FIRST_BINARY:
-            return (self.a[node],)
-        if op < FIRST_TERNARY:
-            return (self.a[node], self.b[node])
-        return (self.a[node], self.b[node], self.c[node])
+        return self.operands[node]
 
     def is_constant(self, node: int) -> bool:
         return self.op[node] is _CONSTANT
@@ -276,17 +270,24 @@ class Graph:
         """Whether a symbol of one of `groups` occurs in the expression of `node`."""
         return any(self.groups[node] >> group & 1 for group in groups)
 
-    def live(self, roots: Iterable[int]) -> list[int]:
-        """Ids of all nodes that `roots` are computed from, themselves included, ascending."""
+    def live(self, roots: Iterable[int], given: Container[int] = ()) -> list[int]:
+        """Ids of all nodes that `roots` are computed from, themselves included, ascending; what only `given` nodes are
+        computed from is left out."""
         roots = list(roots)
+        operands = self.operands
         mark = bytearray(max(roots, default=-1) + 1)
         for root in roots:
             mark[root] = 1
-        for node in range(len(mark) - 1, -1, -1):
-            if mark[node]:
-                for argument in self.arguments(node):
+        found = []
+        node = mark.rfind(1)
+        while node >= 0:
+            found.append(node)
+            if node not in given:
+                for argument in operands[node]:
                     mark[argument] = 1
-        return [node for node, marked in enumerate(mark) if marked]
+            node = mark.rfind(1, 0, node)
+        found.reverse()
+        return found
 
     def rebuild(self, node: int, arguments: Sequence[int]) -> int:
         """The operation of `node` on other arguments, simplified anew."""
@@ -310,7 +311,7 @@ class Graph:
         table = self._index[op]
         node = table.get(a)
         if node is None:
-            node = table[a] = self._append(op, a, -1, -1, self.groups[a])
+            node = table[a] = self._append(op, a, -1, -1, (a,), self.groups[a])
         return node
 
     def _make_binary(self, op: Op, a: int, b: int) -> int:
@@ -318,13 +319,14 @@ class Graph:
         key = (a, b)
         node = table.get(key)
         if node is None:
-            node = table[key] = self._append(op, a, b, -1, self.groups[a] | self.groups[b])
+            node = table[key] = self._append(op, a, b, -1, key, self.groups[a] | self.groups[b])
         return node
 
-    def _append(self, op: Op, a: int, b: int, c: int, groups: int) -> int:
+    def _append(self, op: Op, a: int, b: int, c: int, operands: tuple[int, ...], groups: int) -> int:
         self.op.append(op)
         self.a.append(a)
         self.b.append(b)
         self.c.append(c)
+        self.operands.append(operands)
         self.groups.append(groups)
         return len(self.op) - 1

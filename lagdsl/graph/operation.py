@@ -6,8 +6,11 @@ from enum import IntEnum
 class Op(IntEnum):
     """What a node computes. Comparisons and logic give 0 or 1; SELECT(c, a, b) is a where c is not 0, else b.
 
-    The order matters: leaves, then one, two and three arguments.
+    The order matters: leaves, then one, two and three arguments. Hashed as the numbers that they are: the hash of names
+    costs more than the rest of a look-up.
     """
+
+    __hash__ = int.__hash__
 
     CONSTANT = 0
     SYMBOL = 1
@@ -59,6 +62,8 @@ STEPS = frozenset({Op.SIGN, Op.FLOOR, Op.CEIL, Op.NOT, Op.LESS, Op.LESS_EQUAL, O
 
 class Group(IntEnum):
     """What a symbol stands for: one of the arrays that a program's functions take, by name in the vocabulary."""
+
+    __hash__ = int.__hash__
 
     TIME = 0
     Q = 1

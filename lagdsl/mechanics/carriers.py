@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from lagdsl.flat.model import FlatModel, RigidBody
 from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group
 from lagdsl.mechanics import vectors
-from lagdsl.mechanics.frames import Pose, Put, Shift
+from lagdsl.mechanics.frames import is_put
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.vectors import Axes, Vector
 from lagdsl.record import record
+
+# Components of axes that turn about one that does not.
+_TURNING_IN_A_PLANE = 4
 
 
 @record()
@@ -39,7 +43,8 @@ def carriers(lowering: Lowering, flat: FlatModel) -> tuple[Carrier, ...]:
     for item in flat.masses:
         lowering.place = item.spans
         position = lowering.vector(item.position)
-        found.append(Carrier(None, lowering.scalar(item.mass), position, lowering.velocity(position), None))
+        velocity = lowering.own_velocity(item.position) or lowering.velocity(position)
+        found.append(Carrier(None, lowering.scalar(item.mass), position, velocity, None))
     found += [_body(lowering, body) for body in flat.bodies]
     return tuple(found)
 
@@ -54,12 +59,22 @@ def _body(lowering: Lowering, body: RigidBody) -> Carrier:
     position = vectors.add(graph, pose.origin, vectors.to_world(graph, pose.axes, (x, y, z)))
     if mass == graph.zero:
         velocity = (graph.zero, graph.zero, graph.zero)
-    elif position == pose.origin and is_put(pose):
+    elif is_in_world(lowering, body.frame, position):
         velocity = lowering.velocity(position)
     else:
         turning, velocity = poses.own_twist(body.frame)
         velocity = vectors.add(graph, velocity, vectors.cross(graph, turning, (x, y, z)))
     return Carrier(body.label, mass, position, velocity, _spin(lowering, body))
+
+
+def is_in_world(lowering: Lowering, frame: str, position: Vector) -> bool:
+    """Whether the mass centre of a body has its velocity at hand in the world: at an origin that is put there, or in a
+    plane, where turning costs little."""
+    poses = lowering.poses(frame)
+    if position == poses[frame].origin and is_put(poses[frame]):
+        return True
+    turning = [x for axis in poses[frame].axes for x in axis if lowering.graph.depends(x, Group.Q)]
+    return not poses.is_carried(frame) and len(turning) <= _TURNING_IN_A_PLANE
 
 
 def place_of(lowering: Lowering, body: RigidBody) -> Vector:
@@ -72,12 +87,6 @@ def tensor_of(lowering: Lowering, body: RigidBody) -> Axes:
     """The inertia about the mass centre in the same axes."""
     xx, yy, zz, xy, xz, yz = (lowering.scalar(entry) for entry in body.inertia)
     return ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-
-
-def is_put(pose: Pose) -> bool:
-    """Whether the origin is known as a position of the world, not as a place that the parent carries."""
-    moved = [motion for motion in pose.motions if isinstance(motion, Shift | Put)]
-    return bool(moved) and isinstance(moved[-1], Put)
 
 
 def _spin(lowering: Lowering, body: RigidBody) -> Spin | None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from lagdsl.eliminate.rows import Row
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import adjoints, jacobian
 from lagdsl.graph.graph import Graph
@@ -63,4 +64,25 @@ def velocity_residuals(lowering: Lowering, rows: Rows) -> list[int]:
     return [
         lowering.rate.of(residual) if position_level else residual
         for residual, position_level in zip(rows.residuals, rows.position_level, strict=True)
+    ]
+
+
+def bias(lowering: Lowering, rows: Rows) -> list[int]:
+    """gamma of every row: what J qdd has to be."""
+    return [
+        lowering.graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity_residuals(lowering, rows)
+    ]
+
+
+def rows_of(lowering: Lowering, rows: Rows, directions: Directions) -> list[Row]:
+    """J qdd = gamma row by row, as elimination takes them."""
+    matrix = constraint_jacobian(lowering.graph, rows, directions)
+    zero = lowering.graph.zero
+    return [
+        Row(
+            index=index,
+            terms={rate: term for rate, term in zip(directions.rates, terms, strict=True) if term != zero},
+            bias=gamma,
+        )
+        for index, (terms, gamma) in enumerate(zip(matrix, bias(lowering, rows), strict=True))
     ]

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from lagdsl.eliminate.count import flops
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item
@@ -14,12 +15,16 @@ from lagdsl.mechanics import constraints, energies, lagrange
 from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.eliminated import eliminated_equations
 from lagdsl.mechanics.events import event_functions
+from lagdsl.mechanics.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
+from lagdsl.mechanics.positions import share_positions
 from lagdsl.mechanics.provided import Provider
+from lagdsl.mechanics.structure import Structure
 from lagdsl.mechanics.symbols import Symbols
+from lagdsl.mechanics.tangent import acceleration_tangent
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
-from lagdsl.program.functions import SIGNATURES
+from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.program import Block, Function, Program
 
@@ -42,6 +47,7 @@ def form_equations(flat: FlatModel) -> Derivation:
     graph = Graph()
     symbols = Symbols(graph, flat)
     lowering = Lowering(graph, flat, symbols)
+    share_positions(lowering, flat)
     found = lagrange.dynamics(lowering, flat, symbols.directions)
     totals = energies.system_energies(graph, found, symbols.directions)
     lowering.provide = Provider(lowering, flat, symbols, found, totals)
@@ -51,31 +57,69 @@ def form_equations(flat: FlatModel) -> Derivation:
     )
 
 
-def derive(flat: FlatModel, *, dense: bool = True) -> Program:
-    """All functions of `lagdsl.program.functions`; without `dense`, those that write out M are left out (see
-    `lagdsl.program.lanes`).
+# From so many coordinates on, M is not written out.
+_MANY = 40
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Derived:
+    """A program, and what it was made from. `forming` are the operations for M, f, J and gamma at run time."""
+
+    derivation: Derivation
+    program: Program
+    forming: int
+
+
+def derive(flat: FlatModel, *, dense: bool | None = None) -> Program:
+    """All functions of `lagdsl.program.functions`; `dense`: those that write out M, else what forms it by columns. By
+    default the number of coordinates decides. Without `elimination` where there are constraints: see `solved`.
 
     Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that
     has none (E0304).
     """
+    return derived(flat, dense=dense).program
+
+
+def derived(flat: FlatModel, *, dense: bool | None = None) -> Derived:
+    """The same with what `solved` needs."""
     derivation = form_equations(flat)
     blocks = {
-        **_equations(derivation, dense),
+        **_equations(derivation, len(flat.coordinates) < _MANY if dense is None else dense),
         **_energies(derivation),
         **_observed(derivation),
         **_start(derivation),
     }
     functions = tuple(
         Function(name=name, arguments=arguments, results=tuple(blocks[name]))
-        for name, arguments in SIGNATURES.items()
+        for name, arguments in {**SIGNATURES, **OPTIONAL}.items()
         if name in blocks
     )
     functions += event_functions(derivation.lowering, flat)
-    if dense:
-        written_out = [node for block in blocks["dynamics"] for node in block.elements]
-        directions = derivation.symbols.directions
-        functions += eliminated_equations(derivation.lowering, flat, derivation.dynamics, directions, written_out)
-    return Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
+    program = Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
+    result = Derived(derivation=derivation, program=program, forming=_cost_of_forming(derivation, blocks))
+    return result if flat.constraints else replace(result, program=_with_elimination(result, None))
+
+
+def solved(derived: Derived, structure: Structure) -> Program:
+    """The program of `structure` with `elimination` where there are constraints: their structure decides how."""
+    if not derived.derivation.flat.constraints or not structure.points:
+        return structure.program
+    return _with_elimination(derived, structure)
+
+
+def _with_elimination(derived: Derived, structure: Structure | None) -> Program:
+    derivation = derived.derivation
+    directions, lowering = derivation.symbols.directions, derivation.lowering
+    program = derived.program if structure is None else structure.program
+    rows = constraints.rows_of(lowering, derivation.rows, directions)
+    found = eliminated_equations(
+        lowering, derivation.flat, derivation.dynamics, directions, rows, structure, derived.forming
+    )
+    if found is None:
+        return program
+    change = acceleration_tangent(found, *program.function("residual_tangent").results)
+    kept = tuple(row.index for row in found.factor.rows.kept)
+    return replace(program, functions=(*program.functions, found.function, change), kept_rows=kept)
 
 
 def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
@@ -87,22 +131,20 @@ def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
     ]
     velocity = constraints.velocity_residuals(lowering, rows)
     jacobian = _matrix("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
-    gamma = [graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity]
-    f = lagrange.forcing(lowering, terms)
+    gamma = constraints.bias(lowering, rows)
+    f = lagrange.forcing(lowering, terms) if dense or derivation.flat.states else []
     _refuse_accelerating_states(derivation, [*f, *gamma])
-    tau = lagrange.inverse_dynamics(lowering, terms)
+    tau = inverse_dynamics(lowering, derivation.flat, derivation.dynamics, directions)
     pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
     r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
     s = [lowering.rate.of(residual) for residual in velocity]
-    written_out: dict[str, list[Block]] = {}
     if dense:
         mass = _matrix("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
-        written_out = {
-            "mass_matrix": [mass],
-            "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)],
-        }
+        formed = {"mass_matrix": [mass], "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)]}
+    else:
+        formed = {"momentum_tangent": [_vector("momenta", directional(graph, terms.momentum, (Group.QD,)))]}
     return {
-        **written_out,
+        **formed,
         "position_constraint": [_vector("phi", phi), jacobian],
         "velocity_constraint": [_vector("residual", velocity), jacobian],
         "constraint_tangent": [
@@ -116,6 +158,18 @@ def _equations(derivation: Derivation, dense: bool) -> dict[str, list[Block]]:
             _vector("ds", directional(graph, s, STATE_GROUPS)),
         ],
     }
+
+
+def _cost_of_forming(derivation: Derivation, blocks: dict[str, list[Block]]) -> int:
+    """Operations for M, f, J and gamma at run time."""
+    graph = derivation.graph
+
+    def cost(*names: str) -> int:
+        return flops(graph, [node for name in names for block in blocks[name] for node in block.elements])
+
+    if "dynamics" in blocks:
+        return cost("dynamics")
+    return len(derivation.symbols.q) * cost("momentum_tangent") + cost("inverse_dynamics", "velocity_constraint")
 
 
 def _refuse_accelerating_states(derivation: Derivation, forces: Sequence[int]) -> None:

@@ -109,6 +109,12 @@ def world(graph: Graph) -> Pose:
     return Pose(None, ((one, zero, zero), (zero, one, zero), (zero, zero, one)), (zero, zero, zero))
 
 
+def is_put(pose: Pose) -> bool:
+    """Whether the origin is known as a position of the world, not as a place that the parent carries."""
+    moved = [motion for motion in pose.motions if isinstance(motion, Shift | Put)]
+    return bool(moved) and isinstance(moved[-1], Put)
+
+
 def cosine_and_sine(graph: Graph, angle: int) -> tuple[int, int]:
     """Of whole numbers of quarter turns, which no number of radians is exactly, 0, 1 and -1: the axes stay aligned."""
     if graph.is_constant(angle):
@@ -133,8 +139,12 @@ def turn(graph: Graph, axes: Axes, axis: int, angle: int) -> tuple[Axes, Turn]:
     return (turned[0], turned[1], turned[2]), Turn(axis, angle, cosine, sine, axes[axis])
 
 
-def turn_about(graph: Graph, axes: Axes, axis: Vector, angle: int) -> tuple[Axes, TurnAbout]:
-    """Rotation by `angle` about `axis` in own components, normalized (Rodrigues)."""
+def turn_about(graph: Graph, axes: Axes, axis: Vector, angle: int) -> tuple[Axes, Turn | TurnAbout]:
+    """Rotation by `angle` about `axis` in own components, normalized (Rodrigues); about an own axis where it is one."""
+    along = [k for k in range(3) if axis[k] != graph.zero]
+    if len(along) == 1 and graph.is_constant(axis[along[0]]):
+        opposite = graph.value[axis[along[0]]] < 0.0
+        return turn(graph, axes, along[0], graph.negate(angle) if opposite else angle)
     length = graph.unary(Op.SQRT, graph.dot(axis, axis))
     n = (graph.divide(axis[0], length), graph.divide(axis[1], length), graph.divide(axis[2], length))
     cosine, sine = cosine_and_sine(graph, angle)
@@ -142,9 +152,9 @@ def turn_about(graph: Graph, axes: Axes, axis: Vector, angle: int) -> tuple[Axes
     columns = []
     for k in range(3):
         unit = _unit(graph, k)
-        along = scale(graph, graph.multiply(versine, n[k]), n)
+        lengthwise = scale(graph, graph.multiply(versine, n[k]), n)
         across = scale(graph, sine, cross(graph, n, unit))
-        columns.append(add(graph, add(graph, scale(graph, cosine, unit), across), along))
+        columns.append(add(graph, add(graph, scale(graph, cosine, unit), across), lengthwise))
     matrix = (columns[0], columns[1], columns[2])
     turned = _compose(graph, axes, matrix)
     return turned, TurnAbout(n, angle, matrix, to_world(graph, axes, n))

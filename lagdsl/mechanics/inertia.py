@@ -1,27 +1,30 @@
 """The acceleration form of a model: what its masses, bodies and energies weigh, velocity by velocity.
 
 A rigid body's inertia and equations of Newton and Euler stand in its own axes, a point's in the world's. Everything
-else, any Lagrangian, is differentiated by velocities that are total derivatives of something: for those d/dt(dL/dv) -
-dL/ds needs no further terms, however they depend on the coordinates, and d2L/dv2 is local.
+else, any Lagrangian, is differentiated by the velocities that it is written in (`lagrangian_form`).
 """
 
 from __future__ import annotations
 
+from functools import partial
+
 from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.flat.model import FlatModel, RigidBody
-from lagdsl.graph.differentiate import adjoints, mask_of
+from lagdsl.graph.differentiate import mask_of
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Group, Op
-from lagdsl.graph.substitute import Substitution
-from lagdsl.mechanics.carriers import Carrier, is_put, kinetic_energy, place_of, tensor_of
-from lagdsl.mechanics.frames import Loosened, Released
+from lagdsl.graph.identity import identical
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics.carriers import Carrier, is_in_world, kinetic_energy, place_of, tensor_of
 from lagdsl.mechanics.lagrange import Dynamics
+from lagdsl.mechanics.lagrangian_form import Apart, add_lagrangian
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.own_accelerations import Accelerations, Moving, spread_of
 from lagdsl.mechanics.symbols import Directions
+from lagdsl.mechanics.terms import terms_of
+from lagdsl.mechanics.typed_bodies import typed_bodies
+from lagdsl.mechanics.typed_weights import Heights
 from lagdsl.mechanics.vectors import Axes, Vector, cross, scale
 
-_VELOCITY = (Group.QD, Group.RELEASE_RATE)
 _HELD = mask_of((Group.P,))
 _GIVEN = mask_of((Group.P, Group.TIME))
 _HOLONOMIC = mask_of((Group.P, Group.TIME, Group.Q, Group.U, Group.W))
@@ -38,7 +41,8 @@ def acceleration_form(lowering: Lowering, flat: FlatModel, found: Dynamics, dire
     for term in flat.energies:
         if term.kind in signs:
             rest = signs[term.kind](rest, lowering.scalar(term.value))
-    builder.add_lagrangian(rest)
+    apart = Apart(lowering)
+    add_lagrangian(builder.form, lowering, apart, builder.add_typed_bodies(apart, apart.of(rest)))
     for rate, load, drag in zip(directions.rates, found.terms.load, found.terms.drag, strict=True):
         builder.form.add_force(rate, graph.subtract(load, drag))
     return builder.form
@@ -52,7 +56,9 @@ class _Builder:
         zero = (graph.zero, graph.zero, graph.zero)
         self._gravity = lowering.vector(flat.gravity) if flat.gravity is not None else zero
         self._poses = lowering.poses("world")
-        self._accelerations = Accelerations(graph, self._poses, lowering.rate, lowering.coasting_rate, self._gravity)
+        rates = (lowering.rate, lowering.coasting_rate)
+        self._accelerations = Accelerations(graph, self._poses, *rates, self._gravity)
+        self._under: dict[Vector, Accelerations] = {self._gravity: self._accelerations}
 
     def add(self, body: RigidBody | None, carrier: Carrier) -> int:
         """One mass or body; what could not be added is given back as a Lagrangian."""
@@ -65,7 +71,7 @@ class _Builder:
         if not constant or graph.groups[carrier.mass] & ~_HELD or not holonomic:
             return self._lagrangian(carrier)
         if body is None:
-            self._add_point(carrier.mass, carrier.position)
+            self._add_mass(carrier)
             return graph.zero
         com, tensor = place_of(self._lowering, body), tensor_of(self._lowering, body)
         if any(graph.groups[x] & ~_HELD for row in (com, *tensor) for x in row):
@@ -78,6 +84,24 @@ class _Builder:
         height = graph.multiply(carrier.mass, graph.dot(self._gravity, carrier.position))
         return graph.add(kinetic_energy(graph, carrier), height)
 
+    def _add_mass(self, carrier: Carrier) -> None:
+        """In the axes of the frame that carries it, where one does: at a fixed place like a body, else by itself."""
+        graph, mass = self._graph, carrier.mass
+        own = self._lowering.own.places.get(carrier.position)
+        if own is None or not self._poses.is_carried(own[0]):
+            self._add_point(mass, carrier.position)
+            return
+        frame, place = own
+        moving = self._accelerations.of(frame)
+        if all(not graph.groups[x] & ~_HELD for x in place):
+            zero = (graph.zero, graph.zero, graph.zero)
+            tensor = _about_origin(graph, mass, place, (zero, zero, zero))
+            self._add_rigid(frame, moving, mass, scale(graph, mass, place), tensor)
+            return
+        for velocity, acceleration in zip(carrier.velocity, self._accelerations.shifted(moving, place), strict=True):
+            self.form.add_square(velocity, mass)
+            self.form.add_force(velocity, graph.negate(graph.multiply(mass, acceleration)))
+
     def _add_point(self, mass: int, position: Vector) -> None:
         """m (a - g) in world axes."""
         graph, form = self._graph, self.form
@@ -89,20 +113,45 @@ class _Builder:
 
     def _add_body(self, frame: str, carrier: Carrier, com: Vector, tensor: Axes) -> None:
         graph = self._graph
-        pose = self._poses[frame]
-        ancestor: str | None = frame
-        while ancestor is not None:
-            if any(isinstance(motion, Loosened | Released) for motion in self._poses[ancestor].motions):
-                raise NotApplicable
-            ancestor = self._poses[ancestor].parent
+        if self._poses.is_released(frame):
+            raise NotApplicable
         moving = self._accelerations.of(frame)
-        omega, velocity = self._poses.own_twist(frame)
         mass = carrier.mass
-        if carrier.position == pose.origin and is_put(pose):
+        if is_in_world(self._lowering, frame, carrier.position):
             self._add_point(mass, carrier.position)
             mass = graph.zero
-        moment = scale(graph, mass, com)
-        tensor = _about_origin(graph, mass, com, tensor)
+        self._add_rigid(frame, moving, mass, scale(graph, mass, com), _about_origin(graph, mass, com, tensor))
+
+    def add_typed_bodies(self, apart: Apart, lagrangian: int) -> int:
+        """Bodies typed as energies, with their weights; what is no body is given back."""
+        graph = self._graph
+        if not apart.twists or lagrangian == graph.zero:
+            return lagrangian
+        heights = Heights(self._lowering)
+        bodies, rest = typed_bodies(apart, terms_of(graph, heights.apart(lagrangian)))
+        if not bodies:
+            return lagrangian
+        hanging, rest = heights.hang(bodies, rest)
+        for body, gravity in hanging:
+            moving = self._accelerations_under(gravity).of(body.frame)
+            self._add_rigid(body.frame, moving, body.mass, body.moment, body.tensor)
+        return heights.together(graph.sum(graph.multiply(term.weight, term.node) for term in rest))
+
+    def _accelerations_under(self, wanted: Vector) -> Accelerations:
+        """By a gravity that depends on parameters only."""
+        graph = self._graph
+        for known, accelerations in self._under.items():
+            held = all(not graph.groups[x] & ~_HELD for x in known)
+            if known == wanted or (held and all(map(partial(identical, graph), known, wanted))):
+                return accelerations
+        lowering = self._lowering
+        made = Accelerations(graph, self._poses, lowering.rate, lowering.coasting_rate, wanted)
+        self._under[wanted] = made
+        return made
+
+    def _add_rigid(self, frame: str, moving: Moving, mass: int, moment: Vector, tensor: Axes) -> None:
+        """`moment` and `tensor` about the origin of the frame."""
+        omega, velocity = self._poses.own_twist(frame)
         self._add_inertia(omega, velocity, mass, moment, tensor)
         self._add_newton_euler(omega, velocity, moving, mass, moment, tensor)
 
@@ -133,37 +182,6 @@ class _Builder:
             turn = graph.subtract(graph.dot(spread[k], second[j]), graph.dot(spread[j], second[k]))
             form.add_force(velocity[i], graph.negate(push))
             form.add_force(omega[i], graph.negate(graph.add(turn, carried[i])))
-
-    def add_lagrangian(self, lagrangian: int) -> None:
-        """Momenta by velocities that are total derivatives, their rates of change at qdd = 0, and dL/dq without them.
-
-        Symbols stand for the velocities meanwhile, so that simplification does not reach through them.
-        """
-        graph, form, lowering = self._graph, self.form, self._lowering
-        velocities = {graph.symbol(Group.RELEASE_RATE, k): v for k, v in enumerate(self._total_derivatives())}
-        apart = Substitution(graph, {velocity: symbol for symbol, velocity in velocities.items()})
-        together = Substitution(graph, velocities)
-        parts = adjoints(graph, {apart.of(lagrangian): graph.one}, (Group.Q, *_VELOCITY))
-        for symbol, part in parts.items():
-            value = together.of(part)
-            if graph.group(symbol) is Group.Q:
-                form.add_force(graph.symbol(Group.QD, graph.b[symbol]), value)
-                continue
-            velocity = velocities.get(symbol, symbol)
-            form.add_force(velocity, graph.negate(lowering.coasting_rate.of(value)))
-            for other, weight in adjoints(graph, {part: graph.one}, _VELOCITY).items():
-                if other == symbol:
-                    form.add_square(velocity, together.of(weight))
-                elif other < symbol:
-                    form.add_product(velocity, velocities.get(other, other), together.of(weight))
-
-    def _total_derivatives(self) -> list[int]:
-        graph = self._graph
-        known = self._lowering.rate.known()
-        rates = (rate for node, rate in known.items() if not graph.groups[node] & ~_HOLONOMIC)
-        bare = (graph.a[rate] if graph.op[rate] is Op.NEGATE else rate for rate in rates)
-        moving = (rate for rate in bare if graph.depends(rate, Group.QD) and graph.op[rate] is not Op.SYMBOL)
-        return list(dict.fromkeys(moving))
 
 
 def _about_origin(graph: Graph, mass: int, com: Vector, tensor: Axes) -> Axes:

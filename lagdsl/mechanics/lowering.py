@@ -6,7 +6,7 @@ long sums nor long chains of frames meet a limit. `der` of anything is the total
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TypeAlias, assert_never, cast
 
 from lagdsl.flat import expression as flat
@@ -20,6 +20,7 @@ from lagdsl.mechanics import vectors
 from lagdsl.mechanics.acceleration import needs_accelerations
 from lagdsl.mechanics.operands import operands, step_expressions
 from lagdsl.mechanics.operations import binary, function
+from lagdsl.mechanics.own_vectors import OwnVectors
 from lagdsl.mechanics.poses import Poses, Release
 from lagdsl.mechanics.symbols import Symbols, input_rates
 from lagdsl.mechanics.vectors import Vector
@@ -56,6 +57,7 @@ class Lowering:
         self._frames = {item.name: item for item in model.named if isinstance(item, Frame)}
         self._origins = {name: flat.FrameOrigin(name) for name in self._frames}
         self._poses = Poses(graph, self.rate, self._release)
+        self.own = OwnVectors(graph, self._poses, self.rate, self._points, lambda x: self._values[id(x)])
 
     # ---- what others ask for -----------------------------------------------------------------------------------------
 
@@ -87,6 +89,17 @@ class Lowering:
             stack.pop()
         return values[id(expression)]
 
+    def replace(self, nodes: Mapping[int, int]) -> None:
+        """Nodes to be others in all values so far, and so in what is made of them later."""
+        if not nodes:
+            return
+        for key, value in self._values.items():
+            if isinstance(value, int):
+                self._values[key] = nodes.get(value, value)
+            else:
+                x, y, z = (nodes.get(component, component) for component in value)
+                self._values[key] = (x, y, z)
+
     def poses(self, frame: str) -> Poses:
         """Poses and angular velocities, with that of `frame` made."""
         if frame in self._origins:
@@ -96,6 +109,10 @@ class Lowering:
     def velocity(self, position: Vector) -> Vector:
         of = self.rate.of
         return (of(position[0]), of(position[1]), of(position[2]))
+
+    def own_velocity(self, point: FlatExpression) -> Vector | None:
+        """The velocity of a point along the axes of the frame that carries it; None where none does."""
+        return self.own.velocity(point) if self._release == Release() else None
 
     # ---- order of lowering -------------------------------------------------------------------------------------------
 
@@ -220,13 +237,17 @@ class Lowering:
             case flat.Vector(x, y, z):
                 return (self._node(x), self._node(y), self._node(z))
             case flat.Dot(left, right):
-                return self.graph.dot(self._triple(left), self._triple(right))
+                return self._dot(left, right)
             case flat.Cross(left, right):
                 return vectors.cross(self.graph, self._triple(left), self._triple(right))
             case flat.Norm(vector):
-                triple = self._triple(vector)
-                return self.graph.unary(Op.SQRT, self.graph.dot(triple, triple))
+                return self.graph.unary(Op.SQRT, self._dot(vector, vector))
         assert_never(expression)
+
+    def _dot(self, left: FlatExpression, right: FlatExpression) -> int:
+        if self._release == Release():
+            return self.own.dot(left, right)
+        return self.graph.dot(self._triple(left), self._triple(right))
 
     def _geometry(
         self,

@@ -19,7 +19,7 @@ from lagdsl.flat.model import (
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import frames, velocities
-from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, SetTo, Shift
+from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, Released, SetTo, Shift
 from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_own, to_world
 from lagdsl.mechanics.velocities import Rates, Twist
 
@@ -67,6 +67,8 @@ class Poses:
         self._rates = rates
         self._release = release
         self._poses = {"world": frames.world(graph)}
+        self._put: set[str] = set()
+        self._released: set[str] = set()
         at_rest = (graph.zero, graph.zero, graph.zero)
         self._own = {"world": at_rest}
         self._world = {"world": at_rest}
@@ -74,6 +76,14 @@ class Poses:
 
     def __contains__(self, name: str) -> bool:
         return name in self._poses
+
+    def is_released(self, name: str) -> bool:
+        """Whether a reaction releases this frame or one that carries it."""
+        return name in self._released
+
+    def is_carried(self, name: str) -> bool:
+        """Whether the origin moves as a place of the frames before it, not as a position given in the world."""
+        return name not in self._put
 
     def __getitem__(self, name: str) -> Pose:
         return self._poses[name]
@@ -102,6 +112,12 @@ class Poses:
         if frame.image is not None and frame.image.of is not None:
             pose = self._release.move_frame(self._graph, frame.image.of, pose, within)
         self._poses[frame.name] = pose
+        released = any(isinstance(motion, Loosened | Released) for motion in pose.motions)
+        if released or self.is_released(frame.parent):
+            self._released.add(frame.name)
+        places = [motion.origin for motion in pose.motions if isinstance(motion, Put)]
+        if any(self._graph.depends(x, Group.Q) for x in places[-1]) if places else not self.is_carried(frame.parent):
+            self._put.add(frame.name)
 
     def _turn(
         self,

@@ -5,7 +5,7 @@ Ranks are found numerically at three general points of the constraint set, the s
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import field, replace
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
@@ -15,7 +15,7 @@ from lagdsl.mechanics.structure_dependence import Dependence, dependence, report
 from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.mechanics.structure_inertia import report_massless
 from lagdsl.mechanics.structure_names import contact_rows
-from lagdsl.mechanics.structure_points import Functions, geometry, probes
+from lagdsl.mechanics.structure_points import Functions, Geometry, Probe, geometry, probes
 from lagdsl.mechanics.structure_rates import report_integrable, report_nonlinear
 from lagdsl.program.program import Program
 from lagdsl.record import record
@@ -26,7 +26,8 @@ class Structure:
     """What the constraints leave free. `program` is the analyzed one with `Layout.redundant` filled.
 
     `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
-    the latter those that hold identically.
+    the latter those that hold identically; `contacts` are the rows that come and go. `points` lie on the constraints of
+    `space`.
     """
 
     program: Program
@@ -35,7 +36,10 @@ class Structure:
     rank: int
     redundant: tuple[bool, ...]
     empty: tuple[bool, ...]
+    contacts: frozenset[int]
     count: Count | None
+    space: Geometry = field(compare=False, repr=False)
+    points: tuple[Probe, ...] = field(compare=False, repr=False)
 
     @property
     def configuration_freedom(self) -> int:
@@ -59,7 +63,10 @@ def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
         rank=found.rank,
         redundant=redundant,
         empty=found.dependence.empty,
+        contacts=contacts,
         count=count(flat, len(flat.coordinates) - found.position_rank),
+        space=found.space,
+        points=tuple(found.points),
     )
 
 
@@ -70,6 +77,8 @@ class Examination:
     dependence: Dependence
     position_rank: int
     rank: int
+    space: Geometry
+    points: list[Probe]
 
 
 def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
@@ -86,7 +95,7 @@ def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
     report_massless(flat, space, points, sink)
     holonomic = set(space.position_rows)
     kept = [row for row, redundant in enumerate(found.redundant) if not redundant]
-    return Examination(found, sum(row in holonomic for row in kept), len(kept))
+    return Examination(found, sum(row in holonomic for row in kept), len(kept), space, points)
 
 
 def structure_text(structure: Structure) -> str:

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.tape import Tape
 from lagdsl.mechanics.rank import Floats
-from lagdsl.program.lanes import OMITTED, Lanes
 from lagdsl.program.program import Layout, Program
 
 
@@ -18,16 +18,15 @@ class ProgramFunctions:
 
     program: Program
     _tapes: dict[str, Tape] = field(default_factory=dict, compare=False, repr=False)
-    _written: list[Lanes] = field(default_factory=list, compare=False, repr=False)
 
     @property
     def layout(self) -> Layout:
         return self.program.layout
 
-    def _lanes(self) -> Lanes:
-        if not self._written:
-            self._written.append(Lanes(self.program))
-        return self._written[0]
+    @property
+    def by_columns(self) -> bool:
+        """Whether M is not written out and the equations are solved without it."""
+        return self.program.has("elimination") and not self.program.has("mass_matrix")
 
     def restricted(self, rows: list[int]) -> ProgramFunctions:
         """The same with all other rows of the position constraints, and of J there, zero."""
@@ -48,8 +47,8 @@ class ProgramFunctions:
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of `function`; what is not a number comes out as nan or inf."""
-        if function in OMITTED and all(f.name != function for f in self.program.functions):
-            return self._lanes().evaluate(function, *arguments)
+        if function == "mass_matrix" and not self.program.has(function):
+            return (self._mass_by_columns(*arguments),)
         definition = self.program.function(function)
         tape = self._tapes.get(function)
         if tape is None:
@@ -66,3 +65,12 @@ class ProgramFunctions:
             blocks.append(values[first : first + len(block.elements)].reshape(block.shape))
             first += len(block.elements)
         return tuple(blocks)
+
+    def _mass_by_columns(self, *state: Floats | float) -> Floats:
+        """M, from its products with all unit vectors at once."""
+        definition = self.program.function("momentum_tangent")
+        (momentum,) = definition.results
+        given = (*state, np.eye(len(momentum.elements)))
+        symbols = dict(zip(definition.arguments, given, strict=True))
+        products = evaluate(self.program.graph, momentum.elements, symbols)
+        return np.array([np.broadcast_to(product, len(products)) for product in products])

@@ -26,9 +26,10 @@ def report_massless(flat: FlatModel, space: Geometry, points: list[Probe], sink:
 
     M itself may be singular (quaternions, massless links): what counts is M on the null space of J.
     """
-    if not points or not flat.coordinates:
+    masses = [point.mass for point in points if point.mass is not None]
+    if len(masses) < max(len(points), 1) or not flat.coordinates:
         return
-    projectors = [_massless(space, point) for point in points]
+    projectors = [_massless(space, point, mass) for point, mass in zip(points, masses, strict=True)]
     shares = np.min([np.sqrt(np.diag(each)) for each in projectors], axis=0)
     if float(np.max(shares)) < 1e-3:
         return
@@ -52,13 +53,13 @@ def _report(flat: FlatModel, index: int, together: list[int], sink: Sink) -> Non
     sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help, name=coordinate.name)
 
 
-def _massless(space: Geometry, point: Probe) -> Floats:
+def _massless(space: Geometry, point: Probe, mass: Floats) -> Floats:
     """The projector onto the directions without inertia; its diagonal has the squares of the coordinates' shares."""
-    diagonal = np.sqrt(np.abs(np.diag(point.mass)))
+    diagonal = np.sqrt(np.abs(np.diag(mass)))
     largest = float(np.max(diagonal))
     scale = np.where(diagonal > 1e-9 * largest, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), space.sizes)
     free = free_directions(point.rows * (scale / space.sizes), space.parts(list(range(len(point.rows)))))
-    values, directions = np.linalg.eigh(free.T @ ((point.mass * scale[:, None]) * scale) @ free)
+    values, directions = np.linalg.eigh(free.T @ ((mass * scale[:, None]) * scale) @ free)
     top = float(np.max(np.abs(values), initial=0.0))
     empty = free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free
     return np.asarray(empty @ empty.T)

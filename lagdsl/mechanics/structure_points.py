@@ -27,6 +27,8 @@ _ROW = 1e-3
 _ROUNDING = 1e-12
 # An entry of J that is smaller, as a part of its row, at every point looked at is none.
 _ABSENT = 1e-13
+# What subtraction must leave of every pivot to tell that M is positive definite.
+_SAFE_PIVOT = 1e-6
 # So many points that the median of a row's lengths hardly depends on which they are.
 _SIZED_AT = 8
 
@@ -97,6 +99,14 @@ class Geometry:
 
     def mass(self, q: Floats, qd: Floats) -> Floats:
         return self.functions.evaluate("mass_matrix", self.t, q, qd, self.z, self.u, self.w, self.p)[0]
+
+    def mass_in_doubt(self, q: Floats, qd: Floats) -> Floats | None:
+        """M, or None where it need not be formed: the equations are solved without it, and no pivot lost its digits."""
+        if isinstance(self.functions, ProgramFunctions) and self.functions.by_columns:
+            found = self.functions.evaluate("elimination", self.t, q, qd, self.z, self.u, self.w, self.p)
+            if np.all(np.isfinite(found[0])) and found[-1] > _SAFE_PIVOT:
+                return None
+        return self.mass(q, qd)
 
     def project(self, q: Floats, rows: list[int]) -> Descent:
         """The nearest point, in natural sizes, at which the given rows hold; residuals relative to the rows'
@@ -196,12 +206,12 @@ def random_rates(coordinates: tuple[Coordinate, ...], sizes: Floats, count: int,
 
 @record()
 class Probe:
-    """A general point of the constraint set with rates of natural size: J there, its rows scaled to size one, M, and
-    how far off the position rows are, as a part of their sizes."""
+    """A general point of the constraint set with rates of natural size: J there, its rows scaled to size one, M (None
+    where it is known to be regular), and how far off the position rows are, as a part of their sizes."""
 
     q: Floats
     rows: Floats
-    mass: Floats
+    mass: Floats | None
     residual: float
 
 
@@ -265,8 +275,8 @@ def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int]) -> Pr
     if result.size > HOLDS:
         return None
     scaled = space.velocity(result.point, space.qd)[1] * space.sizes / space.row_sizes[:, None]
-    mass = space.mass(result.point, rates)
-    if not np.all(np.isfinite(scaled)) or not np.all(np.isfinite(mass)):
+    mass = space.mass_in_doubt(result.point, rates)
+    if not np.all(np.isfinite(scaled)) or (mass is not None and not np.all(np.isfinite(mass))):
         return None
     return Probe(result.point, scaled, mass, result.size)
 

@@ -24,18 +24,31 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | monitor | t q qd z u w p qdd lam | invariant (ni), scale (ni): largest absolute term of each, assertion (na) |
 | initial_equation | t q qd z u w p qdd lam | residual (ne) of the initial equations |
 | constraint_tangent | t q qd z u w p dq dqd dz du dp | dphi (nc), and d(J qd + b) (nc), along a direction |
-| elimination | t q qd z u w p | a = M^-1 f (nq), Y (nc, nq) with rows M^-1 J', J (nc, nq), gamma (nc), and pivot |
+| momentum_tangent | t q qd z u w p dqd | M dqd (nq) |
+| elimination | t q qd z u w p | a (nq), l (nc), Y (nk, nq), K (nk, nc), J (nk, nq), gamma (nk), pivot: see below |
+| acceleration_tangent | t q qd z u w p qdd lam dq dqd dz du dp | dqdd (nq), dlam (nc), ds (nk), pivot: see below |
 | discrete_start | t p | start values w (nw) |
 | indicator | t q qd z u w p qdd lam | g (nr): a relation holds where its entry is positive or, if not strict, zero |
 | standing | t q qd z u w p qdd lam | w (nw) with relations as they stand |
 | contact | t q qd z u w p | gap, speed (ni), dgap/dq (ni, nq) of contacts, then of `impact`; restitution, stick, rest |
-| clock | t p | start (nk), period (nk) |
+| clock | t p | first instant, period (both one entry per clock) |
 | event | t q qd z u w p qdd lam | a pass over the `when` clauses: w; reset, value; impact, restitution; stop; fail |
 
+M written out has nq^2 entries, and in a long tree of bodies each of them is a sum over what both coordinates move;
+`momentum_tangent` is of the size of the kinetic energy. Programs of many coordinates have it in place of `mass_matrix`
+and `dynamics`, which engines then form column by column.
+
 `elimination` is there only where solving the equations while they are expressions costs less than forming M and solving
-at run time. `pivot` is what subtraction left of the smallest pivot, relatively: where it is small or no number, the
-others are not to be used. What follows it belongs to models with discretes, see `docs/adr/0030-events.md`.
+at run time. The multipliers of the nk rows `Program.kept_rows` are left to run time, lam_k; all others are solved for:
+
+    qdd = a + Y' lam_k ,   lam = l + K' lam_k (and lam_k itself at its rows) ,   J Y' lam_k = gamma - J a
+
+with J and gamma of the kept rows, and J Y' symmetric and positive semidefinite. `pivot` is what subtraction left of the
+smallest pivot, relatively: where it is small or no number, the others are not to be used.
+`acceleration_tangent`, there with `elimination`, solves M dqdd - J' dlam = -dr, J dqdd = -ds in the same way: dqdd and
+dlam with the multipliers of the kept rows held, and ds of these rows.
 Directions `dp` hold one entry per independent parameter.
+The functions from `discrete_start` on belong to models with discretes, see `docs/adr/0030-events.md`.
 """
 
 from lagdsl.graph.operation import Group
@@ -75,4 +88,12 @@ OPTIONAL: dict[str, tuple[Group, ...]] = {
     "contact": STATE,
     "clock": (Group.TIME, Group.P),
     "event": SOLVED,
+    "momentum_tangent": (*STATE, Group.DIRECTION_QD),
+    "acceleration_tangent": (*SOLVED, *DIRECTIONS),
 }
+
+# Those that are for many directions at once only: modules of single calls do without.
+ALONG_MANY = ("acceleration_tangent",)
+
+# Those that a program may lack where it has `momentum_tangent`.
+WRITTEN_OUT = ("mass_matrix", "dynamics")

@@ -91,12 +91,16 @@ class Function:
 
 @record(kw_only=True)
 class Program:
-    """One complete model as functions. Which functions there are is said in `lagdsl/program/functions.py`."""
+    """One complete model as functions. Which functions there are is said in `lagdsl/program/functions.py`.
+
+    `kept_rows` are the rows, ascending, whose multipliers the function `elimination` leaves to run time.
+    """
 
     name: str
     layout: Layout
     graph: Graph
     functions: tuple[Function, ...]
+    kept_rows: tuple[int, ...] = ()
 
     def has(self, name: str) -> bool:
         return any(f.name == name for f in self.functions)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from lagdsl.graph.operation import Group, Op
-from lagdsl.program.functions import OPTIONAL, SIGNATURES
+from lagdsl.program.functions import OPTIONAL, SIGNATURES, WRITTEN_OUT
 from lagdsl.program.program import Function, Layout, Program
 
 _N = "nq"
 _ROWS = "nc"
+_KEPT = "nk"
 
 # Shapes of the results of every function, in order; None where the length is the function's own.
 RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
@@ -29,7 +30,9 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "power": ((_N,), (_N,)),
     "monitor": (("ni",), ("ni",), ("na",)),
     "initial_equation": (None,),
-    "elimination": ((_N,), (_ROWS, _N), (_ROWS, _N), (_ROWS,), ()),
+    "momentum_tangent": ((_N,),),
+    "elimination": ((_N,), (_ROWS,), (_KEPT, _N), (_KEPT, _ROWS), (_KEPT, _N), (_KEPT,), ()),
+    "acceleration_tangent": ((_N,), (_ROWS,), (_KEPT,), ()),
     "discrete_start": (("nw",),),
     "indicator": (None,),
     "standing": (("nw",),),
@@ -61,13 +64,16 @@ def sizes(layout: Layout) -> dict[str, int]:
 def verify(program: Program) -> None:
     """Raise InvalidProgram unless every function is there once, with its signature, shapes and symbols."""
     _verify_layout(program.layout)
+    _verify_rows(program)
     _verify_graph(program)
     names = [function.name for function in program.functions]
-    needed = [name for name in names if name not in OPTIONAL]
-    _require(sorted(needed) == sorted(SIGNATURES) and len(names) == len(set(names)), f"functions are {names}")
+    by_columns = set(WRITTEN_OUT if program.has("momentum_tangent") else ())
+    needed = SIGNATURES.keys() - by_columns
+    complete = needed <= set(names) <= needed | OPTIONAL.keys()
+    _require(complete and len(names) == len(set(names)), f"functions are {names}")
     for function in program.functions:
         _require(function.arguments == {**SIGNATURES, **OPTIONAL}[function.name], f"signature of {function.name}")
-        _verify_shapes(function, program.layout)
+        _verify_shapes(function, program)
         _verify_symbols(function, program)
 
 
@@ -77,6 +83,12 @@ def _verify_layout(layout: Layout) -> None:
     _require(len(layout.redundant) == len(layout.constraints), "one redundancy flag per constraint row")
 
 
+def _verify_rows(program: Program) -> None:
+    kept = program.kept_rows
+    _require(list(kept) == sorted(set(kept)), "kept rows are not in order")
+    _require(all(0 <= row < len(program.layout.constraints) for row in kept), "a kept row is no row")
+
+
 def _verify_graph(program: Program) -> None:
     graph = program.graph
     for node in range(len(graph)):
@@ -84,10 +96,10 @@ def _verify_graph(program: Program) -> None:
             _require(0 <= argument < node, f"node {node} is computed from node {argument}")
 
 
-def _verify_shapes(function: Function, layout: Layout) -> None:
+def _verify_shapes(function: Function, program: Program) -> None:
     expected = RESULT_SHAPES[function.name]
     _require(len(function.results) == len(expected), f"number of results of {function.name}")
-    lengths = sizes(layout)
+    lengths = {**sizes(program.layout), _KEPT: len(program.kept_rows)}
     for block, shape in zip(function.results, expected, strict=True):
         if shape is not None:
             wanted = tuple(lengths[length] for length in shape)

@@ -30,8 +30,9 @@ class BatchEngine(Engine, Protocol):
         """The same as `solve_many`, by `threads` threads."""
         ...
 
-    def jacobian_many(self, *state: ArrayLike) -> Floats:
-        """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz)."""
+    def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
+        """d(qd, qdd, zd)/dx, shape (..., 2 nq + nz, nx), and dy/dx, shape (..., ny, nx), by "state" (q, qd, z), "input"
+        or "parameter"."""
         ...
 
 

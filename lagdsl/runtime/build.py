@@ -14,7 +14,16 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from lagdsl.runtime.compiler import FLAGS, Compiler, compile_object, failure, find_compiler, link_shared
+from lagdsl.runtime.compiler import (
+    FLAGS,
+    Compiler,
+    compile_object,
+    failure,
+    find_compiler,
+    link_shared,
+    native_flags,
+    processor,
+)
 
 
 def build(sources: Mapping[str, str], *, fresh: bool = False) -> Path:
@@ -31,9 +40,10 @@ def build(sources: Mapping[str, str], *, fresh: bool = False) -> Path:
 
 
 def content_hash(sources: Mapping[str, str], compiler: Compiler) -> str:
-    """Hexadecimal digest of sources, flags, compiler and machine."""
+    """Hexadecimal digest of sources, flags, compiler and machine, its processor too: the folder may be shared."""
     digest = hashlib.sha256()
-    for part in (*compiler.command, compiler.identity, *FLAGS, platform.platform(), platform.machine()):
+    machine = (platform.platform(), platform.machine(), processor())
+    for part in (*compiler.command, compiler.identity, *FLAGS, *native_flags(compiler), *machine):
         digest.update(part.encode() + b"\0")
     for path, text in sources.items():
         data = text.encode()

@@ -2,44 +2,59 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from ctypes import byref, c_size_t
 from math import prod
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.backends.c.emit import model_symbol, sources
+from lagdsl.backends.c.emit import model_symbol, part_symbol, sources
+from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.support.derivatives import variables
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.program.functions import OPTIONAL, SIGNATURES, STATE
+from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES, STATE, WRITTEN_OUT
 from lagdsl.program.program import Program
+from lagdsl.program.verify import RESULT_SHAPES, sizes
 from lagdsl.runtime.broadcast import Spread, spread
+from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.build import build
 from lagdsl.runtime.c_run import CRun, RunSettings
-from lagdsl.runtime.cores import Part, share_out
+from lagdsl.runtime.cores import Part, cores, share_out
 from lagdsl.runtime.engine import Floats, SingularSystem
-from lagdsl.runtime.load import VECTORS, Arguments, Batch, Library, load
+from lagdsl.runtime.load import VECTORS, Arguments, Batch, Library, Range, load
+from lagdsl.runtime.state_jacobian import StateJacobian
 
 _SINGULAR = 1
 _STATE_VECTORS = STATE[1:]
+_SOLVED = (Group.QDD, Group.LAMBDA)
+# For so many states it is worth compiling the functions of several at once; results are the same to the bit.
+_CROWD = 2048
+# States of one call of C.
+_LARGEST_PART = 4096
 
 
 class CEngine:
     """Engine over compiled C. One object must not be used by several threads at once.
 
     Beside the functions of the protocol, those named `..._many` broadcast over leading axes, in one call of C.
-    With `lanes` it also holds the functions of several states, or directions, at once: it takes longer to compile and
-    is faster then in `solve_many`, `solve_batch` and the Jacobians, with the same bits.
+    The functions of several states, or of several directions of derivatives, at once are compiled when first needed.
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
 
-    def __init__(self, program: Program, *, lanes: bool = False) -> None:
+    def __init__(self, program: Program) -> None:
         self.layout = program.layout
-        self._library = _loaded(program, lanes)
-        self._shapes = {f.name: tuple(block.shape for block in f.results) for f in program.functions}
+        self._program, self._sizes = program, motion_sizes(program)
+        self._parts: dict[str, Library] = {}
+        self._library = _loaded(program)
+        self._buffers = Buffers(self._library)
+        self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
+        self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
-        self._number = {name: index for index, name in enumerate((*SIGNATURES, *OPTIONAL))}
-        self._signature = {f.name: f.arguments for f in program.functions}
+        names = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY]
+        self._number = {name: index for index, name in enumerate(names)}
+        self._signature = {**SIGNATURES, **OPTIONAL}
         self._allocate()
 
     def _allocate(self) -> None:
@@ -50,22 +65,18 @@ class CEngine:
         self._vectors = np.zeros(int(ends[-1]) + 1)
         self._view = {group: self._vectors[ends[i] : ends[i + 1]] for i, group in enumerate(VECTORS)}
         self._state = self._vectors[: ends[len(_STATE_VECTORS)]]
-        self._workspace = np.zeros(self._library.workspace + 1)
-        self._memory = np.zeros(self._library.memory + 1)
-        self._lanes = np.zeros(self._library.batch_memory)
         self._results = np.zeros(max(*self._width.values(), 1))
-        total = 2 * layout.size(Group.Q) + layout.size(Group.Z)
         self._qdd, self._lam = np.zeros(layout.size(Group.Q)), np.zeros(layout.size(Group.LAMBDA))
-        self._jacobian = np.zeros((total, total))
         self._coordinate = c_size_t(0)
-        self._arguments = Arguments(workspace=self._workspace.ctypes.data)
+        self._arguments = Arguments(workspace=self._buffers.workspace.ctypes.data)
         for i, group in enumerate(VECTORS):
             setattr(self._arguments, ARGUMENT_NAMES[group], self._vectors.ctypes.data + 8 * int(ends[i]))
         self._prepared: bytes | None = None
+        self._state_jacobian: StateJacobian | None = None
         at, model, index = byref(self._arguments), self._library.model, byref(self._coordinate)
         self._prepare_call = (model, at)
-        self._solve_call = (model, at, self._memory.ctypes.data, self._qdd.ctypes.data, self._lam.ctypes.data, index)
-        self._jacobian_call = (model, at, self._memory.ctypes.data, self._jacobian.ctypes.data, index)
+        memory = self._buffers.memory.ctypes.data
+        self._solve_call = (model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
         self._evaluate_call = (at, self._results.ctypes.data)
 
     # ---- one state ---------------------------------------------------------------------------------------------------
@@ -93,9 +104,15 @@ class CEngine:
 
     def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz). Raises SingularSystem."""
-        self._set_state(t, q, qd, z, u, w, p)
-        self._check(self._library.state_jacobian(*self._jacobian_call))
-        return self._jacobian.copy()
+        if self._state_jacobian is None:
+            size = 2 * self._sizes.q + self._sizes.z
+            self._state_jacobian = StateJacobian(self._part("tangents"), self._arguments, size)
+        np.concatenate((q, qd, z, u, w, p), out=self._state)
+        self._prepared = None  # the parameters of the functions of one state may be others now
+        status, jacobian = self._state_jacobian(t, p)
+        if status == _SINGULAR:
+            raise SingularSystem(self._state_jacobian.coordinate.value, self.layout)
+        return jacobian
 
     def _set_state(self, t: float, *vectors: Floats) -> None:
         self._arguments.t = t
@@ -110,7 +127,7 @@ class CEngine:
 
     def _check(self, status: int) -> None:
         if status == _SINGULAR:
-            raise SingularSystem(self._coordinate.value)
+            raise SingularSystem(self._coordinate.value, self.layout)
 
     def run(self, settings: RunSettings) -> CRun:
         """A simulation in C, independent of this engine's own memory."""
@@ -123,7 +140,8 @@ class CEngine:
         many = self._spread(self._signature[function], arguments)
         width = self._width[function]
         results = np.empty((many.count, width))
-        batch = self._batch(many)
+        own = Buffers(self._library)
+        batch = self._batch(many, own)
         self._library.batch_evaluate(
             self._library.model, self._number[function], byref(batch), results.ctypes.data, width
         )
@@ -131,63 +149,73 @@ class CEngine:
 
     def solve_many(self, *state: ArrayLike) -> tuple[Floats, ...]:
         """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
-        many = self._spread(STATE, state)
-        qdd, lam = (np.empty((*many.leading, self.layout.size(group))) for group in (Group.QDD, Group.LAMBDA))
-        batch = self._batch(many)
-        status = self._library.batch_forward_dynamics(
-            self._library.model, byref(batch), qdd.ctypes.data, lam.ctypes.data, byref(self._coordinate)
-        )
-        self._check(status)
-        return qdd, lam
+        return self.solve_batch(1, *state)
 
     def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
         """`solve_many` with the states shared out to threads; they run while C works."""
         many = self._spread(STATE, state)
-        qdd, lam = (np.empty((*many.leading, self.layout.size(group))) for group in (Group.QDD, Group.LAMBDA))
-        share_out(many.count, threads, lambda: self._worker(many, qdd, lam))
-        return qdd, lam
+        library = self._part("states") if many.count >= _CROWD else self._library
+        found = [(np.empty((*many.leading, size)), 8 * size) for size in map(self.layout.size, _SOLVED)]
 
-    def _worker(self, many: Spread, qdd: Floats, lam: Floats) -> Part:
-        """Solves parts of `many` in memory of its own."""
-        own = [np.zeros_like(array) for array in (self._workspace, self._memory, self._lanes)]
-        batch, coordinate = self._batch(many), c_size_t(0)
-        batch.workspace, batch.memory, batch.lanes = (_address(array) for array in own)
-        widths = (8 * self.layout.size(Group.QDD), 8 * self.layout.size(Group.LAMBDA))
+        def solve(batch: Batch, first: int, coordinate: c_size_t) -> int:
+            results = (block.ctypes.data + first * width for block, width in found)
+            model, part = library.model, library.part
+            return int(library.batch_forward_dynamics(model, part, byref(batch), *results, byref(coordinate)))
+
+        share_out(many.count, threads, lambda: self._worker(library, many, solve), _LARGEST_PART)
+        return tuple(block for block, _ in found)
+
+    def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
+        """d(qd, qdd, zd)/dx (..., 2 nq + nz, nx) and dy/dx (..., ny, nx), exact. Raises SingularSystem.
+
+        x are the "state" q, qd, z, the "input" u or the "parameter" p. Works on all cores.
+        """
+        many = self._spread(STATE, state)
+        library = self._part("parameter_tangents" if by == "parameter" else "tangents")
+        first_variable, count = variables(self._sizes, by)
+        x = Range(first_variable, count)
+        heights = (2 * self._sizes.q + self._sizes.z, len(self.layout.outputs))
+        found = [(np.empty((*many.leading, height, count)), 8 * height * count) for height in heights]
+
+        def differentiate(batch: Batch, first: int, coordinate: c_size_t) -> int:
+            results = (block.ctypes.data + first * width for block, width in found)
+            model, part = library.model, library.part
+            return int(library.batch_jacobian(model, part, byref(batch), x, *results, byref(coordinate)))
+
+        share_out(many.count, cores(), lambda: self._worker(library, many, differentiate))
+        return found[0][0], found[1][0]
+
+    def _worker(self, library: Library, many: Spread, call: Callable[[Batch, int, c_size_t], int]) -> Part:
+        """Works on parts of `many` in memory of its own."""
+        own, coordinate = Buffers(library), c_size_t(0)
+        batch = self._batch(many, own)
 
         def part(first: int, end: int, _kept: object = own) -> None:
             batch.count = end - first
             for name, array, stride in many.arrays:
                 setattr(batch, name, array.ctypes.data + 8 * first * stride)
-            results = [block.ctypes.data + first * width for block, width in zip((qdd, lam), widths, strict=True)]
-            status = self._library.batch_forward_dynamics(
-                self._library.model, byref(batch), *results, byref(coordinate)
-            )
-            if status == _SINGULAR:
-                raise SingularSystem(coordinate.value)
+            if call(batch, first, coordinate) == _SINGULAR:
+                raise SingularSystem(coordinate.value, self.layout)
 
         return part
 
-    def jacobian_many(self, *state: ArrayLike) -> Floats:
-        """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz). Raises SingularSystem."""
-        many = self._spread(STATE, state)
-        result = np.empty(many.leading + self._jacobian.shape)
-        batch = self._batch(many)
-        status = self._library.batch_state_jacobian(
-            self._library.model, byref(batch), result.ctypes.data, byref(self._coordinate)
-        )
-        self._check(status)
-        return result
+    def _part(self, name: str) -> Library:
+        """The library with functions of several states or directions at once."""
+        known = self._parts.get(name)
+        if known is None:
+            known = self._parts[name] = _loaded(self._program, name)
+        return known
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
         return spread(
             [(ARGUMENT_NAMES[g], None if g is Group.TIME else self.layout.size(g)) for g in groups], arguments
         )
 
-    def _batch(self, many: Spread) -> Batch:
+    def _batch(self, many: Spread, own: Buffers) -> Batch:
         """The C view of `many`, which must outlive it; arrays that are not given are those of the single state."""
-        self._prepared = None  # the workspace is shared with the functions of one state
-        batch = Batch(count=many.count, workspace=self._workspace.ctypes.data, memory=self._memory.ctypes.data)
-        batch.lanes = _address(self._lanes)
+        batch = Batch(count=many.count)
+        for name in ("workspace", "memory", "lanes"):
+            setattr(batch, name, getattr(own, name).ctypes.data)
         for group in VECTORS:
             name = ARGUMENT_NAMES[group]
             setattr(batch, name, getattr(self._arguments, name))
@@ -197,14 +225,16 @@ class CEngine:
         return batch
 
 
-def _address(array: Floats) -> int | None:
-    """For C, where an array that holds nothing is null."""
-    return array.ctypes.data if array.size else None
-
-
-def _loaded(program: Program, lanes: bool) -> Library:
-    texts = sources(program, lanes)
+def _loaded(program: Program, part: str | None = None) -> Library:
+    texts = sources(program, () if part is None else (part,))
+    constant = None if part is None else part_symbol(program, part)
     try:
-        return load(build(texts), model_symbol(program))
+        return load(build(texts), model_symbol(program), constant)
     except OSError:  # a library that was cut short or made for another machine
-        return load(build(texts, fresh=True), model_symbol(program))
+        return load(build(texts, fresh=True), model_symbol(program), constant)
+
+
+def _formed_shapes(program: Program, function: str) -> tuple[tuple[int, ...], ...]:
+    """Shapes of the results of a function that the program may lack."""
+    lengths = sizes(program.layout)
+    return tuple(tuple(lengths[length] for length in shape or ()) for shape in RESULT_SHAPES[function])

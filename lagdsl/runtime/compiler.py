@@ -4,21 +4,29 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import platform
 import shlex
 import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from lagdsl.diagnostics import CompilationFailed, Sink
 
 _CANDIDATES = ("cc", "gcc", "clang")
-# No -ffast-math: results must be those of the graph's order of operations, the same in every run; for the same reason
-# no contraction into fused multiply-adds, which differ between machines.
-FLAGS = ("-std=c11", "-fPIC", "-ffp-contract=off", "-fno-math-errno")
-# Above this size of generated text (bytes) compile time counts more than the speed of the result.
-_LARGE = 200_000
+# No -ffast-math: results must be those of the order of operations in the text, the same in every run. For the same
+# reason the compiler chooses no fused multiply-adds (the text says which there are, docs/adr/0011), nor vectors: GCC
+# (seen with 12.2) fuses in those it finds all the same. Nobody reads errno or the traps of the floating-point unit.
+FLAGS = (
+    *("-std=c11", "-fPIC", "-O2", "-ffp-contract=off"),
+    *("-fno-tree-vectorize", "-fno-math-errno", "-fno-trapping-math", "-DLAG_QUICK"),
+)
+# Wider registers and shorter code: libraries in the cache run where they were compiled.
+_NATIVE = {"x86_64": "-march=native", "AMD64": "-march=native", "aarch64": "-mcpu=native"}
+_PROCESSORS = Path("/proc/cpuinfo")
+_KINDS_OF_PROCESSOR = ("vendor_id", "cpu family", "model", "stepping", "flags", "Features", "CPU ")
 _LONGEST_NOTE = 2000
 
 
@@ -45,7 +53,7 @@ def find_compiler() -> Compiler:
 
 def compile_object(compiler: Compiler, folder: Path, source: str, target: str) -> None:
     """Compile the C file `source` of `folder` into the object file `target`. Raises CompilationFailed (E0912)."""
-    _run(compiler, folder, [*flags((folder / source).stat().st_size), "-I.", "-c", "-o", target, source])
+    _run(compiler, folder, [*FLAGS, *native_flags(compiler), "-I.", "-c", "-o", target, source])
 
 
 def link_shared(compiler: Compiler, folder: Path, objects: list[str], target: str) -> None:
@@ -53,9 +61,21 @@ def link_shared(compiler: Compiler, folder: Path, objects: list[str], target: st
     _run(compiler, folder, ["-shared", "-o", target, *objects, "-lm"])
 
 
-def flags(size: int) -> tuple[str, ...]:
-    """Compiler flags for a text of `size` bytes; less optimization for what is too large for it."""
-    return (*FLAGS, "-O1" if size > _LARGE else "-O2")
+def native_flags(compiler: Compiler) -> tuple[str, ...]:
+    """Flags for this machine's own processor; none where it cannot be told from others, or $CC names one."""
+    flag = _NATIVE.get(platform.machine())
+    chosen = any(word.startswith("-m") for word in compiler.command[1:])
+    return (flag,) if flag is not None and processor() and not chosen else ()
+
+
+@cache
+def processor() -> str:
+    """What makes this machine's processor differ from others that would run the same system; empty if unknown."""
+    try:
+        first = _PROCESSORS.read_text(encoding="utf-8", errors="replace").split("\n\n")[0]
+    except OSError:
+        return ""
+    return "\n".join(line for line in first.splitlines() if line.startswith(_KINDS_OF_PROCESSOR))
 
 
 def _run(compiler: Compiler, folder: Path, arguments: list[str]) -> None:

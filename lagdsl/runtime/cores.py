@@ -11,6 +11,7 @@ from typing import TypeAlias
 # States of one part: few enough to stop soon after an interrupt and to end together, and a multiple of any number of
 # vector lanes.
 PART = 512
+_PARTS_PER_THREAD = 4
 
 Part: TypeAlias = Callable[[int, int], None]
 
@@ -22,12 +23,14 @@ def cores() -> int:
     return os.cpu_count() or 1
 
 
-def share_out(count: int, threads: int, worker: Callable[[], Part]) -> None:
+def share_out(count: int, threads: int, worker: Callable[[], Part], largest: int = PART) -> None:
     """Call `part(first, end)` for the parts of `range(count)`; every thread has a `part = worker()` of its own.
 
-    Of several parts that raise, the first counts: a failure is the same in every run.
+    A part has at most `largest` states, but enough are left for all threads. Of several parts that raise, the first
+    counts: a failure is the same in every run.
     """
-    bounds = [(first, min(first + PART, count)) for first in range(0, count, PART)]
+    size = max(PART, min(largest, count // (_PARTS_PER_THREAD * max(threads, 1))) // PART * PART)
+    bounds = [(first, min(first + size, count)) for first in range(0, count, size)]
     if threads <= 1 or len(bounds) <= 1:
         part = worker()
         for first, end in bounds:

@@ -15,8 +15,9 @@ Floats = NDArray[np.float64]
 class SingularSystem(ArithmeticError):  # noqa: N818  it is a state of the mechanism, not always a mistake
     """The accelerations are not determined at this state. `coordinate` is the index of a direction without inertia."""
 
-    def __init__(self, coordinate: int) -> None:
-        super().__init__(f"singular in coordinate {coordinate}")
+    def __init__(self, coordinate: int, layout: Layout | None = None) -> None:
+        name = f" (`{layout.coordinates[coordinate].name}`)" if layout else ""
+        super().__init__(f"the acceleration of coordinate {coordinate}{name} is not determined")
         self.coordinate = coordinate
 
 

@@ -132,21 +132,31 @@ class ModelHead(Structure):
     ]
 
 
+class Range(Structure):
+    """lag_range."""
+
+    _fields_ = [("first", c_size_t), ("count", c_size_t)]
+
+
 @dataclass(frozen=True, slots=True)
 class Library:
-    """A loaded model: `model` is a pointer to its lag_model, the others are functions compiled with it."""
+    """A loaded model: `model` points at its lag_model, `part` at its lag_states or lag_tangents, or is null.
+
+    The others are functions compiled with it, and how many doubles they need.
+    """
 
     model: object
+    part: object
     workspace: int
     memory: int
-    batch_memory: int
+    lanes: int
     prepare: ctypes._NamedFuncPointer
     evaluate: ctypes._NamedFuncPointer
     forward_dynamics: ctypes._NamedFuncPointer
-    state_jacobian: ctypes._NamedFuncPointer
+    jacobian: ctypes._NamedFuncPointer
     batch_evaluate: ctypes._NamedFuncPointer
     batch_forward_dynamics: ctypes._NamedFuncPointer
-    batch_state_jacobian: ctypes._NamedFuncPointer
+    batch_jacobian: ctypes._NamedFuncPointer
     run_size: ctypes._NamedFuncPointer
     run_place: ctypes._NamedFuncPointer
     run_move: ctypes._NamedFuncPointer
@@ -158,17 +168,16 @@ class Library:
     run_layout: tuple[int, int]
 
 
-def load(path: Path, symbol: str) -> Library:
-    """Load the shared library at `path`, which defines the model `symbol`. Raises OSError where it cannot be loaded."""
+def load(path: Path, symbol: str, part: str | None = None) -> Library:
+    """Load the shared library at `path`, which defines the model `symbol` and, with a part, its constant of that name.
+    Raises OSError where it cannot be loaded."""
     library = ctypes.CDLL(str(path))
     head = ModelHead.in_dll(library, symbol)
     if head.version != VERSION:
         raise OSError(f"{path} was compiled for version {head.version} of lag/model.h, not {VERSION}")
-    model = byref(head)
-    measure = _function(library, "lag_dynamics_memory", [c_void_p])
-    measure.restype = c_size_t
-    measure_batch = _function(library, "lag_batch_memory", [c_void_p])
-    measure_batch.restype = c_size_t
+    model, of_part = byref(head), None if part is None else byref(c_size_t.in_dll(library, part))
+    of_states = part is not None and part.endswith("_states")
+    tangents = None if of_states else of_part
     run_size = _function(library, "lag_run_size", [c_void_p, POINTER(RunOptions)])
     run_size.restype = c_size_t
     run_place = _function(library, "lag_run_place", [c_void_p, c_void_p, POINTER(RunOptions)])
@@ -176,20 +185,25 @@ def load(path: Path, symbol: str) -> Library:
     arguments, batch, results, index = POINTER(Arguments), POINTER(Batch), c_void_p, POINTER(c_size_t)
     return Library(
         model=model,
-        workspace=int(head.workspace),
-        memory=int(measure(model)),
-        batch_memory=int(measure_batch(model)),
+        part=of_part,
+        workspace=_measured(library, "lag_jacobian_workspace", model, tangents),
+        memory=_measured(library, "lag_jacobian_memory", model, tangents),
+        lanes=_measured(library, "lag_batch_memory", model, of_part) if of_states else 0,
         prepare=_function(library, "lag_prepare", [c_void_p, arguments]),
         evaluate=_function(library, "lag_evaluate", [c_void_p, c_int, arguments, results]),
         forward_dynamics=_function(
             library, "lag_forward_dynamics", [c_void_p, arguments, c_void_p, results, results, index]
         ),
-        state_jacobian=_function(library, "lag_state_jacobian", [c_void_p, arguments, c_void_p, results, index]),
+        jacobian=_function(
+            library, "lag_jacobian", [c_void_p, c_void_p, arguments, Range, c_void_p, results, results, index]
+        ),
         batch_evaluate=_function(library, "lag_batch_evaluate", [c_void_p, c_int, batch, results, c_size_t]),
         batch_forward_dynamics=_function(
-            library, "lag_batch_forward_dynamics", [c_void_p, batch, results, results, index]
+            library, "lag_batch_forward_dynamics", [c_void_p, c_void_p, batch, results, results, index]
         ),
-        batch_state_jacobian=_function(library, "lag_batch_state_jacobian", [c_void_p, batch, results, index]),
+        batch_jacobian=_function(
+            library, "lag_batch_jacobian", [c_void_p, c_void_p, batch, Range, results, results, index]
+        ),
         run_size=run_size,
         run_place=run_place,
         run_move=_function(library, "lag_run_move", [c_void_p, c_double, results, c_double]),
@@ -200,6 +214,13 @@ def load(path: Path, symbol: str) -> Library:
         methods={name: ctypes.addressof(c_char.in_dll(library, f"lag_{name}")) for name in METHODS},
         run_layout=tuple((c_size_t * 2).in_dll(library, "lag_run_layout")),
     )
+
+
+def _measured(library: ctypes.CDLL, name: str, model: object, part: object) -> int:
+    """Doubles that a function needs."""
+    measure = _function(library, name, [c_void_p, c_void_p])
+    measure.restype = c_size_t
+    return int(measure(model, part))
 
 
 def _function(library: ctypes.CDLL, name: str, arguments: list[type]) -> ctypes._NamedFuncPointer:

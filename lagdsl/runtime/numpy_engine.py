@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import cached_property
 from types import SimpleNamespace
 from typing import Any
 
@@ -15,12 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.backends.python.body import ELEMENTARY, body, body_name
 from lagdsl.backends.python.emit import motion_sizes, shapes, signature
 from lagdsl.backends.python.support import linear
-from lagdsl.backends.python.support.motion import differentiate_motion, solve_motion
+from lagdsl.backends.python.support.columns import BY_COLUMNS, formed
+from lagdsl.backends.python.support.derivatives import differentiate_motion
+from lagdsl.backends.python.support.motion import solve_motion
 from lagdsl.backends.python.support.vectorize import apply, split
 from lagdsl.graph.fold import SCALAR
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group, Op
 from lagdsl.program.functions import STATE
-from lagdsl.program.lanes import OMITTED, Lanes
 from lagdsl.program.program import Block, Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.cores import share_out
@@ -59,12 +59,12 @@ class NumpyEngine:
         try:
             return solve_motion(self.evaluate, self._sizes, np.asarray(t), q, qd, z, u, w, p)
         except linear.SingularSystem as singular:
-            raise SingularSystem(singular.coordinate) from None
+            raise SingularSystem(singular.coordinate, self.layout) from None
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of any function of the program."""
-        if function in OMITTED and function not in self._functions:
-            return self._lanes.evaluate(function, *arguments)
+        if self._is_formed(function):
+            return formed(self.evaluate_many, function, *map(np.asarray, arguments))
         try:
             values = self._body(function)(_ON_NUMBERS, *(_plain(argument) for argument in arguments))
         except (ArithmeticError, ValueError):  # not a finite number somewhere: NumPy goes on where Python stops
@@ -73,10 +73,12 @@ class NumpyEngine:
 
     def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz). Raises SingularSystem."""
-        return self.jacobian_many(t, q, qd, z, u, w, p)
+        return self.jacobian_many("state", t, q, qd, z, u, w, p)[0]
 
     def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
         """Result blocks, each of shape (leading axes of the arguments, own shape)."""
+        if self._is_formed(function):
+            return formed(self.evaluate_many, function, *map(np.asarray, arguments))
         body = self._body(function)
         count = len(self._varied[function][0])
         (values,) = apply(function, body, self._signature[function], ((count,),), arguments)
@@ -87,7 +89,7 @@ class NumpyEngine:
         try:
             return solve_motion(self.evaluate_many, self._sizes, *map(np.asarray, state))
         except linear.SingularSystem as singular:
-            raise SingularSystem(singular.coordinate) from None
+            raise SingularSystem(singular.coordinate, self.layout) from None
 
     def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
         """`solve_many` in parts, whose intermediate arrays stay in the caches, shared out to threads."""
@@ -107,16 +109,15 @@ class NumpyEngine:
         share_out(many.count, threads, lambda: part)
         return tuple(block.reshape(*many.leading, block.shape[-1]) for block in (qdd, lam))
 
-    def jacobian_many(self, *state: ArrayLike) -> Floats:
-        """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz). Raises SingularSystem."""
+    def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
+        """d(qd, qdd, zd)/dx (..., 2 nq + nz, nx) and dy/dx (..., ny, nx), exact. Raises SingularSystem."""
         try:
-            return differentiate_motion(self.evaluate_many, self._sizes, *map(np.asarray, state))
+            return differentiate_motion(self.evaluate_many, self._sizes, by, *map(np.asarray, state))
         except linear.SingularSystem as singular:
-            raise SingularSystem(singular.coordinate) from None
+            raise SingularSystem(singular.coordinate, self.layout) from None
 
-    @cached_property
-    def _lanes(self) -> Lanes:
-        return Lanes(self._program)
+    def _is_formed(self, function: str) -> bool:
+        return function in BY_COLUMNS and function not in self._functions
 
     def _body(self, function: str) -> Callable[..., Sequence[float]]:
         """The compiled body: it returns the elements that are no constants. Its text is our own: names of the user

@@ -27,10 +27,10 @@ def check_inputs(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
     inputs = {item.name: item for item in flat.inputs if item.derivative_of is None}
     reported: set[str] = set()
     for orders, extra, item, what in _uses(flat, dependence) if inputs else ():
-        for name, order in orders.items():
-            if name in inputs and order + extra > inputs[name].smooth and name not in reported:
+        for name, wanting in inputs.items():
+            if name in orders and orders[name] + extra > wanting.smooth and name not in reported:
                 reported.add(name)
-                _report(inputs[name], item, what, order + extra, sink)
+                _report(wanting, item, what, orders[name] + extra, sink)
 
 
 def _report(wanting: Input, item: Item, what: str, needed: int, sink: Sink) -> None:

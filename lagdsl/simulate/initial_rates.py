@@ -21,6 +21,8 @@ def rates(task: Problem, q: Floats, sink: Sink) -> Floats:
     """Rates at positions `q`: J v + b = 0 and fixed rates exactly (else E0803), see ruling 26 for the rest."""
     space = task.space
     sizes = space.sizes
+    if not len(space.row_sizes):  # nothing restricts them
+        return space.qd
     drift, jacobian = space.velocity(q, np.zeros_like(q))
     rows = jacobian * sizes / space.row_sizes[:, None]
     fixed = np.flatnonzero(task.rate_fixed)

@@ -17,6 +17,8 @@ _IN_A_ROW = 3
 # An implicit step costs several explicit ones: it must be at least this much longer to be worth it.
 _GAIN = 4.0
 _TRIAL = 40
+# Squarings of the Jacobian before its norm is taken as a bound.
+_DOUBLINGS = 6
 
 
 class Stiffness:
@@ -35,7 +37,9 @@ class Stiffness:
         if self.settled or self._steps % _EVERY:
             return False
         assert callable(jacobian_at_present)
-        self._signs = self._signs + 1 if step * fastest_decay(jacobian_at_present()) > _LIMIT else 0
+        jacobian = jacobian_at_present()
+        slow = step * radius_bound(jacobian) <= _LIMIT
+        self._signs = 0 if slow or step * fastest_decay(jacobian) <= _LIMIT else self._signs + 1
         return self._signs >= _IN_A_ROW
 
     def implicit_started(self) -> None:
@@ -49,6 +53,22 @@ class Stiffness:
             return False
         self.settled = True
         return elapsed / self._steps < _GAIN * self._explicit_mean
+
+
+def radius_bound(jacobian: Floats) -> float:
+    """No eigenvalue is larger, in 1/s: |lambda|^k <= |J^k| for every k (Gelfand), which for large k says little more.
+
+    Costs a few products of matrices, a small part of what the eigenvalues of a large system do.
+    """
+    logarithm, power = 0.0, jacobian
+    for doubling in range(_DOUBLINGS + 1):
+        size = float(np.linalg.norm(power))
+        if not 0.0 < size < np.inf:
+            return 0.0 if size == 0.0 else np.inf
+        logarithm += np.log(size) / 2**doubling
+        power = power / size
+        power = power @ power
+    return float(np.exp(logarithm))
 
 
 def fastest_decay(jacobian: Floats) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from importlib.util import find_spec
 from pathlib import Path
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
 STATUS, MESSAGE = "status of the run", "why it failed"
 ENDINGS = (".nc", ".parquet", ".csv")
+_LARGEST_VARIABLE = 2**31 - 4  # bytes, of the classic format, which SciPy writes
 
 
 def dataset(plan: Plan, times: Floats, outcomes: Iterable[Outcome], *, model: str) -> xarray.Dataset:
@@ -65,6 +67,22 @@ def require_writer(path: Path) -> None:
         raise ModuleNotFoundError("writing Parquet needs pyarrow: pip install 'lagdsl[table]'")
 
 
+def require_room(runs: int, rows: int, columns: int, path: Path | None) -> None:
+    """Raise ValueError for a dataset of 8-byte numbers that this machine, or the file format, cannot hold."""
+    column = 8 * runs * rows
+    memory = _memory()
+    if memory is not None and columns * column > memory:
+        raise ValueError(
+            f"the results would take {columns * column / 1e9:.3g} GB, this machine has {memory / 1e9:.3g} GB: "
+            "ask for fewer runs, fewer rows or fewer columns"
+        )
+    if path is not None and path.suffix.lower() == ".nc" and column > _LARGEST_VARIABLE:
+        raise ValueError(
+            f"{path.name}: a column would take {column / 1e9:.3g} GB, NetCDF holds {_LARGEST_VARIABLE / 1e9:.3g} GB: "
+            "ask for fewer runs or rows, or for .parquet"
+        )
+
+
 def write(data: xarray.Dataset, path: Path) -> None:
     """NetCDF with all dimensions, or a table with a row for every run and time. Raises OSError."""
     with whole_file(path) as draft:
@@ -76,6 +94,14 @@ def write(data: xarray.Dataset, path: Path) -> None:
             table.to_parquet(draft, index=False)
         else:
             table.to_csv(draft, index=False, lineterminator="\n")
+
+
+def _memory() -> int | None:
+    """Bytes of memory of this machine; None where the system does not tell."""
+    try:
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, ValueError, OSError):
+        return None
 
 
 def _collect(

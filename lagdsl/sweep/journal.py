@@ -22,13 +22,22 @@ from lagdsl.sweep.run import Outcome
 _FRAME = struct.Struct("<QQL")  # bytes of the head, bytes of the numbers, checksum of both
 
 
+class Busy(ValueError):  # noqa: N818  it is not the sweep that is wrong
+    """Another process is at the same sweep."""
+
+
 class Journal:
-    """Open for appending; use it in a `with` statement. Raises OSError."""
+    """Open for appending, by one process at a time; use it in a `with` statement. Raises OSError, Busy."""
 
     def __init__(self, path: Path, fingerprint: str) -> None:
         """Go on with what is there, which must be of the same sweep, or begin."""
         self.path = path
         self._file: BinaryIO = path.open("a+b")
+        try:
+            _lock(self._file, path)
+        except Busy:
+            self._file.close()
+            raise
         self._file.seek(0)
         if _first_line(self._file) is None:
             self._file.truncate(0)
@@ -66,6 +75,12 @@ class Journal:
         self._file.flush()
 
 
+def require_idle(path: Path) -> None:
+    """Raise Busy where a process has the journal at `path` open."""
+    with path.open("r+b") as file:
+        _lock(file, path)
+
+
 def fingerprint_of(path: Path) -> str | None:
     """The fingerprint of the sweep whose journal lies at `path`; None where there is none."""
     if not path.is_file():
@@ -79,6 +94,18 @@ def outcomes(path: Path) -> Iterator[Outcome]:
     with path.open("rb") as file:
         if _first_line(file) is not None:
             yield from _records(file)
+
+
+def _lock(file: BinaryIO, path: Path) -> None:
+    """Until it is closed; not on systems without such locks. Raises Busy where another process has it."""
+    try:
+        import fcntl
+    except ImportError:
+        return
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise Busy(f"another process is making the runs of {path} now") from None
 
 
 def _title(fingerprint: str) -> bytes:

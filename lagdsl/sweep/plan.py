@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias
 
 Target: TypeAlias = Literal["parameter", "start", "structural"]
 
-LARGEST = 10_000_000
+LARGEST = 1_000_000  # runs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,8 +71,13 @@ def require_sound(plan: Plan) -> None:
             raise ValueError(f"`{axis.name}` has the same value twice")
     if len({len(axis.values) for axis in plan.samples}) > 1:
         raise ValueError("all samples need the same number of values")
-    if plan.runs > LARGEST:
-        raise ValueError(f"the sweep has {plan.runs} runs, at most {LARGEST} are possible")
+    require_few(plan.runs)
+
+
+def require_few(runs: int) -> None:
+    """Raise ValueError for more runs than a sweep may have."""
+    if runs > LARGEST:
+        raise ValueError(f"the sweep has {runs:.6g} runs, at most {LARGEST} are possible")
 
 
 def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:
@@ -88,6 +93,13 @@ def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:
         index, position = divmod(index, len(axis.values))
         chosen[axis.target][axis.key] = axis.values[position]
     return chosen
+
+
+def place(plan: Plan, index: int) -> str:
+    """What run `index` sets, for people: `l = 0.1 m, theta.start = 0.2 rad`; what all runs share is left out."""
+    chosen = settings(plan, index)
+    varied = (*plan.axes, *plan.samples)
+    return ", ".join(f"{a.name} = {chosen[a.target][a.key]:.6g} {a.unit}".rstrip() for a in varied)
 
 
 def variants(plan: Plan) -> list[dict[str, float]]:

@@ -14,8 +14,8 @@ from lagdsl.flat.text import flat_text
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.cores import cores
 from lagdsl.simulate.simulate import check_options, grid
-from lagdsl.sweep.dataset import dataset, require_writer, write
-from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes
+from lagdsl.sweep.dataset import dataset, require_room, require_writer, write
+from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes, require_idle
 from lagdsl.sweep.plan import Plan, Task, fingerprint, require_sound, task
 from lagdsl.sweep.processes import in_processes, in_this_process
 from lagdsl.sweep.run import Options, Outcome, Subject
@@ -49,9 +49,9 @@ def sweep(
     """All runs of `plan`; `subjects` are the models of the structural settings `known`.
 
     With `work.output` every run is in the journal when it has ended, so that an interrupted sweep can be resumed; the
-    result is written there and the journal deleted. Raises ValueError for what is no sweep, Unfinished, OSError for
-    files that cannot be written, ModuleNotFoundError for a package that is missing, ConnectionError for a cluster that
-    does not answer.
+    result is written there and the journal deleted. Raises ValueError for what is no sweep or too large, Unfinished and
+    Busy, OSError for files that cannot be written, ModuleNotFoundError for a package that is missing, ConnectionError
+    for a cluster that does not answer.
     """
     import xarray  # noqa: F401  found out before the work is done
 
@@ -60,13 +60,18 @@ def sweep(
     if flat is None:
         raise ValueError(subjects[0].fault)
     times = _grid(subjects, options)
+    require_room(plan.runs, len(times), _width(subjects, options), work.output)
     if work.output is None:
+        if work.resume:
+            raise ValueError("only a sweep with an output can be resumed")
         found = list(_watched(_made(plan, known, subjects, options, work, frozenset()), 0, plan.runs, progress))
         return dataset(plan, times, found, model=flat.name)
     require_writer(work.output)
     path = journal_path(work.output)
-    finished = _finished(path, fingerprint(plan, *_identity(subjects, options)), work.resume)
-    with Journal(path, fingerprint(plan, *_identity(subjects, options))) as journal:
+    identity = fingerprint(plan, *_identity(subjects, options))
+    _require_own(path, identity, work.resume)
+    with Journal(path, identity) as journal:
+        finished = frozenset(outcome.index for outcome in outcomes(path))
         made = _made(plan, known, subjects, options, work, finished)
         for outcome in _watched(made, len(finished), plan.runs, progress):
             journal.append(outcome)
@@ -113,18 +118,26 @@ def _watched(
                 progress(count / total)
 
 
-def _finished(path: Path, fingerprint: str, resume: bool) -> frozenset[int]:
-    """The runs that are in the journal. Raises Unfinished where one is there that should not be."""
+def _require_own(path: Path, fingerprint: str, resume: bool) -> None:
+    """Raise Unfinished or Busy where there is a journal that this sweep may not go on with."""
     found = fingerprint_of(path)
     if found is None:
-        return frozenset()
+        return
+    require_idle(path)
     if not resume:
         raise Unfinished(
             f"{path} holds the finished runs of a sweep that was interrupted; resume it, or delete that file"
         )
     if found != fingerprint:
         raise Unfinished(f"{path} belongs to another sweep: model, values or options have changed; delete that file")
-    return frozenset(outcome.index for outcome in outcomes(path))
+
+
+def _width(subjects: Sequence[Subject], options: Options) -> int:
+    """Number of columns that every run has at most."""
+    if options.columns is not None:
+        return len(options.columns)
+    layouts = [subject.program.layout for subject in subjects if subject.program is not None]
+    return max(2 * len(x.coordinates) + len(x.states) + len(x.inputs) + len(x.outputs) for x in layouts)
 
 
 def _grid(subjects: Sequence[Subject], options: Options) -> Floats:

@@ -7,11 +7,22 @@ from dataclasses import fields
 
 from lagdsl.syntax import nodes
 
+_FIELD_NAMES: dict[type[nodes.Node], tuple[str, ...]] = {}
+
 
 def children(node: nodes.Node) -> Iterator[nodes.Node]:
     """The nodes that are fields of `node`, in source order."""
-    for field in fields(node):
-        yield from _nodes(getattr(node, field.name))
+    for name in _field_names(type(node)):
+        value = getattr(node, name)
+        if isinstance(value, nodes.Node | tuple):
+            yield from _nodes(value)
+
+
+def _field_names(kind: type[nodes.Node]) -> tuple[str, ...]:
+    known = _FIELD_NAMES.get(kind)
+    if known is None:
+        known = _FIELD_NAMES[kind] = tuple(field.name for field in fields(kind))
+    return known
 
 
 def _nodes(value: object) -> Iterator[nodes.Node]:

@@ -227,6 +227,8 @@ def test_functions_of_the_module_broadcast_and_tell_their_shapes() -> None:
     assert module.output([0.0, 1.0], q, [0.0]).shape == (3, 2, 2)
     assert module.energy(0.0, q, [1.0]).shape == (3, 2)
     assert module.state_jacobian(0.0, q, [0.0]).shape == (3, 2, 3, 3)
+    assert module.parameter_jacobian(0.0, q, [0.0]).shape == (3, 2, 3, 4)
+    assert module.output_jacobian(0.0, q, [0.0], by="input").shape == (3, 2, 2, 1)
     np.testing.assert_allclose(
         module.inverse_dynamics(0.0, q, [0.0], module.forward_dynamics(0.0, q, [0.0])), np.zeros((3, 2, 1)), atol=1e-14
     )

@@ -18,8 +18,10 @@ from lagdsl.graph import Graph, Group, Op
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
+from lagdsl.runtime import c_engine
 from lagdsl.runtime.c_engine import CEngine
 from lagdsl.runtime.engine import SingularSystem
+from lagdsl.runtime.numpy_engine import NumpyEngine
 
 # Longest straight function, length of a piece, and the part of the text that loops must leave at most.
 FORMS = {"straight": (10**9, 150, 0.0), "pieces": (5, 7, 0.0), "rolled": (0, 150, 1e9)}
@@ -90,23 +92,39 @@ def test_every_form_gives_the_same_bits_and_means_the_graph(name: str, monkeypat
 @pytest.mark.parametrize("name", ["pendulum", "chain", "closed_chain", "quaternion_body"])
 def test_lanes_give_the_bits_of_single_states(name: str, form: str, monkeypatch: pytest.MonkeyPatch) -> None:
     program = PROGRAMS[name]()
-    single = CEngine(program)
+    engine = CEngine(program)
     _set(monkeypatch, form)
-    together = CEngine(program, lanes=True)
-    given = [_arguments(program, seed) for seed in range(21)]  # two full vectors and a rest
+    given = [_arguments(program, seed) for seed in range(21)]  # full vectors and a rest
     states = [np.array([one[group] for one in given]) for group in STATE]
     for parameters in (states[-1], np.array(program.layout.defaults)):
         at = [*states[:-1], parameters]
-        for found, expected in zip(together.solve_many(*at), single.solve_many(*at), strict=True):
-            np.testing.assert_array_equal(found, expected)
-        for found, expected in zip(together.solve_batch(2, *at), single.solve_many(*at), strict=True):
-            np.testing.assert_array_equal(found, expected)
-        np.testing.assert_array_equal(together.jacobian_many(*at), single.jacobian_many(*at))
+        monkeypatch.setattr(c_engine, "_CROWD", 1000)
+        single = engine.solve_many(*at)
+        monkeypatch.setattr(c_engine, "_CROWD", 1)
+        for threads in (1, 2):
+            for found, expected in zip(engine.solve_batch(threads, *at), single, strict=True):
+                np.testing.assert_array_equal(found, expected)
 
 
-def test_a_singular_state_is_found_in_its_lane() -> None:
+@pytest.mark.parametrize("by", ["state", "input", "parameter"])
+@pytest.mark.parametrize("name", ["pendulum", "chain", "closed_chain", "quaternion_body"])
+def test_directions_in_lanes_are_those_one_after_the_other(name: str, by: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    program = PROGRAMS[name]()
+    given = [_arguments(program, seed) for seed in range(3)]
+    at = [np.array([one[group] for one in given]) for group in STATE]
+    found = []
+    for form in ("straight", "rolled"):
+        _set(monkeypatch, form)
+        found.append(CEngine(program).jacobian_many(by, *at))
+    for straight, rolled, expected in zip(*found, NumpyEngine(program).jacobian_many(by, *at), strict=True):
+        np.testing.assert_array_equal(rolled, straight)
+        np.testing.assert_allclose(straight, expected, rtol=1e-10, atol=1e-11 * np.abs(expected).max(initial=1e-300))
+
+
+def test_a_singular_state_is_found_in_its_lane(monkeypatch: pytest.MonkeyPatch) -> None:
     program = pendulum()
-    engine = CEngine(program, lanes=True)
+    engine = CEngine(program)
+    monkeypatch.setattr(c_engine, "_CROWD", 1)
     parameters = np.tile(program.layout.defaults, (11, 1))
     parameters[9, 0] = 0.0
     q = np.zeros((11, 1))
@@ -145,7 +163,9 @@ def test_constants_that_differ_come_from_tables(monkeypatch: pytest.MonkeyPatch)
     np.testing.assert_array_equal(values, [value for value, _ in evaluate_with_size(graph, rows, given)])
 
 
-def test_lanes_are_left_out_unless_asked_for() -> None:
+def test_parts_are_files_of_their_own() -> None:
     program = replace(pendulum(), name="Lanes")
-    assert "dynamics_lanes" not in sources(program)["Lanes.c"]
-    assert "dynamics_lanes" in sources(program, lanes=True)["Lanes.c"]
+    assert not {path for path in sources(program) if path.startswith("Lanes_")}
+    parts = sources(program, ["states", "tangents"])
+    assert {path for path in parts if path.startswith("Lanes_")} == {"Lanes_states.c", "Lanes_tangents.c"}
+    assert {path: parts[path] for path in sources(program)} == sources(program)

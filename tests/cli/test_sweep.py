@@ -95,7 +95,13 @@ def test_distributions(
         (("--set", "l=1:0:2"), "do not lead"),
         (("--set", "l=2:1:1"), "do not lead"),
         (("--set", "l=1 m:1 cm:2 m"), "one unit"),
-        (("--set", "l=0:1e-9:1"), "are possible"),
+        (("--set", "l=0:1e-9:1"), "1e+09 runs, at most 1000000 are possible"),
+        (("--set", "l=1:1e-300:2"), "1e+300 runs"),
+        (("--set", "l=1:1:2000", "--set", "m=1:1:2000"), "4e+06 runs"),
+        (("--set", "l=normal(1, 2)", "--random", "10000000000000"), "1e+13 runs"),
+        (("--set", "l=linspace(1, 2, 3)"), "there are the distributions"),
+        (("--set", "l=1,2", "--resume"), "say which with -o"),
+        (("--set", "l=1:1:1000", "--stop", "1e4", "--interval", "1e-3"), "fewer rows"),
         (("--set", "l=1 kg, 2 kg"), "this is a mass"),
         (("--set", "theta.stat=1, 2"), "did you mean `theta.start`"),
         (("--set", "l=1, 1 m"), "same value twice"),
@@ -122,6 +128,7 @@ def test_a_summary_without_an_output(invoke: Invoke, pendulum: Path) -> None:
     result = invoke("sweep", pendulum, "--set", "l=1,2,3 m", *SHORT)
     assert result.exit_code == 0
     assert "Pendulum: 3 runs" in result.stdout
+    assert "Pendulum: 1 run\n" in invoke("sweep", pendulum, *SHORT).stdout
     assert "der(theta)" in result.stdout
 
 
@@ -130,7 +137,7 @@ def test_failures_are_told_and_no_reason_to_stop(invoke: Invoke, failing: Path, 
     result = invoke("sweep", failing, "--set", "h.start=1, 10 m", *SHORT, "-o", out)
     assert result.exit_code == 0
     assert "1 of 2 runs failed" in result.stderr
-    assert "on the floor" in result.stderr
+    assert "on the floor (at h.start = 1 m)" in result.stderr
     assert list(_read(out)["status"].values) == ["failed", "ok"]
     assert invoke("sweep", failing, "--set", "h.start=0.95, 1 m", *SHORT).exit_code == 3
 

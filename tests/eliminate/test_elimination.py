@@ -30,6 +30,31 @@ def test_velocity_that_is_not_linear_in_the_rates_is_left_to_the_dense_path() ->
         solve(form, [rate])
 
 
+def test_indefinite_inertia_is_left_to_the_dense_path() -> None:
+    """1/2 m x'^2 + x' y': the second pivot is -1/m."""
+    graph = Graph()
+    first, second = graph.symbols(Group.QD, TWO_RATES)
+    form = AccelerationForm(graph)
+    form.add_square(first, graph.symbol(Group.P))
+    form.add_product(first, second, graph.one)
+    with pytest.raises(NotApplicable):
+        solve(form, [first, second])
+
+
+@pytest.mark.parametrize(("inertia", "sign"), [(0.5, 1.0), (-0.5, -1.0), (0.1, -1.0)])
+def test_pivots_tell_the_sign_of_inertia(inertia: float, sign: float) -> None:
+    """[s, 0.5; 0.5, 1] is positive definite for s > 1/4."""
+    graph = Graph()
+    first, second = graph.symbols(Group.QD, TWO_RATES)
+    form = AccelerationForm(graph)
+    position = graph.symbol(Group.Q)
+    form.add_square(first, position)
+    form.add_product(first, second, graph.constant(0.5))
+    form.add_square(second, graph.one)
+    found = evaluate(graph, [solve(form, [first, second]).factor.pivot], {Group.Q: [inertia]})[0]
+    assert np.sign(found) == sign
+
+
 @pytest.mark.parametrize("mirrored", [False, True])
 def test_turned_pairs_with_any_weights(mirrored: bool) -> None:
     """Two pairs turned by one angle, fully coupled with each other and with what they come from."""
@@ -53,7 +78,7 @@ def test_turned_pairs_with_any_weights(mirrored: bool) -> None:
         for j in range(i):
             form.add_product(velocity, velocities[j], graph.constant(weights[i, j]))
     solution = solve(form, rates)
-    found = np.array(evaluate(graph, solution.accelerations, {Group.Q: [0.7], Group.QD: [0.0] * 4}))
+    found = np.array(evaluate(graph, solution.own.accelerations, {Group.Q: [0.7], Group.QD: [0.0] * 4}))
     cos, sin, sign = np.cos(0.7), np.sin(0.7), -1.0 if mirrored else 1.0
     block = np.array([[cos, sin], [-sign * sin, sign * cos]])
     definition = np.vstack([np.eye(4), np.kron(np.eye(2), block)])

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.eliminate.rows import Rows
 from lagdsl.eliminate.solve import Solution, solve
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.operation import Group
 from lagdsl.graph.tape import Tape
-from lagdsl.mechanics.constraints import constraint_jacobian
+from lagdsl.mechanics.constraints import constraint_jacobian, rows_of
 from lagdsl.mechanics.derive import Derivation, form_equations
 from lagdsl.mechanics.inertia import acceleration_form
 from lagdsl.mechanics.lagrange import forcing, mass_matrix
@@ -75,9 +76,8 @@ def eliminated(flat: FlatModel) -> tuple[Derivation, Solution]:
     derivation = form_equations(flat)
     directions = derivation.symbols.directions
     form = acceleration_form(derivation.lowering, flat, derivation.dynamics, directions)
-    rows = constraint_jacobian(derivation.graph, derivation.rows, directions)
-    sides = [dict(zip(directions.rates, row, strict=True)) for row in rows]
-    return derivation, solve(form, directions.rates, sides)
+    rows = rows_of(derivation.lowering, derivation.rows, directions)
+    return derivation, solve(form, directions.rates, Rows(kept=tuple(rows)))
 
 
 def largest_residual(flat: FlatModel, states: int = 20) -> float:
@@ -89,7 +89,7 @@ def largest_residual(flat: FlatModel, states: int = 20) -> float:
         forcing(derivation.lowering, derivation.dynamics.terms),
         *constraint_jacobian(graph, derivation.rows, directions),
     ]
-    found = [solution.accelerations, *solution.responses]
+    found = [response.accelerations for response in (solution.own, *solution.along)]
     roots = [node for rows in (mass, sides, found) for row in rows for node in row]
     values_at = Tape(graph, roots)
     rng = np.random.default_rng(1)

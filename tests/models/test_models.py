@@ -9,7 +9,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.text import flat_text
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
-from lagdsl.program.functions import SIGNATURES
+from lagdsl.program.functions import ALONG_MANY, SIGNATURES
 from lagdsl.program.program import Program
 from lagdsl.runtime.engine import Engine
 from lagdsl.syntax.parser import parse
@@ -36,6 +36,9 @@ from models.corpus import (
 EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in MODELS])
 STEP = 1e-30
 ROUNDING = 1e-12  # of the size of the terms
+# What solving may leave, of the size of the terms: multipliers take back accelerations that forces alone would make,
+# and where little stands in a row, rounding errors of those are left.
+LEFT = 1e-10
 
 
 def test_there_are_at_least_twenty_six_models_each_with_expectations() -> None:
@@ -93,12 +96,15 @@ def test_both_derivations_agree(name: str) -> None:
 
 @EVERY
 def test_the_derivations_solve_to_the_same_motion(name: str) -> None:
-    """Accelerations and multipliers of one route leave nothing in the equations of the other."""
+    """Accelerations and multipliers of one route leave nothing in the equations of the other.
+
+    Terms that cancel in one of them only have left their rounding errors: the size is that of either.
+    """
     from lagdsl.runtime.numpy_engine import NumpyEngine
 
-    states = random_states(name)
-    _assert_solved(numpy_engine(name), textbook(name), states)
-    _assert_solved(NumpyEngine(textbook(name)), compiled(name).graph, states)
+    states, graph, symbolic = random_states(name), compiled(name).graph, textbook(name)
+    _assert_solved(numpy_engine(name), states, symbolic, graph)
+    _assert_solved(NumpyEngine(symbolic), states, graph, symbolic)
 
 
 @EVERY
@@ -108,6 +114,8 @@ def test_engines_compute_what_the_graph_means(name: str, make: object) -> None:
     engine: Engine = make(name)
     program, states = compiled(name).graph, random_states(name)
     for function in program.functions:
+        if function.name in ALONG_MANY:
+            continue
         expected = values_with_size(program, function.name, states)
         rows = [engine.evaluate(function.name, *arguments(program, function.name, states, i)) for i in range(STATES)]
         for index, (value, size) in enumerate(expected):
@@ -118,10 +126,10 @@ def test_engines_compute_what_the_graph_means(name: str, make: object) -> None:
 @pytest.mark.parametrize("make", [numpy_engine, c_engine])
 def test_solutions_satisfy_the_equations(name: str, make: object) -> None:
     assert callable(make)
-    _assert_solved(make(name), compiled(name).graph, random_states(name))
+    _assert_solved(make(name), random_states(name), compiled(name).graph)
 
 
-def _assert_solved(engine: Engine, program: Program, states: Arrays) -> None:
+def _assert_solved(engine: Engine, states: Arrays, program: Program, *as_large_as: Program) -> None:
     """What qdd and lam leave in M qdd - f - J' lam = 0 and J qdd = gamma, against the size of the terms.
 
     Where all terms of a row vanish, against a ten-thousandth of what the largest unknowns would make of it.
@@ -129,19 +137,25 @@ def _assert_solved(engine: Engine, program: Program, states: Arrays) -> None:
     for i in range(STATES):
         state = {g: a[i] for g, a in states.items()}
         qdd, lam = engine.solve(*arguments(program, "dynamics", states, i))
-        left = values_with_size(program, "residual", state | {Group.QDD: qdd, Group.LAMBDA: lam})
-        largest = {Group.QDD: _level(qdd), Group.LAMBDA: _level(lam)}
-        for (value, size), (_, most) in zip(left, values_with_size(program, "residual", state | largest), strict=True):
-            _assert_close(value, np.zeros_like(value), np.maximum(size, 1e-4 * most), "residual")
+        solved = state | {Group.QDD: qdd, Group.LAMBDA: lam}
+        largest = state | {Group.QDD: _level(qdd), Group.LAMBDA: _level(lam)}
+        sizes = [_residual_sizes(each, solved, largest) for each in (program, *as_large_as)]
+        for (value, _), *size in zip(values_with_size(program, "residual", solved), *sizes, strict=True):
+            _assert_close(value, np.zeros_like(value), np.maximum.reduce(size), "residual", LEFT)
+
+
+def _residual_sizes(program: Program, solved: Arrays, largest: Arrays) -> list[np.ndarray]:
+    own, most = (values_with_size(program, "residual", at) for at in (solved, largest))
+    return [np.maximum(size, 1e-4 * bound) for (_, size), (_, bound) in zip(own, most, strict=True)]
 
 
 def _level(vector: np.ndarray) -> np.ndarray:
     return np.full_like(vector, np.max(np.abs(vector), initial=0.0))
 
 
-def _assert_close(ours: np.ndarray, theirs: np.ndarray, size: np.ndarray, what: str) -> None:
+def _assert_close(ours: np.ndarray, theirs: np.ndarray, size: np.ndarray, what: str, part: float = ROUNDING) -> None:
     assert ours.shape == theirs.shape, what
-    wrong = np.abs(ours - theirs) > ROUNDING * size
+    wrong = np.abs(ours - theirs) > part * size
     assert not np.any(wrong), (what, np.argwhere(wrong)[:3], ours[wrong][:3], theirs[wrong][:3], size[wrong][:3])
 
 

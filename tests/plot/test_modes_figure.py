@@ -25,6 +25,6 @@ def test_phases_are_written_where_there_are_any() -> None:
 
 
 def test_thresholds_are_marked() -> None:
-    variation = lagdsl.compile(MODELS / "ziegler_column.lag").variation("P", np.linspace(0, 3, 11), q=[0, 0])
+    variation = lagdsl.compile(MODELS / "ziegler_column.lag").vary("P", np.linspace(0, 3, 11), q=[0, 0])
     figure = plot_variation(variation)
     assert any("flutter 2.0858" in text.get_text() for panel in figure.axes for text in panel.texts)

@@ -73,7 +73,7 @@ def test_tables_of_the_layout_have_one_length(field: str) -> None:
 
 def test_a_cycle_is_found() -> None:
     program = pendulum()
-    program.graph.a[-1] = len(program.graph) - 1
+    program.graph.operands[-1] = (len(program.graph) - 1,)
     with pytest.raises(InvalidProgram, match="is computed from node"):
         verify(program)
 

@@ -18,7 +18,7 @@ from lagdsl.diagnostics import CompilationFailed
 from lagdsl.runtime import compiler as compilers
 from lagdsl.runtime.build import build, cache_folder, content_hash
 from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.compiler import Compiler, find_compiler, flags
+from lagdsl.runtime.compiler import FLAGS, Compiler, find_compiler
 from lagdsl.runtime.load import load
 
 SOURCES = {"answer.c": "int answer(void);\nint answer(void) { return 42; }\n"}
@@ -155,10 +155,27 @@ def test_without_a_cache_variable_it_lies_in_the_home(tmp_path: Path, monkeypatc
     assert cache_folder() == tmp_path / ".cache" / "lagdsl"
 
 
-def test_large_texts_are_optimized_less() -> None:
-    assert flags(10_000)[-1] == "-O2"
-    assert flags(300_000)[-1] == "-O1"
-    assert not any("fast-math" in flag for flag in flags(1))
+def test_libraries_are_made_for_the_processor_that_loads_them(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(compilers.platform, "machine", lambda: "x86_64")
+    names = set()
+    for flags_of_processor in ("sse2", "sse2 avx", None):
+        text = tmp_path / "cpuinfo"
+        text.unlink(missing_ok=True)
+        if flags_of_processor is not None:
+            text.write_text(f"processor: 0\ncpu MHz: 2000\nflags: {flags_of_processor}\n\nprocessor: 1\nflags: other\n")
+        monkeypatch.setattr(compilers, "_PROCESSORS", text)
+        compilers.processor.cache_clear()
+        names.add(content_hash(SOURCES, Compiler(("cc",), "1")))
+        expected = () if flags_of_processor is None else ("-march=native",)
+        assert compilers.native_flags(Compiler(("cc",), "1")) == expected
+        assert compilers.native_flags(Compiler(("cc", "-march=x86-64"), "1")) == ()
+    compilers.processor.cache_clear()
+    assert len(names) == 3
+
+
+def test_nothing_reorders_arithmetic() -> None:
+    assert "-ffp-contract=off" in FLAGS
+    assert not any("fast-math" in flag for flag in FLAGS)
 
 
 def test_the_runtime_is_compiled_once_for_all_models() -> None:

@@ -314,7 +314,8 @@ def test_auto_changes_to_an_implicit_method_and_says_so() -> None:
 
 def test_auto_returns_where_implicit_steps_are_not_longer(monkeypatch: pytest.MonkeyPatch) -> None:
     """An oscillation demands short steps of any method."""
-    monkeypatch.setattr("lagdsl.simulate.stiffness.fastest_decay", lambda jacobian: 1e9)
+    for estimate in ("radius_bound", "fastest_decay"):
+        monkeypatch.setattr(f"lagdsl.simulate.stiffness.{estimate}", lambda jacobian: 1e9)
     motion = run(pendulum(2.0), stop=20.0, tolerance=1e-8)
     assert [note.split(" at ")[0] for note in motion.statistics.notes] == [
         "changed from dop853 to radau",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -9,8 +10,9 @@ import pytest
 
 import lagdsl
 from lagdsl.api.model import Model
-from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes
-from lagdsl.sweep.plan import Axis, Plan, require_sound, settings, task, variants
+from lagdsl.sweep.dataset import require_room
+from lagdsl.sweep.journal import Busy, Journal, fingerprint_of, outcomes
+from lagdsl.sweep.plan import Axis, Plan, place, require_few, require_sound, settings, task, variants
 from lagdsl.sweep.processes import _Worker, in_processes, in_this_process
 from lagdsl.sweep.run import Options, Outcome, Runner, Subject
 from lagdsl.sweep.sweep import Unfinished, Work, journal_path
@@ -55,6 +57,26 @@ class TestPlan:
             expected = {"a": (1, 2)[i], "b": (3, 4, 5)[j], "c": (6, 7)[k], "d": (8, 9)[k]}
             assert settings(plan, number)["parameter"] == expected
 
+    def test_a_run_is_told_by_what_is_varied(self) -> None:
+        length = Axis(name="l", key="l", target="parameter", unit="m", values=(0.1, 0.25))
+        start = Axis(name="x.start", key="x", target="start", unit="", values=(1, 2, 3))
+        assert place(Plan(axes=(length, start), fixed=(_axis("m", 7),)), 4) == "l = 0.25 m, x.start = 2"
+        assert place(Plan(samples=(length,)), 0) == "l = 0.1 m"
+        assert place(Plan(fixed=(_axis("m", 7),)), 0) == ""
+
+    def test_there_is_an_end_to_runs(self) -> None:
+        require_few(1_000_000)
+        with pytest.raises(ValueError, match=r"1e\+06 runs, at most 1000000"):
+            require_few(1_000_001)
+
+    def test_results_must_have_room(self) -> None:
+        require_room(1000, 1000, 10, Path("x.nc"))
+        with pytest.raises(ValueError, match="fewer runs, fewer rows or fewer columns"):
+            require_room(1_000_000, 1_000_000, 10, None)
+        with pytest.raises(ValueError, match=r"NetCDF holds 2.15 GB: .* \.parquet"):
+            require_room(1000, 300_000, 1, Path("x.nc"))
+        require_room(1000, 300_000, 1, Path("x.csv"))
+
     def test_structural_settings_are_models_of_their_own(self) -> None:
         plan = Plan(
             axes=(_axis("N", 2, 3, target="structural"), _axis("l", 1, 2)), fixed=(_axis("x", 4, target="start"),)
@@ -73,7 +95,7 @@ class TestPlan:
             (Plan(axes=(_axis("a", 1, np.inf),)), "finite"),
             (Plan(axes=(_axis("a", 1, 2),), fixed=(_axis("a", 1),)), "set twice"),
             (Plan(samples=(_axis("a", 1, 2), _axis("b", 1))), "same number"),
-            (Plan(axes=tuple(_axis(n, *range(1000)) for n in "abc")), "1000000000 runs"),
+            (Plan(axes=tuple(_axis(n, *range(1000)) for n in "abc")), r"1e\+09 runs"),
         ],
     )
     def test_what_is_no_sweep_is_refused(self, plan: Plan, words: str) -> None:
@@ -121,8 +143,6 @@ class TestRuns:
         made.close()
 
     def test_a_process_that_dies_takes_one_run_with_it(self, subject: Subject) -> None:
-        import pickle
-
         worker = _Worker(pickle.dumps(([subject], OPTIONS)))
         try:
             worker._running().kill()
@@ -132,6 +152,17 @@ class TestRuns:
         finally:
             worker.stop()
         assert worker.run(_task({})).status == "failed"
+
+    def test_a_worker_whose_sweep_is_killed_ends_its_run(self, subject: Subject) -> None:
+        from dataclasses import replace
+
+        worker = _Worker(pickle.dumps(((subject,), replace(OPTIONS, stop=1e9))))
+        with worker._running() as process:
+            assert process.stdin is not None
+            pickle.dump(_task({"g": 1e-20}), process.stdin)
+            process.stdin.close()  # as the system does when its other side is killed
+            assert process.wait(timeout=60) == 0
+        worker._process = None
 
     def test_functions_cannot_be_sent(self, subject: Subject) -> None:
         from dataclasses import replace
@@ -197,6 +228,13 @@ class TestJournal:
         path.write_bytes(bytes(data))
         assert list(outcomes(path)) == []
 
+    def test_one_process_at_a_time(self, tmp_path: Path) -> None:
+        path = tmp_path / "j"
+        with Journal(path, "abc"), pytest.raises(Busy, match="another process"):
+            Journal(path, "abc")
+        with Journal(path, "abc"):
+            assert list(outcomes(path)) == []
+
     def test_a_title_cut_short_begins_anew(self, tmp_path: Path) -> None:
         path = tmp_path / "j"
         path.write_bytes(b"lag sweep 1 ab")
@@ -237,6 +275,8 @@ class TestDataset:
             ({"values": {"m": [0.01, 2]}}, ValueError, "at least 0.1"),
             ({"values": {}, "samples": {"m": [1, 2], "g": [1]}}, ValueError, "same number"),
             ({"values": {"m": [1, 2]}, "output": "x.txt"}, ValueError, ".nc, .parquet, .csv"),
+            ({"values": {"m": [1, 2]}, "resume": True}, ValueError, "with an output"),
+            ({"values": {"m": np.linspace(1, 2, 2000), "g": np.linspace(1, 2, 2000)}}, ValueError, "4e\\+06 runs"),
         ],
     )
     def test_what_does_not_fit_is_told(
@@ -283,6 +323,8 @@ class TestDataset:
         kept = journal_path(out)
         assert not out.exists()
         assert len(list(outcomes(kept))) == 3
+        with Journal(kept, fingerprint_of(kept) or ""), pytest.raises(Busy):
+            model.sweep(values, stop=0.3, interval=0.1, jobs=1, output=out, resume=True)
         with pytest.raises(Unfinished, match="resume it"):
             model.sweep(values, stop=0.3, interval=0.1, jobs=1, output=out)
         with pytest.raises(Unfinished, match="another sweep"):
@@ -294,14 +336,31 @@ class TestDataset:
         np.testing.assert_array_equal(data["h"].values, whole["h"].values)
         assert not kept.exists()
 
+    def test_a_cluster_that_goes_away(self, model: Model, tmp_path: Path) -> None:
+        LocalCluster = pytest.importorskip("distributed").LocalCluster
+        out = tmp_path / "out.nc"
+        values = {"g": np.arange(1.0, 100.0)}
+        with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
+            address = cluster.scheduler_address
+
+            def end(fraction: float) -> None:
+                cluster.close()
+
+            with pytest.raises(ConnectionError, match="was lost"):
+                model.sweep(values, stop=0.1, interval=0.1, scheduler=address, output=out, progress=end)
+        assert all(outcome.status == "ok" for outcome in outcomes(journal_path(out)))
+        data = model.sweep(values, stop=0.1, interval=0.1, jobs=1, output=out, resume=True)
+        assert (data["status"] == "ok").all()
+
     def test_the_c_engine(self, tmp_path: Path) -> None:
         data = lagdsl.compile(TEXT, engine="c").sweep({"g": [5, 6]}, stop=0.3, interval=0.1, jobs=2)
         assert (data["status"] == "ok").all()
 
-    def test_a_cluster(self, model: Model) -> None:
+    def test_a_cluster(self, model: Model, tmp_path: Path) -> None:
         LocalCluster = pytest.importorskip("distributed").LocalCluster
         with pytest.raises(ConnectionError, match="no Dask scheduler"):
             model.sweep({"g": [5, 6]}, scheduler="nonsense://x")
+        model.sweep({"g": [5, 6]}, stop=0.3, interval=0.1, output=tmp_path / "after.nc")  # as if nothing had been
         with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
             data = model.sweep({"g": [5, 6]}, stop=0.3, interval=0.1, scheduler=cluster.scheduler_address)
         assert (data["status"] == "ok").all()

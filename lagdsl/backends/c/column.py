@@ -10,6 +10,15 @@ from typing import TypeVar
 Column = Sequence[Sequence[int]]
 
 
+@dataclass(frozen=True, slots=True)
+class Index:
+    """The whole number `base + slope + offset`: C expressions, of a table's entry and of what a lap adds, or empty."""
+
+    base: str
+    slope: str
+    offset: int
+
+
 @dataclass(slots=True)
 class Tables:
     """The columns of one kernel's tables: `head` has an entry per run, `rows` and `values` one per run and lap."""
@@ -18,21 +27,20 @@ class Tables:
     rows: list[tuple[tuple[int, ...], ...]] = field(default_factory=list)
     values: list[tuple[tuple[float, ...], ...]] = field(default_factory=list)
 
-    def index(self, column: Column) -> str:
-        """The C expression of a whole number that takes these values; columns that differ by a constant are one."""
+    def index(self, column: Column) -> Index:
+        """The index that takes these values; columns that differ by a constant are one."""
         firsts = [laps[0] for laps in column]
         strides = [_stride(laps) for laps in column]
-        known = {stride for stride in strides if stride is not None and stride != _UNEVEN}
         if _UNEVEN in strides:
             least = min(map(min, column))
             rows = tuple(tuple(value - least for value in laps) for laps in column)
-            return _sum(f"row[{_place(self.rows, rows)}]", least)
+            return Index(f"row[{_place(self.rows, rows)}]", "", least)
+        known = {stride for stride in strides if stride is not None}
         if len(known) > 1:
             slopes = tuple(0 if stride is None else stride for stride in strides)
-            return f"{self._base(firsts)} + lap*head[{_place(self.head, slopes)}]"
+            return self._based(firsts, f" + lap*head[{_place(self.head, slopes)}]")
         slope = min(known, default=0)
-        base = self._base(firsts)
-        return base if slope == 0 else f"{base} + lap*{slope}" if slope > 0 else f"{base} - lap*{-slope}"
+        return self._based(firsts, "" if slope == 0 else f" + lap*{slope}" if slope > 0 else f" - lap*{-slope}")
 
     def value(self, column: Sequence[Sequence[float]]) -> str | float:
         """The C expression of a number that takes these values; the number itself where there is only one."""
@@ -41,11 +49,11 @@ class Tables:
             return first
         return f"value[{_place(self.values, tuple(tuple(laps) for laps in column))}]"
 
-    def _base(self, firsts: Sequence[int]) -> str:
+    def _based(self, firsts: Sequence[int], slope: str) -> Index:
         least = min(firsts)
         if max(firsts) == least:
-            return str(least)
-        return _sum(f"head[{_place(self.head, tuple(first - least for first in firsts))}]", least)
+            return Index("", slope, least)
+        return Index(f"head[{_place(self.head, tuple(first - least for first in firsts))}]", slope, least)
 
 
 _UNEVEN = -(1 << 40)
@@ -72,7 +80,3 @@ def _place(columns: list[_T], column: _T) -> int:
         return columns.index(column)
     columns.append(column)
     return len(columns) - 1
-
-
-def _sum(text: str, constant: int) -> str:
-    return text if constant == 0 else f"{text} + {constant}"

@@ -27,6 +27,7 @@ class Place:
 class Dialect:
     """`real` is the type of a value, `memory` that of its place; arrays of `shared` hold single numbers all the same.
 
+    `fused` is the name of x*y + z rounded once.
     `suffix` ends the names of functions that there is one of per dialect; `splat` makes a value of a single number.
     `primal` is where in the workspace the values start that directions share.
     """
@@ -36,6 +37,7 @@ class Dialect:
     suffix: str
     splat: str
     functions: Mapping[Op, str]
+    fused: str
     shared: frozenset[str] = frozenset()
     primal: int = 0
 
@@ -48,16 +50,22 @@ class Dialect:
 
     def read(self, array: str, index: str) -> str:
         """The value of an entry."""
-        entry = f"{array}[{index}]"
+        return self.value(array, f"{array}[{index}]")
+
+    def value(self, array: str, entry: str) -> str:
+        """The value of what the expression `entry` says is an entry of `array`."""
         return self.splatted(entry) if array in self.shared else entry
+
+    def kind(self, array: str) -> str:
+        """The type of an entry of an array."""
+        return "double" if not self.splat or array in self.shared else self.memory
 
     def declaration(self, array: str) -> str | None:
         """The line that makes an array of arguments known; None for results and scratch, which are parameters."""
-        of_one_number = not self.splat or array in self.shared
-        kind = "double" if of_one_number else self.memory
-        cast = "" if of_one_number else f"(const {kind} *)"
+        kind = self.kind(array)
+        cast = "" if kind == "double" else f"(const {kind} *)"
         if array == ARGUMENT_NAMES[Group.TIME]:
-            return f"const {kind} *const t = " + ("&at->t;" if of_one_number else f"{cast}at->times;")
+            return f"const {kind} *const t = " + (f"{cast}at->times;" if cast else "&at->t;")
         if array == PREPARED:
             return f"const {kind} *const {PREPARED} = {cast}at->workspace;"
         if array == PRIMAL:
@@ -79,6 +87,7 @@ SINGLE = Dialect(
     suffix="",
     splat="",
     functions={**_LIBRARY, **{op: f"lag_{name}" for op, name in _OWN.items()}},
+    fused="lag_fused",
 )
 LANES = Dialect(
     real="lag_lanes",
@@ -86,6 +95,7 @@ LANES = Dialect(
     suffix="_lanes",
     splat="lag_lanes_of",
     functions={op: f"lag_lanes_{name}" for op, name in {**_LIBRARY, **_OWN, Op.ABS: "abs"}.items()},
+    fused="lag_lanes_fused",
 )
 
 

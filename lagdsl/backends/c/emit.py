@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from functools import partial
+
 from lagdsl.backends.backend import Artifact
+from lagdsl.backends.c.lanes import states_source, tangents_source
 from lagdsl.backends.c.source import header, source, symbol
 from lagdsl.backends.identifier import identifier
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
+
+PARTS: dict[str, Callable[[Program, str], str]] = {
+    "states": states_source,
+    "tangents": partial(tangents_source, parameters=False),
+    "parameter_tangents": partial(tangents_source, parameters=True),
+}
 
 # Names that the Makefile, the runtime or the example have taken.
 _RESERVED = frozenset({"main", "realtime", "makefile", "lag", "all", "clean"})
@@ -37,10 +47,18 @@ def model_symbol(program: Program) -> str:
     return symbol(identifier(program.name, _RESERVED))
 
 
-def sources(program: Program, lanes: bool = False) -> dict[str, str]:
-    """What a library of the model is compiled from, by relative path; with `lanes` for many states at once too."""
+def part_symbol(program: Program, part: str) -> str:
+    """Name of the constant, of type lag_states or lag_tangents, that the sources with this part define."""
+    return f"{identifier(program.name, _RESERVED)}_{part}"
+
+
+def sources(program: Program, parts: Sequence[str] = ()) -> dict[str, str]:
+    """What a library of the model is compiled from, by relative path. `parts` of PARTS are the functions of several
+    states, or of several directions of derivatives, at once."""
     stem = identifier(program.name, _RESERVED)
-    return {f"{stem}.c": source(program, stem, lanes), f"{stem}.h": header(stem), **runtime_sources()}
+    own = {f"{stem}.c": source(program, stem), f"{stem}.h": header(stem)}
+    own |= {f"{stem}_{part}.c": PARTS[part](program, stem) for part in parts}
+    return {**own, **runtime_sources()}
 
 
 def runtime_sources() -> dict[str, str]:

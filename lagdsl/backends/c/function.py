@@ -2,30 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, Dialect, Place
 from lagdsl.backends.c.kernel import rolled_code
 from lagdsl.backends.c.roll import roll
-from lagdsl.backends.c.statement import Store, listing
+from lagdsl.backends.c.statement import Listing, Store, listing
 from lagdsl.backends.c.straight import pieces
 from lagdsl.graph.graph import Graph
+from lagdsl.program.passes.fuse import exact, fused
 
 # Compilers need superlinear time for long functions: above the first number of statements they are rolled, where that
 # leaves less than this part of the text, or cut into pieces of the second number.
 LONGEST_FUNCTION = 600
 _PIECE = 150
 _ROLLED_PART = 0.5
+# Functions of inertia, in which sums are fused with their products: accelerations wait for a chain of these.
+FUSED = ("elimination",)
+# The result whose comparisons are with thresholds, not with what is nothing when exact.
+_CHECK = "pivot"
 
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """Name, declared parameters and their names."""
+    """Name, declared parameters and their names; whether sums are fused with their products."""
 
     name: str
     parameters: Sequence[str]
     arguments: Sequence[str]
+    fused: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,20 +45,28 @@ class Code:
 
 def code(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place], dialect: Dialect, head: Head) -> Code:
     """Statements that do all `stores`. `given` are the places of values that are at hand already."""
-    made = listing(graph, stores, given)
+    kept = exact(graph, [store.node for store in stores if store.target.array != _CHECK]) if head.fused else None
+    made = listing(graph, stores, given, kept)
+    sums = {} if kept is None else _fused(made, stores, kept)
     if len(made.statements) <= LONGEST_FUNCTION:
-        bodies, scratch = pieces(made, dialect, len(made.statements))
+        bodies, scratch = pieces(made, dialect, len(made.statements), sums)
         return Code("", tuple(line for body in bodies for line in body), scratch)
-    rolled = roll(made)
+    rolled = roll(made, sums)
     if rolled.length <= _ROLLED_PART * len(made.statements):
         definitions, calls = rolled_code(rolled, dialect, head.name, head.parameters, head.arguments)
         return Code(definitions, tuple(calls), rolled.scratch)
-    bodies, scratch = pieces(made, dialect, _PIECE)
+    bodies, scratch = pieces(made, dialect, _PIECE, sums)
     return Code(
         "".join(_piece(head, dialect, index, body) for index, body in enumerate(bodies)),
         tuple(f"{head.name}_{index}({', '.join([*head.arguments, SCRATCH])});" for index in range(len(bodies))),
         scratch,
     )
+
+
+def _fused(made: Listing, stores: tuple[Store, ...], kept: Collection[int]) -> dict[int, int]:
+    named = {statement.node for statement in made.statements if statement.is_variable}
+    live = made.graph.live([store.node for store in stores], made.given)
+    return fused(made.graph, live, named, made.given, kept)
 
 
 def _piece(head: Head, dialect: Dialect, index: int, body: Sequence[str]) -> str:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import cast
 
-from lagdsl.backends.c.column import Tables
+from lagdsl.backends.c.column import Index, Tables
 from lagdsl.backends.c.dialect import SCRATCH, Dialect
 from lagdsl.backends.c.literal import number
 from lagdsl.backends.c.roll import Kernel, Rolled, columns, laps
 from lagdsl.backends.c.statement import Gather
 from lagdsl.backends.c.straight import gathering
+from lagdsl.backends.expression import fused_arguments
 from lagdsl.graph.operation import Op
 
 _INFIX = {Op.ADD: "+", Op.SUBTRACT: "-", Op.MULTIPLY: "*", Op.DIVIDE: "/"}
@@ -27,12 +28,15 @@ class KernelText:
         self._kernel = kernel
         self._dialect = dialect
         self._used: dict[str, str | None] = {}
+        self._pointers: dict[tuple[str, str, str], tuple[str, int]] = {}
+        self._pointing: list[str] = []
         self.tables = Tables()
         lines = [line for index in range(len(kernel.body)) for line in self._statement(index)]
         self.lines = self._framed(lines)
 
     def _framed(self, lines: list[str]) -> list[str]:
         declarations = [line for line in self._used.values() if line is not None]
+        lines = [*self._pointing, *lines]
         if all(run.count == 1 for run in self._kernel.runs):
             row = [f"const int *const row = head + {len(self.tables.head)};"] if self.tables.rows else []
             return [*declarations, *row, *lines]
@@ -42,7 +46,7 @@ class KernelText:
             if entries
         )
         row = [f"const int *row = head + {len(self.tables.head)};"] if self.tables.rows else []
-        loop = f"for (int lap = 0; lap < laps; ++lap{advance}) {{"
+        loop = f"for (ptrdiff_t lap = 0; lap < laps; ++lap{advance}) {{"
         return [*declarations, *row, loop, *(f"    {line}" for line in lines), "}"]
 
     def _statement(self, index: int) -> list[str]:
@@ -52,12 +56,13 @@ class KernelText:
             return [gathering(cast(Gather, parts[1]), self._dialect)]
         if parts[0] == "store":
             text = self._expression(index, cast(int, parts[2]), leaves)
-            return [f"{parts[1]}[{self._index(index, leaves.next())}] = {text};"]
+            target = self._entry(cast(str, parts[1]), self._place(index, leaves.next()), "")
+            return [f"{target} = {text};"]
         text = self._expression(index, self._kernel.body[index], leaves)
         lines = [f"const {self._dialect.real} v{index} = {text};"]
         if index in self._kernel.exports:
             own = [[self._rolled.slot[at] for at in laps(run, index)] for run in self._kernel.runs]
-            lines.append(f"{SCRATCH}[{self.tables.index(own)}] = v{index};")
+            lines.append(f"{self._scratch(self.tables.index(own))} = v{index};")
         return lines
 
     def _expression(self, index: int, shape: int, leaves: _Counter) -> str:
@@ -65,15 +70,20 @@ class KernelText:
         if kind == "variable":
             leaf = leaves.next()
             local = self._kernel.local[index][leaf]
-            return f"v{local}" if local >= 0 else f"{SCRATCH}[{self._index(index, leaf)}]"
+            return f"v{local}" if local >= 0 else self._scratch(self._place(index, leaf))
         if kind == "place":
             array = cast(str, rest[0])
-            self._used.setdefault(array, self._dialect.declaration(array))
-            return self._dialect.read(array, self._index(index, leaves.next()))
+            declaration = self._used.setdefault(array, self._dialect.declaration(array))
+            only_read = "" if declaration is None else "const "
+            return self._dialect.value(array, self._entry(array, self._place(index, leaves.next()), only_read))
         if kind == "constant":
             values = cast(list[list[float]], columns(self._rolled, self._kernel, index, leaves.next()))
             found = self.tables.value(values)
             return self._dialect.literal(found) if isinstance(found, float) else self._dialect.splatted(found)
+        if kind == "fused":
+            op, which = cast(tuple[Op, int], rest[0])
+            x, y, z = (self._expression(index, cast(int, shape), leaves) for shape in rest[1:])
+            return f"{self._dialect.fused}({fused_arguments(op, which, x, y, z)})"
         op = cast(Op, kind)
         arguments = [self._expression(index, cast(int, argument), leaves) for argument in rest]
         if op is Op.NEGATE:
@@ -82,8 +92,25 @@ class KernelText:
             return f"({arguments[0]} {_INFIX[op]} {arguments[1]})"
         return f"{self._dialect.functions[op]}({', '.join(arguments)})"
 
-    def _index(self, index: int, leaf: int) -> str:
+    def _place(self, index: int, leaf: int) -> Index:
         return self.tables.index(cast(list[list[int]], columns(self._rolled, self._kernel, index, leaf)))
+
+    def _scratch(self, index: Index) -> str:
+        return self._entry(SCRATCH, index, "")
+
+    def _entry(self, array: str, index: Index, only_read: str) -> str:
+        """The text of an entry: what moves alike from lap to lap is found from one pointer, at constant distances."""
+        if not index.base and not index.slope:
+            return f"{array}[{index.offset}]"
+        key = (array, index.base, index.slope)
+        if key not in self._pointers:
+            name = f"{array}_{len(self._pointers)}"
+            self._pointers[key] = (name, index.offset)
+            terms = [array, *([index.base] if index.base else []), *([str(index.offset)] if index.offset else [])]
+            kind = f"{only_read}{self._dialect.kind(array)}"
+            self._pointing.append(f"{kind} *const {name} = {' + '.join(terms)}{index.slope};")
+        name, first = self._pointers[key]
+        return f"{name}[{index.offset - first}]"
 
 
 class _Counter:

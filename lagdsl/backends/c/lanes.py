@@ -1,93 +1,164 @@
-"""Functions of several states, or of several directions at one state, in the lanes of vectors."""
+"""Functions of several states, or of several directions at one state, in the lanes of vectors: files of their own."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
-from lagdsl.backends.c.dialect import LANES, PRIMAL, SINGLE, Dialect, Place, directions
-from lagdsl.backends.c.function import Code, Head, braced, code
+from lagdsl.backends.c.dialect import LANES, PREPARED, PRIMAL, SINGLE, Dialect, Place, directions
+from lagdsl.backends.c.function import FUSED, Code, Head, braced, code
 from lagdsl.backends.c.results import RESULTS, Results, definition, results
 from lagdsl.backends.c.statement import Store
+from lagdsl.backends.identifier import comment_text
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import DIRECTION_OF, Op
-from lagdsl.program.passes.schedule import live_beside
-from lagdsl.program.program import Program
+from lagdsl.graph.operation import DIRECTION_OF, Group, Op
+from lagdsl.graph.substitute import Substitution
+from lagdsl.program.passes.hoist import hoisted
+from lagdsl.program.program import Block, Function, Program
 
 _OF_STATES = ("dynamics", "elimination")
-_OF_DIRECTIONS = "residual_tangent"
+# The functions of directions by their names in lag_tangents.
+_OF_DIRECTIONS = {
+    "residual": "residual_tangent",
+    "acceleration": "acceleration_tangent",
+    "state_derivative": "state_derivative_tangent",
+    "output": "output_tangent",
+}
+_FUSED = (*FUSED, "acceleration_tangent")
+_STATE_AND_INPUT = (Group.DIRECTION_Q, Group.DIRECTION_QD, Group.DIRECTION_Z, Group.DIRECTION_U)
+# Numbers in the longest vector: arrays of vectors start at multiples of it.
+_WIDEST = 8
 
 
-@dataclass(frozen=True, slots=True)
-class Parallel:
-    """Functions, the members of lag_model that name them, and the length of the workspace with them (C expression)."""
-
-    definitions: str
-    members: tuple[str, ...]
-    workspace: str
-
-
-def without_lanes(program: Program, prepared: Mapping[int, Place], scratch: int) -> Parallel:
-    """One state, one direction at a time."""
-    del program
-    return Parallel("", (), str(len(prepared) + scratch))
-
-
-def in_lanes(program: Program, prepared: Mapping[int, Place], scratch: int) -> Parallel:
-    """The dynamics of several states, and the tangent of the residual in several directions.
-
-    Operations and their order are those of the functions of one state: every lane gets the same bits.
-    """
-    names = [name for name in _OF_STATES if program.has(name)]
+def states_source(program: Program, stem: str) -> str:
+    """Text of a file that defines `stem`_states, of type lag_states."""
+    prepared = _prepared(program)
     beyond = f"at->workspace + {len(prepared)} * LAG_LANES"
-    made_for = [_function(program, name, prepared, LANES, beyond) for name in names]
-    states = "".join(text for text, _ in made_for)
-    of_states = max(made.scratch for _, made in made_for)
-    function = program.function(_OF_DIRECTIONS)
-    shared = _shared(program.graph, results(program, function, SINGLE).stores, prepared)
-    stores = tuple(Store(place, node) for node, place in shared.items())
-    head = Head(f"model_{_OF_DIRECTIONS}_values", ["const lag_arguments *at", f"double *{PRIMAL}"], ["at", PRIMAL])
-    made = code(program.graph, stores, prepared, SINGLE, head)
-    start = len(prepared) + max(scratch, made.scratch)
-    primal = definition(head, made, Results(), SINGLE, f"at->workspace + {len(prepared)}") + braced(
-        f"static lag_status model_{_OF_DIRECTIONS}_primal(const lag_arguments *at)",
-        [f"return {head.name}(at, at->workspace + {start});"],
+    stores = tuple(Store(Place("result", place.index), node) for node, place in prepared.items())
+    head = Head("model_prepare_from", ["const lag_arguments *at", "lag_lanes_memory *result"], ["at", "result"])
+    made = code(program.graph, stores, {}, LANES, head)
+    body = ["return model_prepare_from(at, (lag_lanes_memory *)at->workspace);"]
+    texts = [
+        definition(head, made, Results(), LANES, beyond),
+        braced("static lag_status model_prepare(const lag_arguments *at)", body),
+    ]
+    scratch, members = made.scratch, [".prepare = model_prepare"]
+    for name in _OF_STATES:
+        if program.has(name):
+            text, made = _function(program, program.function(name), prepared, LANES, beyond)
+            texts.append(text)
+            scratch = max(scratch, made.scratch)
+            members.append(f".{name} = model_{name}_lanes")
+    members.append(f".workspace = {len(prepared) + scratch} * LAG_LANES")
+    return _file(program, stem, "states", texts, members)
+
+
+def tangents_source(program: Program, stem: str, *, parameters: bool) -> str:
+    """Text of a file that defines `stem`_tangents or, along directions dp only, `stem`_parameter_tangents."""
+    held = _STATE_AND_INPUT if parameters else (Group.DIRECTION_P,)
+    motion = _motion(program)
+    substitution = Substitution(program.graph, {**_zeros(program, held), **_solution(program, motion)})
+    functions = {name: _substituted(f, substitution) for name, f in _directional(program).items()}
+    prepared = _prepared(program)
+    shared = _shared(program.graph, [results(program, f, SINGLE) for f in functions.values()], prepared)
+    start = len(prepared)
+    end = -(-(start + len(shared)) // _WIDEST) * _WIDEST
+    primal, alone = _primal(program, prepared, shared, motion, f"at->workspace + {end}")
+    texts, members, scratch = [primal], [f".{'motion' if motion else 'primal'} = model_primal"], 0
+    for name, function in functions.items():
+        text, made = _function(program, function, {**prepared, **shared}, directions(start), f"at->workspace + {end}")
+        texts.append(text)
+        scratch = max(scratch, made.scratch)
+        members.append(f".{name} = model_{function.name}_lanes")
+    members.append(f".workspace = {end + alone} + {scratch} * LAG_LANES")
+    return _file(program, stem, "parameter_tangents" if parameters else "tangents", texts, members)
+
+
+def _motion(program: Program) -> tuple[Block, ...]:
+    """Accelerations, multipliers and pivot where no row is left to run time: derivatives need no more than these."""
+    if program.kept_rows or not program.has("elimination"):
+        return ()
+    results = program.function("elimination").results
+    return results[0], results[1], results[-1]
+
+
+def _solution(program: Program, motion: tuple[Block, ...]) -> dict[int, int]:
+    """What stands for accelerations and multipliers."""
+    found = zip((Group.QDD, Group.LAMBDA), motion, strict=False)
+    return {
+        program.graph.symbol(group, index): node for group, block in found for index, node in enumerate(block.elements)
+    }
+
+
+def _zeros(program: Program, groups: Sequence[Group]) -> dict[int, int]:
+    graph = program.graph
+    return {graph.symbol(g, index): graph.zero for g in groups for index in range(program.layout.size(g))}
+
+
+def _primal(
+    program: Program,
+    prepared: Mapping[int, Place],
+    shared: Mapping[int, Place],
+    motion: tuple[Block, ...],
+    scratch: str,
+) -> tuple[str, int]:
+    """A function that leaves the shared values behind what is prepared, and tells the motion; and its scratch."""
+    names = ("qdd", "lam", "pivot") if motion else ()
+    stores = [Store(place, node) for node, place in shared.items()]
+    for name, block in zip(names, motion, strict=True):
+        stores += [Store(Place(name, index), node) for index, node in enumerate(block.elements)]
+    results = [f"double *{name}" for name in names]
+    head = Head("model_values", ["const lag_arguments *at", f"double *{PRIMAL}", *results], ["at", PRIMAL, *names])
+    made = code(program.graph, tuple(stores), prepared, SINGLE, head)
+    signature = f"static lag_status model_primal({', '.join(['const lag_arguments *at', *results])})"
+    call = f"return model_values({', '.join(['at', f'at->workspace + {len(prepared)}', *names])});"
+    return definition(head, made, Results(), SINGLE, scratch) + braced(signature, [call]), made.scratch
+
+
+def _prepared(program: Program) -> dict[int, Place]:
+    return {node: Place(PREPARED, index) for index, node in enumerate(hoisted(program))}
+
+
+def _directional(program: Program) -> dict[str, Function]:
+    """The functions of directions that the model has something for, by their names in lag_tangents."""
+    solved = program.has("acceleration_tangent")
+    found = {}
+    for name, known in _OF_DIRECTIONS.items():
+        if program.has(known) and name != ("residual" if solved else "acceleration"):
+            function = program.function(known)
+            if name in ("residual", "acceleration") or function.results[0].elements:
+                found[name] = function
+    return found
+
+
+def _substituted(function: Function, substitution: Substitution) -> Function:
+    blocks = tuple(
+        Block(name=block.name, shape=block.shape, elements=tuple(substitution.of_all(block.elements)))
+        for block in function.results
     )
-    end = start + len(shared)
-    given = {**prepared, **shared}
-    along, of_along = _function(program, _OF_DIRECTIONS, given, directions(start), f"at->workspace + {end}")
-    members = (
-        ".lanes = LAG_LANES",
-        *(f".{name}_lanes = model_{name}_lanes" for name in names),
-        f".{_OF_DIRECTIONS}_lanes = model_{_OF_DIRECTIONS}_lanes",
-        f".workspace_lanes = {len(prepared) + of_states} * LAG_LANES",
-        f".{_OF_DIRECTIONS}_primal = model_{_OF_DIRECTIONS}_primal",
-    )
-    definitions = f"#if LAG_LANES\n\n{states}{primal}{along}#endif\n"
-    return Parallel(definitions, ("#if LAG_LANES", *members, "#endif"), f"{end} + {of_along.scratch} * LAG_LANES")
+    return Function(name=function.name, arguments=function.arguments, results=blocks)
 
 
 def _function(
-    program: Program, name: str, given: Mapping[int, Place], dialect: Dialect, scratch: str
+    program: Program, function: Function, given: Mapping[int, Place], dialect: Dialect, scratch: str
 ) -> tuple[str, Code]:
     """A function in lanes, behind one that takes its results as arrays of numbers."""
-    function = program.function(name)
-    names = RESULTS[name]
-    parameters = ["const lag_arguments *at", *(f"{dialect.memory} *{result}" for result in names)]
-    head = Head(f"model_{name}_in_lanes", parameters, ["at", *names])
     contents = results(program, function, dialect)
+    names = RESULTS[function.name]
+    parameters = ["const lag_arguments *at", *(f"{dialect.memory} *{result}" for result in names)]
+    head = Head(f"model_{function.name}_in_lanes", parameters, ["at", *names], function.name in _FUSED)
     made = code(program.graph, contents.stores, given, dialect, head)
     outer = ", ".join(["const lag_arguments *at", *(f"double *{result}" for result in names)])
     inner = ", ".join(["at", *(f"({dialect.memory} *){result}" for result in names)])
-    wrapped = braced(f"static lag_status model_{name}_lanes({outer})", [f"return {head.name}({inner});"])
+    wrapped = braced(f"static lag_status model_{function.name}_lanes({outer})", [f"return {head.name}({inner});"])
     return definition(head, made, contents, dialect, scratch) + wrapped, made
 
 
-def _shared(graph: Graph, stores: tuple[Store, ...], prepared: Mapping[int, Place]) -> dict[int, Place]:
+def _shared(graph: Graph, contents: Sequence[Results], prepared: Mapping[int, Place]) -> dict[int, Place]:
     """Places of the values that do not depend on a direction and that something else needs."""
     along = sum(1 << group for group in DIRECTION_OF.values())
+    stores = [store for each in contents for store in each.stores]
     wanted: dict[int, None] = {}
-    for node in live_beside(graph, [store.node for store in stores], prepared):
+    for node in graph.live([store.node for store in stores], prepared):
         if graph.groups[node] & along:
             wanted.update(dict.fromkeys(graph.arguments(node)))
     wanted.update(dict.fromkeys(store.node for store in stores))
@@ -97,3 +168,22 @@ def _shared(graph: Graph, stores: tuple[Store, ...], prepared: Mapping[int, Plac
         if not graph.groups[node] & along and node not in prepared and graph.op[node] not in (Op.CONSTANT, Op.SYMBOL)
     )
     return {node: Place(PRIMAL, index) for index, node in enumerate(nodes)}
+
+
+def _file(program: Program, stem: str, kind: str, texts: Sequence[str], members: Sequence[str]) -> str:
+    name = f"const lag_{kind.removeprefix('parameter_')} {stem}_{kind}"
+    table = "".join(f"    {member},\n" for member in (".lanes = LAG_LANES", *members))
+    return "\n".join(
+        [
+            f"/* {kind.replace('_', ' ')} of {comment_text(program.name)} in lanes, generated: see lag/parallel.h. */",
+            "#include <math.h>\n",
+            '#include "lag/parallel.h"\n#include "lag/trigonometry.h"\n',
+            f"extern {name};\n",
+            "#if LAG_LANES\n",
+            *texts,
+            f"{name} = {{\n{table}}};\n",
+            "#else\n",
+            f"{name} = {{0}};\n",
+            "#endif\n",
+        ]
+    )

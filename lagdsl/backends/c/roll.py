@@ -6,7 +6,9 @@ straight line, so that results are the same to the bit.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from lagdsl.backends.c.dialect import Place
 from lagdsl.backends.c.shape import Leaf, Shaped, Shapes
@@ -46,9 +48,9 @@ class Rolled:
         return sum(len(kernel.body) for kernel in self.kernels)
 
 
-def roll(listing: Listing) -> Rolled:
+def roll(listing: Listing, fused: Mapping[int, int] = MappingProxyType({})) -> Rolled:
     """Kernels and the order of their runs."""
-    shapes = Shapes(listing)
+    shapes = Shapes(listing, fused)
     shaped = tuple(shapes.of(statement) for statement in listing.statements)
     kernels: dict[object, Kernel] = {}
     number: dict[int, int] = {}

@@ -5,38 +5,36 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from lagdsl.backends.c.dialect import PREPARED, SINGLE, Place
-from lagdsl.backends.c.function import Head, braced, code
-from lagdsl.backends.c.lanes import Parallel, in_lanes, without_lanes
+from lagdsl.backends.c.function import FUSED, Head, braced, code
 from lagdsl.backends.c.literal import number, string
 from lagdsl.backends.c.results import RESULTS, Results, definition, place_of, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
+from lagdsl.program.functions import ALONG_MANY, WRITTEN_OUT
 from lagdsl.program.passes.hoist import hoisted
 from lagdsl.program.program import Function, Layout, Program, Slot
 from lagdsl.program.verify import sizes
 
 
-def source(program: Program, stem: str, lanes: bool = False) -> str:
-    """Text of `stem`.c; with `lanes` also the functions of several states, or directions, at once."""
+def source(program: Program, stem: str) -> str:
+    """Text of `stem`.c."""
     prepared = {node: Place(PREPARED, index) for index, node in enumerate(hoisted(program))}
-    scratch = 0
-    functions: list[str] = []
-    for function in program.functions:
-        text, size = _function(program, function, prepared)
-        functions.append(text)
-        scratch = max(scratch, size)
+    made = {function.name: _function(program, function, prepared) for function in _single(program)}
+    often = [name for name in made if name in _often(program)]
     preparation, size = _prepare(program, prepared)
-    parallel = (in_lanes if lanes else without_lanes)(program, prepared, max(scratch, size))
+    memory = len(prepared) + max(size, *(scratch for _, scratch in made.values()))
     return "\n".join(
         [
             f"/* Equations of motion of {comment_text(program.name)}, generated: see lag/model.h for what is what. */",
             f'#include "{stem}.h"\n',
-            '#include <math.h>\n\n#include "lag/trigonometry.h"\n',
-            _tables(program.layout),
+            '#include <math.h>\n\n#include "lag/columns.h"\n#include "lag/trigonometry.h"\n',
+            _tables(program),
+            *(made[name][0] for name in often),
+            '#include "lag/rarely.h"\n',
             preparation,
-            *functions,
-            parallel.definitions,
-            _model(program, stem, len(prepared), parallel),
+            *(text for name, (text, _) in made.items() if name not in often),
+            *_by_columns(program, stem, memory),
+            _model(program, stem, len(prepared), memory),
         ]
     )
 
@@ -56,13 +54,32 @@ def symbol(stem: str) -> str:
 # ---- functions -------------------------------------------------------------------------------------------------------
 
 
+def _single(program: Program) -> list[Function]:
+    return [function for function in program.functions if function.name not in ALONG_MANY]
+
+
+def _often(program: Program) -> tuple[str, ...]:
+    """What every evaluation of the equations of motion calls."""
+    return ("elimination" if program.has("elimination") else "dynamics", "state_derivative")
+
+
 def _function(program: Program, function: Function, prepared: Mapping[int, Place]) -> tuple[str, int]:
     names = RESULTS[function.name]
     parameters = ["const lag_arguments *at", *(f"double *{name}" for name in names)]
-    head = Head(f"model_{function.name}", parameters, ["at", *names])
+    if function.name == "residual" and _is_inverse_dynamics(program, function):
+        signature = f"static lag_status model_residual({', '.join(parameters)})"
+        return braced(signature, ["(void)rows;", "return model_inverse_dynamics(at, motion);"]), 0
+    head = Head(f"model_{function.name}", parameters, ["at", *names], function.name in FUSED)
     contents = results(program, function, SINGLE)
     made = code(program.graph, contents.stores, prepared, SINGLE, head)
     return definition(head, made, contents, SINGLE, f"at->workspace + {len(prepared)}"), made.scratch
+
+
+def _is_inverse_dynamics(program: Program, residual: Function) -> bool:
+    """Without constraints they are the same, and need not be there twice."""
+    motion, rows = residual.results
+    (force,) = program.function("inverse_dynamics").results
+    return not rows.elements and motion.elements == force.elements
 
 
 def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]:
@@ -95,13 +112,28 @@ def _event_counts(program: Program) -> dict[str, int]:
     }
 
 
+def _by_columns(program: Program, stem: str, memory: int) -> list[str]:
+    """The functions that are formed from others, whose memory is beyond that of all the others."""
+    formed = [name for name in WRITTEN_OUT if not program.has(name)]
+    return [_formed(name, stem, memory) for name in formed]
+
+
+def _formed(name: str, stem: str, memory: int) -> str:
+    parameters = ", ".join(["const lag_arguments *at", *(f"double *{result}" for result in RESULTS[name])])
+    arguments = ", ".join([f"&{symbol(stem)}", "at", f"at->workspace + {memory}", *RESULTS[name]])
+    helper = {"mass_matrix": "lag_mass_by_columns", "dynamics": "lag_dynamics_by_columns"}[name]
+    return braced(f"static lag_status model_{name}({parameters})", [f"return {helper}({arguments});"])
+
+
 # ---- tables ----------------------------------------------------------------------------------------------------------
 
 
-def _tables(layout: Layout) -> str:
+def _tables(program: Program) -> str:
+    layout = program.layout
     flags = {"position_level": layout.position_level, "redundant": layout.redundant}
     texts = [_slots(name, slots) for name, slots in _slot_tables(layout).items()]
     texts += [_array("unsigned char", name, [str(int(flag)) for flag in values]) for name, values in flags.items()]
+    texts.append(_array("size_t", "kept_rows", [str(row) for row in program.kept_rows]))
     texts.append(_array("double", "defaults", [number(value) for value in layout.defaults]))
     texts.append(_array("char *const", "assertions", [string(text) for text in layout.assertions]))
     return "".join(texts)
@@ -135,15 +167,18 @@ def _array(kind: str, name: str, rows: Sequence[str]) -> str:
     return f"static const {kind} model_{name}[] = {{\n" + "".join(f"    {row},\n" for row in rows) + "};\n\n"
 
 
-def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> str:
+def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
     layout = program.layout
-    counts = {
+    formed = [name for name in WRITTEN_OUT if not program.has(name)]
+    beyond = 2 * len(layout.coordinates) + len(layout.constraints) if formed else 0
+    counts: dict[str, object] = {
         **sizes(layout),
         "ne": len(program.function("initial_equation").results[0].elements),
         "rank": len(layout.constraints) - sum(layout.redundant),
-        "workspace": parallel.workspace,
+        "workspace": memory + beyond,
         "prepared": prepared,
         **_event_counts(program),
+        "nk": len(program.kept_rows),
     }
     tables: dict[str, Sequence[object]] = {
         **_slot_tables(layout),
@@ -151,6 +186,7 @@ def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> st
         "defaults": layout.defaults,
         "position_level": layout.position_level,
         "redundant": layout.redundant,
+        "kept_rows": program.kept_rows,
     }
     members = [
         ".version = LAG_MODEL_VERSION",
@@ -159,8 +195,6 @@ def _model(program: Program, stem: str, prepared: int, parallel: Parallel) -> st
         *(f".{name} = {count}" for name, count in counts.items()),
         *(f".{name} = model_{name}" for name, rows in tables.items() if rows),
         ".prepare = model_prepare",
-        *(f".{function.name} = model_{function.name}" for function in program.functions),
-        *parallel.members,
+        *(f".{name} = model_{name}" for name in (*(f.name for f in _single(program)), *formed)),
     ]
-    lines = [f"{member}\n" if member.startswith("#") else f"    {member},\n" for member in members]
-    return f"const lag_model {symbol(stem)} = {{\n" + "".join(lines) + "};\n"
+    return f"const lag_model {symbol(stem)} = {{\n" + "".join(f"    {member},\n" for member in members) + "};\n"

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, Place
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
-from lagdsl.program.passes.schedule import live_beside, schedule
+from lagdsl.program.passes.fuse import fusible
+from lagdsl.program.passes.schedule import schedule
+from lagdsl.record import record
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,14 +30,13 @@ class Gather:
     count: int
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Statement:
-    """The variable of `node`, or a store of it, or a gathering; `reads` are the variables that its expression uses."""
+    """The variable of `node`, or a store of it, or a gathering."""
 
     node: int
-    store: Store | None
-    gather: Gather | None
-    reads: tuple[int, ...]
+    store: Store | None = None
+    gather: Gather | None = None
 
     @property
     def is_variable(self) -> bool:
@@ -52,54 +53,52 @@ class Listing:
     gathered: int
 
 
-def listing(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place]) -> Listing:
+def listing(
+    graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place], exact: Collection[int] | None = None
+) -> Listing:
     """Statements that do all `stores`, each as soon as it can be done; `given` values are in their places already.
 
-    Level by level: sines and cosines of arguments that hold no others, then what those are needed for, and so on.
+    Sines and cosines come first: those of arguments that hold no others, then what further ones need, and so on.
+    With `exact`, the nodes that are not to be fused, products that all their sums can be fused with get no variable.
     """
-    level, arguments = _levels(graph, stores, given)
-    gathers, inner, known = _gathers(graph, level, arguments, given)
+    live = graph.live([store.node for store in stores], given)
+    turned = [node for node in live if graph.op[node] in (Op.SIN, Op.COS) and node not in given]
+    level = _levels(graph, turned, given)
+    gathers, inner, known = _gathers(graph, level, turned, given)
     every = [*inner, *stores]
-    named = sorted(
-        schedule(graph, [store.node for store in every], known).named, key=lambda node: (level.get(node, 0), node)
-    )
+    roots = [store.node for store in every]
+    inside = () if exact is None else fusible(graph, live, roots, exact)
+    named: Sequence[int] = schedule(graph, roots, known, live, inside).named
+    if level:
+        named = sorted(named, key=lambda node: (level.get(node, len(gathers)), node))
     position = {node: index for index, node in enumerate(named)}
     due: list[list[Statement]] = [[] for _ in range(len(named) + 1)]
     for store in every:
-        reads = (store.node,) if store.node in position else _reads(graph, store.node, position, known)
-        due[1 + max((position[node] for node in reads), default=-1)].append(Statement(store.node, store, None, reads))
-    return Listing(
-        graph, tuple(_ordered(graph, named, due, level, gathers, position, known)), known, 3 * len(arguments)
-    )
+        statement = Statement(store.node, store)
+        last = max((position[node] for node in reads(graph, statement, position, known)), default=-1)
+        due[1 + last].append(statement)
+    return Listing(graph, tuple(_ordered(named, due, level, gathers)), known, 3 * len(inner))
 
 
-def _levels(
-    graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place]
-) -> tuple[dict[int, int], dict[int, None]]:
-    """How many sines or cosines are one inside the other, by node; and the arguments of all of them."""
+def _levels(graph: Graph, turned: Sequence[int], given: Mapping[int, Place]) -> dict[int, int]:
+    """For what sines and cosines are computed from: how many of these are one inside the other."""
     level: dict[int, int] = {}
-    arguments: dict[int, None] = {}
-    for node in live_beside(graph, [store.node for store in stores], given):
-        if node in given:
-            continue
-        deepest = max((level.get(argument, 0) for argument in graph.arguments(node)), default=0)
-        if graph.op[node] in (Op.SIN, Op.COS):
-            arguments[graph.a[node]] = None
-            deepest += 1
-        if deepest:
-            level[node] = deepest
-    return level, arguments
+    inside = set(turned)
+    for node in graph.live([graph.a[node] for node in turned], given):
+        if node not in given:
+            level[node] = max((level.get(x, 0) for x in graph.operands[node]), default=0) + (node in inside)
+    return level
 
 
 def _gathers(
-    graph: Graph, level: Mapping[int, int], arguments: Mapping[int, None], given: Mapping[int, Place]
+    graph: Graph, level: Mapping[int, int], turned: Sequence[int], given: Mapping[int, Place]
 ) -> tuple[list[Gather], list[Store], dict[int, Place]]:
     """One gathering per level, the stores of their arguments, and `given` with the places of what they give."""
     gathers: list[Gather] = []
     stores: list[Store] = []
     place: dict[int, tuple[int, int]] = {}
     by_level: dict[int, list[int]] = {}
-    for argument in arguments:
+    for argument in dict.fromkeys(graph.a[node] for node in turned):
         by_level.setdefault(level.get(argument, 0), []).append(argument)
     first = 0
     for which in sorted(by_level):
@@ -110,54 +109,52 @@ def _gathers(
             place[argument] = (index, len(group))
         first += 3 * len(group)
     known = dict(given)
-    for node in level:
-        if graph.op[node] in (Op.SIN, Op.COS):
-            index, count = place[graph.a[node]]
-            known[node] = Place(SCRATCH, index + (count if graph.op[node] is Op.SIN else 2 * count))
+    for node in turned:
+        index, count = place[graph.a[node]]
+        known[node] = Place(SCRATCH, index + (count if graph.op[node] is Op.SIN else 2 * count))
     return gathers, stores, known
 
 
 def _ordered(
-    graph: Graph,
-    named: list[int],
-    due: list[list[Statement]],
-    level: Mapping[int, int],
-    gathers: list[Gather],
-    position: Mapping[int, int],
-    known: Mapping[int, Place],
+    named: Sequence[int], due: list[list[Statement]], level: Mapping[int, int], gathers: list[Gather]
 ) -> list[Statement]:
     """Variables by level, stores after what they read, and gatherings between the levels."""
     ordered: list[Statement] = []
-    depth = 0
+    depth, last = 0, len(gathers)
     waiting: list[list[Statement]] = [[] for _ in range(len(gathers) + 1)]
 
     def put(statements: list[Statement]) -> None:
         for statement in statements:
-            needed = level.get(statement.node, 0)
+            needed = level.get(statement.node, last)
             (ordered if needed <= depth else waiting[needed]).append(statement)
 
     put(due[0])
     for index in range(len(named) + 1):
-        wanted = level.get(named[index], 0) if index < len(named) else len(gathers)
+        wanted = level.get(named[index], last) if index < len(named) else last
         while depth < wanted:
-            ordered.append(Statement(-1, None, gathers[depth], ()))
+            ordered.append(Statement(-1, gather=gathers[depth]))
             depth += 1
             ordered.extend(waiting[depth])
         if index < len(named):
-            node = named[index]
-            ordered.append(Statement(node, None, None, _reads(graph, node, position, known)))
+            ordered.append(Statement(named[index]))
             put(due[index + 1])
     return ordered
 
 
-def _reads(graph: Graph, node: int, named: Mapping[int, int], known: Mapping[int, Place]) -> tuple[int, ...]:
-    """The variables that the expression of `node` reads."""
+def reads(graph: Graph, statement: Statement, named: Container[int], known: Container[int]) -> tuple[int, ...]:
+    """The variables, of the nodes `named`, that the expression of a statement reads."""
+    node = statement.node
+    if statement.gather is not None:
+        return ()
+    if statement.store is not None and node in named:
+        return (node,)
     found: dict[int, None] = {}
-    stack = [] if node in known else list(graph.arguments(node))
+    operands = graph.operands
+    stack = [] if node in known else list(operands[node])
     while stack:
-        argument = stack.pop()
-        if argument in named:
-            found[argument] = None
-        elif argument not in known:
-            stack.extend(graph.arguments(argument))
+        operand = stack.pop()
+        if operand in named:
+            found[operand] = None
+        elif operand not in known:
+            stack.extend(operands[operand])
     return tuple(found)

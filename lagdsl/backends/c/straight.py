@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from lagdsl.backends.c.dialect import SCRATCH, Dialect
-from lagdsl.backends.c.statement import Gather, Listing, Statement
+from lagdsl.backends.c.statement import Gather, Listing, Statement, reads
 from lagdsl.backends.expression import ExpressionPrinter
 from lagdsl.graph.operation import ARGUMENT_NAMES, Op
 from lagdsl.program.passes.chunk import Chunks, chunk
 
 
-def pieces(listing: Listing, dialect: Dialect, largest: int) -> tuple[list[list[str]], int]:
+def pieces(listing: Listing, dialect: Dialect, largest: int, fused: Mapping[int, int]) -> tuple[list[list[str]], int]:
     """Bodies of at most `largest` statements each, and the length of the scratch array that they share."""
     statements = listing.statements
     position = {statement.node: index for index, statement in enumerate(statements) if statement.is_variable}
 
-    def reads(index: int) -> list[int]:
-        return [position[node] for node in statements[index].reads]
+    def read_by(index: int) -> list[int]:
+        return [position[node] for node in reads(listing.graph, statements[index], position, listing.given)]
 
-    chunks = chunk(range(len(statements)), reads, max(largest, 1))
-    texts = [_piece(listing, dialect, position, chunks, which) for which in range(len(chunks.pieces))]
+    chunks = chunk(range(len(statements)), read_by, max(largest, 1))
+    texts = [_piece(listing, dialect, position, chunks, which, fused) for which in range(len(chunks.pieces))]
     return texts, listing.gathered + chunks.size
 
 
@@ -29,7 +31,14 @@ def gathering(gather: Gather, dialect: Dialect) -> str:
     return f"lag{dialect.suffix}_sincos_many({count}, {arrays});"
 
 
-def _piece(listing: Listing, dialect: Dialect, position: dict[int, int], chunks: Chunks, which: int) -> list[str]:
+def _piece(
+    listing: Listing,
+    dialect: Dialect,
+    position: dict[int, int],
+    chunks: Chunks,
+    which: int,
+    fused: Mapping[int, int],
+) -> list[str]:
     graph = listing.graph
     inside = set(chunks.pieces[which])
     used: dict[str, str | None] = {}
@@ -50,7 +59,7 @@ def _piece(listing: Listing, dialect: Dialect, position: dict[int, int], chunks:
             return None
         return f"v{index}" if index in inside else f"{SCRATCH}[{listing.gathered + chunks.slot[index]}]"
 
-    printer = ExpressionPrinter(graph, leaf, dialect.functions)
+    printer = ExpressionPrinter(graph, leaf, dialect.functions, fused=fused, fuse=dialect.fused)
     lines = [
         line
         for index in chunks.pieces[which]

@@ -11,9 +11,10 @@ from lagdsl.backends.identifier import identifier
 from lagdsl.backends.python.body import body, body_name, number
 from lagdsl.backends.python.support.motion import Sizes
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
+from lagdsl.program.functions import ALONG_MANY
 from lagdsl.program.program import Function, Program, Slot
 
-_SUPPORT = ("elementary", "vectorize", "linear", "motion", "interface")
+_SUPPORT = ("elementary", "columns", "vectorize", "linear", "delassus", "motion", "derivatives", "interface")
 _PUBLIC = (
     "forward_dynamics",
     "inverse_dynamics",
@@ -23,8 +24,11 @@ _PUBLIC = (
     "output",
     "energy",
     "state_jacobian",
+    "input_jacobian",
+    "parameter_jacobian",
+    "output_jacobian",
 )
-_DROPPED = ("import ", "from ", "Floats = ", "Evaluate = ")
+_DROPPED = ("import ", "from ", "Floats = ", "Flags = ", "Evaluate = ")
 _RESERVED = frozenset({"numpy", "scipy", "setup", "conftest"})
 
 _INTRODUCTION = '''"""Equations of motion of one model, generated. Needs NumPy only.
@@ -52,9 +56,9 @@ def module(program: Program) -> str:
         "from collections.abc import Callable, Mapping, Sequence\n",
         "import numpy as np\nfrom numpy import inf\nfrom numpy.typing import ArrayLike, NDArray\n",
         tables(program),
-        "Floats = NDArray[np.float64]\nEvaluate = Callable[..., tuple[Floats, ...]]\n",
+        "Floats = NDArray[np.float64]\nFlags = NDArray[np.bool_]\nEvaluate = Callable[..., tuple[Floats, ...]]\n",
         *(_support(name) for name in _SUPPORT),
-        *(body(program, function) for function in program.functions),
+        *(body(program, function) for function in _single(program)),
         _functions(program),
         f"evaluate = Functions(FUNCTIONS)\n_interface = Interface.over(evaluate, {sizes_text(program)}, DEFAULTS)",
         *(f"{name} = _interface.{name}" for name in _PUBLIC),
@@ -91,8 +95,12 @@ def _table(title: str, slots: Sequence[Slot]) -> str:
     return f"{title} = (\n{rows})"
 
 
+def _single(program: Program) -> list[Function]:
+    return [function for function in program.functions if function.name not in ALONG_MANY]
+
+
 def _functions(program: Program) -> str:
-    rows = "".join(f"    {function.name!a}: {_row(program, function)},\n" for function in program.functions)
+    rows = "".join(f"    {function.name!a}: {_row(program, function)},\n" for function in _single(program))
     return (
         f"# body, (name, length) of every argument, shapes of the results\nFUNCTIONS: dict[str, Row] = {{\n{rows}}}\n"
     )
@@ -131,6 +139,8 @@ def motion_sizes(program: Program) -> Sizes:
         c=len(layout.constraints),
         rank=len(layout.constraints) - sum(layout.redundant),
         eliminated=program.has("elimination"),
+        kept=program.kept_rows,
+        independent=tuple(not layout.redundant[row] for row in program.kept_rows),
     )
 
 

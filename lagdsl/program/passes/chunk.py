@@ -26,7 +26,7 @@ def chunk(statements: Sequence[int], reads: Callable[[int], Sequence[int]], larg
     pieces = [tuple(statements[start : start + largest]) for start in range(0, len(statements), largest)]
     piece_of = {statement: index for index, piece in enumerate(pieces) for statement in piece}
     last_reader: dict[int, int] = {}
-    for index, piece in enumerate(pieces):
+    for index, piece in enumerate(pieces[1:], 1):
         for statement in piece:
             for read in reads(statement):
                 if piece_of.get(read, index) < index:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Group, Op
+from lagdsl.graph.operation import FIRST_UNARY, Group
+from lagdsl.program.functions import ALONG_MANY
 from lagdsl.program.program import Program
+
+_PARAMETER = 1 << Group.P
 
 
 def hoisted(program: Program) -> tuple[int, ...]:
@@ -13,26 +15,13 @@ def hoisted(program: Program) -> tuple[int, ...]:
     Constants and the parameters themselves are not worth a place.
     """
     graph = program.graph
-    roots = [node for function in program.functions for block in function.results for node in block.elements]
-    live = graph.live(roots)
-    parametric = _parametric(graph, live)
-    wanted = {root for root in roots if root in parametric}
-    for node in live:
-        if node not in parametric:
-            wanted.update(argument for argument in graph.arguments(node) if argument in parametric)
-    return tuple(sorted(node for node in wanted if graph.op[node] not in (Op.CONSTANT, Op.SYMBOL)))
-
-
-def _parametric(graph: Graph, live: list[int]) -> set[int]:
-    parametric: set[int] = set()
-    for node in live:
-        match graph.op[node]:
-            case Op.CONSTANT:
-                parametric.add(node)
-            case Op.SYMBOL:
-                if graph.group(node) is Group.P:
-                    parametric.add(node)
-            case _:
-                if all(argument in parametric for argument in graph.arguments(node)):
-                    parametric.add(node)
-    return parametric
+    ops, groups, operands = graph.op, graph.groups, graph.operands
+    single = [function for function in program.functions if function.name not in ALONG_MANY]
+    roots = [node for function in single for block in function.results for node in block.elements]
+    wanted = {root for root in roots if not groups[root] & ~_PARAMETER}
+    for node in graph.live(roots):
+        if groups[node] & ~_PARAMETER:
+            for operand in operands[node]:
+                if not groups[operand] & ~_PARAMETER:
+                    wanted.add(operand)
+    return tuple(sorted(node for node in wanted if ops[node] >= FIRST_UNARY))

@@ -6,11 +6,11 @@ short.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Op
+from lagdsl.graph.operation import FIRST_UNARY, Op
 
 # Operations in one printed expression; bounds line length and the recursion of printers and parsers.
 _LARGEST_EXPRESSION = 12
@@ -24,39 +24,41 @@ class Schedule:
     symbols: tuple[int, ...]
 
 
-def schedule(graph: Graph, roots: Iterable[int], given: Collection[int] = ()) -> Schedule:
-    """Statements that compute `roots`, where the nodes of `given` are at hand already."""
-    roots = list(roots)
-    live = live_beside(graph, roots, given)
+def schedule(
+    graph: Graph,
+    roots: Sequence[int],
+    given: Collection[int] = (),
+    live: Sequence[int] | None = None,
+    repeated: Collection[int] = (),
+) -> Schedule:
+    """Statements that compute `roots`, where the nodes of `given` are at hand already; `live`, where it is known.
+
+    Those of `repeated` stay inside all expressions that use them, where it is one operation.
+    """
+    ops, operands = graph.op, graph.operands
+    live = graph.live(roots, given) if live is None else live
     uses = dict.fromkeys(live, 0)
     for node in live:
         if node not in given:
-            for argument in graph.arguments(node):
-                uses[argument] += 1
+            for operand in operands[node]:
+                uses[operand] += 1
     for root in roots:
         uses[root] += 1
     weight: dict[int, int] = {}
     named: list[int] = []
+    symbols: list[int] = []
     for node in live:
-        if node in given or graph.op[node] in (Op.CONSTANT, Op.SYMBOL):
+        op = ops[node]
+        if op is Op.SYMBOL:
+            symbols.append(node)
+        if op < FIRST_UNARY or node in given:
             weight[node] = 0
             continue
-        weight[node] = 1 + sum(weight[argument] for argument in graph.arguments(node))
-        if uses[node] > 1 or weight[node] > _LARGEST_EXPRESSION:
+        total = 1
+        for operand in operands[node]:
+            total += weight[operand]
+        if total > _LARGEST_EXPRESSION or (uses[node] > 1 and not (total == 1 and node in repeated)):
             named.append(node)
-            weight[node] = 0
-    symbols = tuple(node for node in live if graph.op[node] is Op.SYMBOL)
-    return Schedule(tuple(named), symbols)
-
-
-def live_beside(graph: Graph, roots: Iterable[int], given: Collection[int]) -> list[int]:
-    """Ids of the nodes that `roots` are computed from, ascending; what only `given` nodes need is left out."""
-    roots = list(roots)
-    mark = bytearray(max(roots, default=-1) + 1)
-    for root in roots:
-        mark[root] = 1
-    for node in range(len(mark) - 1, -1, -1):
-        if mark[node] and node not in given:
-            for argument in graph.arguments(node):
-                mark[argument] = 1
-    return [node for node, marked in enumerate(mark) if marked]
+            total = 0
+        weight[node] = total
+    return Schedule(tuple(named), tuple(symbols))

@@ -16,7 +16,7 @@ from lagdsl.source import Span
 
 def check_unused_coordinates(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """E0501 for coordinates in no physics item: outputs and drawings only look at them."""
-    used = {name for orders in _physics(flat, dependence) for name in orders}
+    used = set(dependence.nothing.merged(*_physics(flat, dependence)))
     for coordinate in flat.coordinates:
         if coordinate.name not in used:
             sink.report("E0501", place(coordinate), *around(coordinate), name=coordinate.name)
@@ -108,27 +108,25 @@ def _displaced(load: fm.Load, dependence: Dependence) -> tuple[str, Orders]:
         case fm.PointForce():
             # A material point of a frame moves with the frame, wherever the force finds it.
             at = dependence.of(load.point) if load.frame is None else dependence.of_frame(load.frame)
-            reaction = {} if load.origin is None else dependence.of(load.origin)
+            reaction = dependence.nothing if load.origin is None else dependence.of(load.origin)
             if load.origin_frame is not None:
                 reaction = dependence.of_frame(load.origin_frame)
-            return "force", {**at, **reaction}
+            return "force", at.merged(reaction)
         case fm.FrameTorque():
             frames = [frame for frame in (load.frame, load.origin) if frame is not None]
-            orders: Orders = {}
-            for frame in frames:
-                orders.update(dependence.of_frame(frame, turning_only=True))
-            return "torque", orders
+            turnings = (dependence.of_frame(frame, turning_only=True) for frame in frames)
+            return "torque", dependence.nothing.merged(*turnings)
         case fm.GeneralizedForce():
             scalars = [load.target] + ([load.origin] if load.origin is not None else [])
             return load.keyword, dependence.of_all(scalars)
 
 
 def _check_place(flat: fm.FlatModel, item: Item, where: _Place, sink: Sink) -> None:
-    coordinates = [coordinate.name for coordinate in flat.coordinates]
-    rates = [name for name in coordinates if where.orders.get(name)]
-    if rates:
-        sink.report("E0508", place(item), *around(item), what=where.words, rate=f"der({rates[0]})", base=rates[0])
-    elif not any(name in where.orders for name in coordinates):
+    rates = set(where.orders.differentiated())
+    rate = next((coordinate.name for coordinate in flat.coordinates if coordinate.name in rates), None)
+    if rate is not None:
+        sink.report("E0508", place(item), *around(item), what=where.words, rate=f"der({rate})", base=rate)
+    elif not any(coordinate.name in where.orders for coordinate in flat.coordinates):
         reason = "no coordinate moves the place where it acts"
         sink.report("W0514", place(item), *around(item), keyword=where.keyword, reason=reason)
 

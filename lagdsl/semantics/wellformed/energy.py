@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from functools import cached_property
+from itertools import product
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as fm
 from lagdsl.flat.degree import RateDegree
-from lagdsl.flat.dependence import Dependence, Orders
-from lagdsl.flat.evaluate import NotEvaluable, Values, evaluate
-from lagdsl.flat.probe import probes
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.probe import Moment, probes
 from lagdsl.flat.spans import around, place
 
 _POINTS = 6
@@ -21,6 +24,7 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
     """Each `kinetic`, `potential`, `lagrangian`, `dissipation` must have its form and an effect."""
     coordinates = {coordinate.name for coordinate in flat.coordinates}
     degree = RateDegree(dependence)
+    trials = _Trials(flat)
     for term in flat.energies:
         orders = {name: order for name, order in dependence.of(term.value).items() if name in coordinates}
         accelerations = [name for name, order in orders.items() if order > 1]
@@ -31,28 +35,46 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
             )
         elif term.kind == "potential" and rates:
             sink.report("E0502", place(term), *around(term), keyword=term.kind, rate=f"der({rates[0]})")
-        elif term.kind == "kinetic" and degree.of(term.value) > 2 and not _is_quadratic(flat, term):
+        elif term.kind == "kinetic" and degree.of(term.value) > 2 and not _is_quadratic(trials, term):
             sink.report("E0504", place(term), *around(term))
         else:
             _check_effect(term, orders, sink)
     if not sink.has_errors:
-        _check_sign(flat, sink)
+        _check_sign(flat, trials, sink)
 
 
-def _check_sign(flat: fm.FlatModel, sink: Sink) -> None:
+class _Trials:
+    """The model at random moments with all rates multiplied by a factor; what terms share is computed once."""
+
+    def __init__(self, flat: fm.FlatModel) -> None:
+        self._flat = flat
+        self._evaluators: dict[tuple[int, float], Evaluator] = {}
+
+    @cached_property
+    def _moments(self) -> list[Moment]:
+        return probes(self._flat, _POINTS)
+
+    def value(self, term: fm.EnergyTerm, moment: int, factor: float) -> float:
+        """Raises NotEvaluable."""
+        key = (moment, factor)
+        if key not in self._evaluators:
+            at = self._moments[moment]
+            rates = {name: factor * rate for name, rate in at.rates.items()}
+            self._evaluators[key] = Evaluator(self._flat, Values(variables=at.variables, rates=rates))
+        return self._evaluators[key].scalar(term.value)
+
+
+def _check_sign(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
     """W0518 where the kinetic energy written by hand is the whole of it and its quadratic part is negative for some
     rates: no mechanism is like that, a sign is wrong."""
     terms = [term for term in flat.energies if term.kind == "kinetic"]
     if not terms or flat.masses or flat.bodies or any(term.kind == "lagrangian" for term in flat.energies):
         return
-    for moment in probes(flat, _POINTS):
+    for moment in range(_POINTS):
         parts = []
         for term in terms:
             try:
-                forth, back, rest = (
-                    evaluate(flat, term.value, Values(variables=moment.variables, rates=_scaled(moment.rates, factor)))
-                    for factor in (1.0, -1.0, 0.0)
-                )
+                forth, back, rest = (trials.value(term, moment, factor) for factor in (1.0, -1.0, 0.0))
             except NotEvaluable:
                 return
             parts.append((forth + back) / 2.0 - rest)
@@ -62,7 +84,7 @@ def _check_sign(flat: fm.FlatModel, sink: Sink) -> None:
             return
 
 
-def _check_effect(term: fm.EnergyTerm, orders: Orders, sink: Sink) -> None:
+def _check_effect(term: fm.EnergyTerm, orders: Mapping[str, int], sink: Sink) -> None:
     if term.kind == "dissipation" and not any(orders.values()):
         sink.report(
             "W0514",
@@ -75,18 +97,14 @@ def _check_effect(term: fm.EnergyTerm, orders: Orders, sink: Sink) -> None:
         sink.report("W0514", place(term), *around(term), keyword=term.kind, reason="it depends on no coordinate")
 
 
-def _is_quadratic(flat: fm.FlatModel, term: fm.EnergyTerm) -> bool:
+def _is_quadratic(trials: _Trials, term: fm.EnergyTerm) -> bool:
     """Whether the term is a quadratic polynomial along random lines of rates: the third difference vanishes.
 
     For texts whose degree does not show, such as `norm(v)*norm(v)`. Undecided counts as quadratic.
     """
-    lines = [(moment, factors) for moment in probes(flat, _POINTS) for factors in _FACTORS]
-    for moment, factors in lines:
+    for moment, factors in product(range(_POINTS), _FACTORS):
         try:
-            values = [
-                evaluate(flat, term.value, Values(variables=moment.variables, rates=_scaled(moment.rates, factor)))
-                for factor in factors
-            ]
+            values = [trials.value(term, moment, factor) for factor in factors]
         except NotEvaluable:
             return True
         size = max(map(abs, values))
@@ -94,7 +112,3 @@ def _is_quadratic(flat: fm.FlatModel, term: fm.EnergyTerm) -> bool:
         if math.isfinite(difference) and abs(difference) > 1e-9 * size:
             return False
     return True
-
-
-def _scaled(rates: dict[str, float], factor: float) -> dict[str, float]:
-    return {name: factor * rate for name, rate in rates.items()}

@@ -5,7 +5,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.backends.python.support.motion import Sizes, differentiate_motion, solve_motion
+from lagdsl.backends.python.support.derivatives import differentiate_motion
+from lagdsl.backends.python.support.motion import Sizes, solve_motion
 
 Floats = NDArray[np.float64]
 Evaluate = Callable[..., tuple[Floats, ...]]
@@ -24,7 +25,7 @@ class Interface:
         self,
         evaluate: Evaluate,
         solve: Evaluate,
-        differentiate: Callable[..., Floats],
+        differentiate: Evaluate,
         sizes: Sizes,
         defaults: Sequence[float],
     ) -> None:
@@ -40,7 +41,7 @@ class Interface:
         return cls(
             evaluate,
             lambda *state: solve_motion(evaluate, sizes, *state),
-            lambda *state: differentiate_motion(evaluate, sizes, *state),
+            lambda by, *state: differentiate_motion(evaluate, sizes, by, *state),
             sizes,
             defaults,
         )
@@ -125,7 +126,51 @@ class Interface:
         p: ArrayLike | None = None,
     ) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz), exact."""
-        return self._differentiate(*self._state(t, q, qd, z, u, w, p))
+        return self._differentiate("state", *self._state(t, q, qd, z, u, w, p))[0]
+
+    def input_jacobian(
+        self,
+        t: ArrayLike,
+        q: ArrayLike,
+        qd: ArrayLike,
+        z: ArrayLike | None = None,
+        u: ArrayLike | None = None,
+        w: ArrayLike | None = None,
+        p: ArrayLike | None = None,
+    ) -> Floats:
+        """d(qd, qdd, zd)/du, shape (..., 2 nq + nz, nu), exact."""
+        return self._differentiate("input", *self._state(t, q, qd, z, u, w, p))[0]
+
+    def parameter_jacobian(
+        self,
+        t: ArrayLike,
+        q: ArrayLike,
+        qd: ArrayLike,
+        z: ArrayLike | None = None,
+        u: ArrayLike | None = None,
+        w: ArrayLike | None = None,
+        p: ArrayLike | None = None,
+    ) -> Floats:
+        """d(qd, qdd, zd)/dp, shape (..., 2 nq + nz, np), exact; q, qd and z are held where they are."""
+        return self._differentiate("parameter", *self._state(t, q, qd, z, u, w, p))[0]
+
+    def output_jacobian(
+        self,
+        t: ArrayLike,
+        q: ArrayLike,
+        qd: ArrayLike,
+        z: ArrayLike | None = None,
+        u: ArrayLike | None = None,
+        w: ArrayLike | None = None,
+        p: ArrayLike | None = None,
+        *,
+        by: str = "state",
+    ) -> Floats:
+        """dy/dx, shape (..., ny, nx), exact, by the "state" q, qd, z, by the "input" u or by the "parameter" p.
+
+        Raises ValueError for another word.
+        """
+        return self._differentiate(by, *self._state(t, q, qd, z, u, w, p))[1]
 
     def _state(
         self,

@@ -1,40 +1,80 @@
-"""Accelerations, multipliers and their derivatives from the functions of a model."""
+"""Accelerations and multipliers from the functions of a model."""
 
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.backends.python.support.linear import SingularSystem, factorize, solve_system
+from lagdsl.backends.python.support.delassus import solve_kept
+from lagdsl.backends.python.support.linear import SingularSystem, solve_system
 
 Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 Evaluate = Callable[..., tuple[Floats, ...]]
 
 
 class Sizes:
     """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
-    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, and no rows.
+    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, which leaves the rows `kept`;
+    those of them that are flagged `independent` are that, unless they are zero at a state (open contacts).
     """
 
-    def __init__(self, *, q: int, z: int, u: int, w: int, p: int, c: int, rank: int, eliminated: bool) -> None:
+    def __init__(
+        self,
+        *,
+        q: int,
+        z: int,
+        u: int,
+        w: int,
+        p: int,
+        c: int,
+        rank: int,
+        eliminated: bool,
+        kept: tuple[int, ...],
+        independent: tuple[bool, ...],
+    ) -> None:
         self.q, self.z, self.u, self.w, self.p, self.c, self.rank = q, z, u, w, p, c, rank
-        self.eliminated = eliminated
+        self.eliminated, self.kept, self.independent = eliminated, kept, independent
 
 
-# Where eliminating lost more than this part of a pivot, the dense system tells whether it is singular.
+# Where eliminating left less than this part of a pivot, the dense system tells whether it is singular. With rows left,
+# their multipliers take back much of the accelerations without them, and what these lost shows in what is left.
 SMALLEST_PIVOT = 1e-6
+SMALLEST_PIVOT_WITH_ROWS_LEFT = 1e-4
 
 
 def solve_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:
     """Accelerations (..., nq) and multipliers (..., nc) at t, q, qd, z, u, w, p. Raises SingularSystem."""
     if not sizes.eliminated:
         return _solve_dense(evaluate, sizes, *state)
-    acceleration, multiplier, _, _, pivot = evaluate("elimination", *state)
-    sound = (pivot > SMALLEST_PIVOT) & np.all(np.isfinite(acceleration), axis=-1)
-    if not np.all(sound):
-        acceleration = np.where(sound[..., None], acceleration, _solve_dense(evaluate, sizes, *state)[0])
-    return acceleration, multiplier[..., 0]
+    acceleration, multiplier, response, multiplier_response, jacobian, bias, pivot = evaluate("elimination", *state)
+    sound: Flags = np.asarray(pivot > (SMALLEST_PIVOT_WITH_ROWS_LEFT if sizes.kept else SMALLEST_PIVOT))
+    if sizes.kept:
+        acceleration, multiplier, regular = solve_kept(
+            acceleration,
+            multiplier,
+            response,
+            multiplier_response,
+            jacobian,
+            bias,
+            sizes.kept,
+            sizes.independent,
+        )
+        sound = sound & regular
+    sound = sound & np.isfinite(acceleration).all(axis=-1) & np.isfinite(multiplier).all(axis=-1)
+    if not sound.any():
+        return _solve_dense(evaluate, sizes, *state)
+    if not sound.all():
+        time, *vectors = (_at(~sound, argument, axes) for argument, axes in zip(state, (0, *[1] * 6), strict=True))
+        acceleration[~sound], multiplier[~sound] = _solve_dense(evaluate, sizes, time, *vectors)
+    return acceleration, multiplier
+
+
+def _at(states: Flags, argument: Floats, axes: int) -> Floats:
+    """The argument at some of the states; it has `axes` axes of its own."""
+    own = argument.shape[argument.ndim - axes :]
+    return np.broadcast_to(argument, states.shape + own)[states]
 
 
 def _solve_dense(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floats, Floats]:
@@ -43,35 +83,3 @@ def _solve_dense(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> tuple[Floa
     if np.any(undetermined >= 0):
         raise SingularSystem(int(undetermined[undetermined >= 0].flat[0]))
     return acceleration, multiplier
-
-
-def differentiate_motion(evaluate: Evaluate, sizes: Sizes, *state: Floats) -> Floats:
-    """d(qd, qdd, zd)/d(q, qd, z), shape (..., 2 nq + nz, 2 nq + nz), at t, q, qd, z, u, w, p. Raises SingularSystem.
-
-    Exact: with r = M qdd - f - J'lam and s = J qdd - g, differentiated by the model along every direction at once,
-    M dqdd - J'dlam = -dr and J dqdd = -ds.
-    """
-    acceleration, multiplier = solve_motion(evaluate, sizes, *state)
-    n, total = sizes.q, 2 * sizes.q + sizes.z
-    unit = np.eye(total)
-    directions = (
-        unit[:, :n],
-        unit[:, n : 2 * n],
-        unit[:, 2 * n :],
-        np.zeros((total, sizes.u)),
-        np.zeros((total, sizes.p)),
-    )
-    time, *vectors = state
-    spread = (np.asarray(time)[..., None], *(v[..., None, :] for v in (*vectors, acceleration, multiplier)))
-    motion, rows = evaluate("residual_tangent", *spread, *directions)
-    mass, _, jacobian, _ = evaluate("dynamics", *state)
-    factors, _ = factorize(mass, jacobian, sizes.rank)
-    with np.errstate(all="ignore"):
-        changes = factors.solve(-np.swapaxes(motion, -1, -2), -np.swapaxes(rows, -1, -2))
-    by_direction = [np.swapaxes(change, -1, -2) for change in changes]
-    (rates,) = evaluate("state_derivative_tangent", *spread, *directions, *by_direction)
-    result = np.zeros((*motion.shape[:-2], total, total))
-    result[..., :n, n : 2 * n] = np.eye(n)
-    result[..., n : 2 * n, :] = changes[0]
-    result[..., 2 * n :, :] = np.swapaxes(rates, -1, -2)
-    return result

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.backends.python.support.columns import BY_COLUMNS, formed
 from lagdsl.backends.python.support.elementary import Elementary
 
 Floats = NDArray[np.float64]
@@ -21,6 +22,8 @@ class Functions:
 
     def __call__(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
         """Result blocks of one row, each of shape (leading axes, own shape)."""
+        if function in BY_COLUMNS and function not in self._rows:
+            return formed(self, function, *map(np.asarray, arguments))
         return apply(function, *self._rows[function], arguments)
 
 

@@ -1,5 +1,6 @@
+#include "lag/batch.h"
+
 #include "lag/dynamics.h"
-#include "lag/evaluate.h"
 
 static lag_arguments state(const lag_batch *batch, size_t i)
 {
@@ -50,153 +51,252 @@ lag_status lag_batch_evaluate(
     return LAG_OK;
 }
 
-static lag_status one_by_one(
-    const lag_model *model,
-    const lag_batch *batch,
-    size_t start,
-    size_t end,
-    double *qdd,
-    double *lam,
-    size_t *coordinate)
+static lag_status worse(lag_status first, lag_status status)
 {
-    lag_status first = LAG_OK;
-    for (size_t i = start; i < end && first != LAG_SINGULAR; ++i) {
-        const lag_arguments at = state(batch, i);
-        lag_status status = prepare(model, batch, i);
-        if (status == LAG_OK) {
-            status = lag_forward_dynamics(model, &at, batch->memory, qdd + i * model->nq, lam + i * model->nc, coordinate);
-        }
-        if (first == LAG_OK || status == LAG_SINGULAR) {
-            first = status;
-        }
-    }
-    return first;
+    return first == LAG_OK || status == LAG_SINGULAR ? status : first;
 }
 
-size_t lag_batch_memory(const lag_model *model)
-{
-    const size_t n = model->nq;
-    const size_t m = model->nc;
-    const size_t arguments = 1 + 2 * n + model->nz + model->nu + model->nw + model->np;
-    return model->dynamics_lanes == NULL ? 0 : model->lanes * (arguments + n * n + n + m * n + m + 1) + model->workspace_lanes;
-}
-
-/* Array x of the states from `first` on, in groups of lanes; the last state fills lanes that have none. */
-static double *interleave(
-    double **memory, size_t lanes, size_t first, size_t count, size_t size, const double *x, size_t stride)
-{
-    double *start = *memory;
-    for (size_t lane = 0; lane < lanes; ++lane) {
-        const double *from = x + (first + (lane < count ? lane : count - 1)) * stride;
-        for (size_t i = 0; i < size; ++i) {
-            start[i * lanes + lane] = from[i];
-        }
-    }
-    *memory += size * lanes;
-    return start;
-}
-
-static lag_status prepare_lanes(
-    const lag_model *model, const lag_batch *batch, size_t first, size_t count, double *workspace)
-{
-    if (first > 0 && batch->p_stride == 0) {
-        return LAG_OK;
-    }
-    for (size_t lane = 0; lane < model->lanes; ++lane) {
-        if (lane == 0 || (batch->p_stride != 0 && lane < count)) {
-            const lag_status status = model->prepare(batch->p + (first + lane) * batch->p_stride, batch->workspace);
-            if (status != LAG_OK) {
-                return status;
-            }
-        }
-        for (size_t i = 0; i < model->prepared; ++i) {
-            workspace[i * model->lanes + lane] = batch->workspace[i];
-        }
-    }
-    return LAG_OK;
-}
-
-/* Equations of `count` states from `first` on, at most as many as there are lanes. */
-static lag_status form(
-    const lag_model *model, const lag_batch *batch, size_t first, size_t count, lag_formed *formed)
-{
-    const size_t n = model->nq;
-    const size_t m = model->nc;
-    const size_t lanes = model->lanes;
-    double *memory = batch->lanes;
-    double *mass = memory;
-    double *force = mass + n * n * lanes;
-    double *jacobian = force + n * lanes;
-    double *gamma = jacobian + m * n * lanes;
-    lag_arguments at = state(batch, first);
-    double *pivot = gamma + m * lanes;
-    at.workspace = pivot + lanes;
-    memory = at.workspace + model->workspace_lanes;
-    at.times = interleave(&memory, lanes, first, count, 1, batch->t, batch->t_stride);
-    at.q = interleave(&memory, lanes, first, count, n, batch->q, batch->q_stride);
-    at.qd = interleave(&memory, lanes, first, count, n, batch->qd, batch->qd_stride);
-    at.z = interleave(&memory, lanes, first, count, model->nz, batch->z, batch->z_stride);
-    at.u = interleave(&memory, lanes, first, count, model->nu, batch->u, batch->u_stride);
-    at.w = interleave(&memory, lanes, first, count, model->nw, batch->w, batch->w_stride);
-    at.p = interleave(&memory, lanes, first, count, model->np, batch->p, batch->p_stride);
-    formed->qdd = NULL;
-    formed->pivot = pivot;
-    formed->mass = mass;
-    formed->force = force;
-    formed->jacobian = jacobian;
-    formed->gamma = gamma;
-    const lag_status status = prepare_lanes(model, batch, first, count, at.workspace);
-    if (status == LAG_OK && model->elimination_lanes != NULL && m == 0) { /* as for one state */
-        formed->qdd = force;
-        return model->elimination_lanes(&at, force, jacobian, jacobian, gamma, pivot);
-    }
-    return status == LAG_OK ? model->dynamics_lanes(&at, mass, force, jacobian, gamma) : status;
-}
-
-lag_status lag_batch_forward_dynamics(
+/* One state after the other. */
+static lag_status solve_singly(
     const lag_model *model, const lag_batch *batch, double *qdd, double *lam, size_t *coordinate)
 {
-    if (batch->lanes == NULL || model->dynamics_lanes == NULL) {
-        return one_by_one(model, batch, 0, batch->count, qdd, lam, coordinate);
-    }
-    lag_status worst = LAG_OK;
-    for (size_t first = 0; first < batch->count; first += model->lanes) {
-        const size_t count = batch->count - first < model->lanes ? batch->count - first : model->lanes;
-        lag_formed formed;
-        lag_status status = form(model, batch, first, count, &formed);
-        if (status != LAG_OK) {
-            return status;
-        }
-        for (size_t lane = 0; lane < count; ++lane) {
-            const size_t i = first + lane;
-            status = lag_forward_dynamics_of_lane(
-                model, &formed, lane, batch->memory, qdd + i * model->nq, lam + i * model->nc, coordinate);
-            if (status == LAG_MISSING) {
-                status = one_by_one(model, batch, i, i + 1, qdd, lam, coordinate);
-            }
-            if (status == LAG_SINGULAR) {
-                return status;
-            }
-            worst = worst == LAG_OK ? status : worst;
-        }
-    }
-    return worst;
-}
-
-lag_status lag_batch_state_jacobian(
-    const lag_model *model, const lag_batch *batch, double *jacobian, size_t *coordinate)
-{
-    const size_t total = 2 * model->nq + model->nz;
     lag_status first = LAG_OK;
     for (size_t i = 0; i < batch->count && first != LAG_SINGULAR; ++i) {
         const lag_arguments at = state(batch, i);
         lag_status status = prepare(model, batch, i);
         if (status == LAG_OK) {
-            status = lag_state_jacobian(model, &at, batch->memory, jacobian + i * total * total, coordinate);
+            status = lag_forward_dynamics(model, &at, batch->memory, qdd + i * model->nq, lam + i * model->nc, coordinate);
         }
-        if (first == LAG_OK || status == LAG_SINGULAR) {
-            first = status;
+        first = worse(first, status);
+    }
+    return first;
+}
+
+/* A state that several at once could not solve. */
+static lag_status solve_again(
+    const lag_model *model, const lag_batch *batch, size_t i, double *qdd, double *lam, size_t *coordinate)
+{
+    const lag_arguments at = state(batch, i);
+    const lag_status status = model->prepare(at.p, batch->workspace);
+    return status == LAG_OK ? lag_forward_dynamics(model, &at, batch->memory, qdd, lam, coordinate) : status;
+}
+
+static double *take(double **memory, size_t count)
+{
+    double *start = *memory;
+    *memory += count;
+    return start;
+}
+
+/* Where several states keep what, all in lanes; `at` are their arguments. */
+typedef struct crowd {
+    double *t, *q, *qd, *z, *u, *w, *p;
+    double *mass, *force, *jacobian, *gamma;
+    double *lam, *response, *lam_response, *pivot;
+    lag_arguments at;
+} crowd;
+
+static size_t place(const lag_model *model, const lag_states *states, double *memory, crowd *all)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t kept = model->nk;
+    const size_t lanes = states->lanes;
+    const int dense = states->elimination == NULL;
+    double *end = memory;
+    all->t = take(&end, lanes);
+    all->q = take(&end, lanes * n);
+    all->qd = take(&end, lanes * n);
+    all->z = take(&end, lanes * model->nz);
+    all->u = take(&end, lanes * model->nu);
+    all->w = take(&end, lanes * model->nw);
+    all->p = take(&end, lanes * model->np);
+    all->force = take(&end, lanes * n);
+    all->jacobian = take(&end, lanes * n * (dense ? m : kept));
+    all->gamma = take(&end, lanes * (dense ? m : kept));
+    all->mass = take(&end, dense ? lanes * n * n : 0);
+    all->lam = take(&end, dense ? 0 : lanes * m);
+    all->response = take(&end, dense ? 0 : lanes * kept * n);
+    all->lam_response = take(&end, dense ? 0 : lanes * kept * m);
+    all->pivot = take(&end, lanes);
+    all->at = (lag_arguments){
+        .times = all->t, .q = all->q, .qd = all->qd, .z = all->z, .u = all->u, .w = all->w, .p = all->p, .workspace = end
+    };
+    return (size_t)(end - memory) + states->workspace;
+}
+
+size_t lag_batch_memory(const lag_model *model, const lag_states *states)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t kept = model->nk;
+    const size_t arguments = 1 + 2 * n + model->nz + model->nu + model->nw + model->np;
+    const size_t formed = states->elimination == NULL ? m * n + m + n * n : kept * n + kept + m + kept * n + kept * m;
+    return states->lanes * (arguments + n + formed + 1) + states->workspace;
+}
+
+/* Array x of the states from `first` on, in groups of lanes; the last state fills lanes that have none. */
+static void interleave(
+    double *to, size_t lanes, size_t first, size_t count, size_t size, const double *x, size_t stride)
+{
+    if (first > 0 && stride == 0) {
+        return;
+    }
+    for (size_t lane = 0; lane < lanes; ++lane) {
+        const double *from = x + (first + (lane < count ? lane : count - 1)) * stride;
+        for (size_t i = 0; i < size; ++i) {
+            to[i * lanes + lane] = from[i];
         }
+    }
+}
+
+/* Equations of `count` states from `first` on, at most as many as there are lanes. */
+static lag_status form(
+    const lag_model *model, const lag_states *states, const lag_batch *batch, size_t first, size_t count, const crowd *all)
+{
+    const size_t lanes = states->lanes;
+    interleave(all->t, lanes, first, count, 1, batch->t, batch->t_stride);
+    interleave(all->q, lanes, first, count, model->nq, batch->q, batch->q_stride);
+    interleave(all->qd, lanes, first, count, model->nq, batch->qd, batch->qd_stride);
+    interleave(all->z, lanes, first, count, model->nz, batch->z, batch->z_stride);
+    interleave(all->u, lanes, first, count, model->nu, batch->u, batch->u_stride);
+    interleave(all->w, lanes, first, count, model->nw, batch->w, batch->w_stride);
+    interleave(all->p, lanes, first, count, model->np, batch->p, batch->p_stride);
+    lag_status status = first > 0 && batch->p_stride == 0 ? LAG_OK : states->prepare(&all->at);
+    if (status == LAG_OK && states->elimination != NULL) {
+        return states->elimination(
+            &all->at, all->force, all->lam, all->response, all->lam_response, all->jacobian, all->gamma, all->pivot);
+    }
+    return status == LAG_OK ? states->dynamics(&all->at, all->mass, all->force, all->jacobian, all->gamma) : status;
+}
+
+/* Array x of `count` lanes to the states that they belong to. */
+static void deal(size_t lanes, size_t count, size_t size, const double *x, double *to)
+{
+    for (size_t lane = 0; lane < count; ++lane) {
+        for (size_t i = 0; i < size; ++i) {
+            to[lane * size + i] = x[i * lanes + lane];
+        }
+    }
+}
+
+static int finite(size_t count, const double *x)
+{
+    double a = 0.0, b = 0.0, c = 0.0, d = 0.0; /* nan where a value is infinite or nan */
+    size_t i = 0;
+    for (; i + 3 < count; i += 4) {
+        a += 0.0 * x[i];
+        b += 0.0 * x[i + 1];
+        c += 0.0 * x[i + 2];
+        d += 0.0 * x[i + 3];
+    }
+    for (; i < count; ++i) {
+        a += 0.0 * x[i];
+    }
+    return (a + b) + (c + d) == 0.0;
+}
+
+/* Whether elimination solved all lanes, with no row left to run time. */
+static int solved(const lag_model *model, const lag_states *states, const crowd *all)
+{
+    if (states->elimination == NULL || model->nk > 0) {
+        return 0;
+    }
+    const double smallest = lag_smallest_pivot(model);
+    int sound = finite(states->lanes * model->nq, all->force) && finite(states->lanes * model->nc, all->lam);
+    for (size_t lane = 0; lane < states->lanes; ++lane) {
+        sound &= all->pivot[lane] > smallest;
+    }
+    return sound;
+}
+
+/* States `first` and following from the lanes, each by itself. */
+static lag_status solve_lanes(
+    const lag_model *model,
+    const lag_states *states,
+    const lag_batch *batch,
+    const crowd *all,
+    size_t first,
+    size_t count,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    const lag_formed formed = {
+        .lanes = states->lanes,
+        .qdd = states->elimination == NULL ? NULL : all->force,
+        .lam = all->lam,
+        .response = all->response,
+        .lam_response = all->lam_response,
+        .pivot = all->pivot,
+        .mass = all->mass,
+        .force = all->force,
+        .jacobian = all->jacobian,
+        .gamma = all->gamma,
+    };
+    lag_status worst = LAG_OK;
+    for (size_t lane = 0; lane < count && worst != LAG_SINGULAR; ++lane) {
+        double *own_qdd = qdd + (first + lane) * model->nq;
+        double *own_lam = lam + (first + lane) * model->nc;
+        lag_status status = lag_forward_dynamics_of_lane(model, &formed, lane, batch->memory, own_qdd, own_lam, coordinate);
+        if (status == LAG_MISSING) {
+            status = solve_again(model, batch, first + lane, own_qdd, own_lam, coordinate);
+        }
+        worst = worse(worst, status);
+    }
+    return worst;
+}
+
+lag_status lag_batch_forward_dynamics(
+    const lag_model *model,
+    const lag_states *states,
+    const lag_batch *batch,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    if (states == NULL || states->lanes == 0 || (states->elimination == NULL && states->dynamics == NULL)) {
+        return solve_singly(model, batch, qdd, lam, coordinate);
+    }
+    const size_t lanes = states->lanes;
+    crowd all;
+    lag_status worst = LAG_OK;
+    place(model, states, batch->lanes, &all);
+    for (size_t first = 0; first < batch->count && worst != LAG_SINGULAR; first += lanes) {
+        const size_t count = batch->count - first < lanes ? batch->count - first : lanes;
+        const lag_status status = form(model, states, batch, first, count, &all);
+        if (status != LAG_OK) {
+            return status;
+        }
+        if (solved(model, states, &all)) {
+            deal(lanes, count, model->nq, all.force, qdd + first * model->nq);
+            deal(lanes, count, model->nc, all.lam, lam + first * model->nc);
+        } else {
+            worst = worse(worst, solve_lanes(model, states, batch, &all, first, count, qdd, lam, coordinate));
+        }
+    }
+    return worst;
+}
+
+lag_status lag_batch_jacobian(
+    const lag_model *model,
+    const lag_tangents *tangents,
+    const lag_batch *batch,
+    lag_range x,
+    double *rates,
+    double *outputs,
+    size_t *coordinate)
+{
+    const size_t width = (2 * model->nq + model->nz) * x.count;
+    lag_status first = LAG_OK;
+    for (size_t i = 0; i < batch->count && first != LAG_SINGULAR; ++i) {
+        const lag_arguments at = state(batch, i);
+        double *own = outputs == NULL ? NULL : outputs + i * model->ny * x.count;
+        lag_status status = prepare(model, batch, i);
+        if (status == LAG_OK) {
+            status = lag_jacobian(model, tangents, &at, x, batch->memory, rates + i * width, own, coordinate);
+        }
+        first = worse(first, status);
     }
     return first;
 }

@@ -33,6 +33,13 @@ static lag_status evaluate_event(const lag_model *model, lag_function which, con
     default:
         return LAG_MISSING;
     }
+static lag_status eliminate(const lag_model *model, const lag_arguments *at, double *r)
+{
+    double *response = r + model->nq + model->nc;
+    double *lam_response = response + model->nk * model->nq;
+    double *jacobian = lam_response + model->nk * model->nc;
+    double *gamma = jacobian + model->nk * model->nq;
+    return model->elimination(at, r, r + model->nq, response, lam_response, jacobian, gamma, gamma + model->nk);
 }
 
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
@@ -80,7 +87,7 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         if (model->elimination == NULL) {
             return LAG_MISSING;
         }
-        return model->elimination(at, r, r + n, r + n + m * n, r + n + 2 * m * n, r + n + 2 * m * n + m);
+        return eliminate(model, at, r);
     case LAG_DISCRETE_START:
     case LAG_INDICATOR:
     case LAG_STANDING:
@@ -88,6 +95,11 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
     case LAG_CLOCK:
     case LAG_EVENT:
         return evaluate_event(model, which, at, r);
+    case LAG_MOMENTUM_TANGENT:
+        if (model->momentum_tangent == NULL) {
+            return LAG_MISSING;
+        }
+        return model->momentum_tangent(at, r);
     }
     return LAG_MISSING;
 }

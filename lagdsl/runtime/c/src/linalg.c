@@ -178,3 +178,34 @@ void lag_qr_apply_transposed(size_t rank, size_t n, const double *a, const doubl
         reflect(k, n, a + k * n, tau[k], x, stride);
     }
 }
+
+void lag_remove_parts(size_t count, size_t m, const double *basis, double *x)
+{
+    for (size_t k = 0; k < count; ++k) {
+        const double *direction = basis + k * m;
+        double part = 0.0;
+        for (size_t i = 0; i < m; ++i) {
+            part += direction[i] * x[i];
+        }
+        for (size_t i = 0; i < m; ++i) {
+            x[i] -= part * direction[i];
+        }
+    }
+}
+
+static void normalize(size_t m, double *x)
+{
+    const double length = norm_from(0, m, x);
+    for (size_t i = 0; i < m; ++i) {
+        x[i] /= length;
+    }
+}
+
+void lag_orthonormalize(size_t count, size_t m, const double *basis, double *x)
+{
+    normalize(m, x);
+    for (int again = 0; again < 2; ++again) {
+        lag_remove_parts(count, m, basis, x);
+        normalize(m, x);
+    }
+}

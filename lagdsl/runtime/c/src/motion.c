@@ -2,9 +2,11 @@
 
 #include <string.h>
 
+#include "lag/jacobian.h"
+
 size_t lag_motion_memory(const lag_model *model)
 {
-    return model->workspace + lag_dynamics_memory(model) + model->nu + model->nw + model->nq + model->nc + 1;
+    return model->workspace + lag_jacobian_memory(model, NULL) + model->nu + model->nw + model->nq + model->nc + 1;
 }
 
 static lag_status rates(void *context, double t, const double *x, double *xd)
@@ -24,7 +26,8 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
 {
     lag_motion *motion = context;
     lag_motion_look(motion, t, x);
-    return lag_state_jacobian(motion->model, &motion->at, motion->memory, matrix, &motion->coordinate);
+    const lag_range state = {0, lag_motion_size(motion->model)};
+    return lag_jacobian(motion->model, NULL, &motion->at, state, motion->memory, matrix, NULL, &motion->coordinate);
 }
 
 void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory)
@@ -37,7 +40,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->model = model;
     motion->at.workspace = memory;
     motion->memory = motion->at.workspace + model->workspace;
-    motion->u = motion->memory + lag_dynamics_memory(model);
+    motion->u = motion->memory + lag_jacobian_memory(model, NULL);
     motion->w = motion->u + model->nu;
     motion->qdd = motion->w + model->nw;
     motion->lam = motion->qdd + model->nq;

@@ -187,32 +187,6 @@ static lag_status factor_by_eigenvectors(lag_system *s, size_t *coordinate)
     return LAG_OK;
 }
 
-/* Takes from x (m) its parts along the first `count` rows of `excess`. */
-static void remove_parts(size_t count, size_t m, const double *excess, double *x)
-{
-    for (size_t k = 0; k < count; ++k) {
-        const double *direction = excess + k * m;
-        double part = 0.0;
-        for (size_t i = 0; i < m; ++i) {
-            part += direction[i] * x[i];
-        }
-        for (size_t i = 0; i < m; ++i) {
-            x[i] -= part * direction[i];
-        }
-    }
-}
-
-static void normalize(size_t m, double *x)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < m; ++i) {
-        sum += x[i] * x[i];
-    }
-    for (size_t i = 0; i < m; ++i) {
-        x[i] /= sqrt(sum);
-    }
-}
-
 /* Combinations of rows without effect: each row beyond the rank, less the independent ones that give the same. */
 static void find_excess(lag_system *s)
 {
@@ -236,11 +210,7 @@ static void find_excess(lag_system *s)
         }
         const size_t own = (size_t)s->pivot[i];
         direction[own] = s->row_scale[own] > 0.0 ? s->row_scale[own] : 1.0;
-        normalize(m, direction);
-        for (int again = 0; again < 2; ++again) {
-            remove_parts(i - s->rank, m, s->excess, direction);
-            normalize(m, direction);
-        }
+        lag_orthonormalize(i - s->rank, m, s->excess, direction);
     }
 }
 
@@ -339,7 +309,7 @@ static void correct(lag_system *s, double *a, double *lam)
         const size_t row = (size_t)s->pivot[i];
         lam[row] += s->row_scale[row] * s->l[i];
     }
-    remove_parts(s->m - s->rank, s->m, s->excess, lam);
+    lag_remove_parts(s->m - s->rank, s->m, s->excess, lam);
 }
 
 void lag_system_solve(lag_system *s, const double *force, const double *gamma, double *a, double *lam)

@@ -1,7 +1,8 @@
 /*
  * Accelerations and multipliers of a model, whatever the ranks:  M a - J' lam = f,  J a = gamma.
  *
- * The null-space method, as in the generated NumPy modules. Coordinates are scaled to a unit diagonal of M and rows of J to
+ * Where the model has them eliminated and that keeps enough digits (lag/delassus.h), that is taken. Elsewhere it is the
+ * null-space method, as in the generated NumPy modules. Coordinates are scaled to a unit diagonal of M and rows of J to
  * unit length, so that ranks do not depend on units. With J' = Q R, the first components of y = Q'a follow from J a = gamma,
  * the others from the rows of M a = f + J'lam that no multiplier enters, and lam from the rest, of least Euclidean norm.
  * M may be singular; only its restriction to the null space of J must not be.
@@ -9,6 +10,7 @@
 #ifndef LAG_DYNAMICS_H
 #define LAG_DYNAMICS_H
 
+#include "lag/delassus.h"
 #include "lag/model.h"
 
 /* One system; everything points into memory of the caller. */
@@ -55,10 +57,41 @@ size_t lag_dynamics_memory(const lag_model *model);
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
 
-/* What elimination_lanes() gave, or, where qdd is null, dynamics_lanes(): every array in groups of lanes. */
+/* Where a pivot of elimination() is not above this, the dense system tells whether it is singular. */
+double lag_smallest_pivot(const lag_model *model);
+
+/*
+ * What elimination() gave, with its qdd and lam where the accelerations and multipliers are wanted, completed for the rows
+ * that it left; `memory` is lag_delassus_memory(nc, nk). LAG_MISSING: it kept too few digits, or has values that are no
+ * numbers.
+ */
+lag_status lag_solve_eliminated(
+    const lag_model *model,
+    const double *response,
+    const double *lam_response,
+    const double *jacobian,
+    const double *gamma,
+    double pivot,
+    double *memory,
+    double *qdd,
+    double *lam);
+
+/* The first part of it: with `system`, lag_delassus_solve() completes any number of right-hand sides. */
+lag_status lag_factor_eliminated(
+    const lag_model *model,
+    const double *response,
+    const double *lam_response,
+    const double *jacobian,
+    double pivot,
+    double *memory,
+    lag_delassus *system);
+
+/* What elimination() of several states gave, or, where qdd is null, dynamics(): every array in groups of `lanes`. */
 typedef struct lag_formed {
-    const double *qdd, *pivot;                     /* (nq) () */
-    const double *mass, *force, *jacobian, *gamma; /* (nq, nq) (nq) (nc, nq) (nc) */
+    size_t lanes;
+    const double *qdd, *lam, *response, *lam_response, *pivot; /* (nq) (nc) (nk, nq) (nk, nc) () */
+    const double *mass, *force;                                /* (nq, nq) (nq) */
+    const double *jacobian, *gamma;                            /* (nk, nq) (nk), or (nc, nq) (nc) */
 } lag_formed;
 
 /* The same for the state of one lane. LAG_MISSING: elimination is no way to solve this one. */
@@ -70,12 +103,5 @@ lag_status lag_forward_dynamics_of_lane(
     double *qdd,
     double *lam,
     size_t *coordinate);
-
-/*
- * d(qd, qdd, zd)/d(q, qd, z) (2 nq + nz, 2 nq + nz) at t q qd z u w p, after prepare(). Exact: M dqdd - J'dlam = -dr and
- * J dqdd = -ds with the directional derivatives of the residuals.
- */
-lag_status lag_state_jacobian(
-    const lag_model *model, const lag_arguments *at, double *memory, double *jacobian, size_t *coordinate);
 
 #endif

@@ -21,6 +21,22 @@ typedef struct lag_step {
     int kernel, laps, head, value;
 } lag_step;
 
+/* x*y + z, rounded once where the machine does that as fast as a product. */
+#if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+#define LAG_FUSES 1
+#else
+#define LAG_FUSES 0
+#endif
+
+static inline double lag_fused(double x, double y, double z)
+{
+#if LAG_FUSES
+    return fma(x, y, z);
+#else
+    return x * y + z;
+#endif
+}
+
 /* What is no number stays none. */
 static inline double lag_sign(double x)
 {

@@ -12,11 +12,21 @@
 
 #if defined(__GNUC__)
 
-/* Numbers in a vector. A machine with shorter registers works on parts of it. */
+/* Numbers in a vector: as many as a register of the machine holds. More would be kept in memory. */
+#if defined(__AVX512F__)
 #define LAG_LANES 8
+#define LAG_LANES_EACH(x) {x, x, x, x, x, x, x, x}
+#elif defined(__AVX__)
+#define LAG_LANES 4
+#define LAG_LANES_EACH(x) {x, x, x, x}
+#else
+#define LAG_LANES 2
+#define LAG_LANES_EACH(x) {x, x}
+#endif
 
 typedef double lag_lanes __attribute__((vector_size(8 * LAG_LANES)));
 typedef unsigned long long lag_lanes_bits __attribute__((vector_size(8 * LAG_LANES)));
+typedef long long lag_lanes_truth __attribute__((vector_size(8 * LAG_LANES)));
 
 /* A vector in an array of doubles. */
 typedef double lag_lanes_memory __attribute__((vector_size(8 * LAG_LANES), aligned(8), may_alias));
@@ -26,7 +36,7 @@ typedef double lag_lanes_memory __attribute__((vector_size(8 * LAG_LANES), align
 
 static inline lag_lanes lag_lanes_of(double x)
 {
-    return (lag_lanes){x, x, x, x, x, x, x, x};
+    return (lag_lanes)LAG_LANES_EACH(x);
 }
 
 /* One of the functions of a single number, lane by lane. */
@@ -48,6 +58,23 @@ static inline lag_lanes lag_lanes_of(double x)
         return x;                                            \
     }
 
+/* lag_fused() lane by lane; of vectors neither C nor -ffp-contract knows it. */
+static inline lag_lanes lag_lanes_fused(lag_lanes x, lag_lanes y, lag_lanes z)
+{
+#if LAG_FUSES && defined(__AVX512F__)
+    return (lag_lanes)__builtin_ia32_vfmaddpd512_mask(x, y, z, (unsigned char)-1, 4);
+#elif LAG_FUSES && defined(__AVX__)
+    return (lag_lanes)__builtin_ia32_vfmaddpd256(x, y, z);
+#elif LAG_FUSES
+    for (size_t lane = 0; lane < LAG_LANES; ++lane) {
+        x[lane] = lag_fused(x[lane], y[lane], z[lane]);
+    }
+    return x;
+#else
+    return x * y + z;
+#endif
+}
+
 LAG_LANES_UNARY(lag_lanes_tan, tan)
 LAG_LANES_UNARY(lag_lanes_asin, asin)
 LAG_LANES_UNARY(lag_lanes_acos, acos)
@@ -58,28 +85,78 @@ LAG_LANES_UNARY(lag_lanes_tanh, tanh)
 LAG_LANES_UNARY(lag_lanes_exp, exp)
 LAG_LANES_UNARY(lag_lanes_log, log)
 LAG_LANES_UNARY(lag_lanes_sqrt, sqrt)
-LAG_LANES_UNARY(lag_lanes_abs, fabs)
-LAG_LANES_UNARY(lag_lanes_sign, lag_sign)
 LAG_LANES_UNARY(lag_lanes_floor, floor)
 LAG_LANES_UNARY(lag_lanes_ceil, ceil)
-LAG_LANES_UNARY(lag_lanes_not, lag_not)
 LAG_LANES_BINARY(lag_lanes_pow, pow)
 LAG_LANES_BINARY(lag_lanes_atan2, atan2)
 LAG_LANES_BINARY(lag_lanes_mod, lag_mod)
-LAG_LANES_BINARY(lag_lanes_min, lag_min)
-LAG_LANES_BINARY(lag_lanes_max, lag_max)
-LAG_LANES_BINARY(lag_lanes_less, lag_less)
-LAG_LANES_BINARY(lag_lanes_less_equal, lag_less_equal)
-LAG_LANES_BINARY(lag_lanes_equal, lag_equal)
-LAG_LANES_BINARY(lag_lanes_and, lag_and)
-LAG_LANES_BINARY(lag_lanes_or, lag_or)
+
+/* Where the condition, all bits or none, holds, the value. */
+static inline lag_lanes lag_lanes_choose(lag_lanes_truth condition, lag_lanes value, lag_lanes otherwise)
+{
+    const lag_lanes_bits mask = (lag_lanes_bits)condition;
+    return (lag_lanes)((mask & (lag_lanes_bits)value) | (~mask & (lag_lanes_bits)otherwise));
+}
+
+static inline lag_lanes lag_lanes_number(lag_lanes_truth condition)
+{
+    return lag_lanes_choose(condition, lag_lanes_of(1.0), lag_lanes_of(0.0));
+}
+
+static inline lag_lanes lag_lanes_min(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_choose(x <= y, x, y);
+}
+
+static inline lag_lanes lag_lanes_max(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_choose(x >= y, x, y);
+}
+
+static inline lag_lanes lag_lanes_less(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number(x < y);
+}
+
+static inline lag_lanes lag_lanes_less_equal(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number(x <= y);
+}
+
+static inline lag_lanes lag_lanes_equal(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number(x == y);
+}
+
+static inline lag_lanes lag_lanes_not(lag_lanes x)
+{
+    return lag_lanes_number(x == lag_lanes_of(0.0));
+}
+
+static inline lag_lanes lag_lanes_and(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number((x != lag_lanes_of(0.0)) & (y != lag_lanes_of(0.0)));
+}
+
+static inline lag_lanes lag_lanes_or(lag_lanes x, lag_lanes y)
+{
+    return lag_lanes_number((x != lag_lanes_of(0.0)) | (y != lag_lanes_of(0.0)));
+}
 
 static inline lag_lanes lag_lanes_select(lag_lanes condition, lag_lanes value, lag_lanes otherwise)
 {
-    for (size_t lane = 0; lane < LAG_LANES; ++lane) {
-        value[lane] = lag_select(condition[lane], value[lane], otherwise[lane]);
-    }
-    return value;
+    return lag_lanes_choose(condition != lag_lanes_of(0.0), value, otherwise);
+}
+
+static inline lag_lanes lag_lanes_abs(lag_lanes x)
+{
+    return (lag_lanes)((lag_lanes_bits)x & ~(lag_lanes_bits)lag_lanes_of(-0.0));
+}
+
+static inline lag_lanes lag_lanes_sign(lag_lanes x)
+{
+    const lag_lanes zero = lag_lanes_of(0.0);
+    return lag_lanes_choose(x > zero, lag_lanes_of(1.0), lag_lanes_choose(x < zero, lag_lanes_of(-1.0), x));
 }
 
 #else

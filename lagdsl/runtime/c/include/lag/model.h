@@ -145,14 +145,6 @@ typedef struct lag_model {
     /* t q qd z u w p qdd lam -> w (nw), reset, value (nreset), collision, restitution (ncollision), stop (nstop), fail (nfail) */
     lag_status (*event)(const lag_arguments *at, double *next, double *reset, double *value, double *collision, double *restitution,
         double *stop, double *fail);
-    /*
-     * `lanes` states at once (0: not there): every array, that of the workspace with its `workspace_lanes` doubles too, has
-     * its entries in groups of `lanes`; `times` stands for t. And `lanes` directions at once: only directions and results are
-     * in groups, and residual_tangent_primal() has been called for the state with the same workspace, after prepare().
-     */
-    size_t lanes;
-    lag_status (*dynamics_lanes)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
-    lag_status (*residual_tangent_lanes)(const lag_arguments *at, double *motion, double *rows);
     /* where M and J can be nonzero */
     const lag_pattern *mass_pattern;
     const lag_pattern *jacobian_pattern;
@@ -160,17 +152,25 @@ typedef struct lag_model {
     /* t q qd z u w p, dq dqd dz du dp -> dphi (nc), d(J qd + b) (nc) */
     lag_status (*constraint_tangent)(const lag_arguments *at, double *phi, double *residual);
 
-    size_t workspace_lanes;
-    lag_status (*residual_tangent_primal)(const lag_arguments *at);
-
     /*
-     * t q qd z u w p -> M^-1 f (nq), M^-1 J' row by row (nc, nq), J (nc, nq), gamma (nc), and what is left of the smallest
-     * pivot, relatively; null where forming M and solving costs less
+     * t q qd z u w p -> with the multipliers of `kept_rows` zero qdd (nq) and lam (nc); row by row what these multipliers add
+     * to qdd (nk, nq) and to lam (nk, nc); J (nk, nq) and gamma (nk) of these rows; and what is left of the smallest pivot,
+     * relatively. Null where forming M and solving costs less.
      */
     lag_status (*elimination)(
-        const lag_arguments *at, double *qdd, double *response, double *jacobian, double *gamma, double *pivot);
-    lag_status (*elimination_lanes)(
-        const lag_arguments *at, double *qdd, double *response, double *jacobian, double *gamma, double *pivot);
+        const lag_arguments *at,
+        double *qdd,
+        double *lam,
+        double *response,
+        double *lam_response,
+        double *jacobian,
+        double *gamma,
+        double *pivot);
+    size_t nk;               /* rows of constraints whose multipliers elimination leaves to run time */
+    const size_t *kept_rows; /* (nk) ascending */
+
+    /* t q qd z u w p, dqd -> M dqd (nq); null where M is written out, else what mass_matrix() and dynamics() are made of */
+    lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
 } lag_model;
 
 #endif

@@ -13,7 +13,7 @@ typedef struct lag_motion {
     lag_arguments at;    /* what was evaluated last; w and p stay until the caller changes them */
     double *u, *w;       /* (nu) (nw) */
     double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
-    double *memory;      /* lag_dynamics_memory() */
+    double *memory;      /* lag_jacobian_memory() without tangents */
     lag_inputs *inputs;  /* null: u stays as it is */
     void *context;       /* of inputs */
     lag_ode ode;         /* the system that the methods see; its context is this structure */

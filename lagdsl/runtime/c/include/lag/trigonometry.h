@@ -73,8 +73,15 @@ static inline void lag_lanes_sincos(const lag_lanes *x, lag_lanes *s, lag_lanes 
     LAG_SINCOS_BODY(lag_lanes, lag_lanes_bits, argument, LAG_AS_LANES_BITS);
     *s = (lag_lanes)sine;
     *c = (lag_lanes)cosine;
+    const lag_lanes_bits near = (lag_lanes_bits)((argument <= LAG_SINCOS_LARGEST) & (argument >= -LAG_SINCOS_LARGEST));
+    unsigned long long of_lane[LAG_LANES];
+    unsigned long long all = ~0ull;
+    memcpy(of_lane, &near, sizeof of_lane);
     for (size_t lane = 0; lane < LAG_LANES; ++lane) {
-        if (!(fabs(argument[lane]) <= LAG_SINCOS_LARGEST)) {
+        all &= of_lane[lane];
+    }
+    for (size_t lane = 0; all == 0 && lane < LAG_LANES; ++lane) {
+        if (of_lane[lane] == 0) {
             (*s)[lane] = sin(argument[lane]);
             (*c)[lane] = cos(argument[lane]);
         }
@@ -95,18 +102,35 @@ static inline void lag_lanes_sincos_many(
     }
 }
 
-/* s[i], c[i] of x[i]. */
+static inline void lag_sincos_block(const double *x, double *s, double *c)
+{
+    lag_lanes argument;
+    lag_lanes sine;
+    lag_lanes cosine;
+    memcpy(&argument, x, sizeof argument);
+    lag_lanes_sincos(&argument, &sine, &cosine);
+    memcpy(s, &sine, sizeof sine);
+    memcpy(c, &cosine, sizeof cosine);
+}
+
+/*
+ * s[i], c[i] of x[i]; the arrays do not overlap. The last vector starts where it ends with the last number: twice is cheaper
+ * than one by one. A few numbers are not worth a vector: the first are needed while the others are still under way.
+ */
 static inline void lag_sincos_many(size_t count, const double *x, double *s, double *c)
 {
-    for (size_t i = 0; i < count; i += LAG_LANES) {
-        const size_t size = (count - i < LAG_LANES ? count - i : LAG_LANES) * sizeof(double);
-        lag_lanes block = lag_lanes_of(0.0);
-        lag_lanes sine;
-        lag_lanes cosine;
-        memcpy(&block, x + i, size);
-        lag_lanes_sincos(&block, &sine, &cosine);
-        memcpy(s + i, &sine, size);
-        memcpy(c + i, &cosine, size);
+    if (count < LAG_LANES) {
+        for (size_t i = 0; i < count; ++i) {
+            lag_sincos(x[i], s + i, c + i);
+        }
+        return;
+    }
+    for (size_t i = 0; i + LAG_LANES <= count; i += LAG_LANES) {
+        lag_sincos_block(x + i, s + i, c + i);
+    }
+    if (count % LAG_LANES != 0) {
+        const size_t last = count - LAG_LANES;
+        lag_sincos_block(x + last, s + last, c + last);
     }
 }
 

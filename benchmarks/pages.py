@@ -1,0 +1,231 @@
+"""README.md from the results of the parts."""
+
+from collections.abc import Sequence
+
+from dynamics import family
+from targets import Results, table, targets
+
+PEERS = (
+    ("pinocchio", "Pinocchio ABA"),
+    ("pinocchio_casadi", "Pinocchio by CasADi"),
+    ("mujoco", "MuJoCo"),
+    ("casadi", "CasADi, Lagrange"),
+)
+_HEAD = """# Benchmarks
+
+Written by `make bench` from `results/`; `benchmarks/run.py --only arm,text` measures some parts anew.
+
+Compile times are CPU seconds, medians of several fresh processes, imports not counted. Evaluations: all contestants in
+one process, in turns, blocks of 0.1 ms, least time of 400 blocks; a ratio is formed within a process, the median over
+five processes is told; below 1 lagdsl is faster. Before anything is timed its results are compared with those of an
+independent formulation in extended precision (`oracle.py`, `planar.py`); what disagrees has no time.
+
+Peers: Pinocchio's articulated-body algorithm, as its package has it and compiled for this machine from its headers, the
+faster counts; the same algorithm on CasADi's expressions, generated as C; MuJoCo's `mj_forward` and, apart, only the
+parts that accelerations need; Lagrange's equations by CasADi, energies typed by hand in space and, for planar chains,
+in the plane, generated as C and compiled with six sets of flags, the best counts. lagdsl is what `engine="c"` gives;
+its masses and inertias can be changed at run time, those of generated C are numbers."""
+
+
+def page(found: dict[str, Results]) -> str:
+    """All of it."""
+    lines = [
+        _HEAD,
+        "",
+        *_where(found),
+        "",
+        "## Targets",
+        "",
+        *table(targets(found)),
+        "",
+        *_limits(found),
+        *_noise(found),
+    ]
+    for key, section in (
+        ("arm", _arm),
+        ("chains", _chains),
+        ("text", _text),
+        ("growth", _growth),
+        ("accuracy", _accuracy),
+        ("start", _start),
+    ):
+        if key in found:
+            lines += ["", *section(found[key])]
+    return "\n".join(lines) + "\n"
+
+
+def summary(found: dict[str, Results]) -> str:
+    """The table of targets alone."""
+    return "\n".join(table(targets(found)))
+
+
+def _limits(found: dict[str, Results]) -> list[str]:
+    """What keeps a figure from its target."""
+    missed = {line.text for line in targets(found) if line.reached == "**missed**"}
+    if not any(text.startswith("10-link chain, evaluation") for text in missed):
+        return []
+    (row,) = [row for row in found["chains"]["rows"] if (row["model"], row["n"]) == ("planar_chain", 10)]
+    times = row["times"]["forward"]
+    exact = min(time for label, time in times.items() if family(label) == "casadi" and "fast-math" not in label)
+    return [
+        "The chain of 10 links: elimination goes from link to link and each step waits for the last (a flop takes",
+        "twice as long as in a spatial chain), while CasADi forms a mass matrix of ten rows from independent sums. Its",
+        "fastest C is compiled with `-ffast-math`, which reorders sums; lagdsl does not use it, because results are",
+        "the same to the last bit in every form of a model. Against CasADi's best C without it the ratio is "
+        f"{times['lagdsl'] / exact:.2f}.",
+        "",
+    ]
+
+
+def _where(found: dict[str, Results]) -> list[str]:
+    if not found:
+        return ["Nothing has been measured."]
+    last = max(found.values(), key=lambda part: str(part["date"]))
+    versions = ", ".join(f"{name} {number}" for name, number in last["versions"].items())
+    lines = [f"{last['processor']}, {last['cores']} cores, {last['system']}. {versions}."]
+    absent = [name for name in ("pinocchio", "mujoco", "casadi") if name not in last["versions"]]
+    if absent:
+        lines += ["", f"Not installed, and left out: {', '.join(absent)} (`make peers`)."]
+    return lines
+
+
+def _noise(found: dict[str, Results]) -> list[str]:
+    """When every part was measured, and whether the machine was quiet."""
+    lines = ["| part | measured | commit | load before / after |", "|---|---|---|---|"]
+    for name, part in found.items():
+        lines.append(
+            f"| {name} | {part['date']} | {part['versions']['lagdsl']} | {part['load']} / {part['load after']} |"
+        )
+    busy = [name for name, part in found.items() if max(part["load"], part["load after"]) > part["cores"]]
+    if busy:
+        lines += [
+            "",
+            f"Others were at work while {', '.join(busy)} ran (load above the number of cores): CPU times there are",
+        ]
+        lines += ["too long, by up to a half, and single ratios off by some percent."]
+    return lines
+
+
+def _contest(row: Results, ours: str = "lagdsl") -> list[str]:
+    """Cells: our time, then time and ratio for each of PEERS."""
+    times = row["times"].get("forward", {})
+    cells = [_microseconds(times.get(ours))]
+    for peer, _ in PEERS:
+        theirs = [time for label, time in times.items() if family(label) == peer]
+        ratio = row["ratios"].get(peer if ours == "lagdsl" else f"scalars {peer}")
+        cells += [_microseconds(min(theirs, default=None)), "" if ratio is None else f"{ratio:.2f}"]
+    return cells
+
+
+def _contest_table(rows: Sequence[tuple[str, list[str]]]) -> list[str]:
+    head = "| | lagdsl [us] |" + "".join(f" {title} [us] | ratio |" for _, title in PEERS)
+    return [head, "|---|---|" + "---|---|" * len(PEERS), *(f"| {name} | " + " | ".join(c) + " |" for name, c in rows)]
+
+
+def _arm(found: Results) -> list[str]:
+    contest = found["contest"]
+    times = contest["times"]
+    lines = ["## The seven-axis arm", ""]
+    lines += _contest_table([("panda", _contest(contest)), ("typed as scalars", _contest(contest, "lagdsl_scalars"))])
+    lines += ["", "| every contestant | ns | error |", "|---|---|---|"]
+    for kind, entries in times.items():
+        for label, time in sorted(entries.items(), key=lambda item: item[1]):
+            lines.append(
+                f"| {kind}: {label.replace('_', ' ')} | {time:.0f} | {contest['errors'][f'{label}/{kind}']:.0e} |"
+            )
+    single = times["forward"].get("lagdsl")
+    lines += ["", "`model.batch`, 20 000 states (NumPy: 4000), called from Python; CPU time summed over threads:", ""]
+    lines += ["| | wall [ns per state] | CPU [ns per state] | CPU, of a single one in C |", "|---|---|---|---|"]
+    for row in found["batch"]:
+        share = f"{row['cpu'] / single:.2f}" if single else ""
+        lines.append(f"| {row['label']} | {row['wall']:.0f} | {row['cpu']:.0f} | {share} |")
+    return lines
+
+
+def _chains(found: Results) -> list[str]:
+    lines = ["## Chains", "", "![chains](chains.png)", ""]
+    return lines + _contest_table([(f"{row['model']} {row['n']}", _contest(row)) for row in found["rows"]])
+
+
+def _text(found: Results) -> list[str]:
+    lines = ["## Text to library", "", f"CPU seconds, medians of {found['runs']} runs; all functions of the model.", ""]
+    lines += ["| | Python | cc | C [kB] | flops of one forward dynamics |", "|---|---|---|---|---|"]
+    for row in found["rows"]:
+        flops = "" if row["flops"] is None else str(row["flops"])
+        lines.append(
+            f"| {row['model']} {row['n']} | {row['python']:.2f} | {row['compiler']:.2f} "
+            f"| {row['size'] / 1000:.0f} | {flops} |"
+        )
+    if found["casadi"]:
+        theirs = found["casadi"]
+        lines += [
+            "",
+            f"CasADi, planar chain of 50 links, qdd alone, `{theirs['flags']}`: Python {theirs['python']:.2f},",
+        ]
+        lines += [f"cc {theirs['compiler']:.2f}."]
+    return lines
+
+
+def _growth(found: Results) -> list[str]:
+    from growth import exponent
+
+    lines = [
+        "## Growth",
+        "",
+        f"Medians of {found['runs']} runs; exponents are least-squares slopes of the logarithms.",
+        "",
+    ]
+    lines += ["![growth](growth.png)"]
+    for name, points in found["curves"].items():
+        lines += ["", f"| {name}: N | Python [CPU s] | cc [CPU s] | C [kB] | forward dynamics [us] | error |"]
+        lines += ["|---|---|---|---|---|---|"]
+        for p in points:
+            error = "" if p["error"] is None else f"{p['error']:.0e}"
+            lines.append(
+                f"| {p['n']} | {p['python']:.2f} | {p['compiler']:.2f} | {p['size'] / 1000:.0f} "
+                f"| {_microseconds(p['evaluation'])} | {error} |"
+            )
+        slopes = [exponent(points, key) for key in ("python", "compiler", "size", "evaluation")]
+        lines.append("| exponent | " + " | ".join("" if s is None else f"{s:.2f}" for s in slopes) + " | |")
+        last = [exponent(points[1:], key) for key in ("python", "compiler", "size", "evaluation")]
+        if None not in last:
+            lines.append("| without the first size | " + " | ".join(f"{s:.2f}" for s in last) + " | |")
+    rows = {p["n"]: p["python"] for p in found["sympy"]}
+    told = ", ".join(f"{n} links {seconds:.2f} s" for n, seconds in rows.items())
+    return [*lines, "", f"SymPy `LagrangesMethod` and `lambdify`, planar chain, mass matrix and forcing: {told}."]
+
+
+def _accuracy(found: Results) -> list[str]:
+    lines = ["## Accuracy", ""]
+    lines += [
+        f"Errors over {found['states']} random states, angles all around, rates of 5 rad/s: worst (median), relative to"
+    ]
+    lines += ["the largest acceleration of the state.", ""]
+    kinds = ("lagdsl to pinocchio", "lagdsl to exact", "pinocchio to exact")
+    lines += ["| | " + " | ".join(kinds) + " |", "|---|---|---|---|"]
+    for row in found["rows"]:
+        cells = [f"{row[kind]['worst']:.0e} ({row[kind]['median']:.0e})" if kind in row else "" for kind in kinds]
+        lines.append(f"| {row['model']} {row['n']} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def _start(found: Results) -> list[str]:
+    lines = ["## Starting", "", "| CPU s | | | ratio |", "|---|---|---|---|"]
+    lines += [
+        f"| `lag check models/pendulum.lag` against `import numpy`, whole processes | {found['check']:.3f} | "
+        f"{found['numpy']:.3f} | {found['check'] / found['numpy']:.2f} (at most 4) |",
+        f"| cart double pendulum, text to NumPy functions, against SymPy's `LagrangesMethod` | {found['ours']:.3f} | "
+        f"{found['sympy']:.3f} | {found['ours'] / found['sympy']:.3f} (at most 0.1) |",
+        "",
+        "The hanging chain, text to program, all functions:",
+        "",
+        "| links | graph nodes | CPU s |",
+        "|---|---|---|",
+        *(f"| {row['n']} | {row['nodes']} | {row['seconds']:.3f} |" for row in found["chain"]),
+        f"| exponent (below 2) | {found['nodes']:.2f} | {found['seconds']:.2f} |",
+    ]
+    return lines
+
+
+def _microseconds(nanoseconds: float | None) -> str:
+    return "" if nanoseconds is None else f"{nanoseconds / 1000:.3g}"

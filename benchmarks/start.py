@@ -1,0 +1,62 @@
+"""What a user waits for first: `lag check`, text to callable functions; and that the program does not swell."""
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from growth import exponent
+from measure import cpu_seconds, first_call_cpu_seconds, process_cpu_seconds
+
+from lagdsl.diagnostics import Sink
+from lagdsl.mechanics.derive import derive
+from lagdsl.program.program import Program
+from lagdsl.semantics.flatten import flatten
+from lagdsl.semantics.library import read_source
+from lagdsl.syntax.parser import parse
+
+MODELS = Path(__file__).parents[1] / "models"
+SIZES = (10, 20, 40, 80)
+
+
+def measure(say: Callable[[str], None]) -> dict[str, object]:
+    """CPU seconds."""
+    say("start: lag check")
+    numpy = process_cpu_seconds([sys.executable, "-c", "import numpy"])
+    check = process_cpu_seconds([sys.executable, "-m", "lagdsl", "check", str(MODELS / "pendulum.lag")])
+    say("start: SymPy")
+    ours = first_call_cpu_seconds("against_sympy", "lagdsl_cart_double_pendulum()")
+    theirs = first_call_cpu_seconds("against_sympy", "sympy_cart_double_pendulum()")
+    say("start: the hanging chain")
+    points = [_chain(links) for links in SIZES]
+    return {
+        "numpy": numpy,
+        "check": check,
+        "ours": ours,
+        "sympy": theirs,
+        "chain": points,
+        "nodes": exponent(points, "nodes"),
+        "seconds": exponent(points, "seconds"),
+    }
+
+
+def _chain(links: int) -> dict[str, object]:
+    """Nodes that the results of all functions need, and CPU time from text to program."""
+    program = _program(links)
+    roots = [element for function in program.functions for block in function.results for element in block.elements]
+    return {
+        "n": links,
+        "nodes": len(program.graph.live(roots)),
+        "seconds": cpu_seconds(lambda: _program(links), runs=3),
+    }
+
+
+def _program(links: int) -> Program:
+    sink = Sink()
+    source = read_source(MODELS / "chain.lag", sink)
+    assert source is not None
+    unit = parse(source, sink)
+    assert unit is not None
+    flat = flatten(unit, sink, structural={"N": float(links)})
+    sink.raise_if_errors()
+    assert flat is not None
+    return derive(flat)

@@ -1,0 +1,189 @@
+"""The targets of elimination and of the C that is generated, and what was measured."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from growth import exponent
+
+Results = dict[str, Any]
+Figure = float | None
+
+
+@dataclass(frozen=True)
+class Target:
+    """A line of the table; nothing to read where a part was not measured or a peer is missing."""
+
+    text: str
+    must: tuple[float, ...]
+    stretch: tuple[float, ...]
+    measured: tuple[Figure, ...]
+    part: str
+    pattern: str = "{:.2f}"
+
+    @property
+    def reached(self) -> str:
+        """stretch, must, missed, or nothing."""
+        if None in self.measured:
+            return ""
+        figures = [figure for figure in self.measured if figure is not None]
+        if all(figure <= limit for figure, limit in zip(figures, self.stretch, strict=True)):
+            return "stretch"
+        return "must" if all(f <= limit for f, limit in zip(figures, self.must, strict=True)) else "**missed**"
+
+
+def targets(found: Results) -> list[Target]:
+    """All of them, in the order of the table."""
+    text, chain, growth = _text(found), _chain(found), _growth(found)
+    arm = _ratios(found.get("arm", {}).get("contest"))
+    planar, spatial = text("planar_chain", 100), text("spatial_chain", 100)
+    casadi = (found.get("text") or {}).get("casadi")
+    fifty = text("planar_chain", 50)
+    share = None
+    if casadi and fifty:
+        share = (fifty["python"] + fifty["compiler"]) / (casadi["python"] + casadi["compiler"])
+    return [
+        Target(
+            "100-link planar chain, text to library: Python / cc [CPU s]", (1.5, 1.0), (0.5, 0.3), _cpu(planar), "text"
+        ),
+        Target("100-link spatial chain: Python / cc [CPU s]", (3, 1.5), (1, 0.5), _cpu(spatial), "text"),
+        Target(
+            "exponent of Python time, N = 20 to 500: planar / spatial chain",
+            (1.25, 1.25),
+            (1.1, 1.1),
+            (growth("planar_chain", "python"), growth("spatial_chain", "python")),
+            "growth",
+        ),
+        Target(
+            "flops per link at N = 100: planar / spatial",
+            (75, 400),
+            (56, 361),
+            (_per_link(planar), _per_link(spatial)),
+            "text",
+            "{:.1f}",
+        ),
+        Target(
+            "evaluation against Pinocchio's ABA, N = 100: planar / spatial",
+            (0.20, 0.35),
+            (0.09, 0.20),
+            (chain("planar_chain", 100, "pinocchio"), chain("spatial_chain", 100, "pinocchio")),
+            "chains",
+            "{:.3f}",
+        ),
+        Target(
+            "7-axis arm: forward dynamics against Pinocchio's ABA",
+            (0.25,),
+            (0.12,),
+            (arm("pinocchio"),),
+            "arm",
+            "{:.3f}",
+        ),
+        Target(
+            "the same against CasADi's Lagrange as C at its best flags",
+            (0.65,),
+            (0.45,),
+            (arm("casadi"),),
+            "arm",
+            "{:.3f}",
+        ),
+        Target(
+            "50-link chain, text to optimized library, against CasADi as C with `-O0`", (0.5,), (0.1,), (share,), "text"
+        ),
+        Target(
+            "10-link chain, evaluation against CasADi's best C",
+            (0.8,),
+            (0.55,),
+            (chain("planar_chain", 10, "casadi"),),
+            "chains",
+            "{:.3f}",
+        ),
+        Target(
+            "the arm typed as plain scalar energies, against Pinocchio's ABA",
+            (0.5,),
+            (0.24,),
+            (arm("scalars pinocchio"),),
+            "arm",
+            "{:.3f}",
+        ),
+        Target(
+            "qdd and its state Jacobian, 7-axis arm, against `computeABADerivatives`",
+            (0.5,),
+            (0.17,),
+            (arm("jacobian"),),
+            "arm",
+            "{:.3f}",
+        ),
+        Target(
+            "batch, 7-axis arm: per state against a single one, one core",
+            (0.35,),
+            (0.17,),
+            (arm("batch"),),
+            "arm",
+            "{:.3f}",
+        ),
+        Target(
+            "relative error against Pinocchio, N up to 100, 2000 random states",
+            (1e-11,),
+            (1e-13,),
+            (_worst(found),),
+            "accuracy",
+            "{:.0e}",
+        ),
+        Target(
+            "beam in absolute angles: exponent of Python time, N = 10 to 80",
+            (1.5,),
+            (1.2,),
+            (growth("beam", "python"),),
+            "growth",
+        ),
+        Target(
+            "chain of N four-bar linkages: exponent of the time of an evaluation, N = 5 to 80",
+            (1.6,),
+            (1.1,),
+            (growth("four_bars", "evaluation"),),
+            "growth",
+        ),
+    ]
+
+
+def _text(found: Results) -> Callable[[str, int], Results | None]:
+    rows = {(row["model"], row["n"]): row for row in found.get("text", {}).get("rows", [])}
+    return lambda name, n: rows.get((name, n))
+
+
+def _chain(found: Results) -> Callable[[str, int, str], Figure]:
+    rows = {(row["model"], row["n"]): row for row in found.get("chains", {}).get("rows", [])}
+    return lambda name, n, peer: _ratios(rows.get((name, n)))(peer)
+
+
+def _ratios(row: Results | None) -> Callable[[str], Figure]:
+    return lambda peer: (row or {}).get("ratios", {}).get(peer)
+
+
+def _growth(found: Results) -> Callable[[str, str], Figure]:
+    """Exponents; none where the curve ended early."""
+    curves = found.get("growth", {}).get("curves", {})
+    return lambda name, figure: exponent(curves.get(name, []), figure)
+
+
+def _cpu(row: Results | None) -> tuple[Figure, Figure]:
+    return (row["python"], row["compiler"]) if row else (None, None)
+
+
+def _per_link(row: Results | None) -> Figure:
+    return row["flops"] / row["n"] if row and row["flops"] is not None else None
+
+
+def _worst(found: Results) -> Figure:
+    errors = [row.get("lagdsl to pinocchio", {}).get("worst") for row in found.get("accuracy", {}).get("rows", [])]
+    return max(errors) if errors and None not in errors else None
+
+
+def table(lines: Sequence[Target]) -> list[str]:
+    """In Markdown."""
+    rows = ["| | must | stretch | measured | reached |", "|---|---|---|---|---|"]
+    for line in lines:
+        must, stretch = (" / ".join(f"{limit:g}" for limit in limits) for limits in (line.must, line.stretch))
+        measured = " / ".join("-" if figure is None else line.pattern.format(figure) for figure in line.measured)
+        rows.append(f"| {line.text} | {must} | {stretch} | {measured} | {line.reached} |")
+    return rows

@@ -1,0 +1,43 @@
+"""The terms that a sum consists of."""
+
+from __future__ import annotations
+
+from lagdsl.graph.differentiate import mask_of
+from lagdsl.graph.graph import Graph
+from lagdsl.graph.operation import Group, Op
+from lagdsl.record import record
+
+_HELD = mask_of((Group.P,))
+
+
+@record()
+class Term:
+    """`node` times `weight`, which depends on parameters only."""
+
+    node: int
+    weight: int
+
+
+def terms_of(graph: Graph, total: int) -> list[Term]:
+    """Terms of `total` with what multiplies whole sums multiplied out, where that is a parameter."""
+    found: list[Term] = []
+    stack = [Term(total, graph.one)]
+    while stack:
+        term = stack.pop()
+        a, b, weight = graph.a[term.node], graph.b[term.node], term.weight
+        match graph.op[term.node]:
+            case Op.ADD:
+                stack += (Term(b, weight), Term(a, weight))
+            case Op.SUBTRACT:
+                stack += (Term(b, graph.negate(weight)), Term(a, weight))
+            case Op.NEGATE:
+                stack.append(Term(a, graph.negate(weight)))
+            case Op.MULTIPLY if not graph.groups[a] & ~_HELD:
+                stack.append(Term(b, graph.multiply(weight, a)))
+            case Op.MULTIPLY if not graph.groups[b] & ~_HELD:
+                stack.append(Term(a, graph.multiply(weight, b)))
+            case Op.DIVIDE if not graph.groups[b] & ~_HELD:
+                stack.append(Term(a, graph.divide(weight, b)))
+            case _:
+                found.append(term)
+    return found

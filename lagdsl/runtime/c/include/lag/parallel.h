@@ -1,0 +1,49 @@
+/*
+ * Functions of a model for several states at once, or for several directions of derivatives, in the lanes of vectors.
+ *
+ * Every array of a state's functions has its entries in groups of `lanes`: entry i of lane k is at i * lanes + k; `times` stands
+ * for t. In functions of directions only directions and results are in groups. Operations and their order are those of the
+ * functions of one state, so that every lane gets the same bits. All of it is compiled apart from the model, when needed.
+ * Arrays on addresses that are multiples of 8 * lanes bytes are faster. `lanes` is 0, and nothing else there, where the
+ * compiler has no vectors. What a model lacks is null.
+ */
+#ifndef LAG_PARALLEL_H
+#define LAG_PARALLEL_H
+
+#include "lag/model.h"
+
+typedef struct lag_states {
+    size_t lanes;
+    size_t workspace; /* doubles that the functions need; prepare() fills the first ones */
+    lag_status (*prepare)(const lag_arguments *at);
+    lag_status (*dynamics)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
+    lag_status (*elimination)(
+        const lag_arguments *at,
+        double *qdd,
+        double *lam,
+        double *response,
+        double *lam_response,
+        double *jacobian,
+        double *gamma,
+        double *pivot);
+} lag_states;
+
+typedef struct lag_tangents {
+    size_t lanes;
+    size_t workspace; /* doubles that the functions need; prepare() of the model fills the first ones */
+    /* t q qd z u w p qdd lam: what all directions share, left in the workspace for the functions that follow */
+    lag_status (*primal)(const lag_arguments *at);
+    /* t q qd z u w p -> the same, and qdd (nq), lam (nc) and pivot as elimination() gives them. Stands for `primal` where it is
+     * there: no multiplier is left to run time then. */
+    lag_status (*motion)(const lag_arguments *at, double *qdd, double *lam, double *pivot);
+    /* directions dq dqd dz du, or dp; M dqdd - J'dlam = -dr, J dqdd = -ds -> dr (nq), ds (nc) */
+    lag_status (*residual)(const lag_arguments *at, double *motion, double *rows);
+    /* the same -> dqdd (nq), dlam (nc) with the multipliers of kept rows held, ds (nk) of these; and what is left of the
+     * smallest pivot. Stands for `residual` where it is there. */
+    lag_status (*acceleration)(const lag_arguments *at, double *qdd, double *lam, double *rows, double *pivot);
+    /* the same and dqdd dlam -> dzd (nz), dy (ny) */
+    lag_status (*state_derivative)(const lag_arguments *at, double *rates);
+    lag_status (*output)(const lag_arguments *at, double *y);
+} lag_tangents;
+
+#endif

@@ -1,0 +1,41 @@
+"""The Jacobian of one state through buffers that are made once: steppers ask for it often."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_size_t
+
+import numpy as np
+
+from lagdsl.runtime.buffers import Buffers
+from lagdsl.runtime.engine import Floats
+from lagdsl.runtime.load import Arguments, Library, Range
+
+
+class StateJacobian:
+    """`library` has the functions of several directions at once.
+
+    The vectors that `arguments` points at are those of the engine, which has to keep them.
+    """
+
+    def __init__(self, library: Library, arguments: Arguments, size: int) -> None:
+        self._prepare = library.prepare
+        self._jacobian = library.jacobian
+        self._buffers = Buffers(library)
+        self._arguments = Arguments.from_buffer_copy(arguments)
+        self._arguments.workspace = self._buffers.workspace.ctypes.data
+        self._prepared: bytes | None = None
+        self._rates = np.zeros((size, size))
+        self.coordinate = c_size_t(0)
+        at, memory = byref(self._arguments), self._buffers.memory.ctypes.data
+        self._prepare_call = (library.model, at)
+        rates, index = self._rates.ctypes.data, byref(self.coordinate)
+        self._call = (library.model, library.part, at, Range(0, size), memory, rates, None, index)
+
+    def __call__(self, t: float, parameters: Floats) -> tuple[int, Floats]:
+        """Status and d(qd, qdd, zd)/d(q, qd, z) at what the vectors hold."""
+        now = parameters.tobytes()
+        if now != self._prepared:
+            self._prepare(*self._prepare_call)
+            self._prepared = now
+        self._arguments.t = t
+        return int(self._jacobian(*self._call)), self._rates.copy()

@@ -1,0 +1,73 @@
+"""From text to C, work and results grow with the length of a chain, not with its square.
+
+Counted, not timed: calls of functions, nodes, operations and characters are the same in every run.
+"""
+
+from __future__ import annotations
+
+import cProfile
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from lagdsl import pipeline
+from lagdsl.backends.c.source import source
+from lagdsl.diagnostics import Sink
+from lagdsl.eliminate.count import flops
+from lagdsl.program.program import Program
+
+SIZES = (40, 60, 100)
+CHAINS = ("planar_chain", "spatial_chain")
+
+
+def _program(path: Path, n: int) -> Program:
+    sink = Sink()
+    file = pipeline.read(path, sink)
+    assert file is not None
+    flat = pipeline.front(file, sink, structural={"N": n})
+    assert flat is not None
+    compilation = pipeline.middle(flat, sink)
+    assert compilation is not None
+    return compilation.program
+
+
+@cache
+def _programs(path: Path) -> list[Program]:
+    return [_program(path, n) for n in SIZES]
+
+
+def _assert_linear(counts: list[int]) -> None:
+    """What forty further links add is at most a tenth more than twice what the twenty before them add."""
+    first, second, third = counts
+    assert third - second <= 2.2 * (second - first) + 100, counts
+
+
+def test_the_work_of_the_compiler_is_linear(root: Path) -> None:
+    path = root / "benchmarks" / "models" / "planar_chain.lag"
+    source(_program(path, 2), "chain")  # what is imported and read when first used
+    calls = []
+    for n in SIZES:
+        profile = cProfile.Profile()
+        profile.enable()
+        source(_program(path, n), "chain")
+        profile.disable()
+        calls.append(sum(entry.callcount for entry in profile.getstats()))
+    _assert_linear(calls)
+
+
+@pytest.mark.parametrize("name", CHAINS)
+def test_every_function_is_of_linear_size(root: Path, name: str) -> None:
+    programs = _programs(root / "benchmarks" / "models" / f"{name}.lag")
+    _assert_linear([len(program.graph) for program in programs])
+    for function in programs[0].functions:
+        roots = [[x for block in p.function(function.name).results for x in block.elements] for p in programs]
+        _assert_linear([len(each) for each in roots])
+        _assert_linear([flops(p.graph, each) for p, each in zip(programs, roots, strict=True)])
+
+
+@pytest.mark.parametrize("name", CHAINS)
+def test_the_text_hardly_grows(root: Path, name: str) -> None:
+    """Code is loops; only tables grow."""
+    _, medium, long = _programs(root / "benchmarks" / "models" / f"{name}.lag")
+    assert len(source(long, "chain")) <= 1.3 * len(source(medium, "chain"))

@@ -1,0 +1,129 @@
+"""Many random states of a model at once, on its constraints, and what a solution leaves in the equations there."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.graph.operation import Group
+from lagdsl.program.functions import STATE
+from lagdsl.program.program import Program
+from models.corpus import Arrays, compiled, independent_rows, parameter_is_whole, saddle_point, values, values_with_size
+
+MANY = 200
+_ROUNDS = 8
+_ILL_CONDITIONED = 1e6
+
+
+def many_states(name: str) -> Arrays:
+    """MANY random states about the start, as arrays by group, one row per state; those where something is singular or
+    that do not reach the constraints are drawn again."""
+    program, random = compiled(name).graph, np.random.default_rng(41)
+    found: list[Arrays] = []
+    for _ in range(_ROUNDS):
+        state = onto_constraints(program, _draw(name, random))
+        regular = _regular(program, state)
+        found.append({group: rows[regular] for group, rows in state.items()})
+        if sum(len(part[Group.TIME]) for part in found) >= MANY:
+            return {group: np.concatenate([part[group] for part in found])[:MANY] for group in STATE}
+    raise AssertionError(f"{name}: too few regular states found")
+
+
+def _draw(name: str, random: np.random.Generator) -> Arrays:
+    program = compiled(name).graph
+    layout, count = program.layout, MANY + MANY // 4
+    whole = np.array([parameter_is_whole(name, slot.name) for slot in layout.parameters], dtype=bool)
+    p = np.array(layout.defaults) * np.where(whole, 1.0, random.uniform(0.9, 1.1, (count, len(whole))))
+    t = random.uniform(0.0, 1.0, count)
+    start = values(program, "start", {Group.TIME: t, Group.P: p})
+    q, qd, z, u = (_about(np.asarray(block, dtype=float), random) for block in start)
+    return {
+        Group.TIME: t,
+        Group.Q: q,
+        Group.QD: qd,
+        Group.Z: z,
+        Group.U: u,
+        Group.W: np.zeros((count, 0)),
+        Group.P: p,
+    }
+
+
+def _about(start: np.ndarray, random: np.random.Generator) -> np.ndarray:
+    """Within a third of the start value; where that is zero, of one SI unit or of the largest neighbor."""
+    size = np.max(np.abs(start), axis=-1, initial=0.0, keepdims=True)
+    scale = np.where(start != 0, np.abs(start), np.where(size > 0, size, 1.0))
+    return np.asarray(start + 0.3 * scale * random.uniform(-1, 1, start.shape))
+
+
+def onto_constraints(program: Program, state: Arrays) -> Arrays:
+    """The states moved onto the constraints: Newton's method in the positions, one step in the rates."""
+    q, qd = state[Group.Q], state[Group.QD]
+    if not program.layout.constraints:
+        return state
+    for _ in range(30):
+        phi, jacobian = values(program, "position_constraint", state | {Group.Q: q})
+        step = _least(jacobian, phi)
+        q = q - step
+        if np.all(np.abs(step) <= 1e-15 * np.max(np.abs(q), axis=-1, keepdims=True)):
+            break
+    residual, jacobian = values(program, "velocity_constraint", state | {Group.Q: q, Group.QD: qd})
+    return state | {Group.Q: q, Group.QD: qd - _least(jacobian, residual)}
+
+
+def _least(jacobian: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """The least steps; none where something is no number."""
+    sound = np.isfinite(jacobian).all(axis=(-1, -2)) & np.isfinite(right).all(axis=-1)
+    inverse = np.linalg.pinv(np.where(sound[:, None, None], jacobian, 0.0), rcond=1e-10)
+    return np.asarray((inverse @ np.where(sound[:, None], right, 0.0)[..., None])[..., 0])
+
+
+def _regular(program: Program, state: Arrays) -> np.ndarray:
+    """Where everything is finite, on the constraints, and the equations determine the accelerations well."""
+    blocks = values(program, "dynamics", state)
+    finite: np.ndarray = np.array([np.isfinite(block).reshape(len(block), -1).all(axis=1) for block in blocks]).all(
+        axis=0
+    )
+    phi, _ = values(program, "position_constraint", state)
+    finite &= np.max(np.abs(np.nan_to_num(phi, nan=1.0)), axis=1, initial=0.0) < 1e-9
+    rows = independent_rows(program)
+    for i in np.flatnonzero(finite):
+        matrix = saddle_point(blocks[0][i], blocks[2][i][rows])
+        if matrix.size:
+            scale = 1 / np.sqrt(np.maximum(np.max(np.abs(matrix), axis=1), 1e-300))
+            finite[i] = np.linalg.cond(scale[:, None] * matrix * scale) < _ILL_CONDITIONED
+    return finite
+
+
+def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.ndarray) -> float:
+    """What qdd and lam leave in M qdd - J'lam = f and J qdd = gamma, relative to the size of the terms; the worst row
+    of all states.
+
+    Where terms vanish at a state, relative to what they are the sum of, but not to more than is usual in that row;
+    where all of them vanish, relative to a ten-thousandth of what the largest unknowns would make of it. Rows of J that
+    vanish everywhere (of a constraint that follows from another one) are round-off and say nothing.
+    """
+    (mass, m_size), (force, f_size), (rows, r_size), (bias, b_size) = values_with_size(program, "dynamics", state)
+    a, lam = qdd[..., None], lam[..., None]
+    across, r_across = np.swapaxes(rows, -1, -2), np.swapaxes(r_size, -1, -2)
+    some, hard = (
+        np.maximum(np.abs(x), 1e-4 * np.max(np.abs(x), axis=-2, keepdims=True, initial=0.0)) for x in (a, lam)
+    )
+    motion = _part(
+        mass @ a - force[..., None] - across @ lam,
+        np.abs(mass) @ some + np.abs(force[..., None]) + np.abs(across) @ hard,
+        m_size @ some + f_size[..., None] + r_across @ hard,
+    )
+    held = _part(
+        rows @ a - bias[..., None],
+        np.abs(rows) @ some + np.abs(bias[..., None]),
+        r_size @ some + b_size[..., None],
+    )
+    length = np.max(np.abs(rows), axis=(0, -1), initial=0.0)
+    held = held[:, length > 1e-10 * np.max(length, initial=0.0)]
+    return float(max(np.max(motion, initial=0.0), np.max(held, initial=0.0)))
+
+
+def _part(left: np.ndarray, terms: np.ndarray, inner: np.ndarray) -> np.ndarray:
+    """Infinite where something is no number."""
+    size = terms + np.minimum(inner, np.max(terms, axis=0))
+    part = np.abs(left) / np.where(size > 0.0, size, 1.0)
+    return np.where(np.isnan(part), np.inf, part)

@@ -1,0 +1,55 @@
+"""Elimination, the dense solution and the textbook give the same motions, at many states of every model."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lagdsl.graph.operation import Op
+from lagdsl.program.functions import STATE
+from lagdsl.program.program import Program
+from lagdsl.runtime.broadcast import BatchEngine
+from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.numpy_engine import NumpyEngine
+from models.corpus import MODELS, Arrays, compiled, textbook
+from models.many_states import left_in_equations, many_states
+
+EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in MODELS])
+LEFT = 1e-10  # of the size of the terms
+
+
+@EVERY
+def test_solutions_satisfy_the_equations_of_both_derivations(name: str) -> None:
+    program, states = compiled(name).graph, many_states(name)
+    ways: list[BatchEngine] = [
+        NumpyEngine(without_dense(program)),
+        NumpyEngine(without_elimination(program)),
+        CEngine(program),
+    ]
+    for engine in ways if program.has("elimination") else ways[1:]:
+        qdd, lam = solved(engine, states)
+        assert left_in_equations(program, states, qdd, lam) < LEFT
+        assert left_in_equations(textbook(name), states, qdd, lam) < LEFT
+
+
+def solved(engine: BatchEngine, states: Arrays) -> tuple[np.ndarray, np.ndarray]:
+    qdd, lam = engine.solve_many(*(states[group] for group in STATE))
+    return qdd, lam
+
+
+def without_elimination(program: Program) -> Program:
+    return replace(program, functions=tuple(f for f in program.functions if f.name != "elimination"), kept_rows=())
+
+
+def without_dense(program: Program) -> Program:
+    """Where the dense equations are asked for, they are no numbers: elimination alone must do."""
+    graph = program.graph
+    t = graph.unary(Op.SQRT, graph.constant(-1.0))
+    blocks = program.function("dynamics").results
+    nothing = tuple(replace(block, elements=(t,) * len(block.elements)) for block in blocks)
+    return replace(
+        program,
+        functions=tuple(replace(f, results=nothing) if f.name == "dynamics" else f for f in program.functions),
+    )
