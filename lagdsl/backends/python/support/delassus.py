@@ -37,8 +37,8 @@ def solve_kept(
     """Accelerations (..., n), all multipliers (..., m) of least Euclidean norm, and where they are sound (...).
 
     `acceleration` and `multiplier` are those where the multipliers of the rows `kept` are zero; row i of `response` and
-    of `multiplier_response` is what a unit of kept multiplier i adds to them. Of the kept rows those flagged `independent`
-    are that, except where they are zero, as those of open contacts: their multipliers are zero.
+    of `multiplier_response` is what a unit of kept multiplier i adds to them. Of the kept rows those flagged
+    `independent` are that, except where they are zero, as those of open contacts: their multipliers are zero.
     """
     rank = sum(independent)
     if rank == 0 and not multiplier_response.any():  # the kept ones are zero
