@@ -38,9 +38,14 @@ def _left(system: Arrays, kept: tuple[int, ...]) -> Arrays:
     return a, lam, response, np.array([k for _, k in adds]).reshape(len(kept), len(lam)), rows[[*kept]], bias[[*kept]]
 
 
+def _independent(rows: Floats, rank: int) -> list[int]:
+    """Any as many as are independent, those of zeros last."""
+    return sorted(range(rows.shape[-2]), key=lambda row: not rows[..., row, :].any())[:rank]
+
+
 def _solve(left: Sequence[np.ndarray], kept: tuple[int, ...], rank: int) -> Arrays:
     a, lam, response, adds, rows, bias = left
-    return solve_kept(a, lam, response, adds, rows, bias, kept, tuple(i < rank for i in range(len(kept))))
+    return solve_kept(a, lam, response, adds, rows, bias, kept, tuple(row in _independent(rows, rank) for row in range(len(kept))))
 
 
 def _rest(system: Arrays, a: np.ndarray, lam: np.ndarray) -> float:

@@ -33,6 +33,8 @@ static lag_status evaluate_event(const lag_model *model, lag_function which, con
     default:
         return LAG_MISSING;
     }
+}
+
 static lag_status eliminate(const lag_model *model, const lag_arguments *at, double *r)
 {
     double *response = r + model->nq + model->nc;
