@@ -206,11 +206,14 @@ class Motion:
     def _happen(self, found: Found, dense: Callable[[float], Floats]) -> Floats:
         """The state after an event inside a step."""
         self._record_inside(found.t, lambda: dense)
-        y = np.asarray(dense(found.t))
-        projected = self._projected(found.t, y)
-        y = y if projected is None else projected
+        y = self._on_constraints(found.t, np.asarray(dense(found.t)))
         self._row_before(found.t, y)
         return self._after_event(found.t, self._happenings.carry_out(found, y))
+
+    def _on_constraints(self, t: float, y: Floats) -> Floats:
+        """The state before an event: what is left of a rate along a contact that opens would be an impact."""
+        projected = self._exact(t, y)
+        return y if projected is None else projected
 
     def _tick(self, t: float, y: Floats) -> Floats:
         """The state after the clocks that tick at the end of a segment."""
@@ -285,6 +288,7 @@ class Motion:
 
     def _happen_in_leap(self, t: float, y: Floats, changed: tuple[list[int], list[int]], step: float) -> Floats:
         """The state after an event that C has located."""
+        y = self._on_constraints(t, y)
         self._row_before(t, y)
         return self._after_event(t, self._happenings.carry_out(self._happenings.located(t, changed, step), y))
 

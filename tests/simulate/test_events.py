@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lagdsl
+from lagdsl.pipeline import EngineName
 from lagdsl.simulate.failure import SimulationFailed
 
 G = 9.80665
@@ -130,6 +131,27 @@ def test_particle_leaves_the_sphere_at_two_thirds() -> None:
     row = int(np.flatnonzero(motion.time == left.time)[0])
     start = motion["y"][0] / 0.5
     assert motion["y"][row] / 0.5 == pytest.approx(2.0 / 3.0 * start, abs=1e-8)
+
+
+TABLE = """
+model BallOnMovingTable
+  parameter Length A = 5 cm;
+  parameter AngularVelocity w = 20 rad/s;
+  coordinate Length h(der(start = 1 m/s));
+  Length table = A*sin(w*time);
+  gravity = -g_n*world.y;
+  mass 0.1 kg at {0, h};
+  contact surface: h >= table with restitution = 0.6;
+end BallOnMovingTable;
+"""
+
+
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+def test_ball_leaves_a_falling_table_without_an_impact(engine: EngineName) -> None:
+    motion = lagdsl.compile(TABLE, engine=engine).simulate(stop=0.3)
+    leaving = math.asin(G / (0.05 * 20.0**2)) / 20.0
+    assert [event.kind for event in motion.events] == ["opened", "impact"]
+    assert motion.events[0].time == pytest.approx(leaving, abs=1e-9)
 
 
 SAMPLED = """
