@@ -11,7 +11,7 @@ from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, quotient, report_unequal
-from lagdsl.semantics.naming import an, kind_of, quantity
+from lagdsl.semantics.naming import kind_of, quantity
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
     NUMERIC,
@@ -98,7 +98,8 @@ def _numeric(ctx: Context, operand: Operand) -> Numeric | None:
     return None
 
 
-def _kind(left: Numeric, right: Numeric) -> Kind:
+def joint_kind(left: Numeric, right: Numeric) -> Kind:
+    """Integer where both are."""
     both = getattr(left, "kind", "Real") == "Integer" and getattr(right, "kind", "Real") == "Integer"
     return "Integer" if both else "Real"
 
@@ -146,10 +147,10 @@ def added(ctx: Context, scope: Scope, operator: str, left: Operand, right: Opera
     match one, two:
         case Scalar(), Scalar():
             expression = _integer(sign, one, two) or flat.Binary(sign, one.expression, two.expression)
-            return Scalar(expression, dimension, variability, order, _kind(one, two))
+            return Scalar(expression, dimension, variability, order, joint_kind(one, two))
         case Array(), Array():
             parts = tuple(_plus(sign, a, b) for a, b in zip(one.elements, two.elements, strict=True))
-            return Array(parts, one.shape, dimension, variability, order, _kind(one, two))
+            return Array(parts, one.shape, dimension, variability, order, joint_kind(one, two))
         case Vector(), Vector():
             if is_zero(left.value) or is_zero(right.value):
                 return one if is_zero(right.value) else two if sign == "+" else negated(two)
@@ -188,7 +189,7 @@ def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Va
             return one if is_zero(one) else two  # of any dimension still, as a sum over nothing is
         case Scalar(), Scalar():
             expression = _integer("*", one, two) or flat.Binary("*", one.expression, two.expression)
-            return Scalar(expression, dimension, variability, order, _kind(one, two))
+            return Scalar(expression, dimension, variability, order, joint_kind(one, two))
         case (Scalar(), Vector()) | (Vector(), Scalar()):
             factor, vector = (one, two) if isinstance(one, Scalar) else (two, one)
             assert isinstance(factor, Scalar) and isinstance(vector, Vector)
@@ -198,7 +199,7 @@ def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Va
             factor, array = (one, two) if isinstance(one, Scalar) else (two, one)
             assert isinstance(factor, Scalar) and isinstance(array, Array)
             parts = tuple(times(factor.expression, part) for part in array.elements)
-            return Array(parts, array.shape, dimension, variability, order, _kind(one, two))
+            return Array(parts, array.shape, dimension, variability, order, joint_kind(one, two))
         case Array(shape=(3, 3)), Vector():
             column = components(two)
             x, y, z = (_row_times(one, row, column.elements) for row in range(3))
@@ -409,41 +410,3 @@ def unary(ctx: Context, node: nodes.Unary, value: Value) -> Value:
     if number is None:
         return POISON
     return negated(number) if node.operator == "-" else number
-
-
-def choice(
-    ctx: Context, scope: Scope, condition: Scalar, value: Operand, otherwise: Operand, node: nodes.Node
-) -> Value:
-    """`if condition then value else otherwise`, branches of one shape and dimension."""
-    if isinstance(value.value, Poison) or isinstance(otherwise.value, Poison):
-        return POISON
-    kinds = [getattr(operand.value, "kind", "Real") for operand in (value, otherwise)]
-    if kinds[0] != kinds[1] and not (kinds[0] in NUMERIC and kinds[1] in NUMERIC):
-        named, other = (otherwise, value) if kinds[0] in NUMERIC else (value, otherwise)
-        expected = f"{an(kinds[0] if named is value else kinds[1])}, like the other branch"
-        ctx.sink.report("E0312", other.node.span, expected=expected, found=kind_of(other.value))
-        return POISON
-    pair = aligned(ctx, value, otherwise, node)
-    if pair is None:
-        return POISON
-    one, two = pair
-    if not fits(one.dimension, two.dimension):
-        left, right = (value.node, one.dimension), (otherwise.node, two.dimension)
-        report_unequal(ctx, "choose between", scope, left, right)
-        return POISON
-    dimension = joined(one.dimension, two.dimension)
-    variability, order = latest(condition, one, two), highest(condition, one, two)
-    match one, two:
-        case Scalar(), Scalar():
-            expression = flat.Conditional(condition.expression, one.expression, two.expression)
-            kind = one.kind if one.kind == two.kind else "Real"
-            return Scalar(expression, dimension, variability, order, kind)
-        case Vector(), Vector():
-            expression = flat.Conditional(condition.expression, one.expression, two.expression)
-            return Vector(expression, dimension, variability, order)
-        case Array(), Array():
-            pairs = zip(one.elements, two.elements, strict=True)
-            parts = tuple(flat.Conditional(condition.expression, a, b) for a, b in pairs)
-            return Array(parts, one.shape, dimension, variability, order, _kind(one, two))
-        case _:
-            raise AssertionError("aligned gives equal shapes")

@@ -9,6 +9,7 @@ from __future__ import annotations
 from lagdsl.flat import expression as flat
 from lagdsl.semantics import arithmetic, arrays, calls, geometry, references
 from lagdsl.semantics.arithmetic import Operand
+from lagdsl.semantics.choice import choice
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Scope
@@ -121,5 +122,5 @@ def _conditional(ctx: Context, scope: Scope, node: nodes.Conditional, adopt: boo
     for condition, operand in reversed(conditions):
         one = Operand(operand.node, geometry.operand(ctx, operand.value, operand.node.span))
         two = Operand(last.node, geometry.operand(ctx, last.value, last.node.span))
-        last = Operand(last.node, arithmetic.choice(ctx, scope, condition, one, two, node))
+        last = Operand(last.node, choice(ctx, scope, condition, one, two, node))
     return last.value

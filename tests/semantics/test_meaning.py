@@ -70,7 +70,7 @@ X, Y = 0.7, -1.3
         ("world.rotz(pi/2).point({2 m, 0})*world.y/(1 m)", 2.0),
         ("if x > 1 then 1 elseif x > 0.5 and not y > 0 then 2 else 3", 2.0),
         ("if x < 0 or y < 0 then 1 else 2", 1.0),
-        ("if x <> y and x >= y and y <= x and x == x then 1 else 0", 1.0),
+        ("noEvent(if x <> y and x >= y and y <= x and x == x then 1 else 0)", 1.0),
         ("(if x > 0 then {1, 2} else {3, 4})*{1, 10}", 21.0),
         ("(if x > 0 then world.x else world.y)*{1, 10, 0}", 1.0),
         ("noEvent(if x > 0 then 1 else 0) + smooth(1, x)", 1 + X),
