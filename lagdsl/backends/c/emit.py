@@ -19,7 +19,7 @@ PARTS: dict[str, Callable[[Program, str], str]] = {
 }
 
 # Names that the Makefile, the runtime or the example have taken.
-_RESERVED = frozenset({"main", "realtime", "makefile", "lag", "all", "clean"})
+_RESERVED = frozenset({"main", "realtime", "makefile", "lag", "freestanding", "all", "clean"})
 _EXAMPLES = ("main.c", "realtime.c")
 
 
@@ -36,6 +36,7 @@ class CBackend:
         return Artifact(
             {
                 **sources(program),
+                **_headers_of_no_library(),
                 **{name: head + (folder / name).read_text(encoding="utf-8") for name in _EXAMPLES},
                 "Makefile": f"MODEL := {stem}\n{makefile}",
             }
@@ -67,3 +68,9 @@ def runtime_sources() -> dict[str, str]:
         [*(c_folder() / "include" / "lag").glob("*.h"), *(c_folder() / "src").glob("*.c")], key=lambda f: f.name
     )
     return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in files}
+
+
+def _headers_of_no_library() -> dict[str, str]:
+    """Headers for compilers that come without a C library."""
+    folder = c_folder() / "freestanding"
+    return {f"freestanding/{file.name}": file.read_text(encoding="utf-8") for file in sorted(folder.glob("*.h"))}

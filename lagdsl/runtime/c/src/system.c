@@ -84,7 +84,7 @@ static void scale_coordinates(lag_system *s)
 static void scale_rows(lag_system *s)
 {
     const size_t n = s->n;
-    double least = HUGE_VAL, longest = 0.0;
+    double least = (double)INFINITY, longest = 0.0;
     for (size_t j = 0; j < n; ++j) {
         least = fmin(least, s->column_scale[j]);
     }
