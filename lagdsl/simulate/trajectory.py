@@ -39,17 +39,27 @@ class InvariantRecord:
     limit: float
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Event:
-    """Something that happened at an instant.
+    """Something that happened at an instant, which has two rows of the trajectory: before and after.
 
-    `kind` is `impact`, `closed` or `opened` of the contact `name`; `reinit` of the state or rate; `terminate` with its
-    message.
+    | `kind` | `name` |
+    |---|---|
+    | `true`, `false` | the relation that became so, as written |
+    | `tick` | the clock: `sample(0, 5 ms)` |
+    | `impact`, `closed`, `opened` | the contact |
+    | `reinit` | the state or rate that was set |
+    | `terminate` | the message |
+
+    At one instant clocks and relations, which bring the event, come first; relations that change by it are not listed.
     """
 
     time: float
     name: str
     kind: str
+
+    def __repr__(self) -> str:
+        return f"<Event {self.time:.9g} s: {self.name} {self.kind}>"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

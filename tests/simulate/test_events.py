@@ -198,6 +198,33 @@ def test_flow_of_data_at_one_event() -> None:
     assert (motion["a"][-1], motion["b"][-1]) == (11.0, 12.0)
 
 
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+def test_events_tell_what_brought_them(engine: EngineName) -> None:
+    text = """
+    when sample(0.1 s, 0.2 s) then n = pre(n) + 1; end when;
+    when {h <= 0.5 m, der(h) < -4 m/s} then reinit(der(h), 0); end when;
+    """
+    model = lagdsl.compile(
+        BALL.format(declarations="discrete Integer n(start = 0);", items="", equations=text), engine=engine
+    )
+    motion = model.simulate(stop=0.75)
+    half = math.sqrt(1.0 / G)
+    fast = half + 4.0 / G
+    assert [(e.kind, e.name) for e in motion.events] == [
+        ("tick", "sample(0.1 s, 0.2 s)"),
+        ("tick", "sample(0.1 s, 0.2 s)"),
+        ("true", "h <= 0.5 m"),
+        ("reinit", "der(h)"),
+        ("tick", "sample(0.1 s, 0.2 s)"),
+        ("tick", "sample(0.1 s, 0.2 s)"),
+        ("true", "der(h) < -4 m/s"),
+        ("reinit", "der(h)"),
+    ]
+    times = [0.1, 0.3, half, half, 0.5, 0.7, fast, fast]
+    assert [e.time for e in motion.events] == pytest.approx(times, abs=1e-9)
+    assert repr(motion.events[0]) == "<Event 0.1 s: sample(0.1 s, 0.2 s) tick>"
+
+
 def test_reinit_keeps_the_constraints() -> None:
     text = """
     model Pendulum
@@ -213,7 +240,7 @@ def test_reinit_keeps_the_constraints() -> None:
     end Pendulum;
     """
     motion = lagdsl.compile(text).simulate(stop=0.6)
-    (event,) = motion.events
+    (_, event) = motion.events
     after = int(np.flatnonzero(motion.time == event.time)[-1])
     assert motion["der(x)"][after] == pytest.approx(-1.0)
     assert motion["der(y)"][after] == pytest.approx(-0.5 / math.sqrt(0.75), rel=1e-7)

@@ -123,8 +123,19 @@ class Happenings:
         flipped = self._discretes.relations[found.relations]
         w[flipped] = 1.0 - w[flipped]
         w[self._discretes.clocks[found.clocks]] = 1.0
+        self.events += self._triggers(found, w)
         if pulse is not None:
             w[pulse] = 1.0
         result = self._passes.run(t, y, w, found.contacts)
         self.events += result.events
         return result
+
+    def _triggers(self, found: Found, w: Floats) -> list[Event]:
+        """What brings the event, where it is no contact; relations that follow from it are not told."""
+        events = self._discretes.flat.events
+        ticks = [Event(time=found.t, name=events.clocks[k].name, kind="tick") for k in found.clocks]
+        truths = w[self._discretes.relations] != 0.0
+        return ticks + [
+            Event(time=found.t, name=events.relations[k].name, kind="true" if truths[k] else "false")
+            for k in found.relations
+        ]
