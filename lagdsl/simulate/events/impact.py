@@ -10,7 +10,6 @@ non-negative least squares (Lawson, Hanson, *Solving Least Squares Problems*, 19
 from __future__ import annotations
 
 import numpy as np
-from scipy.optimize import nnls
 
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.mechanics.rank import Floats
@@ -23,6 +22,8 @@ def collide(
 
     `jacobian` are the bilateral rows, which `rates` satisfy already.
     """
+    from scipy.optimize import nnls
+
     factors, _ = factorize(mass, jacobian, rank)
     response, _ = factors.solve(rows.T, np.zeros((len(jacobian), len(rows))))
     compliance = rows @ response

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from scipy.optimize import brentq
-
 # Places inside a step at which it is looked whether something changed: what changes and changes back within a quarter
 # of a step is missed.
 PLACES = (0.25, 0.5, 0.75, 1.0)
@@ -50,6 +48,8 @@ def _earliest(
 
 
 def _root(left: float, right: float, function: Callable[[float], float]) -> float:
+    from scipy.optimize import brentq
+
     low, high = function(left), function(right)
     if not low * high < 0.0:
         return left if abs(low) <= abs(high) else right
