@@ -10,7 +10,7 @@ import pytest
 
 import lagdsl
 from lagdsl.runtime import load
-from lagdsl.simulate import motion as motion_module
+from lagdsl.simulate.motion import loop
 from lagdsl.simulate.simulate import simulate
 
 MODELS = Path(__file__).parents[2] / "models"
@@ -68,7 +68,7 @@ def by_scipy(monkeypatch: pytest.MonkeyPatch):  # type: ignore[no-untyped-def]
 
     def run(model: lagdsl.Model, **options: object) -> lagdsl.Trajectory:
         with monkeypatch.context() as patch:
-            patch.setattr(motion_module, "can_leap", lambda *_: False)
+            patch.setattr(loop, "can_leap", lambda *_: False)
             return model.simulate(**options)  # type: ignore[arg-type]
 
     return run
