@@ -101,7 +101,7 @@ def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
 def structure_text(structure: Structure) -> str:
     """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`"""
     parts = [_counted(structure.coordinates, "coordinate")]
-    if structure.redundant:
+    if len(structure.redundant) > len(structure.contacts):
         parts.append(f"- {_counted(structure.rank, 'independent constraint')}")
     parts.append(f"= {_counted(structure.freedom, 'degree')} of freedom")
     if structure.configuration_freedom != structure.freedom:

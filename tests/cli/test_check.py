@@ -100,3 +100,31 @@ def test_faults_of_the_other_models_of_a_file_are_told(invoke: Invoke, tmp_path:
     assert result.exit_code == 1
     assert "error[E0201]: unknown name `xx`" in result.stderr
     assert invoke("check", "-m", "B", str(file)).exit_code == 0
+
+
+def test_what_happens_at_instants_is_told_and_contacts_are_no_constraints(invoke: Invoke, tmp_path: Path) -> None:
+    path = tmp_path / "ball.lag"
+    path.write_text(
+        """model Ball
+             coordinate Length h(start = 1 m);
+             discrete Integer n(start = 0);
+             gravity = -g_n*world.y;
+             mass 1 kg at {0, h};
+             contact floor: h >= 0 with restitution = 0.5;
+           equation
+             when {h <= 0.2 m, sample(0, 5 ms)} then
+               n = pre(n) + 1;
+             end when;
+           end Ball;
+        """
+    )
+    result = invoke("check", path)
+    line, events = result.stdout.splitlines()
+    assert line == (
+        "Ball: 1 coordinate = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1); "
+        "0 constraints, 0 states, 0 inputs, 0 outputs"
+    )
+    assert events == (
+        "events: 1 contact (floor); 1 discrete variable (n); 1 clock (sample(0, 5 ms)); "
+        "1 when clause; 1 located relation"
+    )
