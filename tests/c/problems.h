@@ -36,6 +36,37 @@ static inline void smooth_exact(double t, double *x)
     x[2] = 1.0 / (3.0 - cos(t));
 }
 
+/* Linear, so that Newton's method solves stage equations in one iteration: an oscillator, and decay under a load. */
+static inline lag_status linear_rates(void *context, double t, const double *x, double *xd)
+{
+    (void)context;
+    xd[0] = x[1];
+    xd[1] = -x[0];
+    xd[2] = sin(t) - x[2];
+    return LAG_OK;
+}
+
+static inline lag_status linear_jacobian(void *context, double t, const double *x, double *j)
+{
+    (void)context;
+    (void)t;
+    (void)x;
+    for (int i = 0; i < 9; ++i) {
+        j[i] = 0.0;
+    }
+    j[1] = 1.0;
+    j[3] = j[8] = -1.0;
+    return LAG_OK;
+}
+
+/* From (0, 1, 1/2). */
+static inline void linear_exact(double t, double *x)
+{
+    x[0] = sin(t);
+    x[1] = cos(t);
+    x[2] = 0.5 * (sin(t) - cos(t)) + exp(-t);
+}
+
 /* Orbit of Arenstorf: Hairer, Norsett and Wanner I, section II.0, formulas (0.1) and (0.2). */
 static const double ARENSTORF_START[4] = {0.994, 0.0, 0.0, -2.00158510637908252240537862224};
 static const double ARENSTORF_PERIOD = 17.0652165601579625588917206249;

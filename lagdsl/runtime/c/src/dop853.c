@@ -315,6 +315,7 @@ static void dense(const lag_stepper *s, double t, double *x)
 const lag_method lag_dop853 = {
     .name = "dop853",
     .order = 8,
+    .highest_order = 8,
     .dense_order = 7,
     .implicit = 0,
     .factor = 1e-2,

@@ -36,7 +36,8 @@ typedef struct lag_stepper {
 
 struct lag_method {
     const char *name;
-    unsigned order;       /* of the steps */
+    unsigned order;       /* of the steps; where the method chooses among several: the lowest, */
+    unsigned highest_order; /* and the highest */
     unsigned dense_order; /* of the dense output */
     int implicit;         /* needs the Jacobian */
     double factor;        /* local tolerance as a part of the tolerance of the whole motion */
@@ -49,7 +50,7 @@ struct lag_method {
 };
 
 extern const lag_method lag_dop853; /* explicit, order 8 */
-extern const lag_method lag_radau;  /* implicit, order 5, L-stable */
+extern const lag_method lag_radau;  /* implicit, order 5, 9 or 13, L-stable */
 
 /* Doubles for states of `size` numbers; enough for any method of this runtime. */
 size_t lag_stepper_memory(size_t size);
