@@ -18,7 +18,7 @@ from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Derivation, EngineName, engine_of, findings
 from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.table_io import Tables, has_writer, read_inputs, write_table
+from lagdsl.simulate.table_io import Tables, has_writer, read_inputs, write_events, write_table
 from lagdsl.simulate.trajectory import Trajectory
 
 _SECONDS = "e.g. 10, '500 ms'"
@@ -43,6 +43,7 @@ _SECONDS = "e.g. 10, '500 ms'"
 @click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf.")
 @click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the columns to this .csv or .parquet.")
+@click.option("--events", type=click.Path(path_type=Path), help="Write what happened, and when, to this .csv.")
 @click.option("--plot", "picture", type=click.Path(path_type=Path), help="Write a figure of the motion.")
 def command(
     file: Path,
@@ -57,10 +58,11 @@ def command(
     solver: str,
     derivation: Derivation,
     output: Path | None,
+    events: Path | None,
     picture: Path | None,
 ) -> None:
     """Simulate the model in FILE; without -o, show a summary of the motion."""
-    for path in (output, picture):
+    for path in (output, events, picture):
         require_writable(path)
     _require_forms(output, picture, style)
     source = read_or_leave(file, style)
@@ -85,12 +87,12 @@ def command(
         leave_with_errors(findings(sink, failure), style)
     except SimulationFailed as failure:
         tell((*sink.diagnostics, *failure.diagnostics), style)
-        _write(failure.trajectory, output, style)
+        _write(failure.trajectory, output, events, style)
         click.get_current_context().exit(FAILED_RUN)
     except ValueError as error:  # options that make no sense
         raise click.UsageError(str(error)) from error
     tell(sink.diagnostics, style)
-    _write(motion, output, style)
+    _write(motion, output, events, style)
     if picture is not None:
         from lagdsl.plot.figure import plot
 
@@ -122,12 +124,13 @@ def _read_inputs(path: Path | None, style: Format) -> Tables:
     return tables
 
 
-def _write(motion: Trajectory, output: Path | None, style: Format) -> None:
-    """To the file if there is one; leaves with status 2 where it cannot be written."""
-    if output is None:
-        return
+def _write(motion: Trajectory, output: Path | None, events: Path | None, style: Format) -> None:
+    """To the files that there are; leaves with status 2 where one cannot be written."""
     sink = Sink()
-    write_table(motion, output, sink)
+    if output is not None:
+        write_table(motion, output, sink)
+    if events is not None:
+        write_events(motion, events, sink)
     if sink.has_errors:
         _leave_with_usage(sink, style)
 

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from lagdsl.plot.terminal import sketch
 from lagdsl.simulate.moved import moved_text
-from lagdsl.simulate.trajectory import Column, Trajectory
+from lagdsl.simulate.trajectory import Column, Event, Trajectory
+
+_MOST_KINDS = 16
+_LONGEST_NAME = 40
 
 
 def summary(trajectory: Trajectory, *, freedom: int, loops: tuple[str, ...], curves: bool) -> str:
@@ -12,6 +15,7 @@ def summary(trajectory: Trajectory, *, freedom: int, loops: tuple[str, ...], cur
     parts = [
         moved_text(trajectory.model, freedom, trajectory.moved, loops),
         _table(trajectory),
+        _events(trajectory.events),
         _quality(trajectory),
         sketch(trajectory) if curves else "",
     ]
@@ -20,12 +24,7 @@ def summary(trajectory: Trajectory, *, freedom: int, loops: tuple[str, ...], cur
 
 def _table(trajectory: Trajectory) -> str:
     header = ("", "start", "end", "lowest", "highest", "")
-    rows = [header, *(_row(column) for column in trajectory.columns[1:])]
-    widths = [max(len(row[i]) for row in rows) for i in range(len(header))]
-    lines = [
-        "  ".join([row[0].ljust(widths[0]), *(row[i].rjust(widths[i]) for i in range(1, 5)), row[5]]).rstrip()
-        for row in rows
-    ]
+    lines = _lines([header, *(_row(column) for column in trajectory.columns[1:])], left=(0, 5))
     first, last = float(trajectory.time[0]), float(trajectory.time[-1])
     title = f"{trajectory.model}: {len(trajectory)} rows from {first:g} s to {last:g} s, {trajectory.statistics.solver}"
     return "\n".join([title, *lines])
@@ -35,6 +34,38 @@ def _row(column: Column) -> tuple[str, ...]:
     values = column.values
     numbers = (values[0], values[-1], values.min(), values.max())
     return (column.name, *(f"{column.display(float(x)):.5g}" for x in numbers), column.display.unit)
+
+
+def _lines(rows: list[tuple[str, ...]], left: tuple[int, ...]) -> list[str]:
+    """Rows of one table; the columns `left` are words."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return [
+        "  ".join(
+            cell.ljust(width) if i in left else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    ]
+
+
+def _events(events: tuple[Event, ...]) -> str:
+    """How often what happened, from when to when."""
+    if not events:
+        return ""
+    times: dict[tuple[str, str], list[float]] = {}
+    for event in events:
+        times.setdefault((event.name, event.kind), []).append(event.time)
+    shown = list(times.items())[:_MOST_KINDS]
+    header = ("events", "", "number", "first", "last")
+    rows = [(_short(name), kind, f"{len(t)}", f"{t[0]:.6g} s", f"{t[-1]:.6g} s") for (name, kind), t in shown]
+    lines = _lines([header, *rows], left=(0, 1))
+    if len(times) > len(shown):
+        lines.append(f"and {len(times) - len(shown)} more")
+    return "\n".join(lines)
+
+
+def _short(name: str) -> str:
+    return name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 3]}..."
 
 
 def _quality(trajectory: Trajectory) -> str:

@@ -20,6 +20,8 @@ FORMS = (".eps", ".jpg", ".pdf", ".png", ".svg", ".webp")
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 LINES = ("-", "--", ":", "-.")
 _MOST_CURVES = 14
+_MOST_LINES = 100
+_MARKS = "#999999"
 STYLE: dict[str, Any] = {
     "font.size": 9,
     "axes.spines.top": False,
@@ -65,6 +67,8 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
             _draw(panel, trajectory, columns)
         if energy:
             _draw_energy(axes[-1], trajectory)
+        for panel in axes:
+            _mark(panel, trajectory)
         axes[-1].set_xlabel("time [s]")
         axes[0].set_title(trajectory.model, loc="left", fontweight="bold", color="#333333")
         axes[-1].set_xlim(float(trajectory.time[0]), float(trajectory.time[-1]) if len(trajectory) > 1 else None)
@@ -106,6 +110,19 @@ def _draw(panel: Axes, trajectory: Trajectory, columns: Sequence[Column]) -> Non
         hidden = len(columns) - _MOST_CURVES
         title = f"and {hidden} more" if hidden > 0 else None
         panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=title, fontsize=8, handlelength=1.6)
+
+
+def _mark(panel: Axes, trajectory: Trajectory) -> None:
+    """Where something happened, but for clocks: lines, or dashes at the bottom where lines would hide the curves."""
+    times = sorted({event.time for event in trajectory.events if event.kind != "tick"})
+    length = float(trajectory.time[-1] - trajectory.time[0])
+    apart = [t for k, t in enumerate(times) if k == 0 or t - times[k - 1] > length / _MOST_LINES]
+    if len(apart) < len(times) or len(times) > _MOST_LINES // 4:
+        (marks,) = panel.plot(times, np.zeros(len(times)), marker="|", linestyle="", color=_MARKS, markersize=5)
+        marks.set(transform=panel.get_xaxis_transform(), clip_on=False, zorder=1)
+    else:
+        for time in times:
+            panel.axvline(time, color=_MARKS, linewidth=0.7, linestyle=(0, (4, 3)), zorder=0.9)
 
 
 def _label(columns: Sequence[Column]) -> str:

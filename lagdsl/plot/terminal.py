@@ -14,6 +14,7 @@ _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _BLANK = 0x2800
 _MOST_CURVES = 6
 _FINE = 12
+_MARK = "\N{BOX DRAWINGS LIGHT VERTICAL}"
 
 
 def sketch(trajectory: Trajectory, *, width: int | None = None, height: int = 4) -> str:
@@ -25,17 +26,30 @@ def sketch(trajectory: Trajectory, *, width: int | None = None, height: int = 4)
     total = max(shutil.get_terminal_size().columns if width is None else width, 40)
     bounds = [_bounds(column) for column in shown]
     names = [f"{column.name} [{column.display.unit}]" if column.display.unit else column.name for column in shown]
-    margin = max(len(text) for text in [*names, *(b for pair in bounds for b in pair)])
+    margin = max(len(text) for text in ["events", *names, *(b for pair in bounds for b in pair)])
     lines: list[str] = []
     for column, name, (low, high) in zip(shown, names, bounds, strict=True):
         labels = [high, name, *[""] * (height - 3), low] if height > 2 else [name]
         curve = braille(trajectory.time, column.values, width=total - margin - 2, height=len(labels))
         lines += [f"{label:>{margin}} {row}".rstrip() for label, row in zip(labels, curve, strict=True)]
+    marks = _marks(trajectory, total - margin - 2)
+    if marks:
+        lines.append(f"{'events':>{margin}} {marks}".rstrip())
     first, last = f"{trajectory.time[0]:g} s", f"{trajectory.time[-1]:g} s"
     lines.append(" " * (margin + 1) + first + last.rjust(total - margin - 2 - len(first)))
     if len(columns) > len(shown):
         lines.append(f"and {len(columns) - len(shown)} more")
     return "\n".join(lines)
+
+
+def _marks(trajectory: Trajectory, width: int) -> str:
+    """A mark where something happened, but for clocks; empty where nothing did."""
+    first, last = trajectory.time[0], trajectory.time[-1]
+    line = [" "] * width
+    for event in trajectory.events:
+        if event.kind != "tick" and last > first:
+            line[min(int((event.time - first) / (last - first) * width), width - 1)] = _MARK
+    return "".join(line).rstrip()
 
 
 def _bounds(column: Column) -> tuple[str, str]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from importlib.util import find_spec
 from io import StringIO
 from pathlib import Path
@@ -40,30 +42,49 @@ def write_table(trajectory: Trajectory, path: Path, sink: Sink | None = None) ->
     cannot be done; without a sink these raise CompilationFailed."""
     own = Sink() if sink is None else sink
     if has_writer(path, own):
-        try:
-            with whole_file(path) as draft:
-                _write(trajectory, path.suffix.lower() == _PARQUET, draft)
-        except BrokenPipeError:  # the reader has gone, which is no fault of the table
-            raise
-        except OSError as error:
-            own.report("E0826", None, file=path, reason=error.strerror or str(error))
+        parquet = path.suffix.lower() == _PARQUET
+        with _draft_of(path, own) as draft:
+            if parquet:
+                _write_parquet(trajectory, draft)
+            else:
+                draft.write_text(csv_text(trajectory), encoding="utf-8", newline="")
     if sink is None:
         own.raise_if_errors()
 
 
-def _write(trajectory: Trajectory, parquet: bool, draft: Path) -> None:
-    if parquet:
-        _write_parquet(trajectory, draft)
-    else:
-        draft.write_text(csv_text(trajectory), encoding="utf-8", newline="")
+def write_events(trajectory: Trajectory, path: Path, sink: Sink) -> None:
+    """Write what happened to `path` as CSV: time [s], kind, name. E0826 where that cannot be done."""
+    with _draft_of(path, sink) as draft:
+        draft.write_text(events_text(trajectory), encoding="utf-8", newline="")
+
+
+@contextmanager
+def _draft_of(path: Path, sink: Sink) -> Iterator[Path]:
+    """`whole_file` that reports E0826 where it cannot be written."""
+    try:
+        with whole_file(path) as draft:
+            yield draft
+    except BrokenPipeError:  # the reader has gone, which is no fault of the table
+        raise
+    except OSError as error:
+        sink.report("E0826", None, file=path, reason=error.strerror or str(error))
 
 
 def csv_text(trajectory: Trajectory) -> str:
     """Header and rows; every number in the shortest form that reads back as the same float."""
+    return _csv(trajectory.names, zip(*(column.values.tolist() for column in trajectory.columns), strict=True))
+
+
+def events_text(trajectory: Trajectory) -> str:
+    """The same of the events."""
+    return _csv(("time", "kind", "name"), ((event.time, event.kind, event.name) for event in trajectory.events))
+
+
+def _csv(header: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(trajectory.names)
-    writer.writerows(zip(*(column.values.tolist() for column in trajectory.columns), strict=True))
+    writer.writerow(header)
+    writer.writerows(rows)
     return text.getvalue()
 
 

@@ -76,7 +76,8 @@ class Statistics:
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Trajectory:
-    """Rows at the requested times. `trajectory["theta"]` is a column in SI units.
+    """Rows at the requested times, and two at the time of an event: before it and after it. `trajectory["theta"]` is a
+    column in SI units.
 
     `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the
     units of the constraint rows; `energy` is energy() [J].
@@ -94,7 +95,9 @@ class Trajectory:
 
     def __repr__(self) -> str:
         span = f"{self.time[0]:g} s to {self.time[-1]:g} s" if len(self) else "no time"
-        return f"<{type(self).__name__} {self.model}: {len(self)} rows, {span}, {', '.join(self.names[1:])}>"
+        count = len(self.events)
+        happened = f", {count} event{'' if count == 1 else 's'}" if count else ""
+        return f"<{type(self).__name__} {self.model}: {len(self)} rows, {span}{happened}, {', '.join(self.names[1:])}>"
 
     @property
     def time(self) -> Floats:
@@ -131,7 +134,8 @@ class Trajectory:
         """Times at which a column passes `level`; `direction` 1 rising, -1 falling, 0 both.
 
         Between rows the column is the polynomial through the eight nearest rows, so rows a tenth of a period apart
-        give times to about 1e-6 of the period, and finer rows much better ones.
+        give times to about 1e-6 of the period, and finer rows much better ones. Events are not reached across; a jump
+        over `level` is a passage.
         """
         return crossing_times(self.time, self[name] - level, direction)
 
@@ -159,10 +163,15 @@ def _append(found: list[float], time: float, rising: bool | None, direction: int
 
 
 def _zero(t: Floats, x: Floats, row: int) -> float:
-    """The zero between two rows, by bisection on the interpolating polynomial."""
-    first = min(max(row - 3, 0), max(len(t) - 8, 0))
-    nodes, values = t[first : first + 8], x[first : first + 8]
+    """The zero between two rows, by bisection on the polynomial through rows without an event between them."""
     low, high = float(t[row]), float(t[row + 1])
+    if low == high:
+        return low
+    jumps = np.flatnonzero(t[1:] == t[:-1])
+    begin = int(np.max(jumps[jumps < row], initial=-1)) + 1
+    end = int(np.min(jumps[jumps > row], initial=len(t) - 1)) + 1
+    first = min(max(row - 3, begin), max(end - 8, begin))
+    nodes, values = t[first : min(first + 8, end)], x[first : min(first + 8, end)]
     sign = np.sign(x[row])
     for _ in range(60):
         middle = 0.5 * (low + high)

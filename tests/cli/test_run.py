@@ -55,6 +55,48 @@ def test_a_figure(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
     assert out.read_bytes().startswith(b"\x89PNG")
 
 
+BALL = """model Ball
+  coordinate Length h(start = 1 m);
+  gravity = {0, -9.81 m/s2, 0};
+  mass 1 kg at {0, h};
+  contact floor: h >= 0 with restitution = 0.5;
+equation
+  when sample(0, 0.5 s) then
+    assert(h < 2 m, "too high");
+  end when;
+  annotation(experiment(StopTime = 1));
+end Ball;
+"""
+
+
+def test_what_happened_is_shown_and_written(invoke: Invoke, tmp_path: Path) -> None:
+    model, out, happened = tmp_path / "ball.lag", tmp_path / "out.csv", tmp_path / "events.csv"
+    model.write_text(BALL)
+    result = invoke("run", model, "--events", happened)
+    assert result.exit_code == 0, result.stderr
+    impact = np.sqrt(2 / 9.81)
+    table = result.stdout[result.stdout.index("events ") :].split("\n\n")[0].splitlines()
+    assert table[0].split() == ["events", "number", "first", "last"]
+    assert table[1].split() == ["sample(0,", "0.5", "s)", "tick", "3", "0", "s", "1", "s"]
+    assert table[2].split() == ["floor", "impact", "2", f"{impact:.6g}", "s", f"{2 * impact:.6g}", "s"]
+    header, *rows = csv.reader(happened.read_text().splitlines())
+    assert header == ["time", "kind", "name"]
+    assert [row[1:] for row in rows] == [
+        ["tick", "sample(0, 0.5 s)"],
+        ["impact", "floor"],
+        ["tick", "sample(0, 0.5 s)"],
+        ["impact", "floor"],
+        ["tick", "sample(0, 0.5 s)"],
+    ]
+    assert float(rows[1][0]) == pytest.approx(impact, abs=1e-9)
+
+    assert invoke("run", model, "-o", out, "--interval", "0.1").exit_code == 0
+    columns = _read(out)
+    before, after = np.flatnonzero(columns["time"] == float(rows[1][0]))
+    assert after == before + 1
+    assert columns["der(h)"][after] == pytest.approx(-0.5 * columns["der(h)"][before], rel=1e-12)
+
+
 def test_both_engines_and_both_derivations_give_the_same_motion(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
     motions = []
     for options in ([], ["--engine", "c"], ["--derivation", "textbook"], ["--solver", "radau"]):

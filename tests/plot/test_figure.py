@@ -13,7 +13,7 @@ import pytest
 from lagdsl.mechanics.structure_display import Display
 from lagdsl.plot.figure import plot
 from lagdsl.plot.terminal import braille, sketch
-from lagdsl.simulate.trajectory import Column, Kind, Statistics, Trajectory
+from lagdsl.simulate.trajectory import Column, Event, Kind, Statistics, Trajectory
 
 T = np.linspace(0.0, 2.0, 201)
 
@@ -22,7 +22,7 @@ def column(name: str, values: np.ndarray, kind: Kind = "coordinate", unit: str =
     return Column(name=name, unit=unit, kind=kind, display=Display(unit, scale), values=values)
 
 
-def trajectory(*columns: Column, energy: np.ndarray | None = None) -> Trajectory:
+def trajectory(*columns: Column, energy: np.ndarray | None = None, events: tuple[Event, ...] = ()) -> Trajectory:
     return Trajectory(
         model="Model",
         columns=(column("time", T, "time", "s"), *columns),
@@ -32,7 +32,12 @@ def trajectory(*columns: Column, energy: np.ndarray | None = None) -> Trajectory
         invariants=(),
         moved=(),
         statistics=Statistics(solver="dop853"),
+        events=events,
     )
+
+
+def bounces(*times: float) -> tuple[Event, ...]:
+    return tuple(Event(time=t, name="floor", kind="impact") for t in times)
 
 
 ANGLE = column("theta", np.sin(5 * T), unit="deg", scale=180 / np.pi)
@@ -57,6 +62,22 @@ def test_energy_that_changes_is_shown_itself() -> None:
 def test_no_panel_for_an_energy_that_is_always_zero() -> None:
     assert len(plot(trajectory(column("z", T, "state", "1"))).axes) == 1
     assert len(plot(trajectory()).axes) == 1
+
+
+def test_lines_show_where_something_happened_but_no_ticks() -> None:
+    tick = Event(time=0.3, name="sample(0, 0.1 s)", kind="tick")
+    figure = plot(trajectory(ANGLE, energy=5.0 - T, events=(*bounces(0.5, 1.5), tick)))
+    for panel in figure.axes:
+        assert [line.get_xdata()[0] for line in panel.lines[1:]] == [0.5, 1.5]
+
+
+def test_many_events_are_dashes_below_the_curves() -> None:
+    for times in (np.linspace(0.1, 1.9, 40), 1.0 - 0.5 ** np.arange(10)):
+        (panel,) = plot(trajectory(ANGLE, events=bounces(*times))).axes
+        curve, marks = panel.lines
+        assert marks.get_linestyle() == "None" and marks.get_marker() == "|"
+        np.testing.assert_allclose(marks.get_xdata(), times)
+        assert set(marks.get_ydata()) == {0.0} and len(curve.get_xdata()) == len(T)
 
 
 def test_many_curves_are_cut_off_and_said_so() -> None:
@@ -120,6 +141,18 @@ def test_sketch_is_as_wide_as_asked_and_shows_display_units() -> None:
 def test_sketch_of_many_curves_says_how_many_more() -> None:
     text = sketch(trajectory(*[column(f"x[{i}]", T * i) for i in range(9)]), width=60, height=1)
     assert text.splitlines()[-1] == "and 3 more"
+
+
+def test_sketch_marks_where_something_happened() -> None:
+    tick = Event(time=0.3, name="sample(0, 0.1 s)", kind="tick")
+    lines = sketch(trajectory(ANGLE, events=(*bounces(1.0, 2.0), tick)), width=60).splitlines()
+    place = lines[0].index(" ") + 1
+    line = next(line for line in lines if line.lstrip().startswith("events"))
+    marks = line[line.index("events") + len("events ") :]
+    width = len(marks)
+    assert [i for i, mark in enumerate(marks) if mark == "│"] == [width // 2, width - 1]
+    assert place > 0 and len(line) <= 60
+    assert "events" not in sketch(trajectory(ANGLE, events=(tick,)), width=60)
 
 
 def test_sketch_of_nothing_and_of_no_numbers() -> None:

@@ -478,6 +478,17 @@ def test_crossings_on_rows_count_once() -> None:
     assert crossing_times(t, np.zeros(5), 1).tolist() == []
 
 
+def test_crossings_do_not_reach_across_events() -> None:
+    from lagdsl.simulate.trajectory import crossing_times
+
+    t = np.array([0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.55, 0.6, 0.7, 0.8, 0.9, 1.0])
+    before, after = t[:7], t[7:]
+    x = np.concatenate([before**3 - 0.45**3, (after - 0.83) * (2.0 - after)])  # jumps at 0.55
+    assert crossing_times(t, x, 0) == pytest.approx([0.45, 0.55, 0.83], abs=1e-12)
+    assert crossing_times(t, x, 1) == pytest.approx([0.45, 0.83], abs=1e-12)
+    assert crossing_times(t, x, -1).tolist() == [0.55]
+
+
 def test_data_frame_has_the_columns() -> None:
     frame = run(pendulum()).to_dataframe()
     assert list(frame.columns) == ["time", "theta", "der(theta)"] and len(frame) == 21
