@@ -6,6 +6,7 @@ Each of them has entries in the vector of discretes; expressions read those as v
 
 from __future__ import annotations
 
+import math
 from dataclasses import field
 from typing import Literal, TypeAlias
 
@@ -70,6 +71,17 @@ class Contact(Item):
     @property
     def impacts(self) -> str:
         return f"impacts({self.name})"
+
+
+@record(kw_only=True)
+class Limit(Item):
+    """What events are told has bounds: `least <= value <= most`, with `strict` the first without equality."""
+
+    what: str
+    value: FlatExpression
+    least: float = 0.0
+    most: float = math.inf
+    strict: bool = False
 
 
 # ---- when ------------------------------------------------------------------------------------------------------------
@@ -147,6 +159,7 @@ class Events:
     whens: tuple[When, ...] = ()
     clocks: tuple[Clock, ...] = ()
     instants: tuple[str, ...] = ()
+    limits: tuple[Limit, ...] = ()
 
 
 Kind: TypeAlias = Literal["variable", "contact", "impacts", "relation", "condition", "clock", "instant"]

@@ -274,7 +274,8 @@ class Constraint(Item):
 
     `normalisation` marks the unit-length row that a quaternion brings along. `closure` is given where the compiler
     wrote the rows to close a loop (their names are `closure(D)[2]`), `node` where Kirchhoff's law of a `connect` did.
-    `contact`: it is there while the contact of that name is closed, and identically satisfied else.
+    `contact`: it is there while the contact of that name is closed, and identically satisfied else. `switched`: it
+    depends on discretes in another way, so that it may be there at some times only.
     """
 
     name: str
@@ -286,6 +287,7 @@ class Constraint(Item):
     closure: Closure | None = None
     node: bool = False
     contact: bool = False
+    switched: bool = False
 
 
 @record(kw_only=True)

@@ -12,7 +12,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import Closure, FlatModel
 from lagdsl.mechanics.partition import Partition, entries
 from lagdsl.mechanics.rank import independent_rows, minimum_norm
-from lagdsl.mechanics.structure_names import joint_text, listed, located, loop_text, place
+from lagdsl.mechanics.structure_names import comes_and_goes, joint_text, listed, located, loop_text, place
 from lagdsl.mechanics.structure_points import Geometry, Probe, part_ranks
 from lagdsl.record import record
 
@@ -58,7 +58,7 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], fou
     split = space.parts(list(range(len(found.redundant))))
     for item in located(flat):
         for component, row in enumerate(item.rows):
-            if not found.redundant[row] or item.constraint.closure is not None or item.constraint.contact:
+            if not found.redundant[row] or item.constraint.closure is not None or comes_and_goes(item.constraint):
                 continue
             if found.empty[row]:
                 sink.report("N0605", place(item.constraint), name=item.constraint.name, component=component + 1)

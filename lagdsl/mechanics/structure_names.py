@@ -33,7 +33,11 @@ def located(flat: FlatModel) -> list[Located]:
 
 def contact_rows(flat: FlatModel) -> frozenset[int]:
     """The rows that come and go."""
-    return frozenset(row for item in located(flat) if item.constraint.contact for row in item.rows)
+    return frozenset(row for item in located(flat) if comes_and_goes(item.constraint) for row in item.rows)
+
+
+def comes_and_goes(constraint: Constraint) -> bool:
+    return constraint.contact or constraint.switched
 
 
 def place(constraint: Constraint) -> Span | None:

@@ -12,6 +12,7 @@ from lagdsl.flat.model import Coordinate, FlatModel
 from lagdsl.mechanics.partition import Flags, Partition, entries, partition
 from lagdsl.mechanics.rank import RANK_TOLERANCE, Floats, minimum_norms, null_space
 from lagdsl.mechanics.structure_functions import ProgramFunctions
+from lagdsl.mechanics.structure_names import located
 from lagdsl.mechanics.structure_newton import Descent, descend
 from lagdsl.program.program import Layout
 from lagdsl.record import record
@@ -154,6 +155,9 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
     rounding = _ROUNDING * np.max(row_sizes, initial=0.0)
     pattern = largest > np.maximum(_ABSENT * row_sizes[:, None], rounding)
     row_sizes = np.where(row_sizes > rounding, row_sizes, 1.0)
+    for item in located(flat):
+        if item.constraint.switched:  # which coordinates it ties is not seen while it is off
+            pattern[list(item.rows)] = True
     return Geometry(functions, t, q, qd, z, u, open_, parameters, sizes, row_sizes, pattern)
 
 

@@ -6,6 +6,7 @@ J. Appl. Mech. 42 (1975): k d^n (1 + c d') at the penetration d, never pulling.
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 from lagdsl.diagnostics.suggest import nearest
@@ -19,6 +20,7 @@ from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.conditions import structural_condition
 from lagdsl.semantics.constants import structural_number
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.event_limits import require
 from lagdsl.semantics.geometry import operand, time_derivative
 from lagdsl.semantics.naming import kind_of, name_span
 from lagdsl.semantics.scope import Scope
@@ -66,7 +68,7 @@ def _gap(ctx: Context, scope: Scope, node: nodes.Contact) -> Scalar | None:
     gap = left.value if right.value.expression == flat.ZERO else added(ctx, scope, "-", left, right, relation)
     if not isinstance(gap, Scalar):
         return None
-    if gap.order > Order.CONFIGURATION:
+    if gap.order != Order.CONFIGURATION:
         ctx.sink.report("E0382", node.value.span)
         return None
     return gap
@@ -97,9 +99,17 @@ def _options(ctx: Context, node: nodes.Contact) -> dict[str, nodes.Named] | None
 
 
 def _option(
-    ctx: Context, scope: Scope, option: nodes.Named | None, what: str, dimension: Dimension, latest: Variability
+    ctx: Context,
+    scope: Scope,
+    option: nodes.Named | None,
+    what: str,
+    dimension: Dimension,
+    latest: Variability,
+    *,
+    most: float = math.inf,
+    strict: bool = False,
 ) -> FlatExpression | None:
-    """The value of an option, of the dimension, that varies no more than `latest`."""
+    """The value of an option, of the dimension, that varies no more than `latest`; it is not negative."""
     if option is None:
         return None
     value = ctx.elaborate(ctx, scope, option.value, True)
@@ -109,6 +119,9 @@ def _option(
     if rank(found.variability) > rank(latest):
         allowed = "parameters and constants" if latest == Variability.PARAMETER else "what is known at an event"
         ctx.sink.report("E0317", option.value.span, what=what, allowed=allowed)
+        return None
+    known = rank(found.variability) <= rank(Variability.PARAMETER)
+    if known and not require(ctx, scope, option.value, what, found, most=most, strict=strict):
         return None
     return found.expression
 
@@ -121,7 +134,7 @@ def _rigid(
 ) -> ContactValue | None:
     dimension = gap.dimension or DIMENSIONLESS
     known = Variability.PARAMETER
-    restitution = _option(ctx, scope, options["restitution"], "the restitution", DIMENSIONLESS, known)
+    restitution = _option(ctx, scope, options["restitution"], "the restitution", DIMENSIONLESS, known, most=1.0)
     stick = _option(ctx, scope, options.get("v_stick"), "`v_stick`", dimension / ctx.dimension(TIME), known)
     rest = _option(ctx, scope, options.get("t_eps"), "`t_eps`", ctx.dimension(TIME), known)
     if (
@@ -173,7 +186,9 @@ def _compliant(
         return None
     continuous = Variability.CONTINUOUS
     stiffness_dimension = _force(ctx, dimension) / dimension ** Fraction(power).limit_denominator(12)
-    stiffness = _option(ctx, scope, options["compliance"], "the stiffness", stiffness_dimension, continuous)
+    stiffness = _option(
+        ctx, scope, options["compliance"], "the stiffness", stiffness_dimension, continuous, strict=True
+    )
     slow = ctx.dimension(TIME) / dimension
     damping = _option(ctx, scope, options.get("damping"), "the damping", slow, continuous)
     if stiffness is None or (damping is None) != ("damping" not in options):
@@ -181,7 +196,9 @@ def _compliant(
     spans = (node.span, *scope.spans)
     depth: FlatExpression = flat.Unary("-", gap.expression)
     touching = flat.Variable(ctx.occurrences.relation(f"closed({name})", spans, depth, dimension, strict=True))
-    force: FlatExpression = flat.Binary("^", depth, flat.Number(power)) if power != 1.0 else depth
+    force: FlatExpression = depth
+    if power != 1.0:  # where the event is located the penetration may be a negative round-off, which has no such power
+        force = flat.Binary("^", flat.Function("max", (depth, flat.ZERO)), flat.Number(power))
     force = flat.Binary("*", stiffness, force)
     if damping is not None:
         speed = time_derivative(ctx, gap)

@@ -200,8 +200,10 @@ class Definitions:
         variable = flat.Variable(element_name(symbol.name, indices))
         if symbol.kind == "discrete":
             return Scalar(variable, dimension, Variability.DISCRETE, Order.STILL, symbol.info.base)
+        if symbol.kind == "input" and symbol.info.base == "Boolean":
+            return _truth_of_input(self.ctx, symbol, variable)
         order = Order.STILL if symbol.kind == "input" else Order.CONFIGURATION
-        return Scalar(variable, dimension, Variability.CONTINUOUS, order)
+        return Scalar(variable, dimension, Variability.CONTINUOUS, order, symbol.info.base)
 
     @contextmanager
     def _entered(self, symbol: Symbol, key: Indices | None, span: Span) -> Iterator[bool]:
@@ -372,6 +374,15 @@ class Definitions:
                 with self.ctx.standing(Mode.ALWAYS):
                     self._contacts[key] = contacts.make(self.ctx, instance.scope, instance.node, instance.name)
         return self._contacts[key]
+
+
+def _truth_of_input(ctx: Context, symbol: Symbol, variable: flat.Variable) -> Scalar:
+    """A Boolean input is a number, 0 or 1, to those who give it; where it changes is an event."""
+    difference = flat.Binary("-", variable, flat.Number(0.5))
+    name = ctx.occurrences.relation(
+        f"{variable.name} is true", (symbol.span, *symbol.scope.spans), difference, DIMENSIONLESS, strict=False
+    )
+    return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
 
 
 def every(shape: tuple[int, ...]) -> list[Indices]:

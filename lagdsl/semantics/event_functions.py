@@ -9,12 +9,12 @@ from lagdsl.flat.events import INITIAL, TERMINAL
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.arguments import labelled, named_element, positional
 from lagdsl.semantics.bindings import Expected, conform
-from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
+from lagdsl.semantics.event_limits import require
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.occurrences import Mode
 from lagdsl.semantics.scope import Scope
-from lagdsl.semantics.values import POISON, Order, Poison, Scalar, Value, is_structural, rank
+from lagdsl.semantics.values import POISON, Order, Poison, Scalar, Value, rank
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
 
@@ -29,22 +29,31 @@ def before(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         if not isinstance(value, Poison):
             ctx.sink.report("E0312", arguments[0].span, expected="a variable", found=kind_of(value))
         return POISON
-    found = named_element(ctx, scope, arguments[0])
-    if found is not None and found[0].kind == "discrete" and isinstance(value.expression, flat.Variable):
-        return _previous(value)
     if isinstance(value.expression, flat.Variable | flat.Derivative) and _moves(value):
         return value
-    ctx.sink.report("E0376", arguments[0].span, name=arguments[0].span.text)
-    return POISON
+    previous = _previous(ctx, scope, arguments[0], value)
+    if previous is None:
+        return POISON
+    return Scalar(previous, value.dimension, value.variability, value.order, value.kind)
 
 
 def _moves(value: Scalar) -> bool:
     return value.variability == Variability.CONTINUOUS and value.order in (Order.CONFIGURATION, Order.RATE)
 
 
-def _previous(value: Scalar) -> Scalar:
-    assert isinstance(value.expression, flat.Variable)
-    return Scalar(flat.Previous(value.expression.name), value.dimension, value.variability, value.order, value.kind)
+def _previous(ctx: Context, scope: Scope, node: nodes.Expression, value: Scalar) -> flat.FlatExpression | None:
+    """What it was before the event: of a discrete variable, or of a truth that changes at events; None after E0376."""
+    found = named_element(ctx, scope, node) if isinstance(node, _NAMES) else None
+    if found is not None and found[0].kind == "discrete" and isinstance(value.expression, flat.Variable):
+        return flat.Previous(value.expression.name)
+    if value.kind == "Boolean" and value.variability == Variability.DISCRETE:
+        spans = (node.span, *scope.spans)
+        return flat.Previous(ctx.occurrences.remembered(node.span.text, spans, value.expression))
+    ctx.sink.report("E0376", node.span, name=node.span.text)
+    return None
+
+
+_NAMES = (nodes.Reference, nodes.Member, nodes.Index)
 
 
 def changed(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
@@ -55,15 +64,14 @@ def changed(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     value = ctx.elaborate(ctx, scope, arguments[0], False)
     if isinstance(value, Poison):
         return POISON
-    found = named_element(ctx, scope, arguments[0])
     edge = node.function.span.text == "edge"
-    if found is None or found[0].kind != "discrete" or not isinstance(value, Scalar):
-        ctx.sink.report("E0376", arguments[0].span, name=arguments[0].span.text)
+    if not isinstance(value, Scalar) or (edge and value.kind != "Boolean"):
+        expected = "a Boolean" if edge else "a variable"
+        ctx.sink.report("E0312", arguments[0].span, expected=expected, found=kind_of(value))
         return POISON
-    if edge and value.kind != "Boolean":
-        ctx.sink.report("E0312", arguments[0].span, expected="a Boolean", found=kind_of(value))
+    previous = _previous(ctx, scope, arguments[0], value)
+    if previous is None:
         return POISON
-    previous = _previous(value).expression
     if edge:
         truth: flat.FlatExpression = flat.Binary("and", value.expression, flat.Unary("not", previous))
     else:
@@ -85,25 +93,12 @@ def sample(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         if rank(found.variability) > rank(Variability.PARAMETER):
             ctx.sink.report("E0317", argument.span, what=f"{what} of a clock", allowed="parameters and constants")
             return POISON
-        if what == "the period" and not _is_positive(ctx, found, argument):
+        if what == "the period" and not require(ctx, scope, argument, what, found, strict=True):
             return POISON
         parts.append(found.expression)
     spans = (node.span, *scope.spans)
     name = ctx.occurrences.clock(scope.owner.prefix + node.span.text, spans, parts[0], parts[1])
     return _truth(name)
-
-
-def _is_positive(ctx: Context, period: Scalar, node: nodes.Expression) -> bool:
-    if not is_structural(period):
-        return True
-    try:
-        value = evaluate(period.expression)
-    except NoValue:
-        return True
-    if value > 0.0:
-        return True
-    ctx.sink.report("E0334", node.span, what="the period", expected="positive", found=node.span.text)
-    return False
 
 
 def instant(ctx: Context, scope: Scope, node: nodes.Call) -> Value:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 from itertools import pairwise
 
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.event_flow import assignments, branches, needs
-from lagdsl.flat.events import Assign, Branch, Reset
+from lagdsl.flat.events import Assign, Branch, Reset, entries
+from lagdsl.flat.expression import Binary, FlatExpression, Unary
 from lagdsl.flat.model import FlatModel
 
 
@@ -17,6 +19,7 @@ def check_events(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
     given = _given_once(flat, sink)
     for branch in branches(flat):
         _check_twice(branch, sink)
+    _check_resets(flat, sink)
     for discrete in flat.events.discretes:
         if discrete.name not in given:
             sink.report("E0384", discrete.spans[0], name=discrete.name)
@@ -26,6 +29,20 @@ def check_events(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
         names: list[str] = circle.args[1]
         path = ", ".join(f"`{second}` depends on `{first}`" for first, second in pairwise(names))
         sink.report("E0385", given[names[0]].spans[0], path=path, name=names[0])
+
+
+def with_switches(flat: FlatModel, dependence: Dependence) -> FlatModel:
+    """The model with the constraints told that discretes switch or move."""
+    discretes = {entry.name for entry in entries(flat.events)}
+    if not discretes:
+        return flat
+    constraints = tuple(
+        replace(each, switched=True)
+        if not each.contact and not discretes.isdisjoint(dependence.of_all(each.residuals))
+        else each
+        for each in flat.constraints
+    )
+    return replace(flat, constraints=constraints)
 
 
 def _given_once(flat: FlatModel, sink: Sink) -> dict[str, Assign]:
@@ -41,13 +58,47 @@ def _given_once(flat: FlatModel, sink: Sink) -> dict[str, Assign]:
 
 
 def _check_twice(branch: Branch, sink: Sink) -> None:
-    """E0307 for what one branch gives two values whatever happens."""
-    known: dict[tuple[str, bool], Assign | Reset] = {}
+    """E0307 for what one branch may give two values; whether resets under conditions meet is seen at run time."""
+    known: dict[tuple[str, bool], list[Assign | Reset]] = {}
     for action in branch.actions:
-        if isinstance(action, Assign | Reset) and action.guard is None:
-            name = action.variable if isinstance(action, Assign) else action.name
-            key = (name, isinstance(action, Reset))
-            if key in known:
-                label = Label(known[key].spans[0], "given a value here first")
-                sink.report("E0307", action.spans[0], label, name=name)
-            known[key] = action
+        if not isinstance(action, Assign | Reset):
+            continue
+        name = action.variable if isinstance(action, Assign) else action.name
+        earlier = known.setdefault((name, isinstance(action, Reset)), [])
+        clash = next((other for other in earlier if _meet(other, action)), None)
+        if clash is not None:
+            label = Label(clash.spans[0], "given a value here first")
+            sink.report("E0307", action.spans[0], label, name=name)
+        earlier.append(action)
+
+
+def _meet(one: Assign | Reset, two: Assign | Reset) -> bool:
+    """Whether both may act: not where one stands under a condition that the other excludes."""
+    if isinstance(one, Reset):
+        return one.guard is None and two.guard is None
+    first, second = _conditions(one.guard), _conditions(two.guard)
+    return not any(Unary("not", each) in second for each in first) and not any(
+        Unary("not", each) in first for each in second
+    )
+
+
+def _conditions(guard: FlatExpression | None) -> list[FlatExpression]:
+    """What a guard is the conjunction of."""
+    match guard:
+        case None:
+            return []
+        case Binary("and", left, right):
+            return [*_conditions(left), *_conditions(right)]
+        case _:
+            return [guard]
+
+
+def _check_resets(flat: FlatModel, sink: Sink) -> None:
+    """E0374 for rates that the compiler computes, such as those of the joint that closes a loop."""
+    coordinates = {coordinate.name for coordinate in flat.coordinates}
+    states = {state.name for state in flat.states}
+    for branch in branches(flat):
+        for action in branch.actions:
+            if isinstance(action, Reset) and action.name not in (coordinates if action.rate else states):
+                name = f"der({action.name})" if action.rate else action.name
+                sink.report("E0374", action.spans[0], name=name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from lagdsl.diagnostics import Label
-from lagdsl.semantics import arrays, equations
+from lagdsl.semantics import alternatives, arrays, equations
 from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.contents import Contents, Placed
 from lagdsl.semantics.context import Context
@@ -135,7 +135,11 @@ class Expander:
                 self._item(inner)
 
     def _if(self, item: nodes.If, part: Part) -> None:
-        """Only the branch taken is read."""
+        """Only the branch taken is read, unless that is decided while the motion runs."""
+        if part.section in alternatives.SECTIONS and alternatives.is_open(part.scope, item):
+            for equation in alternatives.merged(self.ctx, part.scope, item):
+                self._equation(equation, part)
+            return
         for branch in item.branches:
             condition = condition_of(self.ctx, part.scope, branch.condition)
             if isinstance(condition, Scalar):

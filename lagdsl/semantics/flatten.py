@@ -10,6 +10,7 @@ from dataclasses import replace
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
 from lagdsl.semantics import annotations as notes
 from lagdsl.semantics import quantities
@@ -20,7 +21,7 @@ from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declare import instance_of
 from lagdsl.semantics.definitions import Definitions, every
-from lagdsl.semantics.event_order import check_events
+from lagdsl.semantics.event_order import check_events, with_switches
 from lagdsl.semantics.expand import collect
 from lagdsl.semantics.expressions import elaborate
 from lagdsl.semantics.inheritance import expand_short
@@ -32,6 +33,7 @@ from lagdsl.semantics.splitting import check_splits
 from lagdsl.semantics.stack import InstanceSink
 from lagdsl.semantics.switched import check_switched
 from lagdsl.semantics.usage import warn_unused, warn_unused_imports
+from lagdsl.semantics.whens import check_targets
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 
@@ -112,6 +114,7 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
 
 def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assembly) -> FlatModel:
     """Elaborate all of the class, in source order; what is needed earlier comes earlier."""
+    check_targets(ctx, contents.items)
     coordinates: list[Coordinate] = []
     states: list[State] = []
     inputs: list[Input] = []
@@ -187,10 +190,12 @@ def _in_order(ctx: Context, contents: Contents) -> tuple[Parameter, ...]:
 def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | None:
     """What can be said only about a model without errors."""
     dependence = Dependence(flat)
+    flat = with_switches(flat, dependence)
     check_inputs(flat, dependence, ctx.sink)
     check_linear(flat, dependence, ctx.sink)
     warn_unused(ctx, contents.symbols)
     check_events(flat, dependence, ctx.sink)
+    check_limits(flat, {}, ctx.sink)
     if ctx.jump is not None:
         ctx.sink.report("N0309", ctx.jump.span, name=ctx.jump.function.span.text)
     _check_overrides(ctx, contents)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from itertools import count
 
-from lagdsl.flat.events import INITIAL, TERMINAL, Clock, Contact, Discrete, Events, Relation, When
+from lagdsl.flat.events import INITIAL, TERMINAL, Branch, Clock, Contact, Discrete, Events, Limit, Relation, When
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import GeneralizedForce
 from lagdsl.flat.quantity import Spans
@@ -36,7 +36,9 @@ class Occurrences:
     whens: list[When] = field(default_factory=list)
     clocks: dict[str, Clock] = field(default_factory=dict)
     instants: set[str] = field(default_factory=set)
+    limits: list[Limit] = field(default_factory=list)
     conditions: int = 0
+    truths: list[tuple[FlatExpression, str]] = field(default_factory=list)
 
     def relation(
         self, text: str, spans: Spans, difference: FlatExpression, dimension: Dimension, *, strict: bool
@@ -69,6 +71,17 @@ class Occurrences:
         self.conditions += 1
         return f"when {text} ({self.conditions})"
 
+    def remembered(self, text: str, spans: Spans, truth: FlatExpression) -> str:
+        """The name of what a truth that no clause assigns was before: that of a clause without consequences."""
+        for known, name in self.truths:
+            if known == truth:
+                return name
+        name = self.memory(text)
+        self.truths.append((truth, name))
+        branch = Branch(spans=spans, conditions=(truth,), memories=(name,), actions=())
+        self.whens.append(When(spans=spans, branches=(branch,)))
+        return name
+
     def events(self) -> Events:
         return Events(
             discretes=tuple(self.discretes),
@@ -77,6 +90,7 @@ class Occurrences:
             whens=tuple(self.whens),
             clocks=tuple(self.clocks.values()),
             instants=tuple(name for name in (INITIAL, TERMINAL) if name in self.instants),
+            limits=tuple(self.limits),
         )
 
 

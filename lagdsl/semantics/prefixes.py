@@ -21,11 +21,12 @@ _KINDS: dict[tuple[str, ...], SymbolKind] = {
     ("output",): "output",
     ("state",): "state",
     ("discrete",): "discrete",
+    ("discrete", "output"): "discrete",
+    ("output", "discrete"): "discrete",
     ("final",): "algebraic",
     ("final", "output"): "output",
     ("flow",): "algebraic",
 }
-_VARYING = ("Real", "Integer", "Boolean")
 _LATER = {
     "replaceable": "components and classes are replaceable; a quantity gets another value by a modifier",
     "redeclare": "redeclare in a modifier: `extends Base(redeclare model Part = Other)`",
@@ -58,11 +59,11 @@ def check_component(ctx: Context, item: nodes.Component) -> None:
 
 
 def type_fits(ctx: Context, kind: SymbolKind, info: TypeInfo, span: Span) -> bool:
-    """Motion is real; texts and values of enumerations are parameters."""
-    if kind in ("coordinate", "state", "input") and info.base != "Real":
+    """Motion is real; texts are parameters."""
+    if kind in ("coordinate", "state") and info.base != "Real":
         ctx.sink.report("E0312", span, expected=f"a Real type for {an(kind)}", found=an(info.base))
         return False
-    if info.base not in _VARYING and kind not in ("parameter", "structural", "constant"):
+    if info.base == "String" and kind not in ("parameter", "structural", "constant"):
         ctx.sink.report("E0312", span, expected=f"a numeric type for {an(kind)}", found=an(info.base))
         return False
     return True

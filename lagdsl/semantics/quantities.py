@@ -159,7 +159,7 @@ def states(ctx: Context, symbol: Symbol) -> list[flat_model.State]:
 
 
 def discretes(ctx: Context, symbol: Symbol) -> list[Discrete]:
-    """Variables that change at events; their starts default to zero and false."""
+    """Variables that change at events; their starts default to zero, false and the first of an enumeration."""
     shape = _extent(ctx, symbol)
     if shape is None or symbol.info is None:
         return []
@@ -178,11 +178,12 @@ def discretes(ctx: Context, symbol: Symbol) -> list[Discrete]:
     least = attributes.numbers(ctx, found.get("min"), "`min`", dimension, shape)
     most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape)
     sign = attributes.text(ctx, found.get("symbol"))
-    kind = cast(Literal["Real", "Integer", "Boolean"], info.base)  # others have no `discrete`, see prefixes
+    listed = info.base not in ("Real", "Integer", "Boolean")  # a value of an enumeration is the number of its place
+    kind = cast(Literal["Real", "Integer", "Boolean"], "Integer" if listed else info.base)
     return [
         Discrete(
             **quantity_fields(symbol, indices, sign),
-            start=starts[k] if starts is not None else flat.ZERO,
+            start=starts[k] if starts is not None else flat.ONE if listed else flat.ZERO,
             start_explicit=starts is not None,
             kind=kind,
             minimum=least[k] if least[k] is not None else info.minimum,
@@ -218,7 +219,10 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
     found = attributes.attributes(ctx, symbol)
     dimension = _dimension(symbol)
     defaults = _default(ctx, symbol, dimension, shape)
-    start = _start(ctx, symbol, found.get("start"), "the start", dimension, shape, symbol.info.unit)
+    start = None
+    if "start" in found:
+        what, info = f"the start of `{symbol.short}`", symbol.info
+        start = attributes.expressions(ctx, found["start"], what, dimension, shape, unit=info.unit, base=info.base)
     values = defaults or start or [flat.ZERO] * math.prod(shape)
     smooth = smoothness(ctx, symbol)
     sign = attributes.text(ctx, found.get("symbol"))

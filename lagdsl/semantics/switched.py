@@ -13,6 +13,8 @@ _ITEMS: dict[type, str] = {
     nodes.Gravity: "gravity",
     nodes.Invariant: "an invariant",
     nodes.CallEquation: "an assertion",
+    nodes.Contact: "a contact",
+    nodes.When: "a `when`",
 }
 
 

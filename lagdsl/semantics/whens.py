@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from lagdsl.diagnostics import Label
 from lagdsl.flat import events
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
@@ -17,14 +16,29 @@ from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.definitions import every
-from lagdsl.semantics.equations import derivative_of
 from lagdsl.semantics.naming import element_name, kind_of
 from lagdsl.semantics.occurrences import Mode
+from lagdsl.semantics.resets import resets, what_it_is
 from lagdsl.semantics.scope import Indices, Scope, Symbol
-from lagdsl.semantics.values import Order, Poison, Scalar, Text, rank
+from lagdsl.semantics.values import Array, Order, Poison, Scalar, Text
 from lagdsl.syntax import nodes
-from lagdsl.units import Dimension
-from lagdsl.units.dimension import DIMENSIONLESS, TIME
+from lagdsl.syntax.walk import descendants
+from lagdsl.units.dimension import DIMENSIONLESS
+
+
+def check_targets(ctx: Context, items: Iterable[Placed]) -> None:
+    """E0373 for plain variables that get their values in clauses only; nothing more is said about these."""
+    for placed in items:
+        for node in descendants(placed.node) if isinstance(placed.node, nodes.When) else ():
+            if isinstance(node, nodes.Equation):
+                side = node.left.target if isinstance(node.left, nodes.Index) else node.left
+                found = named_element(ctx, placed.scope, side) if isinstance(side, _NAMES) else None
+                if found is not None and found[0].kind in ("algebraic", "output") and not found[0].bindings:
+                    ctx.sink.report("E0373", side.span, *what_it_is(ctx, placed.scope, side), name=side.span.text)
+                    found[0].kind = "unknown"
+
+
+_NAMES = (nodes.Reference, nodes.Member)
 
 
 def elaborate_when(ctx: Context, placed: Placed) -> None:
@@ -54,15 +68,22 @@ def _conditions(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Fla
     """One condition, or several in braces; each of them may become true by itself."""
     with ctx.standing(Mode.CONDITION):
         parts = node.elements if isinstance(node, nodes.Array) else (node,)
-        found = [boolean(ctx, Operand(part, ctx.elaborate(ctx, scope, part, False))) for part in parts]
-    for part, condition in zip(parts, found, strict=True):
-        if condition is None:
-            continue
+        found = [(part, each) for part in parts for each in _truths(ctx, scope, part)]
+    for part, condition in found:
         if condition.variability == Variability.CONTINUOUS:
             ctx.sink.report("E0371", part.span)
         elif condition.variability != Variability.DISCRETE:
             ctx.sink.report("E0372", part.span)
-    return tuple(condition.expression for condition in found if condition is not None)
+    return tuple(condition.expression for _, condition in found)
+
+
+def _truths(ctx: Context, scope: Scope, node: nodes.Expression) -> list[Scalar]:
+    """The truth, or those of an array of Booleans."""
+    value = ctx.elaborate(ctx, scope, node, False)
+    if isinstance(value, Array) and value.kind == "Boolean":
+        return arrays.elements_of(value)
+    condition = boolean(ctx, Operand(node, value))
+    return [condition] if condition is not None else []
 
 
 @dataclass(slots=True)
@@ -107,7 +128,9 @@ class _Body:
         ctx = self.ctx
         found = next(filter(None, (_target(ctx, scope, side) for side in (item.left, item.right))), None)
         if found is None:
-            ctx.sink.report("E0373", item.left.span, *_what_it_is(ctx, scope, item.left), name=item.left.span.text)
+            named = what_it_is(ctx, scope, item.left)
+            if named or not isinstance(ctx.elaborate(ctx, scope, item.left, False), Poison):
+                ctx.sink.report("E0373", item.left.span, *named, name=item.left.span.text)
             return
         symbol, indices = found
         side, other = (item.left, item.right)
@@ -139,7 +162,8 @@ class _Body:
         spans = (item.span, *scope.spans)
         match name:
             case "reinit":
-                self._reset(call, scope, spans, guard)
+                assert isinstance(call, nodes.Call)
+                self.actions += resets(ctx, call, scope, spans, guard)
             case "terminate":
                 message = self._message(call, scope, 1)
                 if message is not None:
@@ -150,40 +174,6 @@ class _Body:
                 self._impact(call, scope, spans, guard)
             case _:
                 ctx.sink.report("E0378", item.span)
-
-    def _reset(self, call: nodes.Expression, scope: Scope, spans: Spans, guard: FlatExpression | None) -> None:
-        ctx = self.ctx
-        assert isinstance(call, nodes.Call)
-        arguments = positional(ctx, call, 2, 2)
-        if arguments is None:
-            return
-        target, value_node = arguments
-        inner = derivative_of(target)
-        found = named_element(ctx, scope, inner if inner is not None else target)
-        kind = "coordinate" if inner is not None else "state"
-        if found is None or found[0].kind != kind:
-            value = ctx.elaborate(ctx, scope, target, False)
-            if not isinstance(value, Poison):
-                ctx.sink.report("E0374", target.span, *_what_it_is(ctx, scope, target), name=target.span.text)
-            return
-        symbol, indices = found
-        shape = ctx.resolver.shape(symbol)
-        if shape is None or symbol.info is None:
-            return
-        shape = shape[len(indices) :]
-        dimension: Dimension = symbol.info.dimension or DIMENSIONLESS
-        if inner is not None:
-            dimension = dimension / ctx.dimension(TIME)
-        with ctx.without_relations():
-            value = ctx.elaborate(ctx, scope, value_node, True)
-        got = conform(ctx, scope, value_node, value, Expected(f"`{target.span.text}`", dimension, shape))
-        if got is None:
-            return
-        parts = (got.expression,) if isinstance(got, Scalar) else got.elements
-        for rest, part in zip(every(shape), parts, strict=True):
-            name = element_name(symbol.name, (*indices, *rest))
-            rate = inner is not None
-            self.actions.append(events.Reset(spans=spans, name=name, rate=rate, value=part, guard=guard))
 
     def _message(self, call: nodes.Expression, scope: Scope, count: int) -> str | None:
         """The last of `count` arguments."""
@@ -224,7 +214,7 @@ class _Body:
             if not isinstance(gap, Poison):
                 ctx.sink.report("E0312", arguments[0].span, expected="a gap", found=kind_of(gap))
             return
-        if gap.order > Order.CONFIGURATION or rank(gap.variability) < rank(Variability.CONTINUOUS):
+        if gap.order != Order.CONFIGURATION:
             ctx.sink.report("E0382", arguments[0].span)
             return
         factor = conform(ctx, scope, arguments[1], restitution, Expected("the restitution", DIMENSIONLESS, ()))
@@ -243,10 +233,3 @@ def _target(ctx: Context, scope: Scope, side: nodes.Expression) -> tuple[Symbol,
         return None
     found = named_element(ctx, scope, side)
     return found if found is not None and found[0].kind == "discrete" else None
-
-
-def _what_it_is(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Label, ...]:
-    inner = derivative_of(node) or node
-    named = isinstance(inner, nodes.Reference | nodes.Member | nodes.Index)
-    found = named_element(ctx, scope, inner) if named else None
-    return (Label(found[0].span, f"{found[0].title}, declared here"),) if found is not None else ()

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.engine import Engine
@@ -56,6 +57,9 @@ def simulate(
         # What is not a number is found by looking at the numbers; SciPy's LU decomposition warns of singular
         # matrices that the next, shorter step avoids.
         warnings.simplefilter("ignore", RuntimeWarning)
+        names = (slot.name for slot in engine.layout.parameters)
+        check_limits(flat, dict(zip(names, parameters.tolist(), strict=True)), own)
+        own.raise_if_errors()
         defaults = engine.evaluate("start", t0, parameters)[3]
         given = signals(flat, defaults, inputs or {}, (t0, end), own)
         own.raise_if_errors()

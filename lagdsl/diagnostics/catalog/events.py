@@ -84,4 +84,9 @@ ROWS: dict[str, Row] = {
         label="needed for itself",
         help="read the value before the event: `pre({name})`",
     ),
+    "E0386": error(
+        "`{name}` has no value {where}",
+        label="given here only",
+        help="every branch of an `if` around equations, the `else` too, gives values to the same quantities",
+    ),
 }
