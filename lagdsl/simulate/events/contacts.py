@@ -6,10 +6,12 @@ dt between impacts and the ratio r of rebound speeds the rest of a geometric ser
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from lagdsl.mechanics.rank import Floats
-from lagdsl.simulate.events.discretes import Discretes
+from lagdsl.simulate.events.discretes import Discretes, Flags
 from lagdsl.simulate.events.impact import collide
 
 # Language reference, ruling 40: parts of the largest approach speed so far and of the length of the experiment.
@@ -101,39 +103,47 @@ class Contacts:
     ) -> tuple[Floats, Floats, list[tuple[int, str]]]:
         """y and w after impacts until nothing closes any more; `struck` are impacts of clauses by index with their e.
 
-        Also tells what happened to which contact.
+        Closed contacts that are driven in take part with e = 0, those that move apart afterwards open. Also tells what
+        happened to which contact.
         """
-        discretes = self._discretes
-        count = len(discretes.contacts)
+        discretes, n = self._discretes, self._discretes.system.n
+        count, closed_before = len(discretes.contacts), w[discretes.contacts] != 0.0
         restitution, stick, rest = discretes.laws(t, y, w)
-        happened: dict[int, str] = {}
         first: dict[int, float] = {}
         w = w.copy()
-        n = discretes.system.n
-        w = self._released(t, y, w)
         for _ in range(_MOST_IMPACTS):
-            gaps = discretes.gaps(t, y, w)
-            touching = gaps.gap[:count] <= _TOUCHING * size(y)
+            gaps, small = discretes.gaps(t, y, w), size(y)
+            speed, touching = gaps.speed[:count], gaps.gap[:count] <= _TOUCHING * small
+            open_ = w[discretes.contacts] == 0.0
+            closing = np.flatnonzero(touching & open_ & (speed < -_ROUNDING * small)).tolist()
+            if (closing or struck) and not first:
+                w = self._released(t, y, w)
             closed = w[discretes.contacts] != 0.0
-            closing = touching & ~closed & (gaps.speed[:count] < -_ROUNDING * size(y))
-            active = {**dict.fromkeys(np.flatnonzero(closing).tolist()), **dict.fromkeys(struck)}
-            if not active:
+            if not (closing or struck or np.any(closed & (speed < -_TOUCHING * small))):
                 break
+            active = dict.fromkeys([*closing, *struck])
             part = [*active, *(i for i in np.flatnonzero(closed).tolist() if i not in active)]
             factor = np.array([struck.get(i, restitution[i] if i < count else 0.0) for i in part])
             factor[len(active) :] = 0.0
-            for i in np.flatnonzero(closing).tolist():
-                first.setdefault(i, float(gaps.speed[i]))
-                happened[i] = "impact"
+            for i in closing:
+                first.setdefault(i, float(speed[i]))
             y = y.copy()
             y[n : 2 * n] = self._after(t, y, w, gaps.jacobian[part], gaps.speed[part], factor)
             struck = {}
-        self._count(w, happened)
-        closing_now = self._closing(t, y, w, first, stick, rest)
-        if closing_now:
-            w[discretes.contacts[closing_now]] = 1.0
-            happened |= dict.fromkeys(closing_now, "closed")
-        return y, w, list(happened.items())
+        w[discretes.impacts[list(first)]] += 1.0
+        w[discretes.contacts] = np.where(closed_before, 1.0, w[discretes.contacts])
+        self.apart(t, y, w)
+        w[discretes.contacts[self._closing(t, y, w, first, stick, rest)]] = 1.0
+        return y, w, self._told(closed_before, w, first)
+
+    def _told(self, before: Flags, w: Floats, struck: Iterable[int]) -> list[tuple[int, str]]:
+        """What happened to contacts: those that were `struck`, those that changed."""
+        now = w[self._discretes.contacts] != 0.0
+        changed = np.flatnonzero(before != now).tolist()
+        return [
+            (i, "impact" if before[i] == now[i] else "closed" if now[i] else "opened")
+            for i in dict.fromkeys([*struck, *changed])
+        ]
 
     def _released(self, t: float, y: Floats, w: Floats) -> Floats:
         """w with closed contacts opened that carry nothing."""
@@ -146,6 +156,17 @@ class Contacts:
         w[entries[idle]] = 0.0
         return w
 
+    def apart(self, t: float, y: Floats, w: Floats) -> list[int]:
+        """Opens in w closed contacts that do not touch or do not stay; which."""
+        entries = self._discretes.contacts
+        if not np.any(w[entries] != 0.0):
+            return []
+        gaps, small = self._discretes.gaps(t, y, w), _TOUCHING * size(y)
+        away = (gaps.gap[: len(entries)] > small) | (gaps.speed[: len(entries)] > small)
+        found = np.flatnonzero((w[entries] != 0.0) & away).tolist()
+        w[entries[found]] = 0.0
+        return found
+
     def _after(self, t: float, y: Floats, w: Floats, rows: Floats, speeds: Floats, factor: Floats) -> Floats:
         """Rates after one impact; closed contacts take part as such, not as rows that hold."""
         discretes, system = self._discretes, self._discretes.system
@@ -156,10 +177,6 @@ class Contacts:
         mass = system.engine.evaluate("mass_matrix", *state)[0]
         jacobian = system.engine.evaluate("velocity_constraint", *state)[1]
         return collide(mass, jacobian, len(jacobian), qd, rows, speeds, factor)
-
-    def _count(self, w: Floats, happened: dict[int, str]) -> None:
-        for index in happened:
-            w[self._discretes.impacts[index]] += 1.0
 
     def _closing(
         self, t: float, y: Floats, w: Floats, first: dict[int, float], stick: Floats, rest: Floats
@@ -174,6 +191,7 @@ class Contacts:
             ratio = float(speeds[index]) / -approach if approach else 0.0
             self._last[index] = t
             slow = stick[index] if stick[index] >= 0.0 else _STICK * self._fastest[index]
+            slow = max(slow, _TOUCHING * size(y))
             short = rest[index] if rest[index] >= 0.0 else _REST * self._length
             over = ratio < 1.0 and interval * ratio / (1.0 - ratio) < short
             if abs(speeds[index]) < slow or over:

@@ -76,11 +76,11 @@ class Discretes:
 
     def truths(self, t: float, y: Floats, w: Floats) -> Flags:
         """Relations as they stand."""
-        value = self.indicators(t, y, w)
-        return np.asarray((value > 0.0) | ((value == 0.0) & ~self.strict))
+        return self.holds(self.indicators(t, y, w))
 
-    def truth(self, index: int, value: float) -> bool:
-        return value > 0.0 or (value == 0.0 and not self.strict[index])
+    def holds(self, indicators: Floats) -> Flags:
+        """Which relations these values mean."""
+        return np.asarray((indicators > 0.0) | ((indicators == 0.0) & ~self.strict))
 
     def indicators(self, t: float, y: Floats, w: Floats) -> Floats:
         """Left - right of every relation."""

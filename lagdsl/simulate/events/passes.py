@@ -17,8 +17,9 @@ from lagdsl.simulate.trajectory import Event
 
 MOST_PASSES = 100
 # At an event relations are zero. They are looked at this part of the last step later, which is long against round-off
-# and short against everything else.
+# and short against everything else. What passes zero within this part of that moment does so at the event.
 AHEAD = 1e-4
+_PASSING = 1e-3
 
 
 @dataclass(slots=True)
@@ -46,6 +47,8 @@ class Passes:
         states = {item.name: index for index, item in enumerate(discretes.flat.states)}
         n = len(coordinates)
         self.moment = 1e-9
+        # what constraints may depend on
+        self._shaping = np.concatenate([discretes.variables, discretes.relations])
         self._places = [n + coordinates[r.name] if r.rate else 2 * n + states[r.name] for r in self._resets]
 
     def settled(self, t: float, y: Floats, w: Floats) -> Floats:
@@ -66,9 +69,11 @@ class Passes:
         for _ in range(MOST_PASSES):
             before = result.w.copy()
             outcome = self._discretes.one_pass(t, result.y, result.w)
-            acted = self._act(t, result, outcome)
             result.w = outcome.w.copy()
             result.w[self._discretes.pulses] = 0.0
+            acted = self._act(t, result, outcome)
+            if not acted and not np.array_equal(result.w[self._shaping], before[self._shaping]):
+                self._take_hold(t, result)
             acted |= self._strike(t, result, outcome)
             result.w[self._discretes.relations] = self._ahead(t, result)
             if result.failed is not None or (not acted and np.array_equal(result.w, before)):
@@ -107,7 +112,7 @@ class Passes:
         result.y, result.w, happened = self._contacts.strike(t, result.y, result.w, struck)
         result.events += [Event(time=t, name=self._name(index), kind=what) for index, what in happened]
         if happened:
-            self._project(t, result, {})
+            self._project(t, result, ())
         return bool(struck) or bool(happened)
 
     def _name(self, index: int) -> str:
@@ -135,26 +140,41 @@ class Passes:
             result.y[place] = value
         result.events += [Event(time=t, name=self._reset_name(k), kind="reinit") for k in acting]
         n = self._discretes.system.n
-        self._project(t, result, {place - n: value for place, value in held.items() if place < 2 * n})
+        result.events += [Event(time=t, name=self._name(index), kind="opened") for index in self._pulled(t, result)]
+        self._project(t, result, tuple(place - n for place in held if place < 2 * n))
         return True
+
+    def _pulled(self, t: float, result: Result) -> list[int]:
+        """Opens closed contacts that a reset moves apart; which."""
+        result.w = result.w.copy()
+        return self._contacts.apart(t, result.y, result.w)
 
     def _reset_name(self, k: int) -> str:
         return f"der({self._resets[k].name})" if self._resets[k].rate else self._resets[k].name
 
-    def _project(self, t: float, result: Result, held: dict[int, float]) -> None:
+    def _take_hold(self, t: float, result: Result) -> None:
+        """Discretes in constraints may have changed: rates onto what holds now; contacts follow, they only push."""
+        opened = result.w.copy()
+        opened[self._discretes.contacts] = 0.0
+        self._discretes.system.with_discretes(opened)
+        result.y = self._projection.onto_rates(t, result.y, ())
+
+    def _project(self, t: float, result: Result, held: tuple[int, ...]) -> None:
         """Rates onto the constraints; those that were reset stay, as far as the constraints let them."""
         self._discretes.system.with_discretes(result.w)
-        result.y = self._projection.onto_rates(t, result.y, tuple(held))
+        result.y = self._projection.onto_rates(t, result.y, held)
 
     # ---- relations ---------------------------------------------------------------------------------------------------
 
     def _ahead(self, t: float, result: Result) -> Floats:
-        """Relations a moment later: at the event they pass zero, and which way they go on tells what they are."""
+        """Relations as they stand; those that pass zero here are what they are a moment later."""
         discretes, y = self._discretes, result.y
         rate = discretes.system.with_discretes(result.w)(t, y)
-        moment = self.moment
-        later = y + moment * rate if np.all(np.isfinite(rate)) else y
-        return discretes.truths(t + moment, later, result.w).astype(np.float64)
+        later = y + self.moment * rate if np.all(np.isfinite(rate)) else y
+        now = discretes.indicators(t, y, result.w)
+        then = discretes.indicators(t + self.moment, later, result.w)
+        passing = np.abs(now) <= _PASSING * np.abs(then - now)
+        return discretes.holds(np.where(passing, then, now)).astype(np.float64)
 
     def blame(self, code: str, indices: list[int]) -> tuple[str, Item, str]:
         """A failure of what changes, or of the clause that resets the same thing for ever."""
