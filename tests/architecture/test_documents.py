@@ -12,6 +12,7 @@ import lagdsl
 PAGES = (
     "README.md",
     "docs/language.md",
+    "docs/events.md",
     "docs/library.md",
     "docs/mechanics.md",
     "docs/mechanical-library.md",
