@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable
+from functools import partial
 from importlib.util import find_spec
 from io import StringIO
 from pathlib import Path
@@ -42,32 +42,34 @@ def write_table(trajectory: Trajectory, path: Path, sink: Sink | None = None) ->
     cannot be done; without a sink these raise CompilationFailed."""
     own = Sink() if sink is None else sink
     if has_writer(path, own):
-        parquet = path.suffix.lower() == _PARQUET
-        with _draft_of(path, own) as draft:
-            if parquet:
-                _write_parquet(trajectory, draft)
-            else:
-                draft.write_text(csv_text(trajectory), encoding="utf-8", newline="")
+        form = _write_parquet if path.suffix.lower() == _PARQUET else _write_csv
+        _write(path, own, partial(form, trajectory))
     if sink is None:
         own.raise_if_errors()
 
 
 def write_events(trajectory: Trajectory, path: Path, sink: Sink) -> None:
     """Write what happened to `path` as CSV: time [s], kind, name. E0826 where that cannot be done."""
-    with _draft_of(path, sink) as draft:
-        draft.write_text(events_text(trajectory), encoding="utf-8", newline="")
+    _write(path, sink, partial(_write_events, trajectory))
 
 
-@contextmanager
-def _draft_of(path: Path, sink: Sink) -> Iterator[Path]:
-    """`whole_file` that reports E0826 where it cannot be written."""
+def _write(path: Path, sink: Sink, write: Callable[[Path], object]) -> None:
+    """`write` to a draft that becomes the file; E0826 where that cannot be done."""
     try:
         with whole_file(path) as draft:
-            yield draft
+            write(draft)
     except BrokenPipeError:  # the reader has gone, which is no fault of the table
         raise
     except OSError as error:
         sink.report("E0826", None, file=path, reason=error.strerror or str(error))
+
+
+def _write_csv(trajectory: Trajectory, draft: Path) -> None:
+    draft.write_text(csv_text(trajectory), encoding="utf-8", newline="")
+
+
+def _write_events(trajectory: Trajectory, draft: Path) -> None:
+    draft.write_text(events_text(trajectory), encoding="utf-8", newline="")
 
 
 def csv_text(trajectory: Trajectory) -> str:

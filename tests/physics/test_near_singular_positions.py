@@ -143,7 +143,8 @@ def states(case: Case, program: Program) -> dict[Group, np.ndarray]:
             rows.append((q, [float((x - y) / (2 * step)) for x, y in zip(ahead, behind, strict=True)]))
     named = zip(program.layout.parameters, program.layout.defaults, strict=True)
     p = [case.parameters.get(slot.name, default) for slot, default in named]
-    sizes = {Group.Z: len(program.layout.states), Group.U: len(program.layout.inputs), Group.W: 0}
+    layout = program.layout
+    sizes = {Group.Z: len(layout.states), Group.U: len(layout.inputs), Group.W: len(layout.discretes)}
     count = len(rows)
     return {
         Group.TIME: np.zeros(count),

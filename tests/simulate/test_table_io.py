@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +14,8 @@ from simulate.hand import Pendulum, coordinate, flat_model
 
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.simulate.simulate import simulate
-from lagdsl.simulate.table_io import csv_text, parse_inputs, read_inputs, write_table
-from lagdsl.simulate.trajectory import Trajectory
+from lagdsl.simulate.table_io import csv_text, parse_inputs, read_inputs, write_events, write_table
+from lagdsl.simulate.trajectory import Event, Trajectory
 from lagdsl.source import SourceFile
 
 
@@ -87,6 +88,20 @@ def test_a_device_that_is_full(motion: Trajectory) -> None:
 def test_unwritable_place(motion: Trajectory, tmp_path: Path) -> None:
     sink = Sink()
     write_table(motion, tmp_path / "missing" / "out.csv", sink)
+    assert [d.code for d in sink.diagnostics] == ["E0826"]
+
+
+def test_events_are_a_table_of_their_own(motion: Trajectory, tmp_path: Path) -> None:
+    happened = (Event(time=0.1, name="h < 0.5 m", kind="true"), Event(time=1 / 3, name='say "a", b', kind="terminate"))
+    sink = Sink()
+    write_events(replace(motion, events=happened), tmp_path / "events.csv", sink)
+    with (tmp_path / "events.csv").open(newline="") as file:
+        assert list(csv.reader(file)) == [
+            ["time", "kind", "name"],
+            ["0.1", "true", "h < 0.5 m"],
+            ["0.3333333333333333", "terminate", 'say "a", b'],
+        ]
+    write_events(motion, tmp_path / "missing" / "events.csv", sink)
     assert [d.code for d in sink.diagnostics] == ["E0826"]
 
 
