@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from lagdsl.flat.events import entries
+from lagdsl.flat.event_flow import branches
+from lagdsl.flat.events import Check, Discrete, Entry, Reset, Terminate, entries
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item, Quantity
-from lagdsl.program.program import Layout, Slot
+from lagdsl.program.program import Instants, Layout, Slot
 from lagdsl.units.naming import unit_text
 
 
@@ -19,8 +20,9 @@ def layout(flat: FlatModel) -> Layout:
         coordinates=_slots(flat.coordinates),
         states=_slots(flat.states),
         inputs=_slots(flat.inputs),
-        discretes=tuple(Slot(name=entry.name, place=_place(entry.item)) for entry in entries(flat.events)),
+        discretes=tuple(_discrete(entry) for entry in entries(flat.events)),
         kinds=tuple(entry.kind for entry in entries(flat.events)),
+        instants=_instants(flat, [row for row, _ in rows]),
         parameters=_slots(independent),
         defaults=tuple(item.value for item in independent),
         outputs=_slots(flat.outputs),
@@ -29,6 +31,27 @@ def layout(flat: FlatModel) -> Layout:
         redundant=(False,) * len(rows),
         invariants=tuple(Slot(name=i.name, unit=unit_text(i.dimension), place=_place(i)) for i in flat.invariants),
         assertions=tuple(assertion.message for assertion in flat.assertions),
+    )
+
+
+def _discrete(entry: Entry) -> Slot:
+    unit = entry.item.unit if isinstance(entry.item, Discrete) else "1"
+    return Slot(name=entry.name, unit=unit, place=_place(entry.item))
+
+
+def _instants(flat: FlatModel, rows: Sequence[str]) -> Instants:
+    actions = [action for branch in branches(flat) for action in branch.actions]
+    resets = [action for action in actions if isinstance(action, Reset)]
+    places = {f"der({c.name})": len(flat.coordinates) + index for index, c in enumerate(flat.coordinates)}
+    places |= {state.name: 2 * len(flat.coordinates) + index for index, state in enumerate(flat.states)}
+    names = tuple(f"der({reset.name})" if reset.rate else reset.name for reset in resets)
+    return Instants(
+        strict=tuple(relation.strict for relation in flat.events.relations),
+        contact_rows=tuple(rows.index(contact.name) for contact in flat.events.contacts),
+        resets=names,
+        reset_places=tuple(places[name] for name in names),
+        stops=tuple(action.message for action in actions if isinstance(action, Terminate)),
+        failures=tuple(action.message for action in actions if isinstance(action, Check)),
     )
 
 

@@ -24,6 +24,22 @@ class Slot:
 
 
 @record(kw_only=True)
+class Instants:
+    """What happens at instants, in the order of the results of `indicator`, `contact` and `event`.
+
+    `strict` flags relations that do not hold at zero, `contact_rows` are rows of constraints. `resets` are as results
+    call them, `reset_places` their entries in (q, qd, z); `stops` and `failures` are messages.
+    """
+
+    strict: tuple[bool, ...] = ()
+    contact_rows: tuple[int, ...] = ()
+    resets: tuple[str, ...] = ()
+    reset_places: tuple[int, ...] = ()
+    stops: tuple[str, ...] = ()
+    failures: tuple[str, ...] = ()
+
+
+@record(kw_only=True)
 class Layout:
     """Names by index. `kinds` are those of the discretes.
 
@@ -37,6 +53,7 @@ class Layout:
     inputs: tuple[Slot, ...]
     discretes: tuple[Slot, ...]
     kinds: tuple[Kind, ...] = ()
+    instants: Instants = Instants()
     parameters: tuple[Slot, ...]
     defaults: tuple[float, ...]
     outputs: tuple[Slot, ...]

@@ -131,7 +131,7 @@ class CEngine:
 
     def run(self, settings: RunSettings) -> CRun:
         """A simulation in C, independent of this engine's own memory."""
-        return CRun(self._library, settings, self.layout.size(Group.U))
+        return CRun(self._library, settings, self.layout.size(Group.U), self.layout.size(Group.W))
 
     # ---- many states -------------------------------------------------------------------------------------------------
 

@@ -4,36 +4,52 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import byref
+from dataclasses import dataclass
+from enum import IntEnum
 
 import numpy as np
 
 from lagdsl.record import record
 from lagdsl.runtime.engine import Floats
-from lagdsl.runtime.load import INPUTS, Library, RunOptions, RunReport
+from lagdsl.runtime.load import INPUTS, TELL, WHAT, Library, RunOptions, RunReport
 
 _ALIGNED = 16
 
 
-@record()
-class Places:
-    """Entries of w with the truth of each relation and the state of each contact, and the rows of constraints of the
-    contacts; `strict` flags relations that do not hold at zero. Whole numbers, as floats.
+class Status(IntEnum):
+    """lag_status of runs."""
 
-    `slack` (2,), which may be changed: what is round-off of gaps, as a part of the size of the state, and of forces.
-    """
+    OK = 0
+    TOO_LONG = 5
+    ATTENTION = 7
+    VIOLATED = 8
+    STOPPED = 9
+    CHATTER = 10
+    UNSETTLED = 12
+    CONFLICT = 13
+    REFUSED = 14
+    PIERCED = 15
 
-    truth: Floats
-    strict: Floats
-    closed: Floats
-    row: Floats
-    slack: Floats
+
+@dataclass(slots=True)
+class Told:
+    """What happened: `what` is one of `lagdsl.runtime.load.WHAT`, `which` the number of the clock, relation, contact,
+    reset or `terminate`. `row` is the number of the next row then; of what is "before" or "after" an event the state y
+    and the discretes w."""
+
+    t: float
+    what: str
+    which: int
+    row: int
+    y: Floats
+    w: Floats
 
 
 @record()
 class RunSettings:
     """`method` is a name of `lagdsl.runtime.load.METHODS`, or None for the automatic choice. `inputs` is the constant
     input vector, or a function of time. `group`, `natural`, `cap` (2 nq + nz,) and `row_sizes` (nc,): lag/accuracy.h.
-    Of the rows flagged in `lasting` (nc,) `general` are independent in general.
+    Of the rows flagged in `lasting` (nc,) `general` are independent in general; `length` is that of the experiment [s].
     `rows` (times, 2 nq + nz) receives the states at `times`. The arrays `invariant_...` (ni,) are kept up to date; all
     of them must be contiguous."""
 
@@ -48,7 +64,7 @@ class RunSettings:
     row_sizes: Floats
     lasting: Floats
     general: int
-    places: Places
+    length: float
     times: Floats
     rows: Floats
     invariant_tolerance: Floats
@@ -58,13 +74,19 @@ class RunSettings:
 
 
 class CRun:
-    """One run of a model with so many `inputs`, in one block of memory of its own. `trouble` is what they raised, if
-    they did."""
+    """One run of a model with so many `inputs` and `discretes`, in one block of memory of its own.
 
-    def __init__(self, library: Library, settings: RunSettings, inputs: int) -> None:
+    `told` is what happened in the last call; `before` is called with the time of an event before anything happens. What
+    inputs raise is raised by the call.
+    """
+
+    def __init__(self, library: Library, settings: RunSettings, inputs: int, discretes: int) -> None:
         self._library = library
         self._settings = settings  # C points into its arrays
         self._nothing = np.full(inputs, np.nan)
+        self._size, self._discretes = settings.rows.shape[1], discretes
+        self.told: list[Told] = []
+        self.before: Callable[[float], None] | None = None
         self.trouble: BaseException | None = None
         options = self._options(settings)
         size = int(library.run_size(library.model, byref(options)))
@@ -80,14 +102,14 @@ class CRun:
             part=settings.part,
             careful=1,
             general=settings.general,
+            length=settings.length,
             count=len(settings.times),
             continued=1,
             method=None if settings.method is None else self._library.methods[settings.method],
         )
         for name in ("p", "group", "natural", "cap", "row_sizes", "lasting", "times", "rows"):
             setattr(options, name, getattr(settings, name).ctypes.data)
-        for name in ("truth", "strict", "closed", "row", "slack"):
-            setattr(options, name, getattr(settings.places, name).ctypes.data)
+        self._tell = options.tell = TELL(self._happened)
         for name in ("tolerance", "start", "size", "drift"):
             setattr(options, f"invariant_{name}", getattr(settings, f"invariant_{name}").ctypes.data)
         if callable(settings.inputs):
@@ -107,22 +129,79 @@ class CRun:
         for index, value in enumerate(values.tolist()):
             u[index] = value  # type: ignore[index]
 
-    def leap(self, t: float, y: Floats, w: Floats, h: float, stop: float, *, row: int, steps: int) -> int:
-        """On from y with discretes w at time t towards `stop`, at most so many steps.
+    def _happened(self, _context: object, _run: object, happening: object) -> int:
+        """Called from C, where nothing may be raised."""
+        try:
+            told = happening.contents  # type: ignore[attr-defined]
+            what = WHAT[told.what]
+            whole = what in ("before", "after")
+            y = np.array(told.x[: self._size if whole else 0])
+            w = np.array(told.w[: self._discretes if whole else 0])
+            if what == "before" and self.before is not None:
+                self.before(told.t)
+            self.told.append(Told(told.t, what, told.which, told.row, y, w))
+        except BaseException as problem:
+            self.trouble = problem
+            return Status.STOPPED
+        return Status.OK
+
+    # ---- what it does ------------------------------------------------------------------------------------------------
+
+    def leap(self, t: float, y: Floats, h: float, stop: float, *, row: int, steps: int) -> int:
+        """On from y at time t towards `stop`, at most so many steps.
 
         h is the length of the first, 0 to find it; `row` is the next to be recorded. Returns a lag_status; `report` and
-        `state` tell where it ended: at the last good state.
+        `state` tell where it ended: at the last good state, or after an event.
         """
-        self.trouble = None
         library = self._library
-        status = int(library.run_move(self._run, t, y.ctypes.data, h))
-        library.run_skip(self._run, row)
-        library.run_discretes(self._run, w.ctypes.data)
-        if status == 0:
-            status = int(library.run_to(self._run, stop, steps))
-        library.run_tell(self._run, byref(self.report))
+
+        def run() -> int:
+            library.run_skip(self._run, row)
+            return int(library.run_to(self._run, stop, steps))
+
+        return self._at(t, y, h, run)
+
+    def enter(self, t: float, y: Floats) -> int:
+        """What happens at the start of the motion."""
+        return self._at(t, y, 0.0, lambda: int(self._library.run_enter(self._run)))
+
+    def end(self, t: float, y: Floats) -> int:
+        """What happens at its end."""
+        return self._at(t, y, 0.0, lambda: int(self._library.run_end(self._run)))
+
+    def event(self, t: float, y: Floats, step: float, changed: Floats) -> int:
+        """Relations, then contacts, flagged in `changed` did so in a step of this length."""
+        run = self._library.run_event
+        return self._at(t, y, 0.0, lambda: int(run(self._run, step, changed.ctypes.data)))
+
+    def ticks(self, t: float, y: Floats) -> int:
+        """The clocks that tick at t, if any do."""
+        return self._at(t, y, 0.0, lambda: int(self._library.run_ticks(self._run)))
+
+    def due(self, t: float) -> bool:
+        """Whether a clock ticks at t."""
+        return bool(self._library.run_due(self._run, t))
+
+    def _at(self, t: float, y: Floats, h: float, run: Callable[[], int]) -> int:
+        self.trouble = None
+        self.told.clear()
+        y = np.ascontiguousarray(y)
+        status = int(self._library.run_move(self._run, t, y.ctypes.data, h)) or run()
+        self._library.run_tell(self._run, byref(self.report))
+        if self.trouble is not None:
+            raise self.trouble
         return status
+
+    # ---- where it is -------------------------------------------------------------------------------------------------
 
     def state(self) -> Floats:
         """Where it is now, a copy."""
-        return np.array(self.report.x[: self._settings.rows.shape[1]])
+        return np.array(self.report.x[: self._size])
+
+    def discretes(self) -> Floats:
+        """The discretes now, a copy."""
+        return np.array(self.report.w[: self._discretes])
+
+    def guilty(self) -> list[int]:
+        """The discretes because of which an event came to no good end."""
+        return [k for k in range(self._discretes) if self.report.guilty[k] != 0.0]

@@ -62,8 +62,28 @@ class Batch(Structure):
     ]
 
 
+# lag_what, as results of a simulation call it; "before" and "after" are the states around an event.
+WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after")
+
 # What tells the inputs at a time: (context, t, u).
 INPUTS = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double))
+
+
+class Happening(Structure):
+    """lag_happening."""
+
+    _fields_ = [
+        ("t", c_double),
+        ("what", c_int),
+        ("which", c_size_t),
+        ("row", c_size_t),
+        ("x", POINTER(c_double)),
+        ("w", POINTER(c_double)),
+    ]
+
+
+# To whom it is told what happens: (context, run, happening), a lag_status.
+TELL = CFUNCTYPE(c_int, c_void_p, c_void_p, POINTER(Happening))
 
 
 class RunOptions(Structure):
@@ -82,7 +102,8 @@ class RunOptions(Structure):
         ("careful", c_int),
         ("lasting", c_void_p),
         ("general", c_size_t),
-        *((name, c_void_p) for name in ("truth", "strict", "closed", "row", "slack")),
+        ("tell", TELL),
+        ("length", c_double),
         ("count", c_size_t),
         *((name, c_void_p) for name in ("times", "rows", "output")),
         ("indicators", c_size_t),
@@ -110,7 +131,9 @@ class RunReport(Structure):
         ("x", POINTER(c_double)),
         *((name, c_size_t) for name in ("row", "steps", "all_steps", "rejections", "evaluations", "jacobians")),
         *((name, c_size_t) for name in ("decompositions", "projections", "events", "changes")),
-        ("changed", POINTER(c_double)),
+        *((name, POINTER(c_double)) for name in ("w", "changed", "guilty", "slack")),
+        ("fault", c_size_t),
+        ("next", c_double),
         ("change", POINTER(RunChange)),
         ("implicit", c_int),
     ]
@@ -163,7 +186,11 @@ class Library:
     run_to: ctypes._NamedFuncPointer
     run_tell: ctypes._NamedFuncPointer
     run_skip: ctypes._NamedFuncPointer
-    run_discretes: ctypes._NamedFuncPointer
+    run_enter: ctypes._NamedFuncPointer
+    run_event: ctypes._NamedFuncPointer
+    run_ticks: ctypes._NamedFuncPointer
+    run_due: ctypes._NamedFuncPointer
+    run_end: ctypes._NamedFuncPointer
     methods: dict[str, int]
     run_layout: tuple[int, int]
 
@@ -210,7 +237,11 @@ def load(path: Path, symbol: str, part: str | None = None) -> Library:
         run_to=_function(library, "lag_run_to", [c_void_p, c_double, c_size_t]),
         run_tell=_function(library, "lag_run_tell", [c_void_p, POINTER(RunReport)]),
         run_skip=_function(library, "lag_run_skip", [c_void_p, c_size_t]),
-        run_discretes=_function(library, "lag_run_discretes", [c_void_p, c_void_p]),
+        run_enter=_function(library, "lag_run_enter", [c_void_p]),
+        run_event=_function(library, "lag_run_event", [c_void_p, c_double, c_void_p]),
+        run_ticks=_function(library, "lag_run_ticks", [c_void_p]),
+        run_due=_function(library, "lag_run_due", [c_void_p, c_double]),
+        run_end=_function(library, "lag_run_end", [c_void_p]),
         methods={name: ctypes.addressof(c_char.in_dll(library, f"lag_{name}")) for name in METHODS},
         run_layout=tuple((c_size_t * 2).in_dll(library, "lag_run_layout")),
     )

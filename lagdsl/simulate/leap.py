@@ -1,22 +1,21 @@
-"""Many steps at once, by the C runtime: as far as nothing needs a closer look than it takes.
+"""Many steps at once, with what happens at instants, by the C runtime: as far as nothing needs a closer look.
 
-It stops at an event, where rank is about to be lost, where something that must stay true does not, where the
-constraints are out of reach and where there are no accelerations. The step loop takes over at the last good state and
-finds out what it is.
+It stops where rank is about to be lost, where something that must stay true does not, where the constraints are out of
+reach and where there are no accelerations. The step loop takes over at the last good state and finds out what it is.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TypeGuard
 
 import numpy as np
 
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.c_run import Places, RunSettings
+from lagdsl.runtime.c_run import RunSettings, Status
 from lagdsl.runtime.load import METHODS
 from lagdsl.simulate.accuracy import Accuracy
-from lagdsl.simulate.events.discretes import Discretes
 from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.right_hand_side import RightHandSide
 from lagdsl.simulate.singular import Ranks
@@ -24,12 +23,12 @@ from lagdsl.simulate.watch import Watch
 
 # Steps in one call, so that an interrupt from the keyboard does not wait for long.
 _STEPS = 1000
-# lag_status, those after which the length of the next step still means something.
-_TOO_LONG, _ATTENTION, _VIOLATED, _HAPPENS = 5, 7, 8, 11
+# After these the length of the next step still means something.
+_LENGTHS = (Status.TOO_LONG, Status.ATTENTION, Status.VIOLATED)
 
 
 class Leaps:
-    """The C side of one simulation. `rows` holds the states recorded so far at the requested times."""
+    """The C side of one simulation. Rows of constraints that are `loose` come and go."""
 
     def __init__(
         self,
@@ -42,16 +41,15 @@ class Leaps:
         tolerance: float,
         solver: str,
         ranks: Ranks,
-        discretes: Discretes,
-        slack: Floats,
+        loose: Sequence[int],
     ) -> None:
         self.engine = engine
         self._system = system
         self._times = np.ascontiguousarray(times)
-        self.rows = np.zeros((len(times), len(accuracy.sizes)))
+        self._rows = np.zeros((len(times), len(accuracy.sizes)))
         constant = system.signals.constant
         lasting = np.ones(len(projection.row_sizes))
-        lasting[discretes.rows] = 0.0
+        lasting[list(loose)] = 0.0
         settings = RunSettings(
             tolerance=tolerance,
             part=projection.tolerance / tolerance,
@@ -64,23 +62,16 @@ class Leaps:
             row_sizes=np.ascontiguousarray(projection.row_sizes),
             lasting=lasting,
             general=ranks.general,
-            places=Places(
-                truth=discretes.relations.astype(np.float64),
-                strict=discretes.strict.astype(np.float64),
-                closed=discretes.contacts.astype(np.float64),
-                row=discretes.rows.astype(np.float64),
-                slack=slack,
-            ),
+            length=float(times[-1] - times[0]),
             times=self._times,
-            rows=self.rows,
+            rows=self._rows,
             invariant_tolerance=np.ascontiguousarray(watch.tolerances),
             invariant_start=watch.start,
             invariant_size=watch.sizes,
             invariant_drift=watch.drift,
         )
-        self._run = engine.run(settings)
-        self._status = 0
-        self._counts = len(discretes.relations), len(discretes.contacts)
+        self.run = engine.run(settings)
+        self.status = 0
 
     def forward(self, t: float, y: Floats, h: float, end: float, row: int, steps: int) -> bool:
         """As far as it goes towards `end`, in at most so many steps; row number `row` is the next to be recorded.
@@ -88,69 +79,77 @@ class Leaps:
         budget = min(steps, _STEPS)
         if budget <= 0:
             return False
-        w = self._system.w
-        self._status = self._run.leap(t, np.ascontiguousarray(y), w, h, end, row=row, steps=budget)
-        if self._run.trouble is not None:
-            raise self._run.trouble
-        return self._status == _TOO_LONG and steps > budget
+        self._w = self._system.w
+        self.status = self.run.leap(t, y, h, end, row=row, steps=budget)
+        return self.status == Status.TOO_LONG and steps > budget
+
+    def rows(self, first: int) -> tuple[int, Floats, Floats, Floats]:
+        """Number of the next row if `first` was it before, and what became rows: times, states and discretes.
+
+        At an event there are two, one if the time of the first was asked for and is there already.
+        """
+        found: list[tuple[Floats, Floats, Floats]] = []
+        times, w = self._times, self._w
+
+        def up_to(row: int, first: int) -> int:
+            if row > first:
+                found.append((times[first:row], self._rows[first:row], np.tile(w, (row - first, 1))))
+            return max(row, first)
+
+        for told in self.run.told:
+            if len(told.y):
+                first = up_to(told.row, first)
+                w = told.w
+                if told.what == "after" or not (first and times[first - 1] == told.t):
+                    found.append((np.array([told.t]), told.y[None], w[None]))
+                first = max(first, int(np.searchsorted(times, told.t, side="right")))
+        row = up_to(int(self.run.report.row), first)
+        self._system.with_discretes(self.run.discretes())
+        if not found:
+            return row, times[:0], self._rows[:0], np.zeros((0, len(w)))
+        parts = [np.concatenate(part) for part in zip(*found, strict=True)]
+        return row, parts[0], parts[1], parts[2]
 
     @property
     def t(self) -> float:
-        return float(self._run.report.t)
+        return float(self.run.report.t)
 
     @property
     def h(self) -> float:
         """Length of the step that would be next; 0 where it is not known."""
-        return float(self._run.report.h) if self._status in (_TOO_LONG, _ATTENTION, _VIOLATED, _HAPPENS) else 0.0
+        return float(self.run.report.h) if self.status in _LENGTHS else 0.0
 
     @property
     def y(self) -> Floats:
         """The state at `t`."""
-        return self._run.state()
-
-    @property
-    def happened(self) -> tuple[list[int], list[int]] | None:
-        """The relations and contacts that changed, if that is why it stopped at `t`."""
-        if self._status != _HAPPENS:
-            return None
-        relations, contacts = self._counts
-        flags = self._run.report.changed[: relations + contacts]
-        return (
-            [i for i, flag in enumerate(flags[:relations]) if flag],
-            [i for i, flag in enumerate(flags[relations:]) if flag],
-        )
+        return self.run.state()
 
     @property
     def implicit(self) -> bool:
         """Whether the method is implicit now."""
-        return bool(self._run.report.implicit)
-
-    @property
-    def row(self) -> int:
-        """Number of the next row."""
-        return int(self._run.report.row)
+        return bool(self.run.report.implicit)
 
     @property
     def steps(self) -> int:
         """Steps of the last call."""
-        return int(self._run.report.steps)
+        return int(self.run.report.steps)
 
     @property
     def evaluations(self) -> int:
-        return int(self._run.report.evaluations)
+        return int(self.run.report.evaluations)
 
     @property
     def jacobians(self) -> int:
-        return int(self._run.report.jacobians)
+        return int(self.run.report.jacobians)
 
     @property
     def projections(self) -> int:
-        return int(self._run.report.projections)
+        return int(self.run.report.projections)
 
     @property
     def changes(self) -> list[tuple[float, bool]]:
         """Time and kind (implicit) of the first changes of method."""
-        report = self._run.report
+        report = self.run.report
         return [(float(report.change[i].t), bool(report.change[i].implicit)) for i in range(min(report.changes, 16))]
 
 

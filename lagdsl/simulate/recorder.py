@@ -47,21 +47,24 @@ class Recorder:
         self._residuals.append(self._projection.residuals(t, y))
         self._energies.append(float(self._engine.evaluate("energies", t, q, qd, z, u, w, p)[0]))
 
-    def add_many(self, engine: CEngine, times: Floats, states: Floats) -> None:
-        """Rows of states that are on the constraints, in few calls of C."""
+    def add_many(self, engine: CEngine, times: Floats, states: Floats, discretes: Floats) -> None:
+        """Rows of states that are on the constraints, each with its discretes, in few calls of C."""
+        now = self._system.w
         for first in range(0, len(times), _AT_ONCE):
             part = slice(first, first + _AT_ONCE)
             try:
-                self._add_part(engine, times[part], states[part])
+                self._add_part(engine, times[part], states[part], discretes[part])
             except SingularSystem:  # outputs that are not numbers stay with their row
-                for t, y in zip(times[part].tolist(), states[part], strict=True):
+                for t, y, w in zip(times[part].tolist(), states[part], discretes[part], strict=True):
+                    self._system.with_discretes(w)
                     self.add(t, y)
+        self._system.with_discretes(now)
 
-    def _add_part(self, engine: CEngine, times: Floats, states: Floats) -> None:
+    def _add_part(self, engine: CEngine, times: Floats, states: Floats, w: Floats) -> None:
         n = self._system.n
         at = times[:1] if self._system.signals.constant else times
         u = np.array([self._system.inputs(t) for t in at.tolist()])
-        w, p = self._system.w, self._system.p
+        p = self._system.p
         state = (times, states[:, :n], states[:, n : 2 * n], states[:, 2 * n :], u, w, p)
         outputs = np.zeros((len(times), 0))
         if engine.layout.outputs:
@@ -70,7 +73,7 @@ class Recorder:
         if self._projection.active:
             for index, function in enumerate(("position_constraint", "velocity_constraint")):
                 residuals[index] = np.max(np.abs(engine.evaluate_many(function, *state)[0]), axis=1, initial=0.0)
-        self._rows += list(np.hstack([times[:, None], states, np.tile(w[self._variables], (len(times), 1)), outputs]))
+        self._rows += list(np.hstack([times[:, None], states, w[:, self._variables], outputs]))
         self._residuals += [(q, v) for q, v in residuals.T.tolist()]
         self._energies += engine.evaluate_many("energies", *state)[0].tolist()
 

@@ -339,51 +339,6 @@ static void chatter_ends(void)
     free(run);
 }
 
-/* A relation h > 1/2 with its truth in w[0], which is the force as well. */
-static lag_status half_way(const lag_arguments *at, double *g)
-{
-    g[0] = at->q[0] - 0.5;
-    return LAG_OK;
-}
-
-/* A floor: its contact is open while w[0] is zero. */
-static lag_status floor_below(const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution,
-    double *stick, double *rest)
-{
-    gap[0] = at->q[0] - 0.25;
-    speed[0] = at->qd[0];
-    jacobian[0] = 1.0;
-    restitution[0] = 1.0;
-    stick[0] = rest[0] = -1.0;
-    return LAG_OK;
-}
-
-static void a_run_stops_where_something_happens(void)
-{
-    static const double zero[1] = {0.0};
-    static const double holds[1] = {1.0};
-    lag_model model = FREE;
-    model.nindicator = 1;
-    model.indicator = half_way;
-    lag_run_options options = {.places = {zero, zero, zero, zero, NULL}};
-    lag_run *run = place(&model, &options);
-    CHECK(lag_run_move(run, 0.0, NULL, 0.0) == LAG_OK);
-    lag_run_discretes(run, holds);
-    CHECK(lag_run_to(run, 1.0, 0) == LAG_HAPPENS);
-    CHECK_NEAR(run->stepper.x[0], 0.5, 1e-14);
-    CHECK_NEAR(run->stepper.t, sqrt(1.0 / (9.81 - 1.0)), 1e-14); /* the truth is a force of 1 N here */
-    CHECK(run->alert.changed[0] == 1.0);
-    free(run);
-    model = FREE;
-    model.ncontact = model.ngap = 1;
-    model.contact = floor_below;
-    run = place(&model, &options);
-    CHECK(lag_run_move(run, 0.0, NULL, 0.0) == LAG_OK);
-    CHECK(lag_run_to(run, 1.0, 0) == LAG_HAPPENS);
-    CHECK_NEAR(run->stepper.t, sqrt(1.5 / 9.81), 1e-14);
-    free(run);
-}
-
 /* Many lives of a run in the same memory: nothing is kept, nothing is lost. */
 static void a_run_can_be_placed_again_and_again(void)
 {
@@ -556,7 +511,6 @@ int main(void)
     a_ball_bounces_on_time(&lag_dop853);
     a_ball_bounces_on_time(NULL);
     chatter_ends();
-    a_run_stops_where_something_happens();
     a_run_can_be_placed_again_and_again();
     a_sampled_controller();
     stiffness_is_found(1e-6, 1);

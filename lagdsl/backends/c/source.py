@@ -10,6 +10,7 @@ from lagdsl.backends.c.literal import number, string
 from lagdsl.backends.c.results import RESULTS, Results, definition, place_of, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
+from lagdsl.flat.events import INITIAL
 from lagdsl.program.functions import ALONG_MANY, WRITTEN_OUT
 from lagdsl.program.passes.hoist import hoisted
 from lagdsl.program.program import Function, Layout, Program, Slot
@@ -39,11 +40,16 @@ def source(program: Program, stem: str) -> str:
     )
 
 
-def header(stem: str) -> str:
-    """Text of `stem`.h."""
+def header(stem: str, parts: Sequence[str] = ()) -> str:
+    """Text of `stem`.h, which declares the model and what comes in lanes."""
     guard = f"{stem.upper()}_GENERATED_H"
-    declaration = f'#include "lag/model.h"\n\nextern const lag_model {symbol(stem)};'
-    return f"#ifndef {guard}\n#define {guard}\n\n{declaration}\n\n#endif\n"
+    read = ["model", "parallel"] if parts else ["model"]
+    lines = [
+        *(f'#include "lag/{name}.h"' for name in read),
+        f"\nextern const lag_model {symbol(stem)};",
+        *(f"extern const lag_{part.removeprefix('parameter_')} {stem}_{part};" for part in parts),
+    ]
+    return "\n".join([f"#ifndef {guard}", f"#define {guard}\n", *lines, "\n#endif\n"])
 
 
 def symbol(stem: str) -> str:
@@ -136,7 +142,29 @@ def _tables(program: Program) -> str:
     texts.append(_array("size_t", "kept_rows", [str(row) for row in program.kept_rows]))
     texts.append(_array("double", "defaults", [number(value) for value in layout.defaults]))
     texts.append(_array("char *const", "assertions", [string(text) for text in layout.assertions]))
+    texts += [_array(kind, name, rows) for name, (kind, rows) in _instant_tables(layout).items()]
     return "".join(texts)
+
+
+def _instant_tables(layout: Layout) -> dict[str, tuple[str, list[str]]]:
+    """Type and rows by member of lag_model."""
+    instants = layout.instants
+    return {
+        "kinds": ("unsigned char", [_kind(layout, index) for index in range(len(layout.kinds))]),
+        "strict": ("unsigned char", [str(int(flag)) for flag in instants.strict]),
+        "contact_rows": ("size_t", [str(row) for row in instants.contact_rows]),
+        "reset_places": ("size_t", [str(place) for place in instants.reset_places]),
+        "resets": ("char *const", [string(name) for name in instants.resets]),
+        "stops": ("char *const", [string(text) for text in instants.stops]),
+        "failures": ("char *const", [string(text) for text in instants.failures]),
+    }
+
+
+def _kind(layout: Layout, index: int) -> str:
+    """The lag_kind of an entry of w."""
+    if layout.kinds[index] == "instant":
+        return "LAG_KIND_INITIAL" if layout.discretes[index].name == INITIAL else "LAG_KIND_TERMINAL"
+    return f"LAG_KIND_{layout.kinds[index].upper()}"
 
 
 def _slot_tables(layout: Layout) -> dict[str, tuple[Slot, ...]]:
@@ -187,6 +215,7 @@ def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
         "position_level": layout.position_level,
         "redundant": layout.redundant,
         "kept_rows": program.kept_rows,
+        **{name: rows for name, (_, rows) in _instant_tables(layout).items()},
     }
     members = [
         ".version = LAG_MODEL_VERSION",

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.flat.event_flow import branches
+from lagdsl.flat.events import Check, Reset
 from lagdsl.flat.model import FlatModel
+from lagdsl.flat.quantity import Item
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.c_run import CRun, Status, Told
 from lagdsl.simulate.events.happenings import Found, Happenings
@@ -24,6 +27,9 @@ class CompiledHappenings(Happenings):
     ) -> None:
         super().__init__(flat, system, projection, span)
         self._run = run
+        actions = [action for branch in branches(flat) for action in branch.actions]
+        self._resets = [action for action in actions if isinstance(action, Reset)]
+        self._checks = [action for action in actions if isinstance(action, Check)]
         run.before = self._before
         if self.active:
             self._contacts.slack = np.ctypeslib.as_array(run.report.slack, shape=(2,))
@@ -43,7 +49,7 @@ class CompiledHappenings(Happenings):
         return float(self._run.report.next)
 
     def tick(self, t: float) -> Found | None:
-        return Found(t) if self.next_tick() <= t else None
+        return Found(t) if self._run.due(t) else None
 
     def carry_out(self, found: Found, y: Floats) -> Result:
         """Where nothing changed, it is clocks that tick."""
@@ -66,26 +72,27 @@ class CompiledHappenings(Happenings):
 
     def _name(self, told: Told) -> str:
         events, which = self._discretes.flat.events, told.which
+        instants = self._system.engine.layout.instants
         match told.what:
             case "tick":
                 return events.clocks[which].name
             case "true" | "false":
                 return events.relations[which].name
             case "reinit":
-                return self._passes.reset_name(which)
+                return instants.resets[which]
             case "terminate":
-                return self._passes.stops[which].message
+                return instants.stops[which]
             case _:
                 return events.contacts[which].name
 
-    def _failure(self, status: int) -> Failure | None:
+    def _failure(self, status: int) -> tuple[str, Item, str] | None:
         fault = int(self._run.report.fault)
         match status:
             case Status.UNSETTLED | Status.CHATTER | Status.PIERCED:
                 return self._passes.blame(_BLAMED[Status(status)], self._run.guilty())
             case Status.CONFLICT:
-                return "E0832", self._passes.resets[fault], self._passes.resets[fault].name
+                return "E0832", self._resets[fault], self._resets[fault].name
             case Status.REFUSED:
-                return "E0810", self._passes.checks[fault], self._passes.checks[fault].message
+                return "E0810", self._checks[fault], self._checks[fault].message
             case _:
                 return None

@@ -54,7 +54,7 @@ class Contacts:
         through = ~closed & (gaps.gap[:count] < -_ROUNDING * size(y)) & (gaps.speed[:count] < 0.0)
         pulling = np.zeros(count, dtype=np.bool_)
         if closed.any():
-            pulling = closed & (self._discretes.multipliers(t, y, w) < -_ROUNDING * self._force)
+            pulling = closed & (self._discretes.multipliers(t, y, w) < -self.slack[1])
         return np.flatnonzero(through | pulling).tolist()
 
     def value(self, index: int, t: float, y: Floats, w: Floats) -> float:

@@ -11,8 +11,10 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_names import contact_rows
+from lagdsl.runtime.c_run import Status
 from lagdsl.simulate.departure import Departure
-from lagdsl.simulate.events.discretes import Discretes
+from lagdsl.simulate.events.compiled import CompiledHappenings
 from lagdsl.simulate.events.happenings import Found, Happenings
 from lagdsl.simulate.events.passes import Result
 from lagdsl.simulate.leap import Leaps, can_leap
@@ -36,8 +38,9 @@ class Motion:
         self._choice = Choice(task, tools, self._notes)
         self._ends = Ends(task, tools, self._choice.accuracy, self._so_far)
         self._passage = Passage(task, tools, self._choice.accuracy, self._ends, self._notes)
-        self._happenings = Happenings(task.flat, tools.system, tools.exact, (task.first, task.last))
         self._leaps = self._made_leaps()
+        self._happenings = self._made_happenings()
+        self._far = task.last
         self._steps = 0
         self._ended = False
 
@@ -56,9 +59,13 @@ class Motion:
             task.tolerance,
             task.solver,
             self._passage.ranks,
-            Discretes(task.flat, tools.system),
-            self._happenings.slack,
+            sorted(contact_rows(task.flat)),
         )
+
+    def _made_happenings(self) -> Happenings:
+        task, tools = self._task, self._tools
+        given = (task.flat, tools.system, tools.exact, (task.first, task.last))
+        return Happenings(*given) if self._leaps is None else CompiledHappenings(*given, self._leaps.run)
 
     def run(self) -> Trajectory:
         """From the first to the last of the requested times."""
@@ -67,8 +74,9 @@ class Motion:
         self._system.enter(np.inf)
         y = self._begin(t, np.concatenate([initial.q, initial.qd, initial.z]))
         while t < last and not self._ended:
-            end = min(stops[0], self._happenings.next_tick())
-            self._system.enter(end)
+            self._far = stops[0]
+            end = min(self._far, self._happenings.next_tick())
+            self._system.enter(self._far)
             if self._passage.lost:
                 found = self._passage.leave(t, y, end)
                 t, y = (t, y) if found is None else self._follow(found)
@@ -238,17 +246,24 @@ class Motion:
         there, going = here, True
         while going and there.t < end:
             left = self._task.max_steps - self._steps
-            going = leaps.forward(there.t, there.y, there.h_abs, end, row=self._rows.next, steps=left)
-            if leaps.t > there.t:
+            going = leaps.forward(there.t, there.y, there.h_abs, self._far, row=self._rows.next, steps=left)
+            if leaps.t > there.t or leaps.run.told:
                 there = Reached(leaps.t, leaps.y, leaps.h)
                 self._steps += leaps.steps
-                self._rows.leapt(leaps.engine, leaps.rows, leaps.row)
+                self._rows.leapt(leaps.engine, leaps.rows(self._rows.next))
                 self._rows.tell(there.t)
-                if leaps.happened is not None:
-                    found = self._happenings.located(there.t, leaps.happened, leaps.h)
-                    there, going = Reached(there.t, self._carried_out(found, there.y), 0.0), not self._ended
+                self._follow_leap(leaps, there)
         if there is not here:
             self._choice.follow(leaps.changes)
             self._passage.look_at(there.t, there.y)
             self._passage.forget(there.t)
         return there
+
+    def _follow_leap(self, leaps: Leaps, there: Reached) -> None:
+        """What happened in a leap, and why it ended."""
+        assert isinstance(self._happenings, CompiledHappenings)
+        result = self._happenings.result(leaps.status)
+        if result.failed is not None or result.stop is not None:
+            self._settle(there.t, result)
+        if leaps.status == Status.VIOLATED:
+            self._check(there.t, there.y)

@@ -64,10 +64,10 @@ class Rows:
         self.recorder.add(t, y)
         self.tell(t)
 
-    def leapt(self, engine: CEngine, states: Floats, row: int) -> None:
-        """The `states` (times, 2 nq + nz) up to number `row` have been found by somebody else."""
-        self.recorder.add_many(engine, self._times[self.next : row], states[self.next : row])
-        self.next = row
+    def leapt(self, engine: CEngine, found: tuple[int, Floats, Floats, Floats]) -> None:
+        """Somebody else has found rows: `next` after them, times, states (rows, 2 nq + nz), discretes (rows, nw)."""
+        self.next, times, states, discretes = found
+        self.recorder.add_many(engine, times, states, discretes)
 
     def last_good(self, t: float, y: Floats) -> None:
         """The state at which the run fails, once there is a first row."""

@@ -7,11 +7,12 @@ size_t lag_alert_memory(const lag_model *model)
     return 3 * model->nindicator + model->ngap * (2 + model->nq) + 5 * model->ncontact;
 }
 
-void lag_alert_place(lag_alert *alert, lag_motion *motion, const lag_alert_places *places, double *memory)
+void lag_alert_place(lag_alert *alert, lag_motion *motion, const double *slack, double *memory)
 {
     const lag_model *model = motion->model;
     alert->motion = motion;
-    alert->places = *places;
+    alert->places = lag_places_of(model);
+    alert->slack = slack;
     alert->changed = memory;
     alert->seen = alert->changed + model->nindicator + model->ncontact;
     alert->g = alert->seen + model->nindicator + model->ncontact;
@@ -27,8 +28,8 @@ static lag_status relations(lag_alert *alert)
     const lag_status status = model->indicator(&alert->motion->at, alert->g);
     for (size_t i = 0; i < model->nindicator; ++i) {
         const double g = alert->g[i];
-        const int truth = g > 0.0 || (g == 0.0 && alert->places.strict[i] == 0.0);
-        alert->changed[i] = truth != (alert->motion->w[(size_t)alert->places.truth[i]] != 0.0);
+        const int truth = g > 0.0 || (g == 0.0 && model->strict[i] == 0);
+        alert->changed[i] = truth != (alert->motion->w[alert->places.relation + i] != 0.0);
     }
     return status;
 }
@@ -44,11 +45,11 @@ static lag_status contacts(lag_alert *alert, const double *x)
     for (size_t i = 0; i < lag_motion_size(model); ++i) {
         size = fmax(size, 1.0 + fabs(x[i]));
     }
-    const double slack = alert->places.slack != NULL ? alert->places.slack[0] * size : 0.0;
-    const double force = alert->places.slack != NULL ? alert->places.slack[1] : 0.0;
+    const double slack = alert->slack[0] * size;
+    const double force = alert->slack[1];
     for (size_t i = 0; i < model->ncontact; ++i) {
-        const int closed = motion->w[(size_t)alert->places.closed[i]] != 0.0;
-        const int pulls = closed && motion->lam[(size_t)alert->places.row[i]] < -force;
+        const int closed = motion->w[alert->places.contact + i] != 0.0;
+        const int pulls = closed && motion->lam[model->contact_rows[i]] < -force;
         const int meets = !closed && alert->gap[i] < -slack && alert->speed[i] < 0.0;
         alert->changed[model->nindicator + i] = pulls || meets;
     }
@@ -60,11 +61,11 @@ double lag_alert_value(const lag_alert *alert, size_t which)
     const lag_motion *motion = alert->motion;
     const size_t count = motion->model->nindicator;
     if (which < count) {
-        const int holds = motion->w[(size_t)alert->places.truth[which]] != 0.0;
+        const int holds = motion->w[alert->places.relation + which] != 0.0;
         return holds ? alert->g[which] : -alert->g[which];
     }
-    const int closed = motion->w[(size_t)alert->places.closed[which - count]] != 0.0;
-    return closed ? motion->lam[(size_t)alert->places.row[which - count]] : alert->gap[which - count];
+    const int closed = motion->w[alert->places.contact + which - count] != 0.0;
+    return closed ? motion->lam[motion->model->contact_rows[which - count]] : alert->gap[which - count];
 }
 
 lag_status lag_alert_look(lag_alert *alert, double t, const double *x)

@@ -6,6 +6,8 @@
 static const double ROUNDING = 1e-14;
 /* So much larger than its limit a residual may stay where round-off or a singular position stops the convergence. */
 static const double CLOSE = 1e3;
+/* Rates are on the constraints if residuals, rows of size one, are below this part of what they were before. */
+static const double REACHED = 1e-8;
 
 static size_t position_rows(const lag_model *model)
 {
@@ -16,46 +18,57 @@ static size_t position_rows(const lag_model *model)
     return rows;
 }
 
+/* So many rates may be held. */
+static size_t most_held(const lag_model *model)
+{
+    return model->nreset < model->nq ? model->nreset : model->nq;
+}
+
 size_t lag_projection_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    return 4 * m + 4 * n + 2 * m * n + n * n + lag_system_memory(n, m);
+    const size_t rows = m + most_held(model);
+    return 3 * m + 2 * rows + 4 * n + m * n + rows * n + n * n + lag_system_memory(n, rows);
 }
 
 void lag_projection_place(lag_projection *projection, lag_motion *motion, double *memory)
 {
     const size_t n = motion->model->nq;
     const size_t m = motion->model->nc;
+    const size_t rows = m + most_held(motion->model);
     memset(projection, 0, sizeof *projection);
     projection->motion = motion;
     projection->rows = position_rows(motion->model);
     projection->iterations = 12;
     projection->limits = memory;
-    projection->sizes = projection->limits + m;
+    projection->round_off = projection->limits + m;
+    projection->least = projection->limits;
+    projection->sizes = projection->round_off + m;
     projection->phi = projection->sizes + n;
     projection->jacobian = projection->phi + m;
     projection->mass = projection->jacobian + m * n;
     projection->chosen = projection->mass + n * n;
-    projection->right = projection->chosen + m * n;
-    projection->force = projection->right + m;
+    projection->right = projection->chosen + rows * n;
+    projection->force = projection->right + rows;
     projection->change = projection->force + n;
     projection->lam = projection->change + n;
-    projection->point = projection->lam + m;
+    projection->point = projection->lam + rows;
     projection->system = projection->point + n;
     for (size_t i = 0; i < n; ++i) {
         projection->sizes[i] = 1.0;
         projection->force[i] = 0.0;
     }
     for (size_t i = 0; i < m; ++i) {
-        projection->limits[i] = 0.0;
+        projection->limits[i] = projection->round_off[i] = 0.0;
     }
 }
 
 void lag_projection_limits(lag_projection *projection, double tolerance, const double *row_sizes)
 {
     for (size_t i = 0; i < projection->motion->model->nc; ++i) {
-        projection->limits[i] = fmax(tolerance * fmin(row_sizes[i], 1.0), ROUNDING * row_sizes[i]);
+        projection->round_off[i] = ROUNDING * row_sizes[i];
+        projection->limits[i] = fmax(tolerance * fmin(row_sizes[i], 1.0), projection->round_off[i]);
     }
 }
 
@@ -66,7 +79,7 @@ static double largest(const lag_projection *projection, int every)
     double most = 0.0;
     for (size_t i = 0; i < model->nc; ++i) {
         if (every || model->position_level[i]) {
-            const double part = fabs(projection->phi[i]) / projection->limits[i];
+            const double part = fabs(projection->phi[i]) / projection->least[i];
             if (!(part <= most)) {
                 most = part;
             }
@@ -172,6 +185,82 @@ lag_status lag_projection_apply(lag_projection *projection, double t, double *x,
     if (status == LAG_OK && *moved) {
         memcpy(x, projection->point, model->nq * sizeof(double));
         ++projection->count;
+    }
+    return status;
+}
+
+lag_status lag_projection_exact(lag_projection *projection, double t, double *x, int *moved)
+{
+    projection->least = projection->round_off;
+    const lag_status status = lag_projection_apply(projection, t, x, moved);
+    projection->least = projection->limits;
+    return status;
+}
+
+/* The change of the rates that makes the residuals vanish and leaves what is held; *reached: it does. */
+static lag_status change_rates(lag_projection *projection, const double *held, int *reached)
+{
+    const lag_model *model = projection->motion->model;
+    const size_t n = model->nq;
+    size_t rows = model->nc;
+    double size = 0.0;
+    lag_system system;
+    *reached = 1;
+    memcpy(projection->chosen, projection->jacobian, rows * n * sizeof(double));
+    for (size_t i = 0; i < rows; ++i) {
+        projection->right[i] = -projection->phi[i];
+        size = fmax(size, fabs(projection->phi[i]) * ROUNDING / projection->round_off[i]);
+    }
+    for (size_t j = 0; j < n && held != NULL; ++j) {
+        if (held[j] != 0.0) {
+            memset(projection->chosen + rows * n, 0, n * sizeof(double));
+            projection->chosen[rows * n + j] = 1.0;
+            projection->right[rows++] = 0.0;
+        }
+    }
+    const size_t most = model->rank + (rows - model->nc);
+    lag_system_place(&system, n, rows, projection->system);
+    const lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    if (status != LAG_OK) {
+        *reached = 0;
+        return status;
+    }
+    lag_system_solve(&system, projection->force, projection->right, projection->change, projection->lam);
+    for (size_t i = 0; i < rows; ++i) {
+        double rest = -projection->right[i];
+        for (size_t j = 0; j < n; ++j) {
+            rest += projection->chosen[i * n + j] * projection->change[j];
+        }
+        rest *= i < model->nc ? ROUNDING / projection->round_off[i] : 1.0;
+        *reached = *reached && fabs(rest) <= REACHED * (1.0 + size);
+    }
+    return LAG_OK;
+}
+
+lag_status lag_projection_rates(lag_projection *projection, double t, double *x, const double *held)
+{
+    lag_motion *motion = projection->motion;
+    const lag_model *model = motion->model;
+    int reached = 0;
+    if (model->nc == 0) {
+        return LAG_OK;
+    }
+    lag_motion_look(motion, t, x);
+    lag_status status = model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
+    if (status == LAG_OK) {
+        status = model->mass_matrix(&motion->at, projection->mass);
+    }
+    if (status != LAG_OK) {
+        return status;
+    }
+    if (held != NULL) {
+        status = change_rates(projection, held, &reached);
+    }
+    if (!reached) {
+        status = change_rates(projection, NULL, &reached);
+    }
+    for (size_t i = 0; i < model->nq && status == LAG_OK; ++i) {
+        x[model->nq + i] += projection->change[i];
     }
     return status;
 }

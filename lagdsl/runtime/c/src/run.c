@@ -20,7 +20,7 @@ static size_t doubles(const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
-           lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_watch_memory(model) + lag_stiffness_memory(size) + 5 * size + model->nc +
+           lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) + lag_stiffness_memory(size) + 5 * size + model->nc +
            3 * model->ni + 4 * options->indicators + options->clocks + 1;
 }
 
@@ -31,7 +31,7 @@ static size_t padded(size_t bytes)
 
 size_t lag_run_size(const lag_model *model, const lag_run_options *options)
 {
-    return padded(sizeof(lag_run)) + padded(options->clocks * sizeof(lag_clock)) + doubles(model, options) * sizeof(double);
+    return padded(sizeof(lag_run)) + padded((options->clocks + model->nclock) * sizeof(lag_clock)) + doubles(model, options) * sizeof(double);
 }
 
 static double *take(double **memory, size_t count)
@@ -57,6 +57,27 @@ static void place_watch(lag_run *run, const lag_model *model, double **memory)
     run->watch.held = run->watch.scale + ni;
 }
 
+static lag_status tell(void *context, const lag_happening *happening)
+{
+    lag_run *run = context;
+    lag_happening told = *happening;
+    told.row = run->row;
+    return run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : LAG_OK;
+}
+
+static void place_instants(lag_run *run, const lag_model *model, double **memory)
+{
+    const lag_run_options *options = &run->options;
+    double *own = take(memory, lag_instants_memory(model));
+    lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock + options->clocks, own);
+    lag_alert_place(&run->alert, &run->motion, run->instants.contacts.slack, take(memory, lag_alert_memory(model)));
+    run->instants.passes.tell = tell;
+    run->instants.passes.context = run;
+    run->instants.contacts.length = options->length > 0.0 ? options->length
+        : options->count > 1                              ? options->times[options->count - 1] - options->times[0]
+                                                          : 0.0;
+}
+
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
@@ -65,7 +86,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_run *run = block;
     run->options = *options;
     run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
-    double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) + padded(options->clocks * sizeof(lag_clock)));
+    double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) +
+        padded((options->clocks + model->nclock) * sizeof(lag_clock)));
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
     run->options.part = options->part > 0.0 ? options->part : PART;
     run->options.looks = options->looks > 0 ? options->looks : 4;
@@ -82,7 +104,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_look_place(&run->look, model, run->natural, run->row_sizes, take(&memory, lag_look_memory(model->nc, model->nq)));
     run->look.lasting = options->lasting;
     run->look.most = options->lasting != NULL ? options->general : model->rank;
-    lag_alert_place(&run->alert, &run->motion, &options->places, take(&memory, lag_alert_memory(model)));
+    place_instants(run, model, &memory);
     run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, take(&memory, size), 0.0};
     run->point = take(&memory, size);
     place_watch(run, model, &memory);
@@ -178,6 +200,12 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
     while (run->row < run->options.count && run->options.times[run->row] < t) {
         ++run->row;
     }
+    run->begun = t;
+    if (status == LAG_OK) {
+        status = lag_run_enter(run);
+    }
+    const int stopped = status == LAG_STOPPED;
+    status = stopped ? LAG_OK : status;
     if (status == LAG_OK) {
         status = lag_run_signs(run);
     }
@@ -187,12 +215,10 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
     if (status == LAG_OK) {
         status = lag_watch_look(&run->watch, t, s->x);
     }
-    return status == LAG_OK ? lag_run_rows(run, t, 1) : status;
-}
-
-void lag_run_discretes(lag_run *run, const double *w)
-{
-    memcpy(run->motion.w, w, run->motion.model->nw * sizeof(double));
+    if (status == LAG_OK) {
+        status = lag_run_rows(run, t, 1);
+    }
+    return status == LAG_OK && stopped ? LAG_STOPPED : status;
 }
 
 void lag_run_skip(lag_run *run, size_t row)
@@ -218,7 +244,12 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .projections = run->projection.count,
         .events = run->events,
         .changes = run->changes,
+        .w = run->motion.w,
         .changed = run->alert.changed,
+        .guilty = run->instants.passes.guilty,
+        .slack = run->instants.contacts.slack,
+        .fault = run->instants.passes.fault,
+        .next = lag_instants_next(&run->instants),
         .change = run->change,
         .implicit = s->method->implicit,
     };
@@ -289,20 +320,39 @@ static lag_status give_back(lag_run *run, double t, lag_status status)
     return status;
 }
 
-/* The run stops inside its last step, from time t, at what happens there. */
-static lag_status halt(lag_run *run, double t, double there)
+/* Where in the last step something happens first, the model's at *own, the caller's at *other; infinite: nowhere. */
+static lag_status find(lag_run *run, double *own, double *other)
 {
-    lag_stepper *s = &run->stepper;
-    lag_status status = lag_run_rows(run, there, 0);
+    *own = *other = (double)INFINITY;
+    lag_status status = lag_run_happening(run, own);
+    status = status == LAG_HAPPENS ? LAG_OK : status;
+    if (status == LAG_OK && run->options.indicators > 0) {
+        status = lag_run_crossing(run, other);
+    }
+    if (status == LAG_OK && *other < *own) {
+        *own = (double)INFINITY;
+    } else if (*own < (double)INFINITY) {
+        *other = (double)INFINITY;
+    }
+    return status;
+}
+
+/* What happens at the end of a step of length h: the model's where `own`, the caller's where `other`; clocks. */
+static lag_status happen(lag_run *run, double h, int own, int other, int *happened)
+{
+    int fired = 0;
+    *happened = own;
+    lag_instants_after(&run->instants, h);
+    lag_status status = own ? lag_run_event(run, h, run->alert.changed) : LAG_OK;
+    if (status == LAG_OK && lag_run_due(run, run->stepper.t)) {
+        *happened = 1;
+        status = lag_run_ticks(run);
+    }
     if (status == LAG_OK) {
-        status = lag_run_inside(run, there, run->point);
+        status = lag_run_fire(run, other, &fired);
     }
-    if (status != LAG_OK) {
-        return give_back(run, t, status);
-    }
-    memcpy(s->x, run->point, s->ode->size * sizeof(double));
-    s->t = there;
-    return LAG_HAPPENS;
+    *happened = *happened || fired;
+    return status == LAG_OK && *happened ? lag_watch_look(&run->watch, run->stepper.t, run->stepper.x) : status;
 }
 
 /* One step and what follows from it: rows, an event, other tolerances. */
@@ -310,37 +360,23 @@ static lag_status go_on(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
     const double t = s->t;
-    const double limit = fmin(stop, lag_run_instant(run));
-    double crossing = (double)INFINITY;
+    double own = (double)INFINITY;
+    double other = (double)INFINITY;
     int happened = 0;
-    lag_status status = advance(run, limit);
+    lag_status status = advance(run, fmin(stop, lag_run_instant(run)));
     const double h = s->h;
+    const double step = s->t - t;
     if (status == LAG_OK) {
-        status = lag_run_happening(run, &crossing);
-        if (status != LAG_OK) {
-            return status == LAG_HAPPENS ? halt(run, t, crossing) : give_back(run, t, status);
-        }
+        status = find(run, &own, &other);
     }
-    if (status == LAG_OK && run->options.indicators > 0) {
-        status = lag_run_crossing(run, &crossing);
-    }
-    if (status == LAG_OK && crossing < (double)INFINITY) {
-        status = lag_run_rows(run, crossing, 0);
-        if (status == LAG_OK) {
-            status = lag_run_inside(run, crossing, run->point);
-        }
-        if (status == LAG_OK) {
-            memcpy(s->x, run->point, s->ode->size * sizeof(double));
-            s->t = crossing;
-        }
-    }
-    if (status == LAG_OK && crossing == (double)INFINITY) {
-        status = lag_run_rows(run, s->t, 0);
+    if (status == LAG_OK) {
+        const double there = fmin(own, other);
+        status = there < (double)INFINITY ? lag_run_back(run, there) : lag_run_rows(run, s->t, 0);
     }
     if (status != LAG_OK) {
         return give_back(run, t, status);
     }
-    status = lag_run_fire(run, crossing < (double)INFINITY, &happened);
+    status = happen(run, step, own < (double)INFINITY, other < (double)INFINITY, &happened);
     if (status == LAG_OK && happened) {
         s->h = fmin(h, s->h_most);
         run->look.rank = 0;
@@ -359,7 +395,13 @@ lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
         return LAG_OK;
     }
     s->h_least = least_length(run, stop);
-    lag_status status = restart(run, s->method, stop - s->t);
+    if (!(run->options.length > 0.0) && run->options.count < 2) {
+        run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
+    }
+    lag_status status = lag_run_ticks(run);
+    if (status == LAG_OK) {
+        status = restart(run, s->method, stop - s->t);
+    }
     if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
         lag_motion_look(&run->motion, s->t, s->x);
         status = run->motion.model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
@@ -376,6 +418,21 @@ lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
     return status;
 }
 
+/* What happened during a step of fixed length happens at its end. */
+static lag_status follow_fixed(lag_run *run, double h)
+{
+    lag_status status = LAG_OK;
+    if (run->motion.model->event == NULL) {
+        return status;
+    }
+    lag_instants_after(&run->instants, h);
+    status = lag_alert_look(&run->alert, run->stepper.t, run->stepper.x);
+    if (status == LAG_HAPPENS) {
+        status = lag_run_event(run, h, run->alert.changed);
+    }
+    return status == LAG_OK ? lag_run_ticks(run) : status;
+}
+
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
     double *memory)
 {
@@ -390,5 +447,5 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_od
         (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
         run->projection.iterations = iterations;
     }
-    return status;
+    return status == LAG_OK ? follow_fixed(run, h) : status;
 }

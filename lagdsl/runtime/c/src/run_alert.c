@@ -6,7 +6,7 @@
 #include "lag/root.h"
 #include "lag/run.h"
 
-enum { NUDGES = 60 };
+enum { NUDGES = 60, HALVES = 60 };
 static const double ULPS = 4.0;
 
 static lag_status look(lag_run *run, double t)
@@ -27,6 +27,29 @@ static double value_of(void *context, double t)
     return status == LAG_OK || status == LAG_HAPPENS ? lag_alert_value(&one->run->alert, one->which) : (double)NAN;
 }
 
+/*
+ * Number `which` has changed at *b: a time *a before it at which it has not and its value has the other sign, *b as near to that. What
+ * begins at a zero, as a contact that has just struck, has no such sign at the beginning.
+ */
+static int bracket(change *one, double tolerance, double *a, double *fa, double *b, double *fb)
+{
+    for (int k = 0; k < HALVES && *b - *a > tolerance; ++k) {
+        if (lag_root_sign(*fa) != lag_root_sign(*fb)) {
+            return 1;
+        }
+        const double middle = *a + 0.5 * (*b - *a);
+        const double value = value_of(one, middle);
+        if (one->run->alert.changed[one->which] != 0.0) {
+            *b = middle;
+            *fb = value;
+        } else {
+            *a = middle;
+            *fa = value;
+        }
+    }
+    return lag_root_sign(*fa) != lag_root_sign(*fb);
+}
+
 /* The earliest zero of what had changed at b and not at a. */
 static double earliest(lag_run *run, double a, double b, double tolerance)
 {
@@ -36,13 +59,15 @@ static double earliest(lag_run *run, double a, double b, double tolerance)
     for (size_t i = 0; i < count; ++i) {
         if (run->alert.seen[i] != 0.0) {
             change one = {run, i};
-            const double fa = value_of(&one, a);
-            const double fb = value_of(&one, first);
-            if (lag_root_sign(fa) != lag_root_sign(fb)) {
-                first = lag_root(value_of, &one, a, fa, first, fb, tolerance);
-            } else if (!(fa >= 0.0)) {
-                first = fabs(fa) <= fabs(fb) ? a : first;
+            double left = a;
+            double right = first;
+            double fa = value_of(&one, a);
+            double fb = value_of(&one, first);
+            if (run->alert.changed[i] == 0.0) {
+                continue;
             }
+            const int found = bracket(&one, tolerance, &left, &fa, &right, &fb);
+            first = found ? lag_root(value_of, &one, left, fa, right, fb, tolerance) : right;
         }
     }
     return first;
@@ -57,7 +82,7 @@ lag_status lag_run_happening(lag_run *run, double *t)
     double a = s->t_before;
     double b = a;
     lag_status status = LAG_OK;
-    if (run->options.places.truth == NULL || model->nindicator + model->ncontact == 0) {
+    if (model->nindicator + model->ncontact == 0) {
         return LAG_OK;
     }
     for (unsigned k = 1; k <= run->options.looks && status == LAG_OK; ++k) {

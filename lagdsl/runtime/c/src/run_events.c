@@ -121,7 +121,7 @@ lag_status lag_run_crossing(lag_run *run, double *t)
 
 double lag_run_instant(const lag_run *run)
 {
-    double first = (double)INFINITY;
+    double first = lag_instants_next(&run->instants);
     for (size_t i = 0; i < run->options.clocks; ++i) {
         first = fmin(first, lag_clock_instant(&run->clock[i], run->clock[i].next));
     }

@@ -5,20 +5,13 @@
 #ifndef LAG_ALERT_H
 #define LAG_ALERT_H
 
+#include "lag/discretes.h"
 #include "lag/motion.h"
-
-/* Where in w and among the rows of constraints things stand: whole numbers, as doubles. */
-typedef struct lag_alert_places {
-    const double *truth;  /* (nindicator) entries of w */
-    const double *strict; /* (nindicator) 1: the relation does not hold at zero */
-    const double *closed; /* (ncontact) entries of w */
-    const double *row;    /* (ncontact) rows of constraints */
-    const double *slack;  /* (2) a gap may be below zero by this part of 1 + the largest number of x, a force by this; null: zeros */
-} lag_alert_places;
 
 typedef struct lag_alert {
     lag_motion *motion;
-    lag_alert_places places;
+    lag_places places;
+    const double *slack; /* (2) a gap may be below zero by this part of 1 + the largest number of x, a force by this */
     double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
     double *changed;                           /* (nindicator + ncontact) 1: this one, at the state looked at last */
     double *seen;                              /* (nindicator + ncontact) for those who look for the time */
@@ -27,7 +20,7 @@ typedef struct lag_alert {
 /* Doubles for it. */
 size_t lag_alert_memory(const lag_model *model);
 
-void lag_alert_place(lag_alert *alert, lag_motion *motion, const lag_alert_places *places, double *memory);
+void lag_alert_place(lag_alert *alert, lag_motion *motion, const double *slack, double *memory);
 
 /* What passes zero, downward, when relation or contact number `which` changes; as it was looked at last. */
 double lag_alert_value(const lag_alert *alert, size_t which);

@@ -27,6 +27,18 @@ typedef struct lag_pattern {
     const size_t *row, *column; /* (count) */
 } lag_pattern;
 
+/* What an entry of w is. They stand in this order. */
+typedef enum lag_kind {
+    LAG_KIND_VARIABLE,  /* a discrete variable; Booleans are 0 and 1 */
+    LAG_KIND_CONTACT,   /* 1 closed, 0 open; one for each contact */
+    LAG_KIND_IMPACTS,   /* how often it closed or bounced; one for each contact */
+    LAG_KIND_RELATION,  /* the truth of a relation; one for each indicator */
+    LAG_KIND_CONDITION, /* the truth of a condition when it was looked at last */
+    LAG_KIND_CLOCK,     /* 1 in the first pass of a tick; one for each clock */
+    LAG_KIND_INITIAL,   /* 1 in the first pass at the start */
+    LAG_KIND_TERMINAL   /* 1 in the first pass at the end */
+} lag_kind;
+
 /* What functions read; arrays that a function does not take may be null. */
 typedef struct lag_arguments {
     double t;          /* time [s] */
@@ -34,7 +46,7 @@ typedef struct lag_arguments {
     const double *qd;  /* (nq) their rates */
     const double *z;   /* (nz) first-order states */
     const double *u;   /* (nu) inputs */
-    const double *w;   /* (nw) discrete variables, then one entry per contact: 1 closed, 0 open */
+    const double *w;   /* (nw) discretes: see lag_kind */
     const double *p;   /* (np) independent parameters */
     const double *qdd; /* (nq) accelerations */
     const double *lam; /* (nc) multipliers */
@@ -171,6 +183,15 @@ typedef struct lag_model {
 
     /* t q qd z u w p, dqd -> M dqd (nq); null where M is written out, else what mass_matrix() and dynamics() are made of */
     lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
+
+    /* of models with discretes */
+    const unsigned char *kinds;     /* (nw) a lag_kind each, in their order */
+    const unsigned char *strict;    /* (nindicator) 1: the relation does not hold at zero */
+    const size_t *contact_rows;     /* (ncontact) rows of constraints that hold while they are closed; with their names */
+    const size_t *reset_places;     /* (nreset) entries of (q, qd, z) */
+    const char *const *resets;      /* (nreset) their names: der(h) */
+    const char *const *stops;       /* (nstop) messages */
+    const char *const *failures;    /* (nfail) messages */
 } lag_model;
 
 #endif

@@ -14,14 +14,16 @@ typedef struct lag_projection {
     lag_motion *motion;
     size_t rows;           /* of position level */
     unsigned iterations;   /* at most so many for positions; a bound on the cost */
-    double *limits;        /* (nc) residuals that need no correction */
+    double *limits;        /* (nc) residuals that need no correction, */
+    double *round_off;     /* (nc) and those that cannot be corrected */
+    const double *least;   /* one of the two */
     double *sizes;         /* (nq) natural sizes of the coordinates */
     double *phi;           /* (nc) residuals, and */
     double *jacobian;      /* (nc, nq) their Jacobian, as they were looked at last */
     double *mass;          /* (nq, nq) */
-    double *chosen;        /* (rows, nq) */
-    double *right, *force; /* (nc) (nq) */
-    double *change, *lam;  /* (nq) (nc) */
+    double *chosen;        /* (nc + most held, nq) */
+    double *right, *force; /* (nc + most held) (nq) */
+    double *change, *lam;  /* (nq) (nc + most held) */
     double *point;         /* (nq) */
     double *system;
     size_t count;          /* of states that were moved */
@@ -44,5 +46,14 @@ void lag_projection_limits(lag_projection *projection, double tolerance, const d
  * repaired from here; x is then as before.
  */
 lag_status lag_projection_apply(lag_projection *projection, double t, double *x, int *moved);
+
+/* The same down to round-off, whatever the limits. */
+lag_status lag_projection_exact(lag_projection *projection, double t, double *x, int *moved);
+
+/*
+ * Moves the rates only, down to round-off; those that are `held` (nq flags, or null; at most one for each reset of the model) stay if the
+ * others can do it.
+ */
+lag_status lag_projection_rates(lag_projection *projection, double t, double *x, const double *held);
 
 #endif

@@ -16,6 +16,7 @@
 #include "lag/accuracy.h"
 #include "lag/alert.h"
 #include "lag/clock.h"
+#include "lag/instant.h"
 #include "lag/motion.h"
 #include "lag/projection.h"
 #include "lag/rank.h"
@@ -50,7 +51,13 @@ typedef struct lag_run_options {
     int careful;                         /* 1: LAG_ATTENTION before the constraints lose rank; then */
     const double *lasting;               /* (nc) 0: the row comes and goes, as those of contacts; null: all last, */
     size_t general;                      /* else so many of those that do are independent in general */
-    lag_alert_places places;             /* LAG_HAPPENS where something happens, with the state there; null: not looked for */
+
+    /*
+     * What happens at instants, of models with discretes: told as it happens. A contact rests when less than a millionth of the `length`
+     * of the experiment is left of a series of impacts; 0: that of the times, or as long as the run is let go.
+     */
+    lag_status (*tell)(void *context, lag_run *run, const lag_happening *happening);
+    double length;
 
     /* Rows: states (2 nq + nz) at `count` increasing times, where `rows` (count, 2 nq + nz) or `output` is given. */
     size_t count;
@@ -58,7 +65,7 @@ typedef struct lag_run_options {
     double *rows;
     lag_status (*output)(void *context, lag_run *run, double t, const double *x);
 
-    /* Events. Indicators are looked at `looks` times in each step (0: 4) and located to `time_tolerance` (0: round-off). */
+    /* Events of the caller's. Indicators are looked at `looks` times in each step (0: 4) and located to `time_tolerance` (0: round-off). */
     size_t indicators;
     lag_status (*indicate)(void *context, lag_run *run, double t, const double *x, double *value);
     size_t clocks;
@@ -94,6 +101,8 @@ struct lag_run {
     lag_look look;
     lag_watch watch;
     lag_alert alert;
+    lag_instants instants;
+    double begun;             /* time at which it began */
     lag_stiffness stiffness;
     int sized;                /* natural sizes are known */
     double *group, *natural, *cap, *row_sizes;
@@ -117,7 +126,12 @@ typedef struct lag_run_report {
     size_t row;                 /* rows recorded */
     size_t steps;               /* in the last call of lag_run_to; all others count from the beginning */
     size_t all_steps, rejections, evaluations, jacobians, decompositions, projections, events, changes;
-    const double *changed;      /* (nindicator + ncontact) after LAG_HAPPENS, 1: the relation, the contact that changed */
+    const double *w;            /* (nw) */
+    const double *changed;      /* (nindicator + ncontact) 1: the relation, the contact that changed last */
+    const double *guilty;       /* (nw) after LAG_UNSETTLED, LAG_CHATTER, LAG_PIERCED, 1: because of this one */
+    const double *slack;        /* (2) what is round-off: lag/contact.h */
+    size_t fault;               /* after LAG_CONFLICT a reset, after LAG_REFUSED an assertion of a clause */
+    double next;                /* time of the next tick of the model's clocks; infinite: none */
     const lag_change *change;   /* the first LAG_CHANGES of them */
     int implicit;               /* the present method is */
 } lag_run_report;
@@ -141,8 +155,18 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x);
  */
 lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
 
-/* Other discretes (nw), from now on. */
-void lag_run_discretes(lag_run *run, const double *w);
+/*
+ * For callers who step by themselves and leave events to the run, which must be at their state (lag_run_move): what happens at the start;
+ * what changed in their last step, of length h (flags as in `changed` above; null: nothing); ticks
+ * that are due, and whether any would be at t.
+ */
+lag_status lag_run_enter(lag_run *run);
+lag_status lag_run_event(lag_run *run, double h, const double *changed);
+lag_status lag_run_ticks(lag_run *run);
+int lag_run_due(const lag_run *run, double t);
+
+/* What happens at the end, once, where nothing more is to follow. */
+lag_status lag_run_end(lag_run *run);
 
 /* Rows before number `row` are somebody else's business. */
 void lag_run_skip(lag_run *run, size_t row);
@@ -150,13 +174,14 @@ void lag_run_skip(lag_run *run, size_t row);
 /*
  * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then, and at any failure the last good one.
  * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
- * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_ATTENTION, LAG_VIOLATED, LAG_CHATTER, LAG_HAPPENS: see lag/status.h. What callbacks return other than
- * LAG_OK comes back.
+ * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_ATTENTION, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted. LAG_UNSETTLED and what
+ * follows it there: an event came to no good end. What callbacks return other than LAG_OK comes back.
  */
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
 
 /*
- * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no events, no rows.
+ * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no rows. What happens at instants,
+ * of the model, happens at the end of the step.
  * `memory`: lag_fixed_memory() doubles.
  */
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
@@ -172,13 +197,15 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to);
 lag_status lag_run_signs(lag_run *run);
 /* The first crossing within the last step: *t its time, or infinite. */
 lag_status lag_run_crossing(lag_run *run, double *t);
-/* The time at which the next clock strikes; infinite without. */
+/* The time at which the next clock strikes, the model's or the caller's; infinite without. */
 double lag_run_instant(const lag_run *run);
 /* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
 lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
-/* LAG_HAPPENS: something happens within the last step, first at *t; run->alert.changed tells what. */
+/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what. */
 lag_status lag_run_happening(lag_run *run, double *t);
 /* The state on the constraints at a time within the last step. */
 lag_status lag_run_inside(lag_run *run, double t, double *x);
+/* The run goes back to a time within its last step, on the constraints to round-off: what is left of a rate would be an impact. */
+lag_status lag_run_back(lag_run *run, double t);
 
 #endif

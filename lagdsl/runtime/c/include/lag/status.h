@@ -13,9 +13,14 @@ typedef enum lag_status {
     LAG_OFF = 6,         /* the constraints cannot be reached from where a step led */
     LAG_ATTENTION = 7,   /* the constraints are about to lose rank, or turned by much in one step */
     LAG_VIOLATED = 8,    /* an assertion failed or an invariant left its tolerance */
-    LAG_STOPPED = 9,     /* a callback asked for it */
+    LAG_STOPPED = 9,     /* a callback or `terminate` asked for it */
     LAG_CHATTER = 10,    /* events follow each other without time passing */
-    LAG_HAPPENS = 11     /* something happens now that the discretes do not know of yet */
+    LAG_HAPPENS = 11,    /* something happens now that the discretes do not know of yet */
+    /* of what happens at instants */
+    LAG_UNSETTLED = 12,  /* clauses trigger each other and never come to rest */
+    LAG_CONFLICT = 13,   /* clauses reset one quantity to different values at one instant */
+    LAG_REFUSED = 14,    /* an assertion of a clause failed */
+    LAG_PIERCED = 15     /* a gap is negative at the start */
 } lag_status;
 
 #endif

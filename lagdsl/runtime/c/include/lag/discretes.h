@@ -1,0 +1,19 @@
+/* Where in the discretes w of a model things stand: first entries; counts are those of lag_model. */
+#ifndef LAG_DISCRETES_H
+#define LAG_DISCRETES_H
+
+#include "lag/model.h"
+
+typedef struct lag_places {
+    size_t contact, impacts; /* (ncontact) each */
+    size_t relation;         /* (nindicator) */
+    size_t condition, clock; /* up to `clock`; (nclock) */
+    size_t initial, terminal; /* one entry each; nw where the model has none */
+} lag_places;
+
+lag_places lag_places_of(const lag_model *model);
+
+/* Clears what lasts for one pass only: clocks and instants. */
+void lag_places_clear(const lag_model *model, const lag_places *places, double *w);
+
+#endif

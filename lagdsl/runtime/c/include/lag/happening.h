@@ -1,0 +1,34 @@
+/* What happened, one thing at a time, to be told to whoever wants to know. */
+#ifndef LAG_HAPPENING_H
+#define LAG_HAPPENING_H
+
+#include "lag/model.h"
+
+typedef enum lag_what {
+    LAG_BEFORE,    /* an event begins: the state before it */
+    LAG_TICK,      /* `which` is a clock, */
+    LAG_TRUE,      /* a relation that brought the event about and holds now, */
+    LAG_FALSE,     /* or holds no longer, */
+    LAG_OPENED,    /* a contact, */
+    LAG_CLOSED,    /* */
+    LAG_IMPACT,    /* */
+    LAG_REINIT,    /* a reset, */
+    LAG_TERMINATE, /* a `terminate` */
+    LAG_AFTER      /* the event is over: the state after it */
+} lag_what;
+
+typedef struct lag_happening {
+    double t;
+    lag_what what;
+    size_t which;
+    size_t row;         /* number of the next row of a run */
+    const double *x, *w; /* (2 nq + nz) (nw) the state now; of LAG_BEFORE and LAG_AFTER only it is a whole one */
+} lag_happening;
+
+/* The name of what something happened to: h <= 0, floor, der(h), a message; null for LAG_BEFORE and LAG_AFTER. */
+const char *lag_happening_name(const lag_model *model, const lag_happening *happening);
+
+/* What happened in a word. */
+const char *lag_what_name(lag_what what);
+
+#endif

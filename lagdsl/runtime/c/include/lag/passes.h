@@ -1,0 +1,46 @@
+/* Passes over the clauses of a model at one instant, until nothing changes: resets, impacts, contacts, ends. */
+#ifndef LAG_PASSES_H
+#define LAG_PASSES_H
+
+#include "lag/contact.h"
+#include "lag/happening.h"
+#include "lag/projection.h"
+
+typedef struct lag_passes {
+    lag_motion *motion;
+    lag_contacts *contacts;
+    lag_projection *projection;
+    lag_places places;
+    double moment;         /* relations are looked at so much later, since they are zero at the event itself [s] */
+    double *before, *next; /* (nw) */
+    double *reset, *value; /* (nreset) */
+    double *collision, *restitution; /* (ncollision) */
+    double *stop, *fail;   /* (nstop) (nfail) */
+    double *held;          /* (2 nq + nz) */
+    double *rate, *later;  /* (2 nq + nz) */
+    double *g;             /* (nindicator) */
+    int stopped;           /* a `terminate` acted */
+    size_t fault;          /* LAG_CONFLICT: a reset; LAG_REFUSED: an assertion */
+    double *guilty;        /* (nw) LAG_UNSETTLED: 1, this one still changed; zero otherwise */
+    lag_status (*tell)(void *context, const lag_happening *happening); /* null: nobody wants to know */
+    void *context;
+} lag_passes;
+
+/* Doubles for them. */
+size_t lag_passes_memory(const lag_model *model);
+
+void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection *projection, double *memory);
+
+/* Relations and conditions as they stand, nothing carried out. */
+lag_status lag_passes_settle(lag_passes *passes, double t, const double *x);
+
+/*
+ * Carries out what is new in w; `changed` (ncontact flags, or null) are contacts that were found to change. Changes x and w, whose rates
+ * are on the constraints afterwards. Relations are left as they are a moment later.
+ */
+lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *changed);
+
+/* Tells that something happened. */
+lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, lag_what what, size_t which);
+
+#endif

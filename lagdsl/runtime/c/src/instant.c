@@ -1,0 +1,186 @@
+#include "lag/instant.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A tick nearer to the present than this part of the period is the present one. */
+static const double SAME_TICK = 1e-9;
+/* Relations at an event are looked at this part of the last step later: long against round-off, short against all else. */
+static const double AHEAD = 1e-4;
+/* So many intervals in a row, each shorter than the one before, down to this part of the first, */
+enum { MANY = 20, SAME = 100 };
+static const double PART = 1e-6;
+/* or so many events at times that are the same but for round-off. */
+static const double ROUNDING = 1e-14;
+
+size_t lag_instants_memory(const lag_model *model)
+{
+    return 2 * model->nclock + lag_contacts_memory(model) + lag_passes_memory(model);
+}
+
+void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
+{
+    const lag_model *model = motion->model;
+    const double infinite = (double)INFINITY;
+    memset(instants, 0, sizeof *instants);
+    instants->motion = motion;
+    instants->places = lag_places_of(model);
+    instants->clock = clock;
+    instants->first = memory;
+    instants->period = instants->first + model->nclock;
+    memory = instants->period + model->nclock;
+    lag_contacts_place(&instants->contacts, motion, memory);
+    lag_passes_place(&instants->passes, &instants->contacts, projection, memory + lag_contacts_memory(model));
+    instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
+}
+
+/* Whether the event at t is one too many. */
+static int crowds(lag_crowd *crowd, double t)
+{
+    const double interval = t - crowd->last;
+    if (crowd->interval < (double)INFINITY && interval < crowd->interval) {
+        ++crowd->shrinking;
+    } else {
+        crowd->first = interval;
+        crowd->shrinking = 1;
+    }
+    crowd->still = interval <= ROUNDING * fabs(t) ? crowd->still + 1 : 0;
+    crowd->last = t;
+    crowd->interval = interval;
+    return (crowd->shrinking > MANY && interval < PART * crowd->first) || crowd->still > SAME;
+}
+
+/* ---- clocks ---- */
+
+static double tick(const lag_instants *instants, size_t i)
+{
+    return lag_clock_instant(&instants->clock[i], instants->clock[i].next);
+}
+
+static int is_due(const lag_instants *instants, size_t i, double t)
+{
+    return tick(instants, i) <= t + SAME_TICK * instants->clock[i].period;
+}
+
+static lag_status start_clocks(lag_instants *instants, double t)
+{
+    const lag_model *model = instants->motion->model;
+    instants->motion->at.t = t;
+    const lag_status status =
+        model->nclock > 0 ? model->clock(&instants->motion->at, instants->first, instants->period) : LAG_OK;
+    for (size_t i = 0; i < model->nclock && status == LAG_OK; ++i) {
+        instants->clock[i] = lag_clock_of(instants->first[i], instants->period[i]);
+        lag_clock_seek(&instants->clock[i], t - SAME_TICK * instants->period[i]);
+    }
+    return status;
+}
+
+double lag_instants_next(const lag_instants *instants)
+{
+    double next = (double)INFINITY;
+    for (size_t i = 0; i < instants->motion->model->nclock; ++i) {
+        next = fmin(next, tick(instants, i));
+    }
+    return next;
+}
+
+int lag_instants_due(const lag_instants *instants, double t)
+{
+    size_t i = 0;
+    while (i < instants->motion->model->nclock && !is_due(instants, i, t)) {
+        ++i;
+    }
+    return i < instants->motion->model->nclock;
+}
+
+/* Clocks that tick now, into w; they go on to their next tick. */
+static lag_status ring(lag_instants *instants, double t, const double *x)
+{
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < instants->motion->model->nclock && status == LAG_OK; ++i) {
+        if (is_due(instants, i, t)) {
+            ++instants->clock[i].next;
+            instants->motion->w[instants->places.clock + i] = 1.0;
+            status = lag_passes_tell(&instants->passes, t, x, LAG_TICK, i);
+        }
+    }
+    return status;
+}
+
+/* ---- instants ---- */
+
+static lag_status run(lag_instants *instants, double t, double *x, const double *contacts)
+{
+    const lag_status status = lag_passes_run(&instants->passes, t, x, contacts);
+    return status == LAG_OK && instants->passes.stopped ? LAG_STOPPED : status;
+}
+
+lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
+{
+    lag_motion *motion = instants->motion;
+    const lag_model *model = motion->model;
+    motion->at.t = t;
+    lag_status status = model->discrete_start(&motion->at, motion->w);
+    if (status == LAG_OK) {
+        status = lag_passes_settle(&instants->passes, t, x);
+    }
+    if (status == LAG_OK) {
+        const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->passes.guilty + instants->places.contact);
+        status = pierced ? LAG_PIERCED : lag_contacts_settle(&instants->contacts, t, x);
+    }
+    if (status == LAG_OK) {
+        status = start_clocks(instants, t);
+    }
+    if (status == LAG_OK) {
+        status = ring(instants, t, x);
+    }
+    if (status != LAG_OK) {
+        return status;
+    }
+    if (instants->places.initial < model->nw) {
+        motion->w[instants->places.initial] = 1.0;
+    }
+    return run(instants, t, x, NULL);
+}
+
+lag_status lag_instants_end(lag_instants *instants, double t, double *x)
+{
+    if (instants->places.terminal == instants->motion->model->nw) {
+        return LAG_OK;
+    }
+    instants->motion->w[instants->places.terminal] = 1.0;
+    return run(instants, t, x, NULL);
+}
+
+lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
+{
+    const lag_status status = ring(instants, t, x);
+    return status == LAG_OK ? run(instants, t, x, NULL) : status;
+}
+
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed)
+{
+    const lag_model *model = instants->motion->model;
+    double *truth = instants->motion->w + instants->places.relation;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        if (changed[i] != 0.0) {
+            truth[i] = 1.0 - truth[i];
+            status = lag_passes_tell(&instants->passes, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
+        }
+    }
+    if (status == LAG_OK) {
+        status = run(instants, t, x, changed + model->nindicator);
+    }
+    if (!crowds(&instants->crowd, t) || (status != LAG_OK && status != LAG_STOPPED)) {
+        return status;
+    }
+    memcpy(instants->passes.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));
+    memcpy(instants->passes.guilty + instants->places.contact, changed + model->nindicator, model->ncontact * sizeof(double));
+    return LAG_CHATTER;
+}
+
+void lag_instants_after(lag_instants *instants, double h)
+{
+    instants->passes.moment = AHEAD * h;
+}

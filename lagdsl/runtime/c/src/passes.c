@@ -1,0 +1,285 @@
+#include "lag/passes.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_PASSES = 100 };
+
+size_t lag_passes_memory(const lag_model *model)
+{
+    return 3 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
+           3 * lag_motion_size(model) + model->nindicator;
+}
+
+static double *take(double **memory, size_t count)
+{
+    double *start = *memory;
+    *memory += count;
+    return start;
+}
+
+void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection *projection, double *memory)
+{
+    const lag_model *model = contacts->motion->model;
+    const size_t size = lag_motion_size(model);
+    memset(passes, 0, sizeof *passes);
+    passes->motion = contacts->motion;
+    passes->contacts = contacts;
+    passes->projection = projection;
+    passes->places = lag_places_of(model);
+    passes->moment = 1e-9;
+    passes->before = take(&memory, model->nw);
+    passes->next = take(&memory, model->nw);
+    passes->guilty = take(&memory, model->nw);
+    passes->reset = take(&memory, model->nreset);
+    passes->value = take(&memory, model->nreset);
+    passes->collision = take(&memory, model->ncollision);
+    passes->restitution = take(&memory, model->ncollision);
+    passes->stop = take(&memory, model->nstop);
+    passes->fail = take(&memory, model->nfail);
+    passes->held = take(&memory, size);
+    passes->rate = take(&memory, size);
+    passes->later = take(&memory, size);
+    passes->g = memory;
+}
+
+lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, lag_what what, size_t which)
+{
+    const lag_happening happening = {.t = t, .what = what, .which = which, .x = x, .w = passes->motion->w};
+    return passes->tell != NULL ? passes->tell(passes->context, &happening) : LAG_OK;
+}
+
+/* Accelerations and multipliers; no numbers where there are none. */
+static void solve(lag_motion *motion, double t, const double *x)
+{
+    const lag_model *model = motion->model;
+    const lag_status status = lag_motion_solve(motion, t, x);
+    for (size_t i = 0; i < model->nq && status != LAG_OK; ++i) {
+        motion->qdd[i] = (double)NAN;
+    }
+    for (size_t i = 0; i < model->nc && status != LAG_OK; ++i) {
+        motion->lam[i] = (double)NAN;
+    }
+}
+
+static int same(size_t count, const double *a, const double *b)
+{
+    size_t i = 0;
+    while (i < count && a[i] == b[i]) {
+        ++i;
+    }
+    return i == count;
+}
+
+/* ---- relations ---- */
+
+/* Relations as they stand at a state, into `truth`. */
+static lag_status relations(lag_passes *passes, double t, const double *x, double *truth)
+{
+    const lag_model *model = passes->motion->model;
+    lag_status status = LAG_OK;
+    if (model->nindicator > 0) {
+        solve(passes->motion, t, x);
+        status = model->indicator(&passes->motion->at, passes->g);
+    }
+    for (size_t i = 0; i < model->nindicator; ++i) {
+        truth[i] = passes->g[i] > 0.0 || (passes->g[i] == 0.0 && model->strict[i] == 0);
+    }
+    return status;
+}
+
+/* Relations a moment later: at the event they pass zero, and which way they go on tells what they are. */
+static lag_status ahead(lag_passes *passes, double t, const double *x)
+{
+    lag_motion *motion = passes->motion;
+    const size_t size = lag_motion_size(motion->model);
+    if (motion->model->nindicator == 0) {
+        return LAG_OK;
+    }
+    const int moves = motion->ode.rates(motion, t, x, passes->rate) == LAG_OK;
+    for (size_t i = 0; i < size; ++i) {
+        passes->later[i] = moves ? x[i] + passes->moment * passes->rate[i] : x[i];
+    }
+    return relations(passes, t + passes->moment, passes->later, motion->w + passes->places.relation);
+}
+
+/* ---- one pass ---- */
+
+static lag_status look(lag_passes *passes, double t, const double *x)
+{
+    const lag_model *model = passes->motion->model;
+    solve(passes->motion, t, x);
+    return model->event(&passes->motion->at, passes->next, passes->reset, passes->value, passes->collision, passes->restitution,
+        passes->stop, passes->fail);
+}
+
+lag_status lag_passes_settle(lag_passes *passes, double t, const double *x)
+{
+    const lag_model *model = passes->motion->model;
+    const lag_places *places = &passes->places;
+    double *w = passes->motion->w;
+    lag_status status = LAG_OK;
+    for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
+        memcpy(passes->before, w, model->nw * sizeof(double));
+        status = relations(passes, t, x, w + places->relation);
+        if (status == LAG_OK) {
+            status = look(passes, t, x);
+        }
+        for (size_t i = places->condition; i < places->clock; ++i) {
+            w[i] = passes->next[i];
+        }
+        if (same(model->nw, passes->before, w)) {
+            break;
+        }
+    }
+    return status;
+}
+
+/* ---- contacts ---- */
+
+/* Impacts, and what they did. */
+static lag_status collide(lag_passes *passes, double t, double *x, const double *collision, int *acted)
+{
+    const lag_contacts *contacts = passes->contacts;
+    lag_status status = lag_contacts_strike(passes->contacts, t, x, collision, passes->restitution);
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        status = lag_passes_tell(passes, t, x, contacts->closed[i] != 0.0 ? LAG_CLOSED : LAG_IMPACT, i);
+    }
+    if (status == LAG_OK && contacts->struck > 0) {
+        *acted = 1;
+        status = lag_projection_rates(passes->projection, t, x, NULL);
+    }
+    return status;
+}
+
+/* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
+static lag_status change_contacts(lag_passes *passes, double t, double *x, const double *changed)
+{
+    const size_t count = passes->motion->model->ncontact;
+    double *closed = passes->motion->w + passes->places.contact;
+    lag_status status = LAG_OK;
+    int any = 0;
+    int acted = 0;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        any = any || changed[i] != 0.0;
+        if (changed[i] != 0.0 && closed[i] != 0.0) {
+            closed[i] = 0.0;
+            status = lag_passes_tell(passes, t, x, LAG_OPENED, i);
+        }
+    }
+    if (any && status == LAG_OK) {
+        status = collide(passes, t, x, NULL, &acted);
+    }
+    if (!any || acted || status != LAG_OK) {
+        return status;
+    }
+    status = lag_contacts_press(passes->contacts, t, x, changed);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        if (changed[i] != 0.0 && closed[i] != 0.0) {
+            status = lag_passes_tell(passes, t, x, LAG_CLOSED, i);
+        }
+    }
+    return status;
+}
+
+/* Impacts of clauses, and contacts that something drives in now. */
+static lag_status strike(lag_passes *passes, double t, double *x, int *acted)
+{
+    const lag_model *model = passes->motion->model;
+    int any = 0;
+    for (size_t i = 0; i < model->ncollision; ++i) {
+        any = any || passes->collision[i] != 0.0;
+    }
+    if (!any && model->ncontact == 0) {
+        return LAG_OK;
+    }
+    *acted = *acted || any;
+    return collide(passes, t, x, passes->collision, acted);
+}
+
+/* ---- clauses ---- */
+
+/* Resets of one pass into x; 1 in `held`: this one. */
+static lag_status reset(lag_passes *passes, double t, double *x, int *any)
+{
+    const lag_model *model = passes->motion->model;
+    lag_status status = LAG_OK;
+    memset(passes->held, 0, lag_motion_size(model) * sizeof(double));
+    for (size_t i = 0; i < model->nreset; ++i) {
+        const size_t place = model->reset_places[i];
+        if (passes->reset[i] == 0.0) {
+            continue;
+        }
+        if (passes->held[place] != 0.0 && x[place] != passes->value[i]) {
+            passes->fault = i;
+            return LAG_CONFLICT;
+        }
+        passes->held[place] = 1.0;
+        x[place] = passes->value[i];
+        *any = 1;
+    }
+    for (size_t i = 0; i < model->nreset && status == LAG_OK; ++i) {
+        status = passes->reset[i] != 0.0 ? lag_passes_tell(passes, t, x, LAG_REINIT, i) : LAG_OK;
+    }
+    return status;
+}
+
+/* Failures, ends and resets of one pass. */
+static lag_status act(lag_passes *passes, double t, double *x, int *acted)
+{
+    const lag_model *model = passes->motion->model;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < model->nfail; ++i) {
+        if (passes->fail[i] != 0.0) {
+            passes->fault = i;
+            return LAG_REFUSED;
+        }
+    }
+    for (size_t i = 0; i < model->nstop && status == LAG_OK; ++i) {
+        if (passes->stop[i] != 0.0) {
+            passes->stopped = 1;
+            status = lag_passes_tell(passes, t, x, LAG_TERMINATE, i);
+        }
+    }
+    if (status == LAG_OK) {
+        status = reset(passes, t, x, acted);
+    }
+    return status == LAG_OK && *acted ? lag_projection_rates(passes->projection, t, x, passes->held + model->nq) : status;
+}
+
+/* One pass; `acted`: it did more than to change w. */
+static lag_status pass(lag_passes *passes, double t, double *x, int *acted)
+{
+    lag_motion *motion = passes->motion;
+    lag_status status = look(passes, t, x);
+    if (status == LAG_OK) {
+        status = act(passes, t, x, acted);
+    }
+    if (status == LAG_OK) {
+        memcpy(motion->w, passes->next, motion->model->nw * sizeof(double));
+        lag_places_clear(motion->model, &passes->places, motion->w);
+        status = strike(passes, t, x, acted);
+    }
+    return status == LAG_OK ? ahead(passes, t, x) : status;
+}
+
+lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *changed)
+{
+    const lag_model *model = passes->motion->model;
+    const double *w = passes->motion->w;
+    lag_status status = changed != NULL ? change_contacts(passes, t, x, changed) : LAG_OK;
+    passes->stopped = 0;
+    for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
+        int acted = 0;
+        memcpy(passes->before, w, model->nw * sizeof(double));
+        status = pass(passes, t, x, &acted);
+        if (status == LAG_OK && !acted && same(model->nw, passes->before, w)) {
+            return LAG_OK;
+        }
+    }
+    for (size_t i = 0; i < model->nw; ++i) {
+        passes->guilty[i] = passes->before[i] != w[i];
+    }
+    return status == LAG_OK ? LAG_UNSETTLED : status;
+}
