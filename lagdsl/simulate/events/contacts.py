@@ -103,16 +103,16 @@ class Contacts:
     ) -> tuple[Floats, Floats, list[tuple[int, str]]]:
         """y and w after impacts until nothing closes any more; `struck` are impacts of clauses by index with their e.
 
-        Closed contacts that are driven in take part with e = 0, those that move apart afterwards open. Also tells what
-        happened to which contact.
+        Closed contacts that are driven in take part with e = 0; those that move apart afterwards, or would pull, open.
+        Also tells what happened to which contact.
         """
         discretes, n = self._discretes, self._discretes.system.n
         count, closed_before = len(discretes.contacts), w[discretes.contacts] != 0.0
-        restitution, stick, rest = discretes.laws(t, y, w)
         first: dict[int, float] = {}
         w = w.copy()
         for _ in range(_MOST_IMPACTS):
             gaps, small = discretes.gaps(t, y, w), size(y)
+            restitution, stick, rest = discretes.laws(t, y, w)
             speed, touching = gaps.speed[:count], gaps.gap[:count] <= _TOUCHING * small
             open_ = w[discretes.contacts] == 0.0
             closing = np.flatnonzero(touching & open_ & (speed < -_ROUNDING * small)).tolist()
@@ -132,8 +132,10 @@ class Contacts:
             struck = {}
         w[discretes.impacts[list(first)]] += 1.0
         w[discretes.contacts] = np.where(closed_before, 1.0, w[discretes.contacts])
-        self.apart(t, y, w)
-        w[discretes.contacts[self._closing(t, y, w, first, stick, rest)]] = 1.0
+        slow = self._slow(y, stick, first)
+        self.apart(t, y, w, slow)
+        w[discretes.contacts[self._closing(t, y, w, first, slow, rest)]] = 1.0
+        w = self._carrying(t, y, w)
         return y, w, self._told(closed_before, w, first)
 
     def _told(self, before: Flags, w: Floats, struck: Iterable[int]) -> list[tuple[int, str]]:
@@ -156,16 +158,26 @@ class Contacts:
         w[entries[idle]] = 0.0
         return w
 
-    def apart(self, t: float, y: Floats, w: Floats) -> list[int]:
-        """Opens in w closed contacts that do not touch or do not stay; which."""
+    def apart(self, t: float, y: Floats, w: Floats, slow: Floats | float = 0.0) -> None:
+        """Opens in w closed contacts that do not touch, or move apart faster than `slow`."""
         entries = self._discretes.contacts
-        if not np.any(w[entries] != 0.0):
-            return []
-        gaps, small = self._discretes.gaps(t, y, w), _TOUCHING * size(y)
-        away = (gaps.gap[: len(entries)] > small) | (gaps.speed[: len(entries)] > small)
-        found = np.flatnonzero((w[entries] != 0.0) & away).tolist()
-        w[entries[found]] = 0.0
-        return found
+        if np.any(w[entries] != 0.0):
+            gaps, small = self._discretes.gaps(t, y, w), _TOUCHING * size(y)
+            count = len(entries)
+            away = (gaps.gap[:count] > small) | (gaps.speed[:count] > np.maximum(small, slow))
+            w[entries[away]] = 0.0
+
+    def _carrying(self, t: float, y: Floats, w: Floats) -> Floats:
+        """w without closed contacts that would pull: the one that pulls most opens first."""
+        entries = self._discretes.contacts
+        w = w.copy()
+        while np.any(closed := w[entries] != 0.0):
+            force = np.where(closed, self._discretes.multipliers(t, y, w), np.inf)
+            weakest = int(np.argmin(force))
+            if not force[weakest] < -_NOTHING * self._force:
+                break
+            w[entries[weakest]] = 0.0
+        return w
 
     def _after(self, t: float, y: Floats, w: Floats, rows: Floats, speeds: Floats, factor: Floats) -> Floats:
         """Rates after one impact; closed contacts take part as such, not as rows that hold."""
@@ -178,22 +190,25 @@ class Contacts:
         jacobian = system.engine.evaluate("velocity_constraint", *state)[1]
         return collide(mass, jacobian, len(jacobian), qd, rows, speeds, factor)
 
+    def _slow(self, y: Floats, stick: Floats, first: dict[int, float]) -> Floats:
+        """Speeds below which contacts stay together, now that some were approached with the speeds `first`."""
+        for index, approach in first.items():
+            self._fastest[index] = max(self._fastest[index], -approach)
+        return np.maximum(np.where(stick >= 0.0, stick, _STICK * self._fastest), _TOUCHING * size(y))
+
     def _closing(
-        self, t: float, y: Floats, w: Floats, first: dict[int, float], stick: Floats, rest: Floats
+        self, t: float, y: Floats, w: Floats, first: dict[int, float], slow: Floats, rest: Floats
     ) -> list[int]:
         """Those that struck and stay."""
         found = []
         if first:
             speeds = self._discretes.gaps(t, y, w).speed
         for index, approach in first.items():
-            self._fastest[index] = max(self._fastest[index], -approach)
             interval = t - self._last[index]
             ratio = float(speeds[index]) / -approach if approach else 0.0
             self._last[index] = t
-            slow = stick[index] if stick[index] >= 0.0 else _STICK * self._fastest[index]
-            slow = max(slow, _TOUCHING * size(y))
             short = rest[index] if rest[index] >= 0.0 else _REST * self._length
             over = ratio < 1.0 and interval * ratio / (1.0 - ratio) < short
-            if abs(speeds[index]) < slow or over:
+            if abs(speeds[index]) < slow[index] or over:
                 found.append(index)
         return found

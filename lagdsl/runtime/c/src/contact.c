@@ -16,7 +16,7 @@ static const double NOTHING = 1e-9;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 8 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 2 * model->nq + lag_impact_memory(model);
+    return 9 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 2 * model->nq + lag_impact_memory(model);
 }
 
 static double *take(double **memory, size_t count)
@@ -53,7 +53,8 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     contacts->rest = take(&memory, count);
     contacts->approach = take(&memory, count);
     contacts->order = take(&memory, count);
-    contacts->closed = take(&memory, count);
+    contacts->closing = take(&memory, count);
+    contacts->before = take(&memory, count);
     contacts->tau = take(&memory, model->nq);
     contacts->zero = take(&memory, model->nq);
     for (size_t i = 0; i < count; ++i) {
@@ -162,9 +163,9 @@ lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x
     status = weigh(contacts, t, x, &force);
     set_force(contacts, force);
     for (size_t i = 0; i < count; ++i) {
-        contacts->closed[i] = fabs(contacts->gap[i]) <= least && fabs(contacts->speed[i]) <= least;
+        contacts->closing[i] = fabs(contacts->gap[i]) <= least && fabs(contacts->speed[i]) <= least;
     }
-    return status == LAG_OK ? lag_contacts_press(contacts, t, x, contacts->closed) : status;
+    return status == LAG_OK ? lag_contacts_press(contacts, t, x, contacts->closing) : status;
 }
 
 lag_status lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates)
@@ -228,15 +229,36 @@ static void add(lag_contacts *contacts, lag_blow *blow, size_t i, double factor)
     ++blow->count;
 }
 
-/* What takes part now: contacts that close, blows of clauses, and, held, what is closed. None where nothing acts. */
-static lag_blow gather(lag_contacts *contacts, const double *x, const double *collision, const double *restitution)
+/* Flags of open contacts that close; whether there are any. */
+static int find_closing(lag_contacts *contacts, double size)
+{
+    int any = 0;
+    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
+        const int touching = contacts->gap[i] <= TOUCHING * size;
+        const int closing = touching && *flag(contacts, i) == 0.0 && contacts->speed[i] < -ROUNDING * size;
+        contacts->closing[i] = closing;
+        any = any || closing;
+    }
+    return any;
+}
+
+/* Whether closed contacts are driven in. */
+static int any_driven(const lag_contacts *contacts, double size)
+{
+    int any = 0;
+    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
+        any = any || (*flag(contacts, i) != 0.0 && contacts->speed[i] < -TOUCHING * size);
+    }
+    return any;
+}
+
+/* What takes part: contacts that close, blows of clauses, and, held, what is closed. */
+static lag_blow gather(lag_contacts *contacts, const double *collision, const double *restitution)
 {
     const lag_model *model = contacts->motion->model;
-    const double size = lag_contacts_size(contacts->motion, x);
     lag_blow blow = {0, contacts->rows, contacts->speeds, contacts->factor};
     for (size_t i = 0; i < model->ncontact; ++i) {
-        const int touching = contacts->gap[i] <= TOUCHING * size;
-        if (touching && *flag(contacts, i) == 0.0 && contacts->speed[i] < -ROUNDING * size) {
+        if (contacts->closing[i] != 0.0) {
             add(contacts, &blow, i, contacts->restitution[i]);
             if (contacts->approach[i] == 0.0) {
                 contacts->approach[i] = contacts->speed[i];
@@ -249,37 +271,75 @@ static lag_blow gather(lag_contacts *contacts, const double *x, const double *co
             add(contacts, &blow, model->ncontact + i, restitution[i]);
         }
     }
-    for (size_t i = 0; blow.count > 0 && i < model->ncontact; ++i) {
-        if (*flag(contacts, i) != 0.0) {
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (*flag(contacts, i) != 0.0 && contacts->closing[i] == 0.0) {
             add(contacts, &blow, i, 0.0);
         }
     }
     return blow;
 }
 
-/* Counts, and closes those that struck and stay. */
-static lag_status conclude(lag_contacts *contacts, double t, const double *x)
+static int any_of(size_t count, const double *flags)
 {
-    lag_status status = LAG_OK;
-    for (size_t k = 0; k < contacts->struck; ++k) {
-        contacts->motion->w[contacts->places.impacts + (size_t)contacts->order[k]] += 1.0;
+    size_t i = 0;
+    while (i < count && flags[i] == 0.0) {
+        ++i;
     }
-    status = contacts->struck > 0 ? look(contacts, t, x) : LAG_OK;
-    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
-        const size_t i = (size_t)contacts->order[k];
-        const double speed = contacts->speed[i];
-        const double ratio = speed / -contacts->approach[i];
-        const double interval = t - contacts->last[i];
-        contacts->fastest[i] = fmax(contacts->fastest[i], -contacts->approach[i]);
-        contacts->last[i] = t;
-        const double slow = contacts->stick[i] >= 0.0 ? contacts->stick[i] : STICK * contacts->fastest[i];
-        const double brief = contacts->rest[i] >= 0.0 ? contacts->rest[i] : REST * contacts->length;
-        const int over = ratio < 1.0 && interval * ratio / (1.0 - ratio) < brief;
-        contacts->closed[i] = fabs(speed) < slow || over;
+    return i < count;
+}
+
+/* Blows until nothing closes any more. */
+static lag_status strike(lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
+{
+    const size_t collisions = collision != NULL ? contacts->motion->model->ncollision : 0;
+    for (int k = 0; k < MOST_IMPACTS; ++k) {
+        const double size = lag_contacts_size(contacts->motion, x);
+        const int struck = k == 0 && any_of(collisions, collision);
+        lag_status status = look(contacts, t, x);
+        if (status == LAG_OK && (find_closing(contacts, size) || struck) && contacts->struck == 0) {
+            status = release(contacts, t, x);
+        }
+        if (status != LAG_OK) {
+            return status;
+        }
+        if (!any_of(contacts->motion->model->ncontact, contacts->closing) && !struck && !any_driven(contacts, size)) {
+            return LAG_OK;
+        }
+        const lag_blow blow = gather(contacts, struck ? collision : NULL, restitution);
+        status = lag_impact_strike(&contacts->impact, t, x, &blow);
+        if (status != LAG_OK) {
+            return status;
+        }
     }
-    for (size_t k = 0; k < contacts->struck; ++k) {
-        const size_t i = (size_t)contacts->order[k];
-        *flag(contacts, i) = contacts->closed[i] != 0.0 ? 1.0 : *flag(contacts, i);
+    return LAG_UNSETTLED;
+}
+
+/* Whether a contact that struck stays; remembers the impact. */
+static int stays(lag_contacts *contacts, double t, double size, size_t i)
+{
+    const double speed = contacts->speed[i];
+    const double ratio = speed / -contacts->approach[i];
+    const double interval = t - contacts->last[i];
+    contacts->fastest[i] = fmax(contacts->fastest[i], -contacts->approach[i]);
+    contacts->last[i] = t;
+    const double slow = contacts->stick[i] >= 0.0 ? contacts->stick[i] : STICK * contacts->fastest[i];
+    const double brief = contacts->rest[i] >= 0.0 ? contacts->rest[i] : REST * contacts->length;
+    const int over = ratio < 1.0 && interval * ratio / (1.0 - ratio) < brief;
+    return fabs(speed) < fmax(slow, TOUCHING * size) || over;
+}
+
+lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    const double least = TOUCHING * lag_contacts_size(contacts->motion, x);
+    if (!any_of(count, flag(contacts, 0))) {
+        return LAG_OK;
+    }
+    const lag_status status = look(contacts, t, x);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        if (contacts->gap[i] > least || contacts->speed[i] > least) {
+            *flag(contacts, i) = 0.0;
+        }
     }
     return status;
 }
@@ -290,21 +350,25 @@ lag_status lag_contacts_strike(
     const size_t count = contacts->motion->model->ncontact;
     contacts->struck = 0;
     memset(contacts->approach, 0, count * sizeof(double));
-    memset(contacts->closed, 0, count * sizeof(double));
-    lag_status status = look(contacts, t, x);
-    if (status == LAG_OK) {
-        status = release(contacts, t, x);
+    memcpy(contacts->before, flag(contacts, 0), count * sizeof(double));
+    lag_status status = strike(contacts, t, x, collision, restitution);
+    for (size_t i = 0; i < count; ++i) {
+        *flag(contacts, i) = contacts->before[i] != 0.0 ? 1.0 : *flag(contacts, i);
     }
-    for (int k = 0; status == LAG_OK; ++k) {
+    if (status == LAG_OK) {
+        status = lag_contacts_part(contacts, t, x);
+    }
+    if (status == LAG_OK && contacts->struck > 0) {
         status = look(contacts, t, x);
-        if (status != LAG_OK) {
-            break;
-        }
-        const lag_blow blow = gather(contacts, x, k == 0 ? collision : NULL, restitution);
-        if (blow.count == 0) {
-            return conclude(contacts, t, x);
-        }
-        status = k < MOST_IMPACTS ? lag_impact_strike(&contacts->impact, t, x, &blow) : LAG_UNSETTLED;
+    }
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        contacts->motion->w[contacts->places.impacts + i] += 1.0;
+        contacts->closing[i] = stays(contacts, t, lag_contacts_size(contacts->motion, x), i);
+    }
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        *flag(contacts, i) = contacts->closing[i] != 0.0 ? 1.0 : *flag(contacts, i);
     }
     return status;
 }

@@ -4,11 +4,13 @@
 #include <string.h>
 
 enum { MOST_PASSES = 100 };
+/* What passes zero within this part of the moment does so at the event. */
+static const double PASSING = 1e-3;
 
 size_t lag_passes_memory(const lag_model *model)
 {
     return 3 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + model->nindicator;
+           3 * lag_motion_size(model) + 2 * model->nindicator + model->ncontact;
 }
 
 static double *take(double **memory, size_t count)
@@ -40,7 +42,9 @@ void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection
     passes->held = take(&memory, size);
     passes->rate = take(&memory, size);
     passes->later = take(&memory, size);
-    passes->g = memory;
+    passes->now = take(&memory, model->nindicator);
+    passes->then = take(&memory, model->nindicator);
+    passes->closed = memory;
 }
 
 lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, lag_what what, size_t which)
@@ -73,34 +77,49 @@ static int same(size_t count, const double *a, const double *b)
 
 /* ---- relations ---- */
 
-/* Relations as they stand at a state, into `truth`. */
-static lag_status relations(lag_passes *passes, double t, const double *x, double *truth)
+static lag_status indicate(lag_passes *passes, double t, const double *x, double *g)
+{
+    solve(passes->motion, t, x);
+    return passes->motion->model->indicator(&passes->motion->at, g);
+}
+
+static int holds(const lag_model *model, size_t i, double g)
+{
+    return g > 0.0 || (g == 0.0 && model->strict[i] == 0);
+}
+
+/* Relations as they stand at a state, into w. */
+static lag_status stand(lag_passes *passes, double t, const double *x)
 {
     const lag_model *model = passes->motion->model;
-    lag_status status = LAG_OK;
-    if (model->nindicator > 0) {
-        solve(passes->motion, t, x);
-        status = model->indicator(&passes->motion->at, passes->g);
-    }
+    const lag_status status = model->nindicator > 0 ? indicate(passes, t, x, passes->now) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
-        truth[i] = passes->g[i] > 0.0 || (passes->g[i] == 0.0 && model->strict[i] == 0);
+        passes->motion->w[passes->places.relation + i] = holds(model, i, passes->now[i]);
     }
     return status;
 }
 
-/* Relations a moment later: at the event they pass zero, and which way they go on tells what they are. */
+/* Relations as they stand; those that pass zero here are what they are a moment later. */
 static lag_status ahead(lag_passes *passes, double t, const double *x)
 {
     lag_motion *motion = passes->motion;
-    const size_t size = lag_motion_size(motion->model);
-    if (motion->model->nindicator == 0) {
+    const lag_model *model = motion->model;
+    if (model->nindicator == 0) {
         return LAG_OK;
     }
     const int moves = motion->ode.rates(motion, t, x, passes->rate) == LAG_OK;
-    for (size_t i = 0; i < size; ++i) {
+    for (size_t i = 0; i < lag_motion_size(model); ++i) {
         passes->later[i] = moves ? x[i] + passes->moment * passes->rate[i] : x[i];
     }
-    return relations(passes, t + passes->moment, passes->later, motion->w + passes->places.relation);
+    lag_status status = indicate(passes, t, x, passes->now);
+    if (status == LAG_OK) {
+        status = indicate(passes, t + passes->moment, passes->later, passes->then);
+    }
+    for (size_t i = 0; i < model->nindicator; ++i) {
+        const int passing = fabs(passes->now[i]) <= PASSING * fabs(passes->then[i] - passes->now[i]);
+        motion->w[passes->places.relation + i] = holds(model, i, passing ? passes->then[i] : passes->now[i]);
+    }
+    return status;
 }
 
 /* ---- one pass ---- */
@@ -121,7 +140,7 @@ lag_status lag_passes_settle(lag_passes *passes, double t, const double *x)
     lag_status status = LAG_OK;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         memcpy(passes->before, w, model->nw * sizeof(double));
-        status = relations(passes, t, x, w + places->relation);
+        status = stand(passes, t, x);
         if (status == LAG_OK) {
             status = look(passes, t, x);
         }
@@ -137,20 +156,32 @@ lag_status lag_passes_settle(lag_passes *passes, double t, const double *x)
 
 /* ---- contacts ---- */
 
+/* What a contact that struck or changed did. */
+static lag_status tell_contact(const lag_passes *passes, double t, const double *x, int before, size_t i)
+{
+    const int now = passes->motion->w[passes->places.contact + i] != 0.0;
+    return lag_passes_tell(passes, t, x, before == now ? LAG_IMPACT : now ? LAG_CLOSED : LAG_OPENED, i);
+}
+
 /* Impacts, and what they did. */
 static lag_status collide(lag_passes *passes, double t, double *x, const double *collision, int *acted)
 {
     const lag_contacts *contacts = passes->contacts;
+    const double *closed = passes->motion->w + passes->places.contact;
     lag_status status = lag_contacts_strike(passes->contacts, t, x, collision, passes->restitution);
+    int any = contacts->struck > 0;
     for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
         const size_t i = (size_t)contacts->order[k];
-        status = lag_passes_tell(passes, t, x, contacts->closed[i] != 0.0 ? LAG_CLOSED : LAG_IMPACT, i);
+        status = tell_contact(passes, t, x, contacts->before[i] != 0.0, i);
     }
-    if (status == LAG_OK && contacts->struck > 0) {
-        *acted = 1;
-        status = lag_projection_rates(passes->projection, t, x, NULL);
+    for (size_t i = 0; i < passes->motion->model->ncontact && status == LAG_OK; ++i) {
+        if (contacts->approach[i] == 0.0 && (contacts->before[i] != 0.0) != (closed[i] != 0.0)) {
+            any = 1;
+            status = tell_contact(passes, t, x, contacts->before[i] != 0.0, i);
+        }
     }
-    return status;
+    *acted = *acted || any;
+    return status == LAG_OK && any ? lag_projection_rates(passes->projection, t, x, NULL) : status;
 }
 
 /* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
@@ -225,6 +256,19 @@ static lag_status reset(lag_passes *passes, double t, double *x, int *any)
     return status;
 }
 
+/* Closed contacts that a reset moves apart open. */
+static lag_status part(lag_passes *passes, double t, const double *x)
+{
+    const size_t count = passes->motion->model->ncontact;
+    const double *closed = passes->motion->w + passes->places.contact;
+    memcpy(passes->closed, closed, count * sizeof(double));
+    lag_status status = lag_contacts_part(passes->contacts, t, x);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        status = passes->closed[i] != closed[i] ? lag_passes_tell(passes, t, x, LAG_OPENED, i) : LAG_OK;
+    }
+    return status;
+}
+
 /* Failures, ends and resets of one pass. */
 static lag_status act(lag_passes *passes, double t, double *x, int *acted)
 {
@@ -245,7 +289,27 @@ static lag_status act(lag_passes *passes, double t, double *x, int *acted)
     if (status == LAG_OK) {
         status = reset(passes, t, x, acted);
     }
+    if (status == LAG_OK && *acted) {
+        status = part(passes, t, x);
+    }
     return status == LAG_OK && *acted ? lag_projection_rates(passes->projection, t, x, passes->held + model->nq) : status;
+}
+
+/* Discretes in constraints may have changed: rates onto what holds now. Contacts follow, they only push. */
+static lag_status take_hold(lag_passes *passes, double t, double *x)
+{
+    const lag_places *places = &passes->places;
+    const size_t relations = passes->motion->model->nindicator;
+    const size_t count = passes->motion->model->ncontact;
+    double *w = passes->motion->w;
+    if (same(places->contact, w, passes->before) && same(relations, w + places->relation, passes->before + places->relation)) {
+        return LAG_OK;
+    }
+    memcpy(passes->closed, w + places->contact, count * sizeof(double));
+    memset(w + places->contact, 0, count * sizeof(double));
+    const lag_status status = lag_projection_rates(passes->projection, t, x, NULL);
+    memcpy(w + places->contact, passes->closed, count * sizeof(double));
+    return status;
 }
 
 /* One pass; `acted`: it did more than to change w. */
@@ -253,12 +317,16 @@ static lag_status pass(lag_passes *passes, double t, double *x, int *acted)
 {
     lag_motion *motion = passes->motion;
     lag_status status = look(passes, t, x);
-    if (status == LAG_OK) {
-        status = act(passes, t, x, acted);
+    if (status != LAG_OK) {
+        return status;
+    }
+    memcpy(motion->w, passes->next, motion->model->nw * sizeof(double));
+    lag_places_clear(motion->model, &passes->places, motion->w);
+    status = act(passes, t, x, acted);
+    if (status == LAG_OK && !*acted) {
+        status = take_hold(passes, t, x);
     }
     if (status == LAG_OK) {
-        memcpy(motion->w, passes->next, motion->model->nw * sizeof(double));
-        lag_places_clear(motion->model, &passes->places, motion->w);
         status = strike(passes, t, x, acted);
     }
     return status == LAG_OK ? ahead(passes, t, x) : status;

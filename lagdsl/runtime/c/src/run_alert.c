@@ -6,8 +6,13 @@
 #include "lag/root.h"
 #include "lag/run.h"
 
-enum { NUDGES = 60, HALVES = 60 };
+/* So often an interval is halved before nothing is left of it. */
+enum { HALVES = 60 };
 static const double ULPS = 4.0;
+/* At least this part of the other is no round-off. */
+static const double ALIKE = 1e-6;
+/* Roots that differ by so many tolerances are one. */
+static const double TOGETHER = 8.0;
 
 static lag_status look(lag_run *run, double t)
 {
@@ -28,47 +33,55 @@ static double value_of(void *context, double t)
 }
 
 /*
- * Number `which` has changed at *b: a time *a before it at which it has not and its value has the other sign, *b as near to that. What
- * begins at a zero, as a contact that has just struck, has no such sign at the beginning.
+ * Where number `which`, which has changed at b, does so. A value that is zero but for round-off at a, as after an impact, tells nothing:
+ * the interval is halved until its ends have different signs and alike sizes.
  */
-static int bracket(change *one, double tolerance, double *a, double *fa, double *b, double *fb)
+static double root_of(change *one, double a, double b, double tolerance)
 {
-    for (int k = 0; k < HALVES && *b - *a > tolerance; ++k) {
-        if (lag_root_sign(*fa) != lag_root_sign(*fb)) {
-            return 1;
+    double fa = value_of(one, a);
+    double fb = value_of(one, b);
+    for (int k = 0; k < HALVES; ++k) {
+        const double middle = a + 0.5 * (b - a);
+        if (lag_root_sign(fa) != lag_root_sign(fb) && fabs(fa) >= ALIKE * fabs(fb)) {
+            return lag_root(value_of, one, a, fa, b, fb, tolerance);
         }
-        const double middle = *a + 0.5 * (*b - *a);
+        if (!(middle > a && middle < b)) {
+            break;
+        }
         const double value = value_of(one, middle);
         if (one->run->alert.changed[one->which] != 0.0) {
-            *b = middle;
-            *fb = value;
+            b = middle;
+            fb = value;
         } else {
-            *a = middle;
-            *fa = value;
+            a = middle;
+            fa = value;
         }
     }
-    return lag_root_sign(*fa) != lag_root_sign(*fb);
+    return b;
 }
 
-/* The earliest zero of what had changed at b and not at a. */
+/* The first root of what has changed at b, and not at a; with it changes what does so at the same time but for round-off. */
 static double earliest(lag_run *run, double a, double b, double tolerance)
 {
     const size_t count = run->motion.model->nindicator + run->motion.model->ncontact;
+    double *root = run->alert.seen;
     double first = b;
-    memcpy(run->alert.seen, run->alert.changed, count * sizeof(double));
+    memcpy(root, run->alert.changed, count * sizeof(double));
     for (size_t i = 0; i < count; ++i) {
-        if (run->alert.seen[i] != 0.0) {
-            change one = {run, i};
-            double left = a;
-            double right = first;
-            double fa = value_of(&one, a);
-            double fb = value_of(&one, first);
-            if (run->alert.changed[i] == 0.0) {
-                continue;
+        change one = {run, i};
+        const double last = fmin(b, first + TOGETHER * tolerance);
+        const int may_be = root[i] != 0.0;
+        root[i] = (double)INFINITY;
+        if (may_be) {
+            (void)value_of(&one, last);
+            if (run->alert.changed[i] != 0.0) {
+                root[i] = root_of(&one, a, last, tolerance);
+                first = fmin(first, root[i]);
             }
-            const int found = bracket(&one, tolerance, &left, &fa, &right, &fb);
-            first = found ? lag_root(value_of, &one, left, fa, right, fb, tolerance) : right;
         }
+    }
+    for (size_t i = 0; i < count; ++i) {
+        run->alert.changed[i] = root[i] <= first + TOGETHER * tolerance;
     }
     return first;
 }
@@ -78,7 +91,7 @@ lag_status lag_run_happening(lag_run *run, double *t)
     const lag_stepper *s = &run->stepper;
     const lag_model *model = run->motion.model;
     const double h = s->t - s->t_before;
-    double tolerance = ULPS * DBL_EPSILON * fmax(fabs(s->t), h);
+    const double tolerance = ULPS * DBL_EPSILON * fmax(fabs(s->t), h);
     double a = s->t_before;
     double b = a;
     lag_status status = LAG_OK;
@@ -94,11 +107,5 @@ lag_status lag_run_happening(lag_run *run, double *t)
         return status;
     }
     *t = earliest(run, a, b, tolerance);
-    status = look(run, *t);
-    for (int k = 0; k < NUDGES && status == LAG_OK && *t < b; ++k) {
-        *t = fmin(b, *t + tolerance);
-        tolerance *= 2.0;
-        status = look(run, *t);
-    }
-    return status;
+    return LAG_HAPPENS;
 }

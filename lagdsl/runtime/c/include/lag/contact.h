@@ -17,10 +17,11 @@ typedef struct lag_contacts {
     double *fastest, *last;  /* (ncontact) approach speed so far, time of the last impact */
     double *gap, *speed, *jacobian;       /* (ngap) (ngap) (ngap, nq) at the state looked at last */
     double *restitution, *stick, *rest;   /* (ncontact) */
-    double *approach;        /* (ncontact) of lag_contacts_strike: speed at the first impact, */
-    double *order;           /* (ncontact) those that struck in the order in which they did, */
+    double *approach;        /* (ncontact) of lag_contacts_strike: speed at the first impact, zero without, */
+    double *order;           /* (ncontact) those that struck, in the order in which they did, */
     size_t struck;           /* so many, */
-    double *closed;          /* (ncontact) 1: and stayed */
+    double *before;          /* (ncontact) which contacts were closed before it */
+    double *closing;         /* (ncontact) */
     double *part, *rows, *speeds, *factor; /* (ngap) (ngap, nq) (ngap) (ngap) of one impact */
     double *tau, *zero;      /* (nq) (nq) */
 } lag_contacts;
@@ -42,9 +43,13 @@ lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x
 /* Closes those of the candidates (ncontact flags) that push: the one that pulls most is opened until none does. */
 lag_status lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates);
 
+/* Opens closed contacts that do not touch or do not stay. */
+lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);
+
 /*
  * Impacts until nothing closes any more, first with those of clauses: `collision` (ncollision flags, or null) with their `restitution`.
- * Changes the rates in x and, in w, contacts and their counts. LAG_UNSETTLED: impacts without end.
+ * Closed contacts that are driven in take part without restitution, those that move apart afterwards open. Changes the rates in x and,
+ * in w, contacts and their counts. LAG_UNSETTLED: impacts without end.
  */
 lag_status lag_contacts_strike(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution);

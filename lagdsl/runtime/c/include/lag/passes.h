@@ -18,7 +18,8 @@ typedef struct lag_passes {
     double *stop, *fail;   /* (nstop) (nfail) */
     double *held;          /* (2 nq + nz) */
     double *rate, *later;  /* (2 nq + nz) */
-    double *g;             /* (nindicator) */
+    double *now, *then;    /* (nindicator) */
+    double *closed;        /* (ncontact) */
     int stopped;           /* a `terminate` acted */
     size_t fault;          /* LAG_CONFLICT: a reset; LAG_REFUSED: an assertion */
     double *guilty;        /* (nw) LAG_UNSETTLED: 1, this one still changed; zero otherwise */
