@@ -19,8 +19,8 @@ ROWS: dict[str, Row] = {
         "drop a `fixed = true` of a rate",
     ),
     "E0804": error(
-        "what happens at t = {time} s does not settle: {text} go on changing",
-        label="among these",
+        "what happens at t = {time} s does not settle: there is no end of changes of {text}",
+        label="goes on changing",
         help="two clauses may trigger each other, or a force may reverse at every crossing: smooth it, `tanh(v/v0)`",
     ),
     "E0805": error(
@@ -165,7 +165,7 @@ ROWS: dict[str, Row] = {
         help="say what holds after: a `contact` comes to rest, a force can be smooth, a condition can have a margin",
     ),
     "E0834": error(
-        "{text} cannot hold at the start: the gap is negative there",
+        "the gap of {text} is negative at the start",
         label="starts inside",
         help="give starts at which every gap is positive or zero",
     ),

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from lagdsl.flat.event_flow import branches
-from lagdsl.flat.events import Check, Impact, Reset, Terminate, entries
+from lagdsl.flat.events import Check, Contact, Impact, Reset, Terminate, entries
 from lagdsl.flat.quantity import Item
 from lagdsl.mechanics.rank import Floats
 from lagdsl.simulate.events.contacts import Contacts
@@ -140,14 +140,17 @@ class Passes:
             result.y[place] = value
         result.events += [Event(time=t, name=self._reset_name(k), kind="reinit") for k in acting]
         n = self._discretes.system.n
-        result.events += [Event(time=t, name=self._name(index), kind="opened") for index in self._pulled(t, result)]
+        self._pulled(t, result)
         self._project(t, result, tuple(place - n for place in held if place < 2 * n))
         return True
 
-    def _pulled(self, t: float, result: Result) -> list[int]:
-        """Opens closed contacts that a reset moves apart; which."""
-        result.w = result.w.copy()
-        return self._contacts.apart(t, result.y, result.w)
+    def _pulled(self, t: float, result: Result) -> None:
+        """Opens closed contacts that a reset moves apart."""
+        before = result.w
+        result.w = before.copy()
+        self._contacts.apart(t, result.y, result.w)
+        opened = np.flatnonzero(before[self._discretes.contacts] != result.w[self._discretes.contacts])
+        result.events += [Event(time=t, name=self._name(index), kind="opened") for index in opened.tolist()]
 
     def _reset_name(self, k: int) -> str:
         return f"der({self._resets[k].name})" if self._resets[k].rate else self._resets[k].name
@@ -182,4 +185,5 @@ class Passes:
         changing = [known[k] for k in indices]
         items = [entry.item for entry in changing if entry.item is not None]
         place = items[0] if items else self._resets[0]
-        return code, place, ", ".join(f"`{entry.name}`" for entry in changing) or "rates"
+        names = [entry.item.name if isinstance(entry.item, Contact) else entry.name for entry in changing]
+        return code, place, ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
