@@ -19,8 +19,13 @@ _TARGETS = ("numpy", "c")
 @click.option("--target", type=click.Choice(_TARGETS), required=True, help="Language of the module.")
 @click.option("-o", "--output", "folder", type=click.Path(path_type=Path), required=True, help="Folder to write to.")
 @click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
-def command(file: Path, model: str | None, style: Format, target: str, folder: Path, derivation: Derivation) -> None:
-    """Write the equations of motion of FILE as one NumPy file, or as C sources with header, Makefile and example."""
+@click.option("--batch", is_flag=True, help="C: also functions of many states and many directions at once.")
+def command(
+    file: Path, model: str | None, style: Format, target: str, folder: Path, derivation: Derivation, batch: bool
+) -> None:
+    """Write the equations of motion of FILE as one NumPy file, or as C sources with header, Makefile and examples."""
+    if batch and target != "c":
+        raise click.UsageError("--batch is for --target c: the NumPy module takes many states at once in every case")
     source = read_or_leave(file, style)
     sink = Sink()
     flat = front(source, sink, model=model)
@@ -29,9 +34,11 @@ def command(file: Path, model: str | None, style: Format, target: str, folder: P
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)
 
+    from lagdsl.backends.c.emit import CBackend
     from lagdsl.backends.registry import BACKENDS
 
-    artifact = BACKENDS[target].emit(compilation.program)
+    backend = CBackend(batch=True) if batch else BACKENDS[target]
+    artifact = backend.emit(compilation.program)
     for name, text in artifact.files.items():
         path = folder / name
         try:

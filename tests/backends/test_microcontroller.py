@@ -1,4 +1,4 @@
-"""The core compiles for a processor without operating system by a compiler without C library, and needs next to nothing."""
+"""The core compiles for a processor without operating system by a compiler without C library."""
 
 from __future__ import annotations
 

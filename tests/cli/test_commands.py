@@ -128,6 +128,13 @@ class TestBuild:
         assert not (tmp_path / "b").exists()
         assert invoke("build", pendulum, "--target", "c", "-o", pendulum).exit_code == 2
         assert invoke("build", pendulum, "--target", "fortran", "-o", tmp_path).exit_code == 2
+        assert invoke("build", pendulum, "--target", "numpy", "--batch", "-o", tmp_path).exit_code == 2
+
+    def test_functions_of_many_states_come_when_asked_for(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
+        plain = invoke("build", pendulum, "--target", "c", "-o", tmp_path / "plain").stdout
+        batch = invoke("build", pendulum, "--target", "c", "--batch", "-o", tmp_path / "batch").stdout
+        assert "Pendulum_states.c" in batch
+        assert "Pendulum_states.c" not in plain
 
 
 class TestExplain:

@@ -24,21 +24,24 @@ _EXAMPLES = ("main.c", "realtime.c")
 
 
 class CBackend:
-    """Target `c`."""
+    """Target `c`. `batch`: with the functions of many states and of many directions at once."""
 
     name = "c"
 
+    def __init__(self, *, batch: bool = False) -> None:
+        self._parts = tuple(PARTS) if batch else ()
+
     def emit(self, program: Program) -> Artifact:
         stem = identifier(program.name, _RESERVED)
-        folder = c_folder() / "example"
         head = f'#include "{stem}.h"\n#define MODEL {symbol(stem)}\n\n'
-        makefile = (folder / "Makefile").read_text(encoding="utf-8")
         return Artifact(
             {
-                **sources(program),
+                **sources(program, self._parts),
+                f"{stem}.h": header(stem, self._parts),
                 **_headers_of_no_library(),
-                **{name: head + (folder / name).read_text(encoding="utf-8") for name in _EXAMPLES},
-                "Makefile": f"MODEL := {stem}\n{makefile}",
+                **{name: head + _example(name) for name in _EXAMPLES},
+                "Makefile": f"MODEL := {stem}\n{_example('Makefile')}",
+                "README.md": _example("README.md").replace("MODEL", stem),
             }
         )
 
@@ -68,6 +71,10 @@ def runtime_sources() -> dict[str, str]:
         [*(c_folder() / "include" / "lag").glob("*.h"), *(c_folder() / "src").glob("*.c")], key=lambda f: f.name
     )
     return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in files}
+
+
+def _example(name: str) -> str:
+    return (c_folder() / "example" / name).read_text(encoding="utf-8")
 
 
 def _headers_of_no_library() -> dict[str, str]:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
 from pathlib import Path
 
 from lagdsl.backends.backend import Artifact
 from lagdsl.backends.identifier import identifier
-from lagdsl.backends.python.body import body, body_name, number
+from lagdsl.backends.python.body import body, body_name
 from lagdsl.backends.python.support.motion import Sizes
+from lagdsl.backends.python.tables import tables
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import ALONG_MANY
-from lagdsl.program.program import Function, Program, Slot
+from lagdsl.program.program import Function, Program
 
 _SUPPORT = ("elementary", "columns", "vectorize", "linear", "delassus", "motion", "derivatives", "interface")
 _PUBLIC = (
@@ -67,34 +66,6 @@ def module(program: Program) -> str:
     return "\n".join(parts)
 
 
-def tables(program: Program) -> str:
-    """Names, units and defaults as Python data, in the order of the arrays."""
-    layout = program.layout
-    return "\n".join(
-        [
-            f"NAME = {program.name!a}",
-            "# (name, SI unit) by index: q and qd; z; u; w; p; rows of constraints and lam; y",
-            _table("COORDINATES", layout.coordinates),
-            _table("STATES", layout.states),
-            _table("INPUTS", layout.inputs),
-            _table("DISCRETES", layout.discretes),
-            _table("PARAMETERS", layout.parameters),
-            _table("CONSTRAINTS", layout.constraints),
-            _table("OUTPUTS", layout.outputs),
-            f"DEFAULTS = {_tuple([_number(value) for value in layout.defaults])}",
-            f"REDUNDANT = {layout.redundant!r}",
-            "",
-        ]
-    )
-
-
-def _table(title: str, slots: Sequence[Slot]) -> str:
-    if not slots:
-        return f"{title}: tuple[tuple[str, str], ...] = ()"
-    rows = "".join(f"    ({slot.name!a}, {slot.unit!a}),\n" for slot in slots)
-    return f"{title} = (\n{rows})"
-
-
 def _single(program: Program) -> list[Function]:
     return [function for function in program.functions if function.name not in ALONG_MANY]
 
@@ -142,14 +113,6 @@ def motion_sizes(program: Program) -> Sizes:
         kept=program.kept_rows,
         independent=tuple(not layout.redundant[row] for row in program.kept_rows),
     )
-
-
-def _tuple(items: list[str]) -> str:
-    return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
-
-
-def _number(value: float) -> str:
-    return "float('nan')" if math.isnan(value) else number(value)
 
 
 def _support(name: str) -> str:

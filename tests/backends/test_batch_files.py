@@ -1,0 +1,29 @@
+"""Exported functions of many states and of many directions at once: the bits of single ones."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+from sample_programs import chain, closed_chain
+
+from lagdsl.backends.c.emit import CBackend
+from lagdsl.program.program import Program
+
+_PROGRAM = Path(__file__).with_name("many_states.c")
+
+
+@pytest.mark.parametrize("program", [chain(3), closed_chain(2)], ids=lambda program: program.name)
+def test_the_files_of_the_batch_build_and_agree(tmp_path: Path, program: Program) -> None:
+    files = CBackend(batch=True).emit(program).files
+    (stem,) = (name.removesuffix("_states.c") for name in files if name.endswith("_states.c"))
+    assert {f"{stem}_tangents.c", f"{stem}_parameter_tangents.c"} <= set(files)
+    assert set(CBackend().emit(program).files) == {name for name in files if not name.startswith(f"{stem}_")}
+    for path, text in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    (tmp_path / "main.c").write_text(_PROGRAM.read_text(encoding="utf-8").replace("STEM", stem), encoding="utf-8")
+    made = subprocess.run(["make", "-s", stem], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (made.returncode, made.stderr) == (0, "")
+    assert subprocess.run([str(tmp_path / stem)], check=False).returncode == 0

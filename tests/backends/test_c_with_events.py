@@ -1,0 +1,212 @@
+"""Exported C simulates events by itself: built by its own Makefile, run, compared with closed forms and with NumPy."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+import shutil
+import subprocess
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lagdsl
+from lagdsl.backends.c.emit import CBackend
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import front, middle, read
+
+G = 9.80665
+BALL = """
+model Ball
+  coordinate Length h(start = 1 m);
+  gravity = -g_n*world.y;
+  mass 0.1 kg at {0, h};
+  contact floor: h >= 0 with restitution = 0.8;
+  output Force N = multiplier(floor);
+end Ball;
+"""
+MACHINE = """
+model Machine "A ball hops, and is pushed to and fro by a sampled controller between a spring and a wall"
+  coordinate Length h(start = 0.1 m), x(der(start = 1 m/s));
+  discrete Force f(start = 0);
+  discrete Integer turns(start = 0);
+  state Real a(start = 0);
+  gravity = -g_n*world.y;
+  mass 1 kg at {x, h};
+  force f - a*(1 N) on x;
+  force (if x < -0.1 m then -(500 N/m)*(x + 0.1 m) else 0) on x;
+  contact floor: h >= 0 with restitution = 0.5;
+  output Force N = multiplier(floor);
+equation
+  der(a) = (der(x)/(1 m/s) - a)/(0.1 s);
+  when sample(0, 0.05 s) then
+    f = if x > 0 then -1 N else 1 N;
+  end when;
+  when x > 0.1 m then
+    reinit(der(x), -0.9*der(x) - 0.02 m/s);
+    turns = pre(turns) + 1;
+  end when;
+  when turns >= 5 then
+    terminate("turned, turned");
+  end when;
+end Machine;
+"""
+Row = dict[str, float]
+
+
+@dataclass(frozen=True)
+class Ran:
+    """What the example printed: rows, events as (time, kind, name), the error output."""
+
+    code: int
+    rows: list[Row]
+    events: list[tuple[float, str, str]]
+    errors: str
+
+
+@dataclass(frozen=True)
+class Module:
+    """An exported module that is built."""
+
+    folder: Path
+    stem: str
+
+    def run(self, stop: float, interval: float, tolerance: float) -> Ran:
+        happened = self.folder / "events.csv"
+        command = [str(self.folder / self.stem), repr(stop), repr(interval), repr(tolerance), str(happened)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        rows = [{name: float(x) for name, x in row.items()} for row in csv.DictReader(done.stdout.splitlines())]
+        with happened.open(encoding="utf-8", newline="") as file:
+            events = [(float(row["time"]), row["event"], row["name"]) for row in csv.DictReader(file)]
+        return Ran(done.returncode, rows, events, done.stderr)
+
+
+Build = Callable[..., Module]
+
+
+@pytest.fixture(scope="module")
+def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
+    """Exports a model text and makes it; the runtime is compiled once for all."""
+    compiled: dict[tuple[str, ...], Path] = {}
+
+    def built(text: str, *, batch: bool = False, flags: str = "-O1") -> Module:
+        sink = Sink()
+        source = read(text, sink)
+        flat = front(source, sink) if source is not None else None
+        compilation = middle(flat, sink) if flat is not None else None
+        assert compilation is not None, sink.diagnostics
+        folder = tmp_path_factory.mktemp("module")
+        for path, content in CBackend(batch=batch).emit(compilation.program).files.items():
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_text(content, encoding="utf-8")
+        for object_file in sorted((compiled.setdefault((flags,), folder) / "lag").glob("*.o")):
+            shutil.copy(object_file, folder / "lag")
+        done = subprocess.run(
+            ["make", "-s", f"CFLAGS={flags}"], cwd=folder, capture_output=True, text=True, check=False
+        )
+        assert (done.returncode, done.stderr) == (0, "")
+        return Module(folder, compilation.program.name)
+
+    return built
+
+
+def test_the_ball_bounces_on_time_and_rests(build: Build) -> None:
+    ran = build(BALL).run(6.0, 0.5, 1e-10)
+    assert ran.code == 0, ran.errors
+    assert ran.errors == ""
+    impacts = [t for t, kind, _ in ran.events if kind == "impact"]
+    fall = math.sqrt(2.0 / G)
+    assert len(impacts) >= 20
+    closed_form = fall + np.concatenate([[0.0], np.cumsum(2.0 * fall * 0.8 ** np.arange(1, len(impacts)))])
+    np.testing.assert_allclose(impacts, closed_form, rtol=0.0, atol=1e-9)
+    assert [kind for _, kind, _ in ran.events[-1:]] == ["closed"]
+    assert ran.rows[-1]["N"] == pytest.approx(0.1 * G, rel=1e-12)
+    assert abs(ran.rows[-1]["h"]) < 1e-12
+    twice = [(a, b) for a, b in zip(ran.rows, ran.rows[1:], strict=False) if a["time"] == b["time"]]
+    assert [a["time"] for a, _ in twice] == [t for t, _, _ in ran.events]
+    for before, after in twice[:-1]:
+        assert after["der(h)"] == pytest.approx(-0.8 * before["der(h)"], rel=1e-12)
+    assert [row["time"] for row in ran.rows if row["time"] * 2 % 1 == 0] == [0.5 * k for k in range(13)]
+
+
+def test_the_same_events_as_numpy(build: Build) -> None:
+    """Contact, clock, relation, clause and end; rows as near to each other as the tolerance."""
+    ran = build(MACHINE).run(5.0, 0.05, 1e-9)
+    motion = lagdsl.compile(MACHINE, engine="numpy").simulate(stop=5.0, interval=0.05, tolerance=1e-9)
+    assert ran.code == 0, ran.errors
+    assert [(kind, name) for _, kind, name in ran.events] == [(event.kind, event.name) for event in motion.events]
+    assert {kind for _, kind, _ in ran.events} >= {"impact", "tick", "reinit", "true", "false", "terminate"}
+    np.testing.assert_allclose([t for t, _, _ in ran.events], [event.time for event in motion.events], atol=1e-8)
+    assert "turned, turned" in [name for t, _, name in ran.events if t == ran.events[-1][0]]
+    instants = sorted({t for t, _, _ in ran.events if t > 0.0})
+    grid = [t for t in (k / 20 for k in range(101)) if t < ran.events[-1][0]]
+    assert sorted({row["time"] for row in ran.rows}) == sorted({*grid, *instants})
+    for time in instants:
+        (before, after) = (row for row in ran.rows if row["time"] == time)
+        for side, found in (("left", before), ("right", after)):
+            index = np.searchsorted(motion.time, time - 1e-7 if side == "left" else time + 1e-7) - (side == "right")
+            for name in ("h", "x", "der(h)", "der(x)", "a", "f", "turns"):
+                assert found[name] == pytest.approx(float(motion[name][index]), abs=1e-7), (time, side, name)
+    assert ran.rows[-1]["turns"] == 5.0
+
+
+def test_what_cannot_go_on_says_why(build: Build) -> None:
+    pierced = build(BALL.replace("start = 1 m", "start = -1 m")).run(1.0, 0.1, 1e-8)
+    assert pierced.code == 1
+    assert "a contact is pierced at the start" in pierced.errors
+    refused = build(BALL.replace("end Ball", 'equation when h < 0.5 m then assert(false, "low"); end when; end Ball'))
+    ran = refused.run(1.0, 0.1, 1e-8)
+    assert ran.code == 1
+    assert f"t = {math.sqrt(1.0 / G):.6g} s: an assertion failed" in ran.errors
+
+
+@pytest.mark.parametrize("method", ["rk4", "leapfrog", "ros2"])
+def test_steps_of_fixed_length_have_events_at_their_ends(build: Build, method: str) -> None:
+    module = build(MACHINE)
+    command = [str(module.folder / "realtime"), "1", "1e-4", method]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0
+    quiet, eventful, *_, sideways = done.stdout.splitlines()
+    counts = [int(line.split()[0]) for line in (quiet, eventful)]
+    assert sum(counts) == 10000
+    exact = module.run(1.0, 1.0, 1e-9)
+    instants = {t for t, _, _ in exact.events if t > 0.0}
+    assert abs(counts[1] - len(instants)) <= 2
+    assert re.fullmatch(r"\d+ steps of 0.0001 s with events: mean \S+ us, longest \S+ us, \d+ longer .*", eventful)
+    assert float(sideways.split()[2]) == pytest.approx(exact.rows[-1]["x"], abs=2e-3)
+
+
+def test_events_are_clean_under_sanitizers(build: Build) -> None:
+    module = build(MACHINE, flags="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all")
+    ran = module.run(5.0, 0.05, 1e-6)
+    assert ran.code == 0, ran.errors
+    assert ran.errors == ""
+    for method in ("rk4", "leapfrog", "ros2"):
+        command = [str(module.folder / "realtime"), "1", "1e-3", method]
+        assert subprocess.run(command, capture_output=True, text=True, check=False).returncode == 0
+
+
+def test_the_page_of_the_module_is_true(build: Build) -> None:
+    """Every command on it does what it says."""
+    module = build(BALL)
+    page = (module.folder / "README.md").read_text(encoding="utf-8")
+    assert "MODEL" not in page
+    for block in re.findall(r"^```sh\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
+        if "clang" in block and shutil.which("clang") is None:
+            continue
+        done = subprocess.run(["sh", "-e"], input=block, cwd=module.folder, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+    listed = re.findall(r"^\| (`.*?`) \|", page, re.MULTILINE)
+    for name in re.findall(r"`([\w./]+)`", " ".join(listed)):
+        assert (module.folder / name).exists(), name
+    (example,) = re.findall(r"^```c\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    includes, statements = example.split("\n\n", 1)
+    body = f"{includes}\n#include <stdlib.h>\nint main(void) {{\n{statements}\nreturn status != LAG_OK;\n}}\n"
+    (module.folder / "own.c").write_text(body, encoding="utf-8")
+    make = "make clean && make libBall.a && cc -std=c11 -Wall -Werror -I. own.c libBall.a -lm -o own && ./own"
+    done = subprocess.run(make, shell=True, cwd=module.folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
