@@ -17,6 +17,7 @@ import numpy as np
 from lagdsl.analysis.point import Directions, Point, Subject, constraint_changes, coordinate_sizes
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.rank import Floats, rank
+from lagdsl.mechanics.structure_names import contact_rows
 
 # Of coordinates that can be left out equally well, the last ones are.
 _PREFERENCE = 1e-3
@@ -64,7 +65,8 @@ def partition(subject: Subject, point: Point, held: Sequence[int], sink: Sink) -
     jacobian = subject.engine.evaluate("velocity_constraint", *point.arguments)[1]
     rows = jacobian * sizes
     rows = rows / _lengths(rows)[:, None]
-    kept = [row for row, redundant in enumerate(layout.redundant) if not redundant]
+    away = [row for row in contact_rows(subject.flat) if not np.any(rows[row])]  # of open contacts
+    kept = [row for row, redundant in enumerate(layout.redundant) if not redundant and row not in away]
     if rank(rows, _DEPENDS) < len(kept):
         slack = [layout.constraints[row].name for row in kept]
         sink.report("E0850", None, names=", ".join(f"`{name}`" for name in slack))

@@ -16,6 +16,7 @@ from lagdsl.mechanics.structure_points import natural_sizes
 from lagdsl.program.program import Program
 from lagdsl.runtime.broadcast import BatchEngine
 from lagdsl.runtime.engine import SingularSystem
+from lagdsl.simulate.events.standing import standing
 from lagdsl.simulate.initialize import initial_state
 
 
@@ -55,7 +56,8 @@ def point_of(
     given: bool = False,
     sink: Sink | None = None,
 ) -> Point:
-    """The consistent state nearest to the starts; `start` replaces some by name, `theta` or `der(theta)`.
+    """The consistent state nearest to the starts; `start` replaces some by name, `theta` or `der(theta)`. Discretes are
+    as they would be where a motion begins there: contacts that carry are closed, all others open.
 
     `given`: the state is chosen by the caller, and initial equations are left out. Raises CompilationFailed.
     """
@@ -70,7 +72,7 @@ def point_of(
     own.raise_if_errors()
     defaults = subject.engine.evaluate("start", state.t, parameters)[3]
     inputs = defaults if u is None else u
-    w = np.zeros(len(layout.discretes))
+    w = standing(flat, subject.engine, state.t, (state.q, state.qd, state.z), inputs, parameters).w
     return Point(t=state.t, q=state.q, qd=state.qd, z=state.z, u=inputs, w=w, p=parameters)
 
 

@@ -3,7 +3,8 @@
 Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
 constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
 method, damped, with exact derivatives, from the start itself and from where a spring to the start lets the residuals
-become least; the nearer solution is taken, others are tried where there is none.
+become least; the nearer solution is taken, others are tried where there is none. Truths of relations and
+closed contacts are those of the start; where they are others at the solution it is looked for again with these.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from lagdsl.analysis.discretes import discretes_at, open_contacts
 from lagdsl.analysis.linearize import Named, holonomic_rows, reduce
 from lagdsl.analysis.partition import partition
 from lagdsl.analysis.point import (
@@ -36,6 +38,8 @@ from lagdsl.units.naming import rate_text
 _TRIES = 24
 _HOLDS = 1e-9
 _MOST_TOLD = 4
+# So often the truths, and which contacts are closed, may turn out to be others at the equilibrium found.
+_MOST_CHANGES = 12
 _STIFFNESSES = (1.0, 0.3, 0.1, 0.03, 0.01)
 
 
@@ -116,15 +120,12 @@ def trim_at(
             sink.report("E0853", None, name=name, what=what, known=", ".join(names))
     if sink.has_errors:
         return None
-    task = _task(subject, start, [names.index(n) for n in free], [names.index(n) for n in hold], sink)
-    if task is None:
+    whose = [names.index(n) for n in free], [names.index(n) for n in hold]
+    reached = _reached(subject, start, whose, sink)
+    if reached is None:
         return None
-    with np.errstate(all="ignore"):
-        found, scale = _search(task)
+    task, found = reached
     point = task.point(found.point)
-    if not found.size <= _HOLDS:
-        _report(task, found, scale, sink)
-        return None
     at = reduce(subject, point, holonomic_rows(subject), sink)
     if at is None:
         return None
@@ -135,6 +136,29 @@ def trim_at(
         residual=found.size,
         steadiness=steadiness(subject, at),
     )
+
+
+def _reached(
+    subject: Subject, start: Point, whose: tuple[list[int], list[int]], sink: Sink
+) -> tuple[_Task, Descent] | None:
+    """The solution with the discretes that belong to it."""
+    for _ in range(_MOST_CHANGES):
+        task = _task(subject, start, *whose, sink)
+        if task is None:
+            return None
+        with np.errstate(all="ignore"):
+            found, scale = _search(task)
+        if not found.size <= _HOLDS:
+            _report(task, found, scale, sink)
+            return None
+        point = task.point(found.point)
+        w = discretes_at(subject, point)
+        if np.array_equal(w, point.w):
+            return task, found
+        start = replace(point, w=w)
+    notes = tuple(open_contacts(subject, start))
+    sink.report("E0852", None, notes=notes, left="every solution changes what is true or closed, and so another one")
+    return None
 
 
 def _asked(task: _Task, names: Sequence[str], free: Sequence[str]) -> set[int]:
@@ -212,6 +236,7 @@ def _report(task: _Task, found: Descent, scale: Floats, sink: Sink) -> None:
     left = f"{told[0]} remains" if told and np.isfinite(found.size) else "the accelerations are not finite"
     closest = configuration(flat, task.point(found.point).q)
     notes = [f"left over: {', '.join(told)}", f"closest configuration: {closest}"]
+    notes += open_contacts(task.subject, task.start)
     held = [c.name for j, c in enumerate(flat.coordinates) if j not in task.free]
     if held:
         notes.append(f"not free: {', '.join(f'`{name}`' for name in held[:_MOST_TOLD])}")

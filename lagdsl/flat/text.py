@@ -12,6 +12,7 @@ from typing import assert_never
 from lagdsl.diagnostics.excerpt import printable
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
+from lagdsl.flat.event_text import event_sections
 from lagdsl.flat.expression_text import flat_expression_text as text_of
 from lagdsl.flat.expression_text import number_text
 from lagdsl.flat.quantity import Item, Quantity
@@ -42,6 +43,8 @@ def flat_text(flat: fm.FlatModel) -> str:
     lines += _section("parameters", [_parameter(parameter) for parameter in flat.parameters])
     lines += _section("definitions", [_named(item) for item in flat.named])
     lines += _section("outputs", [_quantity(output, text_of(output.value)) for output in flat.outputs])
+    for title, found in event_sections(flat.events):
+        lines += _section(title, [_Line(text, source) for text, source in found])
     lines += _section("invariants", [_invariant(invariant) for invariant in flat.invariants])
     lines += _section("initial equations", [_Line(f"0 = {text_of(e.residual)}", e) for e in flat.initial_equations])
     lines += _section("assertions", [_assertion(assertion) for assertion in flat.assertions])

@@ -9,6 +9,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.report.document import Block, Document
 from lagdsl.report.forces import loads
 from lagdsl.report.html import html
+from lagdsl.report.instants import contacts, events
 from lagdsl.report.latex import latex
 from lagdsl.report.left_side import coordinates, derivatives, energies, parameters, positions, velocities
 from lagdsl.report.markdown import markdown
@@ -36,7 +37,9 @@ _SECTIONS: tuple[Callable[[Page], list[Block]], ...] = (
     loads,
     equations,
     constraints,
+    contacts,
     states,
+    events,
     outputs,
     abbreviations,
     conserved,

@@ -74,6 +74,9 @@ def notation(symbols: Symbols, abbreviations: tuple[Symbol, ...], rows: tuple[st
         inner = symbol.name.count("der(")
         bare = symbol.name[4 * inner : len(symbol.name) - inner] if inner else symbol.name
         boxes[symbol] = dotted(name_box(bare), inner) if inner else name_box(bare)
+    for symbol in symbols.w:
+        if not symbol.name.isidentifier() and set(symbol.name) & set("<>( "):
+            boxes[symbol] = Upright(symbol.name)  # the truth of a relation, in its own words
     for multiplier, name in zip(symbols.lam, rows, strict=True):
         boxes[multiplier] = _multiplier(name, len(rows))
     return Notation(boxes)

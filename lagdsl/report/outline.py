@@ -34,6 +34,7 @@ from lagdsl.report.document import (
     Text,
     text,
 )
+from lagdsl.report.instants import event_list
 from lagdsl.report.names import statement
 from lagdsl.report.notation import name_box
 from lagdsl.textbook.extent import Extent
@@ -56,7 +57,9 @@ def outline(flat: FlatModel, extent: Extent) -> tuple[Block, ...]:
     blocks += _parts("Masses and bodies", [*flat.masses, *flat.bodies])
     blocks += _parts("Energies", flat.energies)
     blocks += _parts("Loads", flat.loads)
-    blocks += _parts("Constraints", flat.constraints)
+    blocks += _parts("Constraints", [each for each in flat.constraints if not each.contact])
+    blocks += _parts("Contacts", flat.events.contacts)
+    blocks += event_list(flat)
     return (*blocks, *_equations(flat))
 
 

@@ -68,7 +68,7 @@ def _matrix_form(page: Page) -> list[Block]:
 
 
 def constraints(page: Page) -> list[Block]:
-    rows = page.derivation.constraints
+    rows = tuple(row for row in page.derivation.constraints if not row.contact)
     if not rows:
         return []
     conditions = tuple(Equation(page.typeset(row.residual), _ZERO, final=True) for row in rows)

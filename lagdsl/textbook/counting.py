@@ -71,11 +71,11 @@ def count(
     residuals: Sequence[Expr],
     velocities: Sequence[Expr],
 ) -> Count:
-    """`residuals` of the position rows and `velocities` (J qd + b) of all rows, in the symbols of the model and in
-    `constants`, each defined by those before it."""
+    """`residuals` of the position rows and `velocities` (J qd + b) of all rows but those of contacts, in the symbols of
+    the model and in `constants`, each defined by those before it."""
     moving = frozenset().union(*(x.free_symbols for item in parts.inertials for x in (*item.position, *item.spin)))
     placing = sum(1 for q, qd in zip(table.q, table.qd, strict=True) if q in moving or qd in moving)
-    levels = [constraint.level for constraint in flat.constraints for _ in constraint.rows]
+    levels = [constraint.level for constraint in flat.constraints if not constraint.contact for _ in constraint.rows]
     position = [velocity for velocity, level in zip(velocities, levels, strict=True) if level == "position"]
     ranks = _Ranks(flat, table, constants)
     return Count(
@@ -98,7 +98,8 @@ class _Ranks:
         self._graph = Graph()
         self._table = table
         nodes = {table.time: self._graph.symbol(Group.TIME)}
-        for group, members in {Group.Q: table.q, Group.QD: table.qd, Group.U: table.u, Group.P: table.p}.items():
+        groups = {Group.Q: table.q, Group.QD: table.qd, Group.U: table.u, Group.W: table.w, Group.P: table.p}
+        for group, members in groups.items():
             nodes |= {symbol: self._graph.symbol(group, index) for index, symbol in enumerate(members)}
         self._to_graph = ToGraph(self._graph, nodes)
         for symbol, value in constants:
@@ -137,6 +138,7 @@ class _Ranks:
             Group.Q: q,
             Group.QD: np.ones(len(q)),
             Group.U: np.zeros(len(table.u)),
+            Group.W: np.zeros(len(table.w)),
             Group.P: np.array(self._parameters, dtype=float),
         }
         return np.array([float(value) for value in evaluate(self._graph, nodes, arguments)])

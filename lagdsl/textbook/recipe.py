@@ -16,6 +16,7 @@ from enum import StrEnum
 
 from sympy import Add, Expr, Symbol
 
+from lagdsl.flat.events import Impact, Reset
 from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.textbook import geometry
 from lagdsl.textbook.contributions import (
@@ -72,7 +73,8 @@ class ActionStep:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConstraintRow:
     """`residual` = 0, on position or velocity level; `forces` are its multiplier's factors in the equations, per
-    coordinate; `acceleration` is the row differentiated until accelerations appear."""
+    coordinate; `acceleration` is the row differentiated until accelerations appear. Of a contact the residual is the
+    gap, and all that holds while it is closed."""
 
     name: str
     level: str
@@ -80,6 +82,7 @@ class ConstraintRow:
     residual: Expr
     forces: tuple[Expr, ...]
     acceleration: Expr
+    contact: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -141,8 +144,9 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         [s.momentum for s in steps],
     )
     constants = _definitions(reading, reading.constants)
-    position = [row.residual for row in rows if row.level == "position"]
-    velocities = [_velocity(reading, row) for row in rows]
+    lasting = [row for row in rows if not row.contact]
+    position = [row.residual for row in lasting if row.level == "position"]
+    velocities = [_velocity(reading, row) for row in lasting]
     free = [
         step.q
         for step, load, drag in zip(steps, loads, drags, strict=True)
@@ -153,7 +157,8 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         for symbol, state in zip(table.z, flat.states, strict=True)
     )
     outputs = tuple((output.name, tidy(reading.values.scalar(output.value))) for output in flat.outputs)
-    autonomous = not (table.time in lagrangian.free_symbols or lagrangian.free_symbols & {*table.u, *table.z})
+    moved = {*table.u, *table.z, *table.w}
+    autonomous = not (table.time in lagrangian.free_symbols or lagrangian.free_symbols & moved or _jumps(flat))
     conserved = autonomous and not any(loads) and not any(drags) and not _rheonomic(reading, rows)
     return Derivation(
         symbols=table,
@@ -174,7 +179,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         abbreviations=_used(_definitions(reading, reading.abbreviations), actions, (*states, *outputs)),
         states=states,
         outputs=outputs,
-        cyclic=tuple(q for q in free if not any(row.forces[table.q.index(q)] for row in rows)),
+        cyclic=tuple(q for q in free if not _resets(flat) and not any(row.forces[table.q.index(q)] for row in rows)),
         jacobi_conserved=conserved,
         energy_conserved=conserved and _is_scleronomic(reading, kinetic),
     )
@@ -242,10 +247,11 @@ def _is_vector(value: Vector | Expr) -> bool:
 
 def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]:
     tidy, table, converter = reading.tidy, reading.symbols, reading.parts.converter
-    named = [(row, constraint.level) for constraint in flat.constraints for row in constraint.rows]
+    named = [(row, constraint) for constraint in flat.constraints for row in constraint.rows]
     rows = []
-    for (name, level), multiplier, raw in zip(named, table.lam, reading.parts.residuals, strict=True):
-        residual = tidy(raw)
+    for (name, constraint), multiplier, raw in zip(named, table.lam, reading.parts.residuals, strict=True):
+        level = constraint.level
+        residual = tidy(partial(raw, Symbol(f"closed({name})")) if constraint.contact else raw)
         by = table.q if level == "position" else table.qd
         velocity = converter.rate(residual) if level == "position" else residual
         rows.append(
@@ -256,9 +262,21 @@ def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]
                 residual=residual,
                 forces=tuple(tidy(partial(residual, symbol)) for symbol in by),
                 acceleration=_by_accelerations(reading, converter.rate(velocity)),
+                contact=constraint.contact,
             )
         )
     return tuple(rows)
+
+
+def _resets(flat: FlatModel) -> bool:
+    """Whether a clause makes rates jump."""
+    actions = (action for when in flat.events.whens for branch in when.branches for action in branch.actions)
+    return any(isinstance(action, Reset | Impact) for action in actions)
+
+
+def _jumps(flat: FlatModel) -> bool:
+    """Whether energy may change at an instant."""
+    return bool(flat.events.contacts) or _resets(flat) or any(each.switched for each in flat.constraints)
 
 
 def _velocity(reading: Reading, row: ConstraintRow) -> Expr:

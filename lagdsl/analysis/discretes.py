@@ -1,0 +1,30 @@
+"""Truths and contacts at an equilibrium."""
+
+from __future__ import annotations
+
+from lagdsl.analysis.point import Point, Subject
+from lagdsl.mechanics.rank import Floats
+from lagdsl.simulate.events.standing import standing
+
+_MOST_TOLD = 4
+
+
+def discretes_at(subject: Subject, point: Point) -> Floats:
+    """w (nw,) as it is at the point; contacts that it lies beyond are closed in it."""
+    state = (point.q, point.qd, point.z)
+    found = standing(subject.flat, subject.engine, point.t, state, point.u, point.p)
+    entries = [k for k, kind in enumerate(subject.engine.layout.kinds) if kind == "contact"]
+    w = found.w.copy()
+    w[[entries[k] for k in found.pierced]] = 1.0
+    return w
+
+
+def open_contacts(subject: Subject, point: Point) -> list[str]:
+    """A note on which contacts are open, if any: something may be meant to rest on one."""
+    layout = subject.engine.layout
+    truths = zip(layout.discretes, layout.kinds, point.w.tolist(), strict=True)
+    open_ = [slot.name[len("closed(") : -1] for slot, kind, value in truths if kind == "contact" and value == 0.0]
+    if not open_:
+        return []
+    names = ", ".join(f"`{name}`" for name in open_[:_MOST_TOLD])
+    return [f"open contacts: {names}; what is to rest on one starts where its gap is zero"]

@@ -1,0 +1,149 @@
+"""What the report says of instants: contacts with the law of impact, what is sampled, located and done at events."""
+
+from __future__ import annotations
+
+from lagdsl.flat.event_text import action_text
+from lagdsl.flat.events import Branch, Clock, Contact, When
+from lagdsl.flat.expression_text import flat_expression_text
+from lagdsl.flat.model import FlatModel
+from lagdsl.report.boxes import Box, Bracket, Dotted, Name, Number, Operator, Power, Row, Subscript, Sum, Upright, row
+from lagdsl.report.document import (
+    Block,
+    Bullets,
+    Code,
+    Equation,
+    Equations,
+    Heading,
+    Inline,
+    Math,
+    Paragraph,
+    Table,
+    Text,
+    text,
+)
+from lagdsl.report.names import statement
+from lagdsl.report.page import Page
+from lagdsl.textbook.recipe import ConstraintRow
+
+_MOST = 12
+_OPEN = (
+    "A contact is a gap that cannot become negative. While it is open its multiplier is 0 and its row is not there; "
+    "closed, the row holds like a constraint, and it opens where its multiplier would become negative."
+)
+_LAW = (
+    "Where a gap closes, the rates jump and the impulses p push only; the constraints, with impulses P, hold before "
+    "and after. M is the matrix of the accelerations; J and J with index c hold the derivatives of the constraints and "
+    "of the gaps by the coordinates:"
+)
+_SLOW = "Slow rebounds, and series of impacts whose rest is short, end with the contact closed."
+_PASS = (
+    "At an event the clauses are gone through in the order of their data until nothing changes. A clause acts where "
+    "one of its conditions becomes true; `pre(v)` is the value before."
+)
+_PROJECTED = (
+    "After a clause has acted, the rates are moved onto the constraints by the smallest impulse (in the metric of M)."
+)
+
+
+def contacts(page: Page) -> list[Block]:
+    """Gaps with their factors in the equations, and the law of impact."""
+    rows = [each for each in page.derivation.constraints if each.contact]
+    if not rows:
+        return []
+    known = {each.name: each for each in page.flat.events.contacts}
+    table = tuple(_contact(page, each, known[each.name]) for each in rows)
+    return [
+        Heading("Contacts"),
+        Paragraph(text(_OPEN)),
+        Table(("contact", "gap", "restitution e", "multiplier"), table),
+        *_impacts(),
+    ]
+
+
+def _contact(page: Page, found: ConstraintRow, contact: Contact) -> tuple[Inline, ...]:
+    restitution = text(flat_expression_text(contact.restitution))
+    gap = page.typeset(found.residual)
+    return (Code(found.name),), (Math(gap),), restitution, (Math(page.notation.of(found.multiplier)),)
+
+
+def _impacts() -> list[Block]:
+    after, before = (Power(Dotted(Name("q"), 1), Upright(sign)) for sign in ("+", "−"))
+    mass, gaps, rows = Name("M"), Subscript(Name("J"), Upright("c")), Name("J")
+    change = Row((mass, Bracket(Sum((("+", after), ("-", before))))))
+    impulses = Sum((("+", Row((_transposed(gaps), Name("p")))), ("+", Row((_transposed(rows), Name("P"))))))
+    rebound = Sum((("-", Row((Name("e"), gaps, before))),))
+    return [
+        Paragraph(text(_LAW)),
+        Equations(
+            (
+                Equation(change, impulses, final=True),
+                Equation(Row((gaps, after)), rebound, final=True),
+            )
+        ),
+        Paragraph((Text("with "), Math(row(Name("p"), Operator("≥"), Number("0"))), Text(". " + _SLOW))),
+    ]
+
+
+def _transposed(matrix: Box) -> Box:
+    return Power(matrix, Upright("T"))
+
+
+def events(page: Page) -> list[Block]:
+    return event_list(page.flat)
+
+
+def event_list(flat: FlatModel) -> list[Block]:
+    """Discrete variables, clocks and clauses; long lists are cut at a dozen."""
+    found = flat.events
+    acting = [each for each in found.whens if any(branch.actions for branch in each.branches)]
+    if not (found.discretes or found.relations or acting):
+        return []
+    blocks: list[Block] = [Heading("Events")]
+    if found.discretes:
+        rows: list[tuple[Inline, ...]] = [
+            (
+                (Code(each.name),),
+                text("" if each.unit == "1" else each.unit),
+                text(flat_expression_text(each.start)),
+                text(each.doc or ""),
+            )
+            for each in found.discretes[:_MOST]
+        ]
+        blocks.append(Table(("constant between events", "unit", "at the start", "meaning"), tuple(rows)))
+    if found.clocks:
+        blocks.append(Bullets(tuple(_clock(each) for each in found.clocks[:_MOST])))
+    if found.relations:
+        names: list[Inline] = [(Code(each.name),) for each in found.relations[:_MOST]]
+        more = len(found.relations) - len(names)
+        tail = [text(f"… and {more} more.")] if more else []
+        blocks += [
+            Paragraph(text("Each of these is located where it changes, and held in between:")),
+            Bullets((*names, *tail)),
+        ]
+    if acting:
+        blocks += [Paragraph(_spoken(_PASS)), Bullets(tuple(line for each in acting[:_MOST] for line in _clause(each)))]
+        if flat.constraints:
+            blocks.append(Paragraph(text(_PROJECTED)))
+    return blocks
+
+
+def _spoken(words: str) -> Inline:
+    """Plain words with pieces of the language between back-quotes."""
+    return tuple(Code(part) if number % 2 else Text(part) for number, part in enumerate(words.split("`")))
+
+
+def _clock(clock: Clock) -> Inline:
+    first, period = flat_expression_text(clock.start), flat_expression_text(clock.period)
+    return (Code(clock.name), Text(" ticks at "), Code(f"{first} s + k*({period} s)"), Text(", k = 0, 1, 2 …"))
+
+
+def _clause(when: When) -> list[Inline]:
+    return [_branch("when", when.branches[0]), *(_branch("else when", branch) for branch in when.branches[1:])]
+
+
+def _branch(word: str, branch: Branch) -> Inline:
+    parts: list[Text | Code | Math] = [Text(f"{word} "), Code(statement(branch, "its condition")), Text(": ")]
+    for number, action in enumerate(branch.actions):
+        guard = "" if action.guard is None else f"if {flat_expression_text(action.guard)}: "
+        parts += [Text("; " if number else ""), Code(f"{guard}{action_text(action)}")]
+    return tuple(parts)
