@@ -34,7 +34,7 @@ HORIZON = 1e-3
 INSTANT = 1e-7
 
 
-class Hang(Exception):
+class HangError(Exception):
     """A run did not end in time."""
 
 
@@ -58,15 +58,17 @@ class Report:
 
 @contextmanager
 def limited(seconds: int) -> Iterator[None]:
+    """Interrupts again and again: what is raised inside a function that C calls may be lost."""
+
     def stop(_number: int, _frame: FrameType | None) -> None:
-        raise Hang
+        raise HangError
 
     before = signal.signal(signal.SIGALRM, stop)
-    signal.alarm(seconds)
+    signal.setitimer(signal.ITIMER_REAL, seconds, 0.2)
     try:
         yield
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
         signal.signal(signal.SIGALRM, before)
 
 
@@ -86,7 +88,7 @@ def compare(text: str) -> Report:
         model = lagdsl.compile(text, engine=engine)
         try:
             runs[engine] = run(model, TOLERANCE), run(model, 0.1 * TOLERANCE)
-        except Hang:
+        except HangError:
             return Report("hang", engine)
         for each in runs[engine]:
             if each.code is None and not all(np.all(np.isfinite(c.values)) for c in each.motion.columns):

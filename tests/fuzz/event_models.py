@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import pairwise
 from random import Random
 
 STOP = 2.0
@@ -112,7 +113,7 @@ def row(d: Draft) -> None:
         d.items.append(f"coordinate Real {x}(start = {start:.4g}, der(start = {speed}));")
         d.items.append(f"kinetic 1/2*{d.random.choice(['1', d.number(0.5, 2)])}*der({x})^2;")
         start += 0.1 if i and d.random.random() < 0.5 else 0.1 + float(d.number(0.01, 0.3))
-    for left, right in zip(names, names[1:], strict=False):
+    for left, right in pairwise(names):
         d.items.append(f"contact {d.name('c')}: {right} - {left} >= 0.1 with restitution = {e};")
     if d.random.random() < 0.5:
         d.contact(f"{names[-1]} <= {start + 0.2:.4g}")

@@ -44,24 +44,28 @@ class Contacts:
 
     # ---- what changes ------------------------------------------------------------------------------------------------
 
-    def changed(self, t: float, y: Floats, w: Floats) -> list[int]:
-        """Open contacts whose gap is negative and closes further, closed ones that would pull."""
-        if not len(self._discretes.contacts):
-            return []
+    def look(self, t: float, y: Floats, w: Floats, inside: Flags) -> tuple[Floats, Flags]:
+        """What passes zero when contacts change, the gap of open and the multiplier of closed ones, and which have
+        changed: gaps that are negative, if those that were so before, `inside`, close further; multipliers that pull.
+        """
+        entries = self._discretes.contacts
+        count, closed = len(entries), w[entries] != 0.0
+        if not count:
+            return np.zeros(0), inside
         gaps = self._discretes.gaps(t, y, w)
-        closed = w[self._discretes.contacts] != 0.0
-        count = len(closed)
-        through = ~closed & (gaps.gap[:count] < -_ROUNDING * size(y)) & (gaps.speed[:count] < 0.0)
-        pulling = np.zeros(count, dtype=np.bool_)
-        if closed.any():
-            pulling = closed & (self._discretes.multipliers(t, y, w) < -self.slack[1])
-        return np.flatnonzero(through | pulling).tolist()
+        gap = gaps.gap[:count]
+        through = (gap < -_ROUNDING * size(y)) & (~inside | (gaps.speed[:count] < 0.0))
+        if not closed.any():
+            return gap, through
+        force = self._discretes.multipliers(t, y, w)
+        return np.where(closed, force, gap), np.where(closed, force < -self.slack[1], through)
 
-    def value(self, index: int, t: float, y: Floats, w: Floats) -> float:
-        """What passes zero when the contact changes."""
-        if w[self._discretes.contacts[index]] != 0.0:
-            return float(self._discretes.multipliers(t, y, w)[index])
-        return float(self._discretes.gaps(t, y, w).gap[index])
+    def inside(self, t: float, y: Floats, w: Floats) -> Flags:
+        """Gaps that are negative but for round-off."""
+        count = len(self._discretes.contacts)
+        if not count:
+            return np.zeros(0, dtype=np.bool_)
+        return np.asarray(self._discretes.gaps(t, y, w).gap[:count] < -_ROUNDING * size(y))
 
     def pierced(self, t: float, y: Floats, w: Floats) -> list[int]:
         """Contacts whose gap is negative."""

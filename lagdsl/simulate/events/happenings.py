@@ -13,7 +13,7 @@ from lagdsl.simulate.events.accumulation import Accumulation
 from lagdsl.simulate.events.clocks import Clocks
 from lagdsl.simulate.events.contacts import Contacts
 from lagdsl.simulate.events.discretes import Discretes
-from lagdsl.simulate.events.location import first_change
+from lagdsl.simulate.events.location import Look, first_change
 from lagdsl.simulate.events.passes import AHEAD, Passes, Result
 from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.right_hand_side import RightHandSide
@@ -83,19 +83,16 @@ class Happenings:
         self._passes.moment = AHEAD * (after - before)
         w, relations = self._system.w, len(self._discretes.relations)
 
-        def changed(t: float) -> list[int]:
-            y = np.asarray(dense(t))
-            truths = self._discretes.truths(t, y, w)
-            found = np.flatnonzero(truths != (w[self._discretes.relations] != 0.0)).tolist()
-            return [*found, *(relations + each for each in self._contacts.changed(t, y, w))]
+        inside = self._contacts.inside(before, np.asarray(dense(before)), w)
 
-        def value(index: int, t: float) -> float:
+        def look(t: float) -> Look:
             y = np.asarray(dense(t))
-            if index < relations:
-                return float(self._discretes.indicators(t, y, w)[index])
-            return self._contacts.value(index - relations, t, y, w)
+            indicators = self._discretes.indicators(t, y, w)
+            turned = self._discretes.holds(indicators) != (w[self._discretes.relations] != 0.0)
+            values, changed = self._contacts.look(t, y, w, inside)
+            return Look(np.append(indicators, values), np.flatnonzero(np.append(turned, changed)).tolist())
 
-        found = first_change(before, after, changed, value)
+        found = first_change(before, after, look)
         if found is None:
             return None
         t, indices = found

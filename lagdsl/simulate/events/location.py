@@ -2,61 +2,98 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from typing import NamedTuple
 
+import numpy as np
 from scipy.optimize import brentq
 
-# Places inside a step at which it is looked whether something changed: what changes and changes back within a quarter
-# of a step is missed.
-PLACES = (0.25, 0.5, 0.75, 1.0)
-# So often an interval is halved before nothing is left of it.
+from lagdsl.mechanics.rank import Floats
+
+# Places inside a step at which it is looked whether something changed.
+PLACES = (0.0, 0.25, 0.5, 0.75, 1.0)
+# What comes and goes between them shows as a parabola whose vertex is this much nearer to zero than what was seen. So
+# near to the beginning of the step, as a part of it, there are no vertices: there it is what has just happened.
+_NEARER = 0.3
+_BEGINNING = 0.01
+# So often an interval is halved before nothing is left of it. At least this part of the other is no round-off.
 _HALVINGS = 60
-# At least this part of the other is no round-off.
 _ALIKE = 1e-6
 # Roots that differ by less than so many roundings of time are one.
 _TOGETHER = 8.0
 
-Changed = Callable[[float], Sequence[int]]
-Value = Callable[[int, float], float]
+
+class Look(NamedTuple):
+    """What there is at a time: values that pass zero where something changes, and the indices of what is other than at
+    the beginning of the step."""
+
+    values: Floats
+    changed: list[int]
 
 
-def first_change(before: float, after: float, changed: Changed, value: Value) -> tuple[float, list[int]] | None:
-    """The earliest time in (before, after] at which something has changed, and all that has changed then.
-
-    `changed(t)` are the indices of what is other than at the beginning, `value(index, t)` passes zero there. None where
-    nothing changes.
-    """
-    left = before
-    for place in PLACES:
-        right = before + place * (after - before) if place < 1.0 else after
-        found = changed(right)
-        if found:
-            return _earliest(left, right, list(found), changed, value)
-        left = right
+def first_change(before: float, after: float, look: Callable[[float], Look]) -> tuple[float, list[int]] | None:
+    """The earliest time in (before, after] at which something has changed, and all that changes there but for round-off
+    of time. None where nothing changes."""
+    times = [before]
+    seen = [look(before)]
+    for place in PLACES[1:]:
+        times.append(before + place * (after - before) if place < 1.0 else after)
+        seen.append(look(times[-1]))
+        if len(seen) > 2:
+            vertex = _vertex(times[-3:], seen[-3:], before + _BEGINNING * (after - before), look)
+            if vertex is not None:
+                left = times[-3] if vertex[0] <= times[-2] else times[-2]
+                return _earliest(left, *vertex, look)
+        if seen[-1].changed:
+            return _earliest(times[-2], times[-1], seen[-1], look)
     return None
 
 
-def _earliest(left: float, right: float, indices: list[int], changed: Changed, value: Value) -> tuple[float, list[int]]:
-    """The first root of all that changed, and what changed there, but for round-off of time."""
-    roots = [_root(index, left, right, changed, value) for index in indices]
+def _vertex(
+    times: list[float], seen: list[Look], first: float, look: Callable[[float], Look]
+) -> tuple[float, Look] | None:
+    """Where something has changed that is as ever at three equidistant times."""
+    a, b, c = (each.values for each in seen)
+    bend = a - 2.0 * b + c
+    with np.errstate(all="ignore"):
+        part = 0.5 * (a - c) / bend  # of the distance, from the middle
+        height = b - 0.25 * (a - c) * part
+    least = np.minimum(np.abs(a), np.minimum(np.abs(b), np.abs(c)))
+    near = (
+        (np.abs(part) < 1.0) & ((np.abs(height) < _NEARER * least) | (height * b < 0.0)) & (a * b > 0.0) & (b * c > 0.0)
+    )
+    for index in np.flatnonzero(near).tolist():
+        time = times[1] + float(part[index]) * (times[2] - times[1])
+        if first < time < times[2]:
+            there = look(time)
+            if index in there.changed:
+                return time, there
+    return None
+
+
+def _earliest(left: float, right: float, seen: Look, look: Callable[[float], Look]) -> tuple[float, list[int]]:
+    """The first root of all that has changed at `right`, and what changes there."""
+    roots = [_root(index, left, right, look) for index in seen.changed]
     together = min(roots) + _TOGETHER * _rounding(left, right)
-    return min(roots), [index for index, root in zip(indices, roots, strict=True) if root <= together]
+    return min(roots), [index for index, root in zip(seen.changed, roots, strict=True) if root <= together]
 
 
-def _root(index: int, left: float, right: float, changed: Changed, value: Value) -> float:
+def _root(index: int, left: float, right: float, look: Callable[[float], Look]) -> float:
     """Where `index`, changed at `right`, changes. A value that is zero but for round-off at the left, as after an
     impact, tells nothing: the interval is halved until its ends have different signs and alike sizes."""
-    low, high = value(index, left), value(index, right)
+    low, high = float(look(left).values[index]), float(look(right).values[index])
     for _ in range(_HALVINGS):
         if low * high < 0.0 and abs(low) >= _ALIKE * abs(high):
-            return float(brentq(lambda t: value(index, t), left, right, xtol=_rounding(left, right), rtol=9e-16))
+            xtol = _rounding(left, right)
+            return float(brentq(lambda t: float(look(t).values[index]), left, right, xtol=xtol, rtol=9e-16))
         middle = 0.5 * (left + right)
         if not left < middle < right:
             break
-        if index in changed(middle):
-            right, high = middle, value(index, middle)
+        there = look(middle)
+        if index in there.changed:
+            right, high = middle, float(there.values[index])
         else:
-            left, low = middle, value(index, middle)
+            left, low = middle, float(there.values[index])
     return right
 
 
