@@ -14,12 +14,14 @@ if TYPE_CHECKING:
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.diagnostics import CompilationFailed, Diagnostic
     from lagdsl.simulate.failure import SimulationFailed
+    from lagdsl.simulate.trajectory import Event
 
 __version__ = "0.1.0"
 
 _HOMES = {
     "CompilationFailed": "lagdsl.diagnostics",
     "Diagnostic": "lagdsl.diagnostics",
+    "Event": "lagdsl.simulate.trajectory",
     "Model": "lagdsl.api.model",
     "SimulationFailed": "lagdsl.simulate.failure",
     "Trajectory": "lagdsl.api.trajectory",
@@ -27,7 +29,7 @@ _HOMES = {
     "compile": "lagdsl.api.compile",
 }
 
-__all__ = ["CompilationFailed", "Diagnostic", "Model", "SimulationFailed", "Trajectory", "check", "compile"]
+__all__ = ["CompilationFailed", "Diagnostic", "Event", "Model", "SimulationFailed", "Trajectory", "check", "compile"]
 
 
 def __getattr__(name: str) -> object:

@@ -92,6 +92,12 @@ class Model(Interface):
         return _names(self._layout.inputs)
 
     @property
+    def discretes(self) -> list[str]:
+        """The entries of `w`: discrete variables, `closed(c)` and `impacts(c)` of contacts, relations as written, and
+        what else clauses remember. Truths are 0 and 1."""
+        return _names(self._layout.discretes)
+
+    @property
     def outputs(self) -> list[str]:
         return _names(self._layout.outputs)
 

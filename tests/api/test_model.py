@@ -234,6 +234,32 @@ def test_failures_are_told_with_time_and_motion() -> None:
     assert caught.value.trajectory.plot() is not None
 
 
+def test_discretes_are_an_argument() -> None:
+    text = """model Buffer
+      parameter Length play = 0.1 m;
+      coordinate Length x, h(start = 1 m);
+      discrete Force F(start = 3);
+      kinetic 1/2*(1 kg)*(der(x)^2 + der(h)^2);
+      contact floor: h >= 0 with restitution = 0.5;
+      force F - (if x > play then (1000 N/m)*(x - play) else 0) on x;
+      force -1 N on h;
+    equation
+      when sample(1 s, 1 s) then
+        F = 0;
+      end when;
+    end Buffer;"""
+    model = lagdsl.compile(text)
+    assert model.discretes[:4] == ["F", "closed(floor)", "impacts(floor)", "x > play"]
+    q = np.array([[0.0, 1.0], [0.2, 0.0]])
+    np.testing.assert_allclose(model.forward_dynamics(0.0, q, np.zeros(2)), [[3.0, -1.0], [-97.0, -1.0]])
+    w = np.zeros(len(model.discretes))
+    w[[0, 1]] = 5.0, 1.0
+    np.testing.assert_allclose(model.forward_dynamics(0.0, q[1], np.zeros(2), w=w), [5.0, 0.0], atol=1e-12)
+    event = model.simulate(stop=1.0).events[0]
+    assert isinstance(event, lagdsl.Event) and (event.name, event.kind) == ("x > play", "true")
+    assert event.time == pytest.approx(np.sqrt(2 * 0.1 / 3.0), abs=1e-9)
+
+
 def test_structural_parameters(root: Path) -> None:
     model = lagdsl.compile(root / "models" / "chain.lag", structural={"N": 3})
     assert model.coordinates == ["q[1]", "q[2]", "q[3]"]
