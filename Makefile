@@ -31,7 +31,7 @@ test: $(READY)  ## all tests; those of the floors cover at least 95 % of the bra
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
 
-c-test: $(READY)  ## tests of the C runtime, with the address and undefined-behavior sanitizers
+c-test: $(READY)  ## tests of the C runtime under sanitizers and valgrind, warnings of every compiler there is
 	$(MAKE) --directory=lagdsl/runtime/c test
 
 update: $(READY)  ## regenerate what is generated: parser tables, unit table, list of the library, expectations of the corpus

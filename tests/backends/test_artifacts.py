@@ -131,7 +131,7 @@ def test_the_example_prints_accelerations_and_motion(tmp_path: Path) -> None:
             subprocess.run([program, "1", "1e-3"], capture_output=True, text=True, check=True).stdout.splitlines()
         )
     )
-    assert list(rows[0]) == ["time", "theta", "der(theta)", "z0"]
+    assert list(rows[0]) == ["time", "theta", "der(theta)", "z0", "y0", "y1"]
     assert len(rows) == 1001
     from scipy.integrate import solve_ivp
 
@@ -140,7 +140,9 @@ def test_the_example_prints_accelerations_and_motion(tmp_path: Path) -> None:
         return [rate, -9.80665 / length * np.sin(theta) + (torque - 0.1 * z) / (m * length**2), (rate - z) / 0.3]
 
     reference = solve_ivp(rates, (0, 1), [0.5, 0, 0], rtol=1e-12, atol=1e-12).y[:, -1]
-    np.testing.assert_allclose([float(x) for x in list(rows[-1].values())[1:]], reference, rtol=1e-9)
+    state, outputs = np.split(np.array([float(x) for x in list(rows[-1].values())[1:]]), [3])
+    np.testing.assert_allclose(state, reference, rtol=1e-9)
+    np.testing.assert_allclose(outputs, [rates(0.0, state)[1], length * np.cos(state[0])], rtol=1e-14)
 
 
 def test_the_loop_for_real_time_ends_where_the_motion_does(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Exported functions of many states and of many directions at once: the bits of single ones."""
+"""Exported functions of many states and of many directions at once: those of single ones, faster."""
 
 from __future__ import annotations
 
