@@ -4,18 +4,23 @@
 
 size_t lag_alert_memory(const lag_model *model)
 {
-    return 3 * model->nindicator + model->ngap * (2 + model->nq) + 5 * model->ncontact;
+    return 6 * model->nindicator + model->ngap * (2 + model->nq) + 9 * model->ncontact;
 }
 
 void lag_alert_place(lag_alert *alert, lag_motion *motion, const double *slack, double *memory)
 {
     const lag_model *model = motion->model;
+    const size_t count = model->nindicator + model->ncontact;
     alert->motion = motion;
     alert->places = lag_places_of(model);
     alert->slack = slack;
     alert->changed = memory;
-    alert->seen = alert->changed + model->nindicator + model->ncontact;
-    alert->g = alert->seen + model->nindicator + model->ncontact;
+    alert->root = alert->changed + count;
+    for (size_t k = 0; k < 3; ++k) {
+        alert->seen[k] = alert->root + (k + 1) * count;
+    }
+    alert->inside = alert->root + 4 * count;
+    alert->g = alert->inside + model->ncontact;
     alert->gap = alert->g + model->nindicator;
     alert->speed = alert->gap + model->ngap;
     alert->jacobian = alert->speed + model->ngap;
@@ -34,26 +39,62 @@ static lag_status relations(lag_alert *alert)
     return status;
 }
 
-static lag_status contacts(lag_alert *alert, const double *x)
+/* Gaps, and what is none of them. */
+static lag_status look_at_gaps(lag_alert *alert, const double *x, double *least)
 {
     const lag_motion *motion = alert->motion;
     const lag_model *model = motion->model;
     double *laws = alert->laws;
-    const lag_status status = model->contact(&motion->at, alert->gap, alert->speed, alert->jacobian, laws, laws + model->ncontact,
-        laws + 2 * model->ncontact);
     double size = 1.0;
     for (size_t i = 0; i < lag_motion_size(model); ++i) {
         size = fmax(size, 1.0 + fabs(x[i]));
     }
-    const double slack = alert->slack[0] * size;
-    const double force = alert->slack[1];
+    *least = -alert->slack[0] * size;
+    return model->contact(&motion->at, alert->gap, alert->speed, alert->jacobian, laws, laws + model->ncontact,
+        laws + 2 * model->ncontact);
+}
+
+static int is_closed(const lag_alert *alert, size_t i)
+{
+    return alert->motion->w[alert->places.contact + i] != 0.0;
+}
+
+static lag_status contacts(lag_alert *alert, const double *x)
+{
+    const lag_model *model = alert->motion->model;
+    double least = 0.0;
+    const lag_status status = look_at_gaps(alert, x, &least);
     for (size_t i = 0; i < model->ncontact; ++i) {
-        const int closed = motion->w[alert->places.contact + i] != 0.0;
-        const int pulls = closed && motion->lam[model->contact_rows[i]] < -force;
-        const int meets = !closed && alert->gap[i] < -slack && alert->speed[i] < 0.0;
-        alert->changed[model->nindicator + i] = pulls || meets;
+        const int pulls = alert->motion->lam[model->contact_rows[i]] < -alert->slack[1];
+        const int meets = alert->gap[i] < least && (alert->inside[i] == 0.0 || alert->speed[i] < 0.0);
+        alert->changed[model->nindicator + i] = is_closed(alert, i) ? pulls : meets;
     }
     return status;
+}
+
+lag_status lag_alert_begin(lag_alert *alert, double t, const double *x)
+{
+    double least = 0.0;
+    if (alert->motion->model->ncontact == 0) {
+        return LAG_OK;
+    }
+    lag_motion_look(alert->motion, t, x);
+    const lag_status status = look_at_gaps(alert, x, &least);
+    for (size_t i = 0; i < alert->motion->model->ncontact; ++i) {
+        alert->inside[i] = alert->gap[i] < least;
+    }
+    return status;
+}
+
+/* Whether accelerations or multipliers tell anything: relations may contain them, and closed contacts have them. */
+static int needs_forces(const lag_alert *alert)
+{
+    const lag_model *model = alert->motion->model;
+    int needs = model->nindicator > 0;
+    for (size_t i = 0; i < model->ncontact && !needs; ++i) {
+        needs = is_closed(alert, i);
+    }
+    return needs;
 }
 
 double lag_alert_value(const lag_alert *alert, size_t which)
@@ -64,14 +105,18 @@ double lag_alert_value(const lag_alert *alert, size_t which)
         const int holds = motion->w[alert->places.relation + which] != 0.0;
         return holds ? alert->g[which] : -alert->g[which];
     }
-    const int closed = motion->w[alert->places.contact + which - count] != 0.0;
-    return closed ? motion->lam[motion->model->contact_rows[which - count]] : alert->gap[which - count];
+    return is_closed(alert, which - count) ? motion->lam[motion->model->contact_rows[which - count]] : alert->gap[which - count];
 }
 
 lag_status lag_alert_look(lag_alert *alert, double t, const double *x)
 {
     const lag_model *model = alert->motion->model;
-    lag_status status = lag_motion_solve(alert->motion, t, x);
+    lag_status status = LAG_OK;
+    if (needs_forces(alert)) {
+        status = lag_motion_solve(alert->motion, t, x);
+    } else {
+        lag_motion_look(alert->motion, t, x);
+    }
     if (status == LAG_OK && model->nindicator > 0) {
         status = relations(alert);
     }

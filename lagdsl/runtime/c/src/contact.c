@@ -16,7 +16,7 @@ static const double NOTHING = 1e-9;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 9 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 2 * model->nq + lag_impact_memory(model);
+    return 10 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 2 * model->nq + lag_impact_memory(model);
 }
 
 static double *take(double **memory, size_t count)
@@ -55,6 +55,7 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     contacts->order = take(&memory, count);
     contacts->closing = take(&memory, count);
     contacts->before = take(&memory, count);
+    contacts->slow = take(&memory, count);
     contacts->tau = take(&memory, model->nq);
     contacts->zero = take(&memory, model->nq);
     for (size_t i = 0; i < count; ++i) {
@@ -91,7 +92,13 @@ static lag_status look(lag_contacts *contacts, double t, const double *x)
 
 static double multiplier(const lag_contacts *contacts, size_t i)
 {
-    const double force = contacts->motion->lam[contacts->motion->model->contact_rows[i]];
+    return contacts->motion->lam[contacts->motion->model->contact_rows[i]];
+}
+
+/* What is no number pulls. */
+static double push(const lag_contacts *contacts, size_t i)
+{
+    const double force = multiplier(contacts, i);
     return force == force ? force : -(double)INFINITY;
 }
 
@@ -104,13 +111,13 @@ static double largest(size_t count, const double *x)
     return most;
 }
 
-/* The multipliers; -infinity where there are none. */
+/* The multipliers; no numbers where there are none. */
 static void solve(lag_contacts *contacts, double t, const double *x)
 {
     lag_motion *motion = contacts->motion;
     if (lag_motion_solve(motion, t, x) != LAG_OK) {
         for (size_t i = 0; i < motion->model->nc; ++i) {
-            motion->lam[i] = -(double)INFINITY;
+            motion->lam[i] = (double)NAN;
         }
     }
 }
@@ -182,11 +189,11 @@ lag_status lag_contacts_press(lag_contacts *contacts, double t, const double *x,
         size_t weakest = 0;
         solve(contacts, t, x);
         for (size_t k = 1; k < closed; ++k) {
-            if (multiplier(contacts, (size_t)contacts->part[k]) < multiplier(contacts, (size_t)contacts->part[weakest])) {
+            if (push(contacts, (size_t)contacts->part[k]) < push(contacts, (size_t)contacts->part[weakest])) {
                 weakest = k;
             }
         }
-        if (multiplier(contacts, (size_t)contacts->part[weakest]) > NOTHING * contacts->force) {
+        if (push(contacts, (size_t)contacts->part[weakest]) > NOTHING * contacts->force) {
             break;
         }
         *flag(contacts, (size_t)contacts->part[weakest]) = 0.0;
@@ -314,21 +321,30 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
     return LAG_UNSETTLED;
 }
 
+/* Speeds below which contacts stay together, now that some were approached. */
+static void find_slow(lag_contacts *contacts, double size)
+{
+    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
+        contacts->fastest[i] = fmax(contacts->fastest[i], -contacts->approach[i]);
+        const double slow = contacts->stick[i] >= 0.0 ? contacts->stick[i] : STICK * contacts->fastest[i];
+        contacts->slow[i] = fmax(slow, TOUCHING * size);
+    }
+}
+
 /* Whether a contact that struck stays; remembers the impact. */
-static int stays(lag_contacts *contacts, double t, double size, size_t i)
+static int stays(lag_contacts *contacts, double t, size_t i)
 {
     const double speed = contacts->speed[i];
     const double ratio = speed / -contacts->approach[i];
     const double interval = t - contacts->last[i];
-    contacts->fastest[i] = fmax(contacts->fastest[i], -contacts->approach[i]);
     contacts->last[i] = t;
-    const double slow = contacts->stick[i] >= 0.0 ? contacts->stick[i] : STICK * contacts->fastest[i];
     const double brief = contacts->rest[i] >= 0.0 ? contacts->rest[i] : REST * contacts->length;
     const int over = ratio < 1.0 && interval * ratio / (1.0 - ratio) < brief;
-    return fabs(speed) < fmax(slow, TOUCHING * size) || over;
+    return fabs(speed) < contacts->slow[i] || over;
 }
 
-lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
+/* Opens closed contacts that do not touch, or move apart faster than `slow` (null: at all). */
+static lag_status part(lag_contacts *contacts, double t, const double *x, const double *slow)
 {
     const size_t count = contacts->motion->model->ncontact;
     const double least = TOUCHING * lag_contacts_size(contacts->motion, x);
@@ -337,9 +353,60 @@ lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
     }
     const lag_status status = look(contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (contacts->gap[i] > least || contacts->speed[i] > least) {
+        if (contacts->gap[i] > least || contacts->speed[i] > fmax(least, slow != NULL ? slow[i] : 0.0)) {
             *flag(contacts, i) = 0.0;
         }
+    }
+    return status;
+}
+
+lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
+{
+    return part(contacts, t, x, NULL);
+}
+
+/* Opens closed contacts that would pull: the one that pulls most first. */
+static void let_go(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    while (any_of(count, flag(contacts, 0))) {
+        size_t weakest = count;
+        solve(contacts, t, x);
+        for (size_t i = 0; i < count; ++i) {
+            if (*flag(contacts, i) != 0.0 && (weakest == count || push(contacts, i) < push(contacts, weakest))) {
+                weakest = i;
+            }
+        }
+        if (!(multiplier(contacts, weakest) < -NOTHING * contacts->force)) {
+            break;
+        }
+        *flag(contacts, weakest) = 0.0;
+    }
+}
+
+/* What is closed after blows: what was and stays, what struck and stays, as far as it does not pull. */
+static lag_status conclude(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    find_slow(contacts, lag_contacts_size(contacts->motion, x));
+    for (size_t i = 0; i < count; ++i) {
+        *flag(contacts, i) = contacts->before[i] != 0.0 ? 1.0 : *flag(contacts, i);
+    }
+    lag_status status = part(contacts, t, x, contacts->slow);
+    if (status == LAG_OK && contacts->struck > 0) {
+        status = look(contacts, t, x);
+    }
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        contacts->motion->w[contacts->places.impacts + i] += 1.0;
+        contacts->closing[i] = stays(contacts, t, i);
+    }
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        *flag(contacts, i) = contacts->closing[i] != 0.0 ? 1.0 : *flag(contacts, i);
+    }
+    if (status == LAG_OK) {
+        let_go(contacts, t, x);
     }
     return status;
 }
@@ -351,24 +418,6 @@ lag_status lag_contacts_strike(
     contacts->struck = 0;
     memset(contacts->approach, 0, count * sizeof(double));
     memcpy(contacts->before, flag(contacts, 0), count * sizeof(double));
-    lag_status status = strike(contacts, t, x, collision, restitution);
-    for (size_t i = 0; i < count; ++i) {
-        *flag(contacts, i) = contacts->before[i] != 0.0 ? 1.0 : *flag(contacts, i);
-    }
-    if (status == LAG_OK) {
-        status = lag_contacts_part(contacts, t, x);
-    }
-    if (status == LAG_OK && contacts->struck > 0) {
-        status = look(contacts, t, x);
-    }
-    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
-        const size_t i = (size_t)contacts->order[k];
-        contacts->motion->w[contacts->places.impacts + i] += 1.0;
-        contacts->closing[i] = stays(contacts, t, lag_contacts_size(contacts->motion, x), i);
-    }
-    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
-        const size_t i = (size_t)contacts->order[k];
-        *flag(contacts, i) = contacts->closing[i] != 0.0 ? 1.0 : *flag(contacts, i);
-    }
-    return status;
+    const lag_status status = strike(contacts, t, x, collision, restitution);
+    return status == LAG_OK ? conclude(contacts, t, x) : status;
 }

@@ -439,7 +439,11 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_od
     lag_stepper *s = &run->stepper;
     const unsigned iterations = run->projection.iterations;
     int moved = 0;
-    lag_status status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
+    lag_status status = lag_alert_begin(&run->alert, s->t, s->x);
+    if (status != LAG_OK) {
+        return status;
+    }
+    status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
     if (status == LAG_OK) {
         s->t_before = s->t;
         s->t += h;

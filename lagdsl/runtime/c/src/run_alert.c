@@ -11,6 +11,12 @@ enum { HALVES = 60 };
 static const double ULPS = 4.0;
 /* At least this part of the other is no round-off. */
 static const double ALIKE = 1e-6;
+/*
+ * What comes and goes between looks shows as a parabola whose vertex is this much nearer to zero than what was seen. So near to the
+ * beginning of the step, as a part of it, there are no vertices: there it is what has just happened.
+ */
+static const double NEARER = 0.3;
+static const double BEGINNING = 0.01;
 /* Roots that differ by so many tolerances are one. */
 static const double TOGETHER = 8.0;
 
@@ -64,7 +70,7 @@ static double root_of(change *one, double a, double b, double tolerance)
 static double earliest(lag_run *run, double a, double b, double tolerance)
 {
     const size_t count = run->motion.model->nindicator + run->motion.model->ncontact;
-    double *root = run->alert.seen;
+    double *root = run->alert.root;
     double first = b;
     memcpy(root, run->alert.changed, count * sizeof(double));
     for (size_t i = 0; i < count; ++i) {
@@ -86,26 +92,101 @@ static double earliest(lag_run *run, double a, double b, double tolerance)
     return first;
 }
 
+/* ---- looks ---- */
+
+static void remember(lag_run *run, size_t which)
+{
+    const size_t count = run->motion.model->nindicator + run->motion.model->ncontact;
+    for (size_t i = 0; i < count; ++i) {
+        run->alert.seen[which][i] = lag_alert_value(&run->alert, i);
+    }
+}
+
+static void move_on(lag_run *run)
+{
+    double *first = run->alert.seen[0];
+    run->alert.seen[0] = run->alert.seen[1];
+    run->alert.seen[1] = run->alert.seen[2];
+    run->alert.seen[2] = first;
+}
+
+/* The vertex of a parabola through a, b, c at -1, 0, 1; 1: it is nearer to zero than what was seen, or beyond. */
+static int vertex_of(double a, double b, double c, double *part)
+{
+    *part = 0.5 * (a - c) / (a - 2.0 * b + c);
+    const double height = b - 0.25 * (a - c) * *part;
+    const double least = fmin(fabs(a), fmin(fabs(b), fabs(c)));
+    const int alike = a * b > 0.0 && b * c > 0.0;
+    return alike && fabs(*part) < 1.0 && (fabs(height) < NEARER * least || height * b < 0.0);
+}
+
+/* Something that comes and goes between looks h apart, the last of them at t: where it is there. */
+static lag_status find_vertex(lag_run *run, double t, double h, double first, double *there)
+{
+    const lag_model *model = run->motion.model;
+    lag_status status = LAG_OK;
+    *there = (double)INFINITY;
+    for (size_t i = 0; i < model->nindicator + model->ncontact && (status == LAG_OK || status == LAG_HAPPENS); ++i) {
+        double *const *seen = run->alert.seen;
+        double part = 0.0;
+        if (vertex_of(seen[0][i], seen[1][i], seen[2][i], &part)) {
+            const double time = t - h + part * h;
+            status = time > first && time < t ? look(run, time) : LAG_OK;
+            if (status == LAG_HAPPENS && run->alert.changed[i] != 0.0) {
+                *there = time;
+                return status;
+            }
+        }
+    }
+    return status == LAG_HAPPENS ? LAG_OK : status;
+}
+
+/* Look number k of those that divide the last step; LAG_HAPPENS: something has changed at *b, and not yet at *a. */
+static lag_status next_look(lag_run *run, unsigned k, double *a, double *b)
+{
+    const lag_stepper *s = &run->stepper;
+    const double h = s->t - s->t_before;
+    const double part = h / (double)run->options.looks;
+    const double time = k == run->options.looks ? s->t : s->t_before + part * (double)k;
+    double vertex = (double)INFINITY;
+    const lag_status now = look(run, time);
+    if (now != LAG_OK && now != LAG_HAPPENS) {
+        return now;
+    }
+    remember(run, k < 2 ? k : 2);
+    const lag_status before = k < 2 ? LAG_OK : find_vertex(run, time, part, s->t_before + BEGINNING * h, &vertex);
+    if (before != LAG_OK) {
+        *a = vertex <= time - part ? time - 2.0 * part : time - part;
+        *b = vertex;
+        return before;
+    }
+    if (k >= 2) {
+        move_on(run);
+    }
+    *a = time - part;
+    *b = time;
+    return now == LAG_HAPPENS && k > 0 ? look(run, time) : LAG_OK;
+}
+
 lag_status lag_run_happening(lag_run *run, double *t)
 {
     const lag_stepper *s = &run->stepper;
     const lag_model *model = run->motion.model;
-    const double h = s->t - s->t_before;
-    const double tolerance = ULPS * DBL_EPSILON * fmax(fabs(s->t), h);
+    const double tolerance = ULPS * DBL_EPSILON * fmax(fabs(s->t), s->t - s->t_before);
     double a = s->t_before;
     double b = a;
-    lag_status status = LAG_OK;
     if (model->nindicator + model->ncontact == 0) {
         return LAG_OK;
     }
-    for (unsigned k = 1; k <= run->options.looks && status == LAG_OK; ++k) {
-        a = b;
-        b = k == run->options.looks ? s->t : s->t_before + h * (double)k / (double)run->options.looks;
-        status = look(run, b);
+    lag_status status = lag_stepper_dense(&run->stepper, a, run->point);
+    if (status == LAG_OK) {
+        status = lag_alert_begin(&run->alert, a, run->point);
     }
-    if (status != LAG_HAPPENS) {
-        return status;
+    for (unsigned k = 0; k <= run->options.looks && status == LAG_OK; ++k) {
+        status = next_look(run, k, &a, &b);
     }
-    *t = earliest(run, a, b, tolerance);
-    return LAG_HAPPENS;
+    if (status == LAG_HAPPENS) {
+        *t = earliest(run, a, b, tolerance);
+    }
+    return status;
 }

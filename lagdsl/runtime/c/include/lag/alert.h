@@ -1,6 +1,6 @@
 /*
  * Does anything happen that the discretes w of a model do not know of yet? Relations that changed their truth, open contacts whose
- * gaps close further below zero, closed contacts that would pull. What follows from it is not said here.
+ * gaps are negative and, if they were so before, close further, closed contacts that would pull. What follows from it is not said here.
  */
 #ifndef LAG_ALERT_H
 #define LAG_ALERT_H
@@ -14,7 +14,9 @@ typedef struct lag_alert {
     const double *slack; /* (2) a gap may be below zero by this part of 1 + the largest number of x, a force by this */
     double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
     double *changed;                           /* (nindicator + ncontact) 1: this one, at the state looked at last */
-    double *seen;                              /* (nindicator + ncontact) for those who look for the time */
+    double *inside;                            /* (ncontact) 1: this gap was negative already when the step began */
+    double *seen[3];                           /* (nindicator + ncontact) for those who look for the time */
+    double *root;                              /* the same */
 } lag_alert;
 
 /* Doubles for it. */
@@ -24,6 +26,9 @@ void lag_alert_place(lag_alert *alert, lag_motion *motion, const double *slack, 
 
 /* What passes zero, downward, when relation or contact number `which` changes; as it was looked at last. */
 double lag_alert_value(const lag_alert *alert, size_t which);
+
+/* A step begins at x at time t. */
+lag_status lag_alert_begin(lag_alert *alert, double t, const double *x);
 
 /* LAG_HAPPENS if something happens at x at time t or happened before, with the discretes of `motion`. */
 lag_status lag_alert_look(lag_alert *alert, double t, const double *x);

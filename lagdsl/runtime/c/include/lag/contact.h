@@ -22,6 +22,7 @@ typedef struct lag_contacts {
     size_t struck;           /* so many, */
     double *before;          /* (ncontact) which contacts were closed before it */
     double *closing;         /* (ncontact) */
+    double *slow;            /* (ncontact) speeds below which they stay together */
     double *part, *rows, *speeds, *factor; /* (ngap) (ngap, nq) (ngap) (ngap) of one impact */
     double *tau, *zero;      /* (nq) (nq) */
 } lag_contacts;
@@ -48,7 +49,7 @@ lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);
 
 /*
  * Impacts until nothing closes any more, first with those of clauses: `collision` (ncollision flags, or null) with their `restitution`.
- * Closed contacts that are driven in take part without restitution, those that move apart afterwards open. Changes the rates in x and,
+ * Closed contacts that are driven in take part without restitution, those that move apart afterwards, or would pull, open. Changes the rates in x and,
  * in w, contacts and their counts. LAG_UNSETTLED: impacts without end.
  */
 lag_status lag_contacts_strike(
