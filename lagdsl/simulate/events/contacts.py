@@ -87,7 +87,7 @@ class Contacts:
         return self.pushing(t, y, w, np.flatnonzero(touching).tolist())
 
     def pushing(self, t: float, y: Floats, w: Floats, candidates: list[int]) -> Floats:
-        """w with those of the candidates closed that push: the one that pulls most is opened until none does."""
+        """w with those of the candidates closed that do not pull: the one that pulls most opens until none does."""
         w = w.copy()
         entries = self._discretes.contacts
         closed = list(candidates)
@@ -95,7 +95,7 @@ class Contacts:
         while closed:
             force = self._discretes.multipliers(t, y, w)[closed]
             weakest = int(np.argmin(force))
-            if force[weakest] > _NOTHING * self._force:
+            if not force[weakest] < -_NOTHING * self._force:
                 break
             w[entries[closed.pop(weakest)]] = 0.0
         return w
@@ -119,7 +119,7 @@ class Contacts:
             restitution, stick, rest = discretes.laws(t, y, w)
             speed, touching = gaps.speed[:count], gaps.gap[:count] <= _TOUCHING * small
             open_ = w[discretes.contacts] == 0.0
-            closing = np.flatnonzero(touching & open_ & (speed < -_ROUNDING * small)).tolist()
+            closing = np.flatnonzero(touching & open_ & (speed < -_TOUCHING * small)).tolist()
             if (closing or struck) and not first:
                 w = self._released(t, y, w)
             closed = w[discretes.contacts] != 0.0
@@ -139,7 +139,7 @@ class Contacts:
         slow = self._slow(y, stick, first)
         self.apart(t, y, w, slow)
         w[discretes.contacts[self._closing(t, y, w, first, slow, rest)]] = 1.0
-        w = self._carrying(t, y, w)
+        w = self.pushing(t, y, w, np.flatnonzero(w[discretes.contacts]).tolist())
         return y, w, self._told(closed_before, w, first)
 
     def _told(self, before: Flags, w: Floats, struck: Iterable[int]) -> list[tuple[int, str]]:
@@ -170,18 +170,6 @@ class Contacts:
             count = len(entries)
             away = (gaps.gap[:count] > small) | (gaps.speed[:count] > np.maximum(small, slow))
             w[entries[away]] = 0.0
-
-    def _carrying(self, t: float, y: Floats, w: Floats) -> Floats:
-        """w without closed contacts that would pull: the one that pulls most opens first."""
-        entries = self._discretes.contacts
-        w = w.copy()
-        while np.any(closed := w[entries] != 0.0):
-            force = np.where(closed, self._discretes.multipliers(t, y, w), np.inf)
-            weakest = int(np.argmin(force))
-            if not force[weakest] < -_NOTHING * self._force:
-                break
-            w[entries[weakest]] = 0.0
-        return w
 
     def _after(self, t: float, y: Floats, w: Floats, rows: Floats, speeds: Floats, factor: Floats) -> Floats:
         """Rates after one impact; closed contacts take part as such, not as rows that hold."""

@@ -88,12 +88,11 @@ class Passes:
     def _change_contacts(self, t: float, result: Result, contacts: list[int]) -> None:
         """Those that pull open; the others strike."""
         entries = self._discretes.contacts
-        for index in contacts:
-            if result.w[entries[index]] != 0.0:
-                result.w[entries[index]] = 0.0
-                result.events.append(Event(time=t, name=self._name(index), kind="opened"))
+        pulling = [index for index in contacts if result.w[entries[index]] != 0.0]
+        result.w[entries[pulling]] = 0.0
+        result.events += [Event(time=t, name=self._name(index), kind="opened") for index in pulling]
         if contacts and not self._collide(t, result, {}):
-            self._press(t, result, contacts)
+            self._press(t, result, [index for index in contacts if index not in pulling])
 
     def _press(self, t: float, result: Result, contacts: list[int]) -> None:
         """Contacts that meet without speed: closed as far as they push."""
