@@ -16,8 +16,8 @@ Evaluate = Callable[..., tuple[Floats, ...]]
 class Sizes:
     """Numbers of coordinates, states, inputs, discretes, parameters and constraint rows.
 
-    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, which leaves the rows `kept`, of
-    which `kept_rank` are independent.
+    At most `rank` rows are independent. `eliminated`: there is a function `elimination`, which leaves the rows `kept`,
+    of which `kept_rank` are independent.
     """
 
     def __init__(
