@@ -37,7 +37,7 @@ EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xd
 STEP = 1e-30
 ROUNDING = 1e-12  # of the size of the terms
 # Where multipliers take back what forces alone would do, the rounding of that is left: in rows in which nothing else
-# stands, of coordinates that are prescribed at rest, and of a slide without mass (two roundings of the largest multiplier).
+# stands, of coordinates that are prescribed at rest, and of a slide without mass (roundings of the largest multiplier).
 TAKEN_BACK = {"library/forces_speed_drives": 1e-10, "library/planar_trammel": 1e-11}
 
 
