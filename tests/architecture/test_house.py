@@ -32,6 +32,13 @@ def _texts(root: Path) -> list[Path]:
     return [p for p in paths if p.is_file() and p.suffix not in (".png", ".pyc")]
 
 
+def test_modules_of_tests_have_names_of_their_own(root: Path) -> None:
+    """Outside packages the name of the file is the name of the module."""
+    packages = {p.parent for p in (root / "tests").rglob("__init__.py")}
+    names = [p.name for p in (root / "tests").rglob("*.py") if p.name != "conftest.py" and p.parent not in packages]
+    assert sorted(names) == sorted(set(names))
+
+
 def test_files_are_short(root: Path) -> None:
     sizes = {p: len(p.read_text(encoding="utf-8").splitlines()) for p in _sources(root)}
     assert statistics.median(size for size in sizes.values() if size > 10) <= 170

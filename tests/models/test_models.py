@@ -36,9 +36,9 @@ from models.corpus import (
 EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in MODELS])
 STEP = 1e-30
 ROUNDING = 1e-12  # of the size of the terms
-# What solving may leave, of the size of the terms: multipliers take back accelerations that forces alone would make,
-# and where little stands in a row, rounding errors of those are left.
-LEFT = 1e-10
+# Where multipliers take back what forces alone would do, the rounding of that is left: in rows in which nothing else
+# stands, of coordinates that are prescribed at rest, and of a slide without mass (roundings of the largest multiplier).
+TAKEN_BACK = {"library/forces_speed_drives": 1e-10, "library/planar_trammel": 1e-11}
 
 
 def test_there_are_at_least_twenty_six_models_each_with_expectations() -> None:
@@ -103,8 +103,8 @@ def test_the_derivations_solve_to_the_same_motion(name: str) -> None:
     from lagdsl.runtime.numpy_engine import NumpyEngine
 
     states, graph, symbolic = random_states(name), compiled(name).graph, textbook(name)
-    _assert_solved(numpy_engine(name), states, symbolic, graph)
-    _assert_solved(NumpyEngine(symbolic), states, graph, symbolic)
+    _assert_solved(name, numpy_engine(name), states, symbolic, graph)
+    _assert_solved(name, NumpyEngine(symbolic), states, graph, symbolic)
 
 
 @EVERY
@@ -126,14 +126,15 @@ def test_engines_compute_what_the_graph_means(name: str, make: object) -> None:
 @pytest.mark.parametrize("make", [numpy_engine, c_engine])
 def test_solutions_satisfy_the_equations(name: str, make: object) -> None:
     assert callable(make)
-    _assert_solved(make(name), random_states(name), compiled(name).graph)
+    _assert_solved(name, make(name), random_states(name), compiled(name).graph)
 
 
-def _assert_solved(engine: Engine, states: Arrays, program: Program, *as_large_as: Program) -> None:
+def _assert_solved(name: str, engine: Engine, states: Arrays, program: Program, *as_large_as: Program) -> None:
     """What qdd and lam leave in M qdd - f - J' lam = 0 and J qdd = gamma, against the size of the terms.
 
     Where all terms of a row vanish, against a ten-thousandth of what the largest unknowns would make of it.
     """
+    left = TAKEN_BACK.get(name, ROUNDING)
     for i in range(STATES):
         state = {g: a[i] for g, a in states.items()}
         qdd, lam = engine.solve(*arguments(program, "dynamics", states, i))
@@ -141,7 +142,7 @@ def _assert_solved(engine: Engine, states: Arrays, program: Program, *as_large_a
         largest = state | {Group.QDD: _level(qdd), Group.LAMBDA: _level(lam)}
         sizes = [_residual_sizes(each, solved, largest) for each in (program, *as_large_as)]
         for (value, _), *size in zip(values_with_size(program, "residual", solved), *sizes, strict=True):
-            _assert_close(value, np.zeros_like(value), np.maximum.reduce(size), "residual", LEFT)
+            _assert_close(value, np.zeros_like(value), np.maximum.reduce(size), "residual", left)
 
 
 def _residual_sizes(program: Program, solved: Arrays, largest: Arrays) -> list[np.ndarray]:

@@ -28,6 +28,7 @@ def source(program: Program, stem: str) -> str:
         [
             f"/* Equations of motion of {comment_text(program.name)}, generated: see lag/model.h for what is what. */",
             f'#include "{stem}.h"\n',
+            "#define LAG_LANES_AMONG_SINGLES",
             '#include <math.h>\n\n#include "lag/columns.h"\n#include "lag/trigonometry.h"\n',
             _tables(program),
             *(made[name][0] for name in often),

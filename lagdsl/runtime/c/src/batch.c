@@ -1,6 +1,7 @@
 #include "lag/batch.h"
 
 #include "lag/dynamics.h"
+#include "lag/finite.h"
 
 static lag_arguments state(const lag_batch *batch, size_t i)
 {
@@ -180,22 +181,6 @@ static void deal(size_t lanes, size_t count, size_t size, const double *x, doubl
     }
 }
 
-static int finite(size_t count, const double *x)
-{
-    double a = 0.0, b = 0.0, c = 0.0, d = 0.0; /* nan where a value is infinite or nan */
-    size_t i = 0;
-    for (; i + 3 < count; i += 4) {
-        a += 0.0 * x[i];
-        b += 0.0 * x[i + 1];
-        c += 0.0 * x[i + 2];
-        d += 0.0 * x[i + 3];
-    }
-    for (; i < count; ++i) {
-        a += 0.0 * x[i];
-    }
-    return (a + b) + (c + d) == 0.0;
-}
-
 /* Whether elimination solved all lanes, with no row left to run time. */
 static int solved(const lag_model *model, const lag_states *states, const crowd *all)
 {
@@ -203,7 +188,7 @@ static int solved(const lag_model *model, const lag_states *states, const crowd 
         return 0;
     }
     const double smallest = lag_smallest_pivot(model);
-    int sound = finite(states->lanes * model->nq, all->force) && finite(states->lanes * model->nc, all->lam);
+    int sound = lag_finite(states->lanes * model->nq, all->force) && lag_finite(states->lanes * model->nc, all->lam);
     for (size_t lane = 0; lane < states->lanes; ++lane) {
         sound &= all->pivot[lane] > smallest;
     }

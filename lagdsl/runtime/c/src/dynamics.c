@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "lag/delassus.h"
+#include "lag/finite.h"
 
 /* Where the functions of this file keep what. */
 typedef struct places {
@@ -53,14 +54,9 @@ static void fill(size_t count, double value, double *x)
     }
 }
 
-static lag_status finite_or_not(size_t count, const double *x, lag_status before)
+static int solved(const lag_model *model, const double *qdd, const double *lam)
 {
-    for (size_t i = 0; i < count; ++i) {
-        if (!isfinite(x[i])) {
-            return LAG_NOT_FINITE;
-        }
-    }
-    return before;
+    return lag_finite(model->nq, qdd) && lag_finite(model->nc, lam);
 }
 
 static lag_status solve_formed(
@@ -79,7 +75,7 @@ static lag_status solve_formed(
         return status;
     }
     lag_system_solve(system, to->force, to->gamma, qdd, lam);
-    return finite_or_not(model->nc, lam, finite_or_not(model->nq, qdd, LAG_OK));
+    return solved(model, qdd, lam) ? LAG_OK : LAG_NOT_FINITE;
 }
 
 static lag_status solve(
@@ -153,8 +149,7 @@ lag_status lag_solve_eliminated(
         return LAG_MISSING;
     }
     lag_delassus_solve(&system, gamma, qdd, lam);
-    const lag_status finite = finite_or_not(model->nc, lam, finite_or_not(model->nq, qdd, LAG_OK));
-    return finite == LAG_OK ? LAG_OK : LAG_MISSING;
+    return solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
 }
 
 static void pick(size_t count, const double *lanes, size_t stride, size_t lane, double *x)
@@ -227,7 +222,7 @@ static lag_status eliminate_all(const lag_model *model, const lag_arguments *at,
     double pivot = 0.0;
     const lag_status status = model->elimination(at, qdd, lam, &none, &none, &none, &none, &pivot);
     const int usable = status == LAG_OK && pivot > lag_smallest_pivot(model);
-    return usable ? finite_or_not(model->nc, lam, finite_or_not(model->nq, qdd, LAG_OK)) : LAG_MISSING;
+    return usable && solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
 }
 
 lag_status lag_forward_dynamics(

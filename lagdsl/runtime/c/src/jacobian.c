@@ -5,6 +5,7 @@
 
 #include "lag/delassus.h"
 #include "lag/dynamics.h"
+#include "lag/finite.h"
 
 /* Functions of `lanes` directions at once; with one lane they are those of the model itself. */
 typedef struct functions {
@@ -101,22 +102,6 @@ static void fill(size_t count, double value, double *x)
     for (size_t i = 0; i < count; ++i) {
         x[i] = value;
     }
-}
-
-static int finite(size_t count, const double *x)
-{
-    double a = 0.0, b = 0.0, c = 0.0, d = 0.0; /* nan where a value is infinite or nan */
-    size_t i = 0;
-    for (; i + 3 < count; i += 4) {
-        a += 0.0 * x[i];
-        b += 0.0 * x[i + 1];
-        c += 0.0 * x[i + 2];
-        d += 0.0 * x[i + 3];
-    }
-    for (; i < count; ++i) {
-        a += 0.0 * x[i];
-    }
-    return (a + b) + (c + d) == 0.0;
 }
 
 /* What solves for accelerations and multipliers: the dense system, or what elimination left. */
@@ -347,7 +332,7 @@ lag_status lag_jacobian(
     place(model, lanes_of(tangents), memory, &to);
     if (lanes_of(tangents) > 1) {
         status = along_many(model, tangents, at, x, &to, rates, outputs, coordinate);
-        if (status == LAG_OK && finite(count, rates) && finite(output_count, outputs)) {
+        if (status == LAG_OK && lag_finite(count, rates) && lag_finite(output_count, outputs)) {
             return LAG_OK;
         }
         status = status == LAG_OK ? LAG_MISSING : status;
@@ -356,7 +341,7 @@ lag_status lag_jacobian(
         status = along_one(model, at, x, &to, rates, outputs, coordinate);
     }
     if (status == LAG_OK) {
-        return finite(count, rates) && finite(output_count, outputs) ? LAG_OK : LAG_NOT_FINITE;
+        return lag_finite(count, rates) && lag_finite(output_count, outputs) ? LAG_OK : LAG_NOT_FINITE;
     }
     fill(count, (double)NAN, rates);
     fill(output_count, (double)NAN, outputs);

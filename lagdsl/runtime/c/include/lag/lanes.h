@@ -12,8 +12,12 @@
 
 #if defined(__GNUC__)
 
-/* Numbers in a vector: as many as a register of the machine holds. More would be kept in memory. */
-#if defined(__AVX512F__)
+/*
+ * Numbers in a vector: as many as a register of the machine holds. More would be kept in memory. Between single numbers,
+ * registers of 512 bits cost more than they save (Intel, 64-ia-32 optimization manual: while they are at work one of the units
+ * for arithmetic is closed to everything else): files of such code define LAG_LANES_AMONG_SINGLES.
+ */
+#if defined(__AVX512F__) && !defined(LAG_LANES_AMONG_SINGLES)
 #define LAG_LANES 8
 #define LAG_LANES_EACH(x) {x, x, x, x, x, x, x, x}
 #elif defined(__AVX__)
@@ -61,9 +65,9 @@ static inline lag_lanes lag_lanes_of(double x)
 /* lag_fused() lane by lane; of vectors neither C nor -ffp-contract knows it. */
 static inline lag_lanes lag_lanes_fused(lag_lanes x, lag_lanes y, lag_lanes z)
 {
-#if LAG_FUSES && defined(__AVX512F__)
+#if LAG_FUSES && LAG_LANES == 8
     return (lag_lanes)__builtin_ia32_vfmaddpd512_mask(x, y, z, (unsigned char)-1, 4);
-#elif LAG_FUSES && defined(__AVX__)
+#elif LAG_FUSES && LAG_LANES == 4
     return (lag_lanes)__builtin_ia32_vfmaddpd256(x, y, z);
 #elif LAG_FUSES
     for (size_t lane = 0; lane < LAG_LANES; ++lane) {
