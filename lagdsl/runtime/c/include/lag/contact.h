@@ -38,11 +38,11 @@ double lag_contacts_size(const lag_motion *motion, const double *x);
 /* Whether any gap is negative; flags (ncontact) of those that are. */
 int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags);
 
-/* At the start: contacts that touch and do not move apart are closed if they push. */
+/* At the start: contacts that touch and do not move apart are closed unless they pull. */
 lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x);
 
-/* Closes those of the candidates (ncontact flags) that push: the one that pulls most is opened until none does. */
-lag_status lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates);
+/* Closes those of the candidates (ncontact flags) that do not pull: the one that pulls most opens until none does. */
+void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates);
 
 /* Opens closed contacts that do not touch or do not stay. */
 lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);
