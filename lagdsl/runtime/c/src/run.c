@@ -13,6 +13,8 @@ static const double PART = 1e-3;
 static const double ULPS = 16.0;
 /* A step from which the constraints are out of reach is tried again with this part of its length. */
 static const double SHORTER = 0.25;
+/* So many steps a run has at least where relations or contacts are looked for. */
+static const double LEAST_STEPS = 50.0;
 
 const size_t lag_run_layout[2] = {sizeof(lag_run_options), sizeof(lag_run_report)};
 
@@ -179,7 +181,6 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
     memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
     s->t = s->t_before = run->event_time = t;
     s->h = h;
-    s->h_most = run->options.h_most > 0.0 ? run->options.h_most : (double)INFINITY;
     run->look.rank = 0;
     return status == LAG_OK && !run->sized ? find_sizes(run, t, s->x) : status;
 }
@@ -387,6 +388,17 @@ static lag_status go_on(lag_run *run, double stop)
     return status == LAG_OK ? lag_run_rows(run, s->t, 1) : status;
 }
 
+/* What happens at instants is looked for at a few places of a step: none is so long that much would be missed between them. */
+static double most_length(const lag_run *run)
+{
+    const lag_model *model = run->motion.model;
+    const double length = run->instants.contacts.length;
+    if (run->options.h_most > 0.0) {
+        return run->options.h_most;
+    }
+    return model->nindicator + model->ncontact > 0 && length > 0.0 ? length / LEAST_STEPS : (double)INFINITY;
+}
+
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
 {
     lag_stepper *s = &run->stepper;
@@ -398,6 +410,7 @@ lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
     if (!(run->options.length > 0.0) && run->options.count < 2) {
         run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
     }
+    s->h_most = most_length(run);
     lag_status status = lag_run_ticks(run);
     if (status == LAG_OK) {
         status = restart(run, s->method, stop - s->t);
