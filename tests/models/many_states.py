@@ -101,9 +101,9 @@ def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.
     of all states.
 
     Where terms vanish at a state, relative to what they are the sum of, but not to more than is usual in that row;
-    where all of them vanish, relative to a ten-thousandth of what the largest unknowns, or the accelerations of the forces
-    alone, would make of it. Rows of J that vanish everywhere (of a constraint that follows from another one) are
-    round-off and say nothing.
+    where all of them vanish, relative to a ten-thousandth of what the largest unknowns would make of it, or the
+    accelerations of the forces alone. Rows of J that vanish everywhere (of a constraint that follows from another one)
+    are round-off and say nothing.
     """
     (mass, m_size), (force, f_size), (rows, r_size), (bias, b_size) = values_with_size(program, "dynamics", state)
     a, lam = qdd[..., None], lam[..., None]
