@@ -237,24 +237,26 @@ static lag_status reset(lag_passes *passes, double t, double *x, int *any)
 {
     const lag_model *model = passes->motion->model;
     lag_status status = LAG_OK;
+    int conflict = 0;
     memset(passes->held, 0, lag_motion_size(model) * sizeof(double));
     for (size_t i = 0; i < model->nreset; ++i) {
         const size_t place = model->reset_places[i];
         if (passes->reset[i] == 0.0) {
             continue;
         }
-        if (passes->held[place] != 0.0 && x[place] != passes->value[i]) {
-            passes->fault = i;
-            return LAG_CONFLICT;
-        }
-        passes->held[place] = 1.0;
-        x[place] = passes->value[i];
         *any = 1;
+        if (passes->held[place] == 0.0) {
+            passes->held[place] = 1.0;
+            x[place] = passes->value[i];
+        } else if (x[place] != passes->value[i]) {
+            passes->fault = i;
+            conflict = 1;
+        }
     }
     for (size_t i = 0; i < model->nreset && status == LAG_OK; ++i) {
         status = passes->reset[i] != 0.0 ? lag_passes_tell(passes, t, x, LAG_REINIT, i) : LAG_OK;
     }
-    return status;
+    return status == LAG_OK && conflict ? LAG_CONFLICT : status;
 }
 
 /* Closed contacts that a reset moves apart open. */
