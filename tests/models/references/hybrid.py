@@ -41,7 +41,8 @@ class _Piece:
 
 
 class Motion:
-    """Rows at the times `t`, of two at the same time the first is that before the event: `x` (n, len(t)), `modes`."""
+    """Rows at the times `t`, of those at the same time the first is that before the event, the others those after:
+    `x` (n, len(t)), `modes`."""
 
     def __init__(self, modes: Callable[[str, float], Mode], mode: str, x: ArrayLike, t: Floats) -> None:
         self._pieces: list[_Piece] = []
@@ -88,8 +89,8 @@ class Motion:
         return float(found.t[-1]), np.asarray(found.y[:, -1]), found.t_events or ()
 
     def _piece(self, t: Floats, row: int) -> _Piece:
-        before = row + 1 < len(t) and t[row + 1] == t[row]
         after = row > 0 and t[row - 1] == t[row]
+        before = row + 1 < len(t) and t[row + 1] == t[row] and not after
         latest = t[row] - _SAME if before else t[row] + _SAME if after else t[row]
         return next((piece for piece in reversed(self._pieces) if piece.start <= latest), self._pieces[0])
 
