@@ -341,7 +341,7 @@ static int stays(lag_contacts *contacts, double t, size_t i)
     const double interval = t - contacts->last[i];
     contacts->last[i] = t;
     const double brief = contacts->rest[i] >= 0.0 ? contacts->rest[i] : REST * contacts->length;
-    const int over = ratio < 1.0 && interval * ratio / (1.0 - ratio) < brief;
+    const int over = ratio < 1.0 && (interval * ratio / (1.0 - ratio) < brief || interval * ratio < contacts->flight);
     return fabs(speed) < contacts->slow[i] || over;
 }
 

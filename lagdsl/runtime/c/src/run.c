@@ -439,11 +439,23 @@ static lag_status follow_fixed(lag_run *run, double h)
         return status;
     }
     lag_instants_after(&run->instants, h);
+    run->instants.contacts.flight = h;
     status = lag_alert_look(&run->alert, run->stepper.t, run->stepper.x);
     if (status == LAG_HAPPENS) {
         status = lag_run_event(run, h, run->alert.changed);
     }
+    run->instants.contacts.flight = 0.0;
     return status == LAG_OK ? lag_run_ticks(run) : status;
+}
+
+/* The end of a step of length h from t; of one after the other, as a whole number of steps from the first. */
+static double end_of_step(lag_clock *pace, double t, double h)
+{
+    if (pace->period != h || lag_clock_instant(pace, pace->next) != t) {
+        *pace = lag_clock_of(t, h);
+    }
+    ++pace->next;
+    return lag_clock_instant(pace, pace->next);
 }
 
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
@@ -459,7 +471,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_od
     status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
     if (status == LAG_OK) {
         s->t_before = s->t;
-        s->t += h;
+        s->t = end_of_step(&run->pace, s->t, h);
         run->projection.iterations = 2;
         (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
         run->projection.iterations = iterations;

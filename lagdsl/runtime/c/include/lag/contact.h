@@ -12,6 +12,7 @@ typedef struct lag_contacts {
     lag_places places;
     lag_impact impact;
     double length;           /* of the experiment [s] */
+    double flight;           /* bounces that take less than this are none: steps of fixed length cannot tell them [s] */
     double force;            /* the largest that a contact had to carry, about */
     double slack[2];         /* what is round-off: of gaps, as a part of 1 + the largest number of x, and of forces */
     double *fastest, *last;  /* (ncontact) approach speed so far, time of the last impact */

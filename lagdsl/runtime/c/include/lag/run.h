@@ -103,6 +103,7 @@ struct lag_run {
     lag_alert alert;
     lag_instants instants;
     double begun;             /* time at which it began */
+    lag_clock pace;           /* the ends of steps of fixed length, counted: nothing adds up */
     lag_stiffness stiffness;
     int sized;                /* natural sizes are known */
     double *group, *natural, *cap, *row_sizes;
