@@ -46,5 +46,6 @@ peers:  ## an environment of their own for the libraries that the benchmarks com
 	test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
 	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi
 
-docs: $(READY)  ## figures of the README
+docs: $(READY)  ## figures of the documents
 	$(BIN)/lag run models/double_pendulum.lag --plot docs/double_pendulum.png -o /dev/null
+	$(BIN)/lag run models/bouncing_ball.lag --plot docs/bouncing_ball.png -o /dev/null

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import Derivation, front, middle
+from lagdsl.pipeline import Compilation, Derivation, engine_of, front, middle
+
+if TYPE_CHECKING:
+    from lagdsl.backends.c.emit import Start
 
 _TARGETS = ("numpy", "c")
 
@@ -37,7 +41,7 @@ def command(
     from lagdsl.backends.c.emit import CBackend
     from lagdsl.backends.registry import BACKENDS
 
-    backend = CBackend(batch=True) if batch else BACKENDS[target]
+    backend = CBackend(batch=batch, start=_start(compilation)) if target == "c" else BACKENDS[target]
     artifact = backend.emit(compilation.program)
     for name, text in artifact.files.items():
         path = folder / name
@@ -47,3 +51,15 @@ def command(
             raise Unwritable(path.parent, error) from error
         write_text(text, path)
         click.echo(path)
+
+
+def _start(compilation: Compilation) -> Start | None:
+    """Where the motion starts; None where there is no such state, which does not keep the equations from being used."""
+    from lagdsl.backends.c.emit import Start
+    from lagdsl.simulate.initialize import initial_state
+
+    sink = Sink()
+    initial = initial_state(compilation.flat, engine_of(compilation.program, "numpy"), sink=sink)
+    if sink.has_errors:
+        return None
+    return Start(initial.t, (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist()))

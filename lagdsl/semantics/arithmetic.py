@@ -359,6 +359,8 @@ def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, rig
 def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar) -> Value:
     """The truth of a relation between what moves: it changes at events only, which are where its sides meet."""
     if node.operator in ("==", "<>"):
+        if "Real" not in (one.kind, two.kind):
+            return _same_number(ctx, scope, node, one, two)
         ctx.sink.report("E0379", node.span, operator=node.operator)
         return POISON
     larger, smaller = (one, two) if node.operator in (">", ">=") else (two, one)
@@ -373,6 +375,18 @@ def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: S
         strict=node.operator in ("<", ">"),
     )
     return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+
+
+def _same_number(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar) -> Scalar:
+    """Whole numbers that somebody else gives, such as inputs, are the same where they differ by less than a half."""
+    apart = flat.Function("abs", (flat.Binary("-", one.expression, two.expression),))
+    difference = flat.Binary("-", flat.Number(0.5), apart)
+    text = f"{scope.owner.prefix}{node.left.span.text} == {node.right.span.text}"
+    name = ctx.occurrences.relation(text, (node.span, *scope.spans), difference, DIMENSIONLESS, strict=True)
+    truth: FlatExpression = flat.Variable(name)
+    if node.operator == "<>":
+        truth = flat.Unary("not", truth)
+    return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
 
 
 _OPERATORS: dict[str, flat.BinaryOperator] = {

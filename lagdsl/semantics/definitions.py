@@ -380,7 +380,7 @@ def _truth_of_input(ctx: Context, symbol: Symbol, variable: flat.Variable) -> Sc
     """A Boolean input is a number, 0 or 1, to those who give it; where it changes is an event."""
     difference = flat.Binary("-", variable, flat.Number(0.5))
     name = ctx.occurrences.relation(
-        f"{variable.name} is true", (symbol.span, *symbol.scope.spans), difference, DIMENSIONLESS, strict=False
+        f"input {variable.name}", (symbol.span, *symbol.scope.spans), difference, DIMENSIONLESS, strict=False
     )
     return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
 

@@ -21,6 +21,7 @@ from lagdsl.semantics.occurrences import Mode
 from lagdsl.semantics.resets import resets, what_it_is
 from lagdsl.semantics.scope import Indices, Scope, Symbol
 from lagdsl.semantics.values import Array, Order, Poison, Scalar, Text
+from lagdsl.source import Span
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import descendants
 from lagdsl.units.dimension import DIMENSIONLESS
@@ -105,6 +106,9 @@ class _Body:
                         self.read(item.body, turn, guard)
                 case nodes.If():
                     self._if(item, scope, guard)
+                case nodes.When():
+                    hint = "a clause inside would act where two things become true at once: write it beside this one"
+                    self.ctx.sink.report("E0378", _keyword(item), help=hint)
                 case _:
                     self.ctx.sink.report("E0378", item.span)
 
@@ -221,6 +225,10 @@ class _Body:
         if isinstance(factor, Scalar):
             impact = events.Impact(spans=spans, gap=gap.expression, restitution=factor.expression, guard=guard)
             self.actions.append(impact)
+
+
+def _keyword(item: nodes.When) -> Span:
+    return Span(item.span.file, item.span.start, item.span.start + len("when"))
 
 
 def _both(one: FlatExpression | None, two: FlatExpression) -> FlatExpression:

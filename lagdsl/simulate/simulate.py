@@ -13,6 +13,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.engine import Engine
 from lagdsl.simulate.initialize import initial_state
+from lagdsl.simulate.instants import Instants
 from lagdsl.simulate.integrators import METHODS
 from lagdsl.simulate.motion import Motion, Task
 from lagdsl.simulate.signals import Signal, signals
@@ -88,7 +89,7 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
     if not step > 0.0 or not (stop - t0) / step < LARGEST_ROWS:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
     count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
-    times = t0 + step * np.arange(count + 1)
+    times = Instants(t0, step).up_to(np.arange(count + 1))
     if count == 0 or stop - times[-1] > 1e-9 * step:
         return np.append(times, stop)
     times[-1] = stop

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity
 from lagdsl.flat.admissible import require_value
@@ -16,7 +17,7 @@ from lagdsl.pipeline import EngineName, engine_of
 from lagdsl.program.program import Program
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.signals import Signal
-from lagdsl.simulate.simulate import simulate
+from lagdsl.simulate.simulate import grid, simulate
 from lagdsl.simulate.trajectory import Trajectory
 from lagdsl.sweep.plan import Task
 
@@ -125,7 +126,8 @@ def _outcome(
     task: Task, motion: Trajectory, options: Options, message: str = "", ended: float | None = None
 ) -> Outcome:
     kept = [c for c in motion.columns[1:] if options.columns is None or c.name in options.columns]
-    values = np.column_stack([c.values for c in kept]) if kept else np.empty((len(motion), 0))
+    rows = _rows(motion, options)
+    values = np.column_stack([c.values[rows] for c in kept]) if kept else np.empty((len(rows), 0))
     end = float(motion.time[-1]) if len(motion) else np.nan
     return Outcome(
         index=task.index,
@@ -136,6 +138,15 @@ def _outcome(
         units=tuple(c.unit for c in kept),
         values=values,
     )
+
+
+def _rows(motion: Trajectory, options: Options) -> NDArray[np.intp]:
+    """Those at the times of the grid, which all runs share; of two at an event the one after it."""
+    if not len(motion):
+        return np.zeros(0, dtype=np.intp)
+    times = grid(float(motion.time[0]), options.stop, options.interval)
+    rows = np.searchsorted(motion.time, times, side="right") - 1
+    return np.asarray(rows[motion.time[rows] == times])
 
 
 def _text(diagnostics: Sequence[Diagnostic]) -> str:

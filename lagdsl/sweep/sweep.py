@@ -137,7 +137,10 @@ def _width(subjects: Sequence[Subject], options: Options) -> int:
     if options.columns is not None:
         return len(options.columns)
     layouts = [subject.program.layout for subject in subjects if subject.program is not None]
-    return max(2 * len(x.coordinates) + len(x.states) + len(x.inputs) + len(x.outputs) for x in layouts)
+    return max(
+        2 * len(x.coordinates) + len(x.states) + len(x.inputs) + len(x.outputs) + x.kinds.count("variable")
+        for x in layouts
+    )
 
 
 def _grid(subjects: Sequence[Subject], options: Options) -> Floats:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -49,3 +50,16 @@ def test_python_of_the_readme_runs(root: Path, monkeypatch: pytest.MonkeyPatch) 
     assert isinstance(model, lagdsl.Model)
     assert isinstance(motion, lagdsl.Trajectory)
     assert motion.time[-1] == 5.0
+
+
+def test_python_of_the_page_on_events_runs_and_gives_its_numbers(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(root)
+    page = (root / "docs" / "events.md").read_text(encoding="utf-8")
+    names: dict[str, Any] = {}
+    for code in re.findall(r"```python\n(.*?)```", page, re.DOTALL):
+        exec(code, names)
+    motion, row = names["motion"], names["row"]
+    shown = re.findall(r"# (<Event .*>)", page)
+    assert [repr(motion.events[0]), repr(motion.events[-1])] == shown
+    assert f"{motion['N'][-1]:.2f} N" in page
+    assert "{:.2f} and {:.2f} m/s".format(*motion["der(h)"][row : row + 2]) in page

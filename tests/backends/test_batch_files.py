@@ -18,8 +18,8 @@ _PROGRAM = Path(__file__).with_name("many_states.c")
 def test_the_files_of_the_batch_build_and_agree(tmp_path: Path, program: Program) -> None:
     files = CBackend(batch=True).emit(program).files
     (stem,) = (name.removesuffix("_states.c") for name in files if name.endswith("_states.c"))
-    assert {f"{stem}_tangents.c", f"{stem}_parameter_tangents.c"} <= set(files)
-    assert set(CBackend().emit(program).files) == {name for name in files if not name.startswith(f"{stem}_")}
+    more = {f"{stem}_states.c", f"{stem}_tangents.c", f"{stem}_parameter_tangents.c"}
+    assert set(files) - set(CBackend().emit(program).files) == more
     for path, text in files.items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")

@@ -67,6 +67,30 @@ static inline void linear_exact(double t, double *x)
     x[2] = 0.5 * (sin(t) - cos(t)) + exp(-t);
 }
 
+/* Distances from (sin t, cos t) decay at a rate of 1e6/s in a direction that turns with 10 rad/s, and of 1/s across it. */
+static inline lag_status turning_jacobian(void *context, double t, const double *x, double *j)
+{
+    const double c = cos(10.0 * t);
+    const double s = sin(10.0 * t);
+    (void)context;
+    (void)x;
+    j[0] = -1e6 * c * c - s * s;
+    j[1] = j[2] = (1.0 - 1e6) * s * c;
+    j[3] = -1e6 * s * s - c * c;
+    return LAG_OK;
+}
+
+static inline lag_status turning_rates(void *context, double t, const double *x, double *xd)
+{
+    double j[4];
+    const double a = x[0] - sin(t);
+    const double b = x[1] - cos(t);
+    (void)turning_jacobian(context, t, x, j);
+    xd[0] = j[0] * a + j[1] * b + cos(t);
+    xd[1] = j[2] * a + j[3] * b - sin(t);
+    return LAG_OK;
+}
+
 /* Orbit of Arenstorf: Hairer, Norsett and Wanner I, section II.0, formulas (0.1) and (0.2). */
 static const double ARENSTORF_START[4] = {0.994, 0.0, 0.0, -2.00158510637908252240537862224};
 static const double ARENSTORF_PERIOD = 17.0652165601579625588917206249;

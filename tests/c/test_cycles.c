@@ -34,6 +34,7 @@ static void one_cycle_of_fixed_steps(double *end)
     for (int i = 0; i < 10; ++i) {
         CHECK(lag_run_fixed(run, 0.02, lag_ros2, memory) == LAG_OK);
     }
+    CHECK(run->stepper.t == 0.2);
     memcpy(end, run->stepper.x, SIZE * sizeof(double));
     free(run);
     free(memory);

@@ -83,7 +83,7 @@ static void a_ball_bounces_and_rests(void)
     const size_t impacts = count_of(LAG_IMPACT);
     double t = 0.5;
     double flight = 1.0;
-    CHECK(impacts > 25 && count_of(LAG_CLOSED) == 1 && count_of(LAG_OPENED) == 0);
+    CHECK(impacts == 30 && count_of(LAG_CLOSED) == 1 && count_of(LAG_OPENED) == 0);
     for (size_t k = 0; k < impacts; ++k) {
         CHECK_NEAR(time_of(LAG_IMPACT, k), t, 1e-9);
         flight *= 0.8;
@@ -170,7 +170,8 @@ static void a_row_of_balls(void)
         for (size_t i = 0; i < 4; ++i) {
             momentum += linear.mass[i] * run->stepper.x[4 + i];
         }
-        CHECK_NEAR(time_of(LAG_IMPACT, 0), 0.2, 1e-13);
+        /* a gap is zero within 1e-13 of 1 + the largest number of the state, 2 m/s; where a step ends at the impact that shows */
+        CHECK_NEAR(time_of(LAG_IMPACT, 0), 0.2, 1e-13 * 3.0 / 2.0 + 1e-15);
         CHECK_NEAR(momentum, 0.6, 1e-13);
         CHECK_NEAR(kinetic(run), 0.6, 1e-13);
         /* ball after ball: v2 = 2 m1 v1/(m1 + m2) */

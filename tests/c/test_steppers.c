@@ -154,6 +154,22 @@ static void double_pendulum(void)
     }
 }
 
+/* Stiff directions that turn: steps are limited by accuracy, not by how far the Jacobian changes. */
+static void turning(const lag_method *method, double tolerance, size_t most)
+{
+    static const lag_ode ode = {2, NULL, turning_rates, turning_jacobian};
+    static const double start[2] = {0.0, 1.0};
+    const double exact[2] = {sin(3.0), cos(3.0)};
+    lag_stepper s;
+    place(&s, &ode, start, tolerance);
+    CHECK(go(&s, method, 3.0) == LAG_OK);
+    const double error = distance(2, s.x, exact);
+    (void)printf("%s: stiff direction that turns, tolerance %.0e: error %.1e, %zu steps, %zu rejected, %zu evaluations, %zu Jacobians\n",
+        method->name, tolerance, error, s.steps, s.rejections, s.evaluations, s.jacobians);
+    CHECK(error <= tolerance);
+    CHECK(s.evaluations <= most);
+}
+
 static lag_status wall_rates(void *context, double t, const double *x, double *xd)
 {
     (void)context;
@@ -205,9 +221,12 @@ int main(void)
         before = error;
     }
     CHECK(before <= 1e-6);
-    van_der_pol(1e-4, 1.5e-6, 2456);
+    van_der_pol(1e-4, 4.2e-6, 2312);
     van_der_pol(1e-6, 5.6e-9, 6224);
     van_der_pol(1e-8, 1.0e-10, 11831);
+    turning(&lag_radau, 1e-6, 4000);
+    turning(&lag_radau, 1e-10, 5500);
+    turning(&lag_radau5, 1e-6, 4000);
     double_pendulum();
     trouble_stops_at_the_wall();
     a_step_can_be_taken_back(&lag_dop853);

@@ -112,11 +112,11 @@ def _draw(name: str, random: np.random.Generator) -> Arrays:
     q, qd, z, u = (np.asarray(block, dtype=float) for block in values(program, "start", {Group.TIME: t, Group.P: p}))
     state: Arrays = {
         Group.TIME: t,
-        Group.Q: _about(q, random),
-        Group.QD: _about(qd, random),
-        Group.Z: _about(z, random),
-        Group.U: _about(u, random),
-        Group.W: np.zeros(0),
+        Group.Q: about(q, random),
+        Group.QD: about(qd, random),
+        Group.Z: about(z, random),
+        Group.U: about(u, random),
+        Group.W: random_discretes(name, t, p, random),
         Group.P: p,
     }
     state = on_constraints(program, state)
@@ -124,16 +124,33 @@ def _draw(name: str, random: np.random.Generator) -> Arrays:
     return state | {g: random.normal(size=n) for g, n in sizes.items() if g not in state}
 
 
+def random_discretes(name: str, t: Any, p: np.ndarray, random: np.random.Generator) -> np.ndarray:
+    """(..., nw): contacts open and closed, relations true and false, numbers about their start; for each t and p."""
+    layout, flat = compiled(name).graph.layout, compiled(name).flat
+    if not layout.discretes:
+        return np.zeros((*np.shape(t), 0))
+    w = np.asarray(values(compiled(name).graph, "discrete_start", {Group.TIME: t, Group.P: p})[0], dtype=float)
+    whole = {item.name: item.kind == "Integer" for item in flat.events.discretes if item.kind != "Boolean"}
+    for k, (slot, kind) in enumerate(zip(layout.discretes, layout.kinds, strict=True)):
+        if kind == "impacts" or whole.get(slot.name):
+            w[..., k] += random.integers(0, 4, np.shape(t))
+        elif slot.name in whole:
+            w[..., k] = about(w[..., k : k + 1], random)[..., 0]
+        else:
+            w[..., k] = random.integers(0, 2, np.shape(t))
+    return w
+
+
 def parameter_is_whole(name: str, parameter: str) -> bool:
     """Booleans and integers keep their value."""
     return next(p.kind != "Real" for p in compiled(name).flat.parameters if p.name == parameter)
 
 
-def _about(start: np.ndarray, random: np.random.Generator) -> np.ndarray:
+def about(start: np.ndarray, random: np.random.Generator) -> np.ndarray:
     """Within a third of the start value; where that is zero, of one SI unit or of the largest neighbor."""
-    size = np.max(np.abs(start), initial=0.0)
-    scale = np.where(start != 0, np.abs(start), size if size > 0 else 1.0)
-    return np.asarray(start + 0.3 * scale * random.uniform(-1, 1, len(start)))
+    size = np.max(np.abs(start), axis=-1, initial=0.0, keepdims=True)
+    scale = np.where(start != 0, np.abs(start), np.where(size > 0, size, 1.0))
+    return np.asarray(start + 0.3 * scale * random.uniform(-1, 1, start.shape))
 
 
 def on_constraints(program: Program, state: Arrays) -> Arrays:
@@ -166,7 +183,7 @@ def _regular(name: str, state: Arrays) -> bool:
     if phi.size and np.max(np.abs(phi)) > 1e-9:
         return False
     mass, _, jacobian, _ = blocks
-    jacobian = jacobian[independent_rows(program)]
+    jacobian = jacobian[independent_rows(program, jacobian)]
     matrix = saddle_point(mass, jacobian)
     if not matrix.size:
         return True
@@ -174,8 +191,9 @@ def _regular(name: str, state: Arrays) -> bool:
     return bool(np.linalg.cond(scale[:, None] * matrix * scale) < 1e6)
 
 
-def independent_rows(program: Program) -> list[int]:
-    return [i for i, redundant in enumerate(program.layout.redundant) if not redundant]
+def independent_rows(program: Program, jacobian: np.ndarray) -> list[int]:
+    """Rows that are not redundant; those of open contacts, and those that a discrete has switched off, are zero."""
+    return [i for i, redundant in enumerate(program.layout.redundant) if not redundant and np.any(jacobian[i])]
 
 
 def saddle_point(mass: np.ndarray, jacobian: np.ndarray) -> np.ndarray:

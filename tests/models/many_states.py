@@ -7,7 +7,17 @@ import numpy as np
 from lagdsl.graph.operation import Group
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
-from models.corpus import Arrays, compiled, independent_rows, parameter_is_whole, saddle_point, values, values_with_size
+from models.corpus import (
+    Arrays,
+    about,
+    compiled,
+    independent_rows,
+    parameter_is_whole,
+    random_discretes,
+    saddle_point,
+    values,
+    values_with_size,
+)
 
 MANY = 200
 _ROUNDS = 8
@@ -35,23 +45,16 @@ def _draw(name: str, random: np.random.Generator) -> Arrays:
     p = np.array(layout.defaults) * np.where(whole, 1.0, random.uniform(0.9, 1.1, (count, len(whole))))
     t = random.uniform(0.0, 1.0, count)
     start = values(program, "start", {Group.TIME: t, Group.P: p})
-    q, qd, z, u = (_about(np.asarray(block, dtype=float), random) for block in start)
+    q, qd, z, u = (about(np.asarray(block, dtype=float), random) for block in start)
     return {
         Group.TIME: t,
         Group.Q: q,
         Group.QD: qd,
         Group.Z: z,
         Group.U: u,
-        Group.W: np.zeros((count, 0)),
+        Group.W: random_discretes(name, t, p, random),
         Group.P: p,
     }
-
-
-def _about(start: np.ndarray, random: np.random.Generator) -> np.ndarray:
-    """Within a third of the start value; where that is zero, of one SI unit or of the largest neighbor."""
-    size = np.max(np.abs(start), axis=-1, initial=0.0, keepdims=True)
-    scale = np.where(start != 0, np.abs(start), np.where(size > 0, size, 1.0))
-    return np.asarray(start + 0.3 * scale * random.uniform(-1, 1, start.shape))
 
 
 def onto_constraints(program: Program, state: Arrays) -> Arrays:
@@ -84,9 +87,9 @@ def _regular(program: Program, state: Arrays) -> np.ndarray:
     )
     phi, _ = values(program, "position_constraint", state)
     finite &= np.max(np.abs(np.nan_to_num(phi, nan=1.0)), axis=1, initial=0.0) < 1e-9
-    rows = independent_rows(program)
     for i in np.flatnonzero(finite):
-        matrix = saddle_point(blocks[0][i], blocks[2][i][rows])
+        rows = blocks[2][i]
+        matrix = saddle_point(blocks[0][i], rows[independent_rows(program, rows)])
         if matrix.size:
             scale = 1 / np.sqrt(np.maximum(np.max(np.abs(matrix), axis=1), 1e-300))
             finite[i] = np.linalg.cond(scale[:, None] * matrix * scale) < _ILL_CONDITIONED
@@ -98,14 +101,17 @@ def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.
     of all states.
 
     Where terms vanish at a state, relative to what they are the sum of, but not to more than is usual in that row;
-    where all of them vanish, relative to a ten-thousandth of what the largest unknowns would make of it. Rows of J that
-    vanish everywhere (of a constraint that follows from another one) are round-off and say nothing.
+    where all of them vanish, relative to a ten-thousandth of what the largest unknowns would make of it, or the
+    accelerations of the forces alone. Rows of J that vanish everywhere (of a constraint that follows from another one)
+    are round-off and say nothing.
     """
     (mass, m_size), (force, f_size), (rows, r_size), (bias, b_size) = values_with_size(program, "dynamics", state)
     a, lam = qdd[..., None], lam[..., None]
     across, r_across = np.swapaxes(rows, -1, -2), np.swapaxes(r_size, -1, -2)
+    alone = np.concatenate([a, _least(mass, force)[..., None]], axis=-2)
     some, hard = (
-        np.maximum(np.abs(x), 1e-4 * np.max(np.abs(x), axis=-2, keepdims=True, initial=0.0)) for x in (a, lam)
+        np.maximum(np.abs(x), 1e-4 * np.max(np.abs(largest), axis=-2, keepdims=True, initial=0.0))
+        for x, largest in ((a, alone), (lam, lam))
     )
     motion = _part(
         mass @ a - force[..., None] - across @ lam,

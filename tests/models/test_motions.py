@@ -11,7 +11,7 @@ from click.testing import CliRunner
 
 import lagdsl
 from lagdsl.cli.main import lag
-from models.corpus import MODELS, expectations, path_of
+from models.corpus import MODELS, compiled, expectations, path_of
 from models.references import REFERENCES, pendulums
 
 EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in MODELS])
@@ -68,6 +68,19 @@ def test_constraints_do_not_drift(name: str) -> None:
     assert np.max(motion.position_residual, initial=0.0) <= CONSERVED
     scale = max(1.0, *(float(np.max(np.abs(motion[f"der({c})"]))) for c in _model(name).coordinates), 1.0)
     assert np.max(motion.velocity_residual, initial=0.0) <= CONSERVED * scale
+
+
+@EVERY
+def test_the_same_happens_under_both_engines(name: str) -> None:
+    """The same events in the same order, at the same times; none where nothing can happen."""
+    ours = _motion(name)
+    if not compiled(name).graph.layout.discretes:
+        assert not ours.events
+        return
+    theirs = lagdsl.compile(path_of(name), engine="numpy").simulate(tolerance=1e-10, stop=float(ours.time[-1]))
+    assert [(event.name, event.kind) for event in ours.events] == [(event.name, event.kind) for event in theirs.events]
+    first, second = ([event.time for event in motion.events] for motion in (ours, theirs))
+    np.testing.assert_allclose(first, second, rtol=0, atol=1e-8 * max(1.0, ours.time[-1]))
 
 
 def test_the_pendulum_has_the_period_of_the_elliptic_integral() -> None:

@@ -7,9 +7,11 @@ from functools import partial
 
 from lagdsl.backends.backend import Artifact
 from lagdsl.backends.c.lanes import states_source, tangents_source
+from lagdsl.backends.c.literal import number
 from lagdsl.backends.c.source import header, source, symbol
 from lagdsl.backends.identifier import identifier
 from lagdsl.program.program import Program
+from lagdsl.record import record
 from lagdsl.resources import c_folder
 
 PARTS: dict[str, Callable[[Program, str], str]] = {
@@ -23,21 +25,31 @@ _RESERVED = frozenset({"main", "realtime", "makefile", "lag", "freestanding", "a
 _EXAMPLES = ("main.c", "realtime.c")
 
 
+@record()
+class Start:
+    """A consistent state x = (q, qd, z) at time t [s], for the default parameters."""
+
+    t: float
+    x: tuple[float, ...]
+
+
 class CBackend:
     """Target `c`. `batch`: with the functions of many states and of many directions at once."""
 
     name = "c"
 
-    def __init__(self, *, batch: bool = False) -> None:
+    def __init__(self, *, batch: bool = False, start: Start | None = None) -> None:
         self._parts = tuple(PARTS) if batch else ()
+        self._start = start
 
     def emit(self, program: Program) -> Artifact:
         stem = identifier(program.name, _RESERVED)
-        head = f'#include "{stem}.h"\n#define MODEL {symbol(stem)}\n\n'
+        head = f'#include "{stem}.h"\n#define MODEL {symbol(stem)}\n#define START {stem}_start\n\n'
         return Artifact(
             {
                 **sources(program, self._parts),
-                f"{stem}.h": header(stem, self._parts),
+                f"{stem}.h": header(stem, self._parts, start=True),
+                f"{stem}_start.c": _start(stem, self._start),
                 **_headers_of_no_library(),
                 **{name: head + _example(name) for name in _EXAMPLES},
                 "Makefile": f"MODEL := {stem}\n{_example('Makefile')}",
@@ -71,6 +83,17 @@ def runtime_sources() -> dict[str, str]:
         [*(c_folder() / "include" / "lag").glob("*.h"), *(c_folder() / "src").glob("*.c")], key=lambda f: f.name
     )
     return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in files}
+
+
+def _start(stem: str, start: Start | None) -> str:
+    head = f'/* Where the motion starts. */\n#include "{stem}.h"\n\n'
+    if start is None or not start.x:
+        return f"{head}const lag_start {stem}_start = {{{number(start.t if start else 0.0)}, NULL}};\n"
+    rows = "".join(f"    {number(value)},\n" for value in start.x)
+    return (
+        f"{head}static const double state[] = {{\n{rows}}};\n\n"
+        f"const lag_start {stem}_start = {{{number(start.t)}, state}};\n"
+    )
 
 
 def _example(name: str) -> str:

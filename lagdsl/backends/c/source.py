@@ -41,13 +41,14 @@ def source(program: Program, stem: str) -> str:
     )
 
 
-def header(stem: str, parts: Sequence[str] = ()) -> str:
-    """Text of `stem`.h, which declares the model and what comes in lanes."""
+def header(stem: str, parts: Sequence[str] = (), *, start: bool = False) -> str:
+    """Text of `stem`.h, which declares the model and, where they are there, what comes in lanes and the start."""
     guard = f"{stem.upper()}_GENERATED_H"
     read = ["model", "parallel"] if parts else ["model"]
     lines = [
         *(f'#include "lag/{name}.h"' for name in read),
         f"\nextern const lag_model {symbol(stem)};",
+        *([f"extern const lag_start {stem}_start;"] if start else []),
         *(f"extern const lag_{part.removeprefix('parameter_')} {stem}_{part};" for part in parts),
     ]
     return "\n".join([f"#ifndef {guard}", f"#define {guard}\n", *lines, "\n#endif\n"])

@@ -25,7 +25,8 @@ from lagdsl.units.dimension import DIMENSIONLESS
 
 
 class Networks:
-    """Nodes of connectors; `instances` are all components in order."""
+    """Nodes of connectors; `instances` are all components in order. Without flows a connector carries signals, of which
+    each is given by one component."""
 
     def __init__(self, ctx: Context, net: Net, merges: Merges, instances: Sequence[Instance]) -> None:
         self._ctx, self._net, self._merges = ctx, net, merges
@@ -72,6 +73,16 @@ class Networks:
             for name, symbol in quantities_of(node[0]):
                 if symbol.flow:
                     self._law(node, name)
+                elif not any(each.flow for _, each in quantities_of(node[0])):
+                    self._check_signal(node, name)
+
+    def _check_signal(self, node: list[Instance], name: str) -> None:
+        """E0319 where two of the connected components say what a signal is."""
+        givers = [giver for each in node if (giver := self._bound(each, name)) is not None]
+        if len(givers) > 1:
+            given = [Label(b.span, f"`{each.name}` is given here") for each in givers for b in each.bindings.values()]
+            span = self._joined.get(node[0], node[0].span)
+            self._ctx.sink.report("E0319", span, *given[:2], name=givers[0].name)
 
     def _law(self, node: list[Instance], name: str) -> None:
         flows = [flow for instance in node if (flow := self._bound(instance, name)) is not None]
@@ -139,10 +150,18 @@ class Networks:
             inside = [each for each in node if each.scope.prefix.startswith(around) and each is not instance]
             return self._total(inside, symbol.short)
         flows = [name for name, each in quantities_of(instance) if each.flow]
+        if not flows:
+            return self._signal(node, symbol)
         if len(flows) != 1:
             return None
         row = self.row_of(node[0], flows[0])
         return Scalar(flat.Multiplier(row), dimension, Variability.CONTINUOUS, Order.SOLUTION)
+
+    def _signal(self, node: list[Instance], symbol: Symbol) -> Value | None:
+        """Of a connector without flows: what the one of the node that is given says, be it a number or a truth."""
+        givers = (self._bound(each, symbol.short) for each in node)
+        giver = next((each for each in givers if each is not None), None)
+        return None if giver is None else self._ctx.resolver.element(giver, (), giver.span)
 
     def _total(self, inside: list[Instance], name: str) -> Value | None:
         flows = [flow for each in inside if (flow := self._bound(each, name)) is not None]

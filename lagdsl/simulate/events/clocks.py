@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from lagdsl.mechanics.rank import Floats
+from lagdsl.simulate.instants import Instants
 
 # A tick nearer to the present than this part of the period is the present one.
 _SAME = 1e-9
@@ -17,11 +18,10 @@ class Clocks:
 
     def __init__(self, start: Floats, period: Floats, t: float) -> None:
         """`t` is the start of the motion: ticks before it are over."""
-        self._start, self._period = start, period
-        self._count = np.array(
-            [max(0, math.ceil((t - first) / step - _SAME)) for first, step in zip(start, period, strict=True)],
-            dtype=np.int64,
-        )
+        both = list(zip(start.tolist(), period.tolist(), strict=True))
+        self._instants = [Instants(first, step) for first, step in both]
+        self._near = _SAME * period
+        self._count = [max(0, math.ceil((t - first) / step - _SAME)) for first, step in both]
 
     def next(self) -> float:
         """The next tick of all; inf where there are no clocks."""
@@ -29,9 +29,10 @@ class Clocks:
 
     def ticking(self, t: float) -> list[int]:
         """The clocks that tick at t; they go on to their next tick."""
-        found = np.flatnonzero(self._ticks() <= t + _SAME * self._period).tolist()
-        self._count[found] += 1
+        found: list[int] = np.flatnonzero(self._ticks() <= t + self._near).tolist()
+        for index in found:
+            self._count[index] += 1
         return found
 
     def _ticks(self) -> Floats:
-        return np.asarray(self._start + self._count * self._period)
+        return np.array([at(k) for at, k in zip(self._instants, self._count, strict=True)])

@@ -19,7 +19,7 @@ _STICK, _REST = 1e-3, 1e-6
 # A gap, or its rate, is zero where an event is looked at below this part of the size of the state.
 _TOUCHING = 1e-9
 # What is below this part of the size of the state, or of the forces, is round-off and no event.
-_ROUNDING = 1e-13
+ROUNDING = 1e-13
 # A force below this part of the others is none: what only touches hands a blow on, what carries takes part as it is.
 _NOTHING = 1e-9
 _MOST_IMPACTS = 10_000
@@ -39,7 +39,7 @@ class Contacts:
         self._fastest = np.zeros(count)
         self._last = np.full(count, -np.inf)
         # what is round-off: of gaps, as a part of the size of the state, and of forces
-        self.slack = np.array([_ROUNDING, 0.0])
+        self.slack = np.array([ROUNDING, 0.0])
         self._force = 0.0
 
     # ---- what changes ------------------------------------------------------------------------------------------------
@@ -54,7 +54,7 @@ class Contacts:
             return np.zeros(0), inside
         gaps = self._discretes.gaps(t, y, w)
         gap = gaps.gap[:count]
-        through = (gap < -_ROUNDING * size(y)) & (~inside | (gaps.speed[:count] < 0.0))
+        through = (gap < -ROUNDING * size(y)) & (~inside | (gaps.speed[:count] < 0.0))
         if not closed.any():
             return gap, through
         force = self._discretes.multipliers(t, y, w)
@@ -65,7 +65,7 @@ class Contacts:
         count = len(self._discretes.contacts)
         if not count:
             return np.zeros(0, dtype=np.bool_)
-        return np.asarray(self._discretes.gaps(t, y, w).gap[:count] < -_ROUNDING * size(y))
+        return np.asarray(self._discretes.gaps(t, y, w).gap[:count] < -ROUNDING * size(y))
 
     def pierced(self, t: float, y: Floats, w: Floats) -> list[int]:
         """Contacts whose gap is negative."""
@@ -81,7 +81,7 @@ class Contacts:
             return w
         gaps = self._discretes.gaps(t, y, w)
         self._force = self._discretes.force(t, y, w)
-        self.slack[1] = _ROUNDING * self._force
+        self.slack[1] = ROUNDING * self._force
         touching = np.abs(gaps.gap[:count]) <= _TOUCHING * size(y)
         touching &= np.abs(gaps.speed[:count]) <= _TOUCHING * size(y)
         return self.pushing(t, y, w, np.flatnonzero(touching).tolist())
@@ -155,7 +155,7 @@ class Contacts:
         """w with closed contacts opened that carry nothing."""
         entries = self._discretes.contacts
         self._force = max(self._force, self._discretes.force(t, y, w))
-        self.slack[1] = _ROUNDING * self._force
+        self.slack[1] = ROUNDING * self._force
         if not np.any(w[entries] != 0.0):
             return w
         idle = self._discretes.multipliers(t, y, w) <= _NOTHING * self._force

@@ -19,6 +19,9 @@ from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.right_hand_side import RightHandSide
 from lagdsl.simulate.trajectory import Event
 
+# Steps of a run in which something is to be located, at least.
+LEAST_STEPS = 50
+
 
 @dataclass(slots=True)
 class Found:
@@ -72,6 +75,12 @@ class Happenings:
 
     # ---- on the way --------------------------------------------------------------------------------------------------
 
+    @property
+    def longest_step(self) -> float:
+        """What is to be located must not be stepped over, however little the motion shows of it."""
+        located = len(self._discretes.relations) + len(self._discretes.contacts)
+        return (self._span[1] - self._span[0]) / LEAST_STEPS if located else np.inf
+
     def next_tick(self) -> float:
         return self._clocks.next() if self.active else np.inf
 
@@ -103,6 +112,14 @@ class Happenings:
         self._passes.moment = AHEAD * step
         return Found(t, *changed)
 
+    def jumped(self, t: float, y: Floats) -> Found | None:
+        """Relations that are other now that inputs have jumped at t."""
+        if not self.active:
+            return None
+        w = self._system.w
+        other = self._discretes.truths(t, y, w) != (w[self._discretes.relations] != 0.0)
+        return Found(t, np.flatnonzero(other).tolist()) if other.any() else None
+
     def tick(self, t: float) -> Found | None:
         """The clocks that tick at t."""
         found = self._clocks.ticking(t) if self.active else []
@@ -123,7 +140,7 @@ class Happenings:
         self.events += self._triggers(found, w)
         if pulse is not None:
             w[pulse] = 1.0
-        result = self._passes.run(t, y, w, found.contacts)
+        result = self._passes.run(t, y, w, found.relations, found.contacts)
         self.events += result.events
         return result
 

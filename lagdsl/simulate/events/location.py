@@ -34,17 +34,28 @@ class Look(NamedTuple):
 def first_change(before: float, after: float, look: Callable[[float], Look]) -> tuple[float, list[int]] | None:
     """The earliest time in (before, after] at which something has changed, and all that changes there but for round-off
     of time. None where nothing changes."""
-    times = [before]
-    seen = [look(before)]
-    for place in PLACES[1:]:
+    found = earlier = _scan(before, after, look, PLACES)
+    while earlier is not None:
+        found = earlier
+        late = found[0] - before > _BEGINNING * (after - before)
+        earlier = _scan(before, found[0], look, PLACES[:-1]) if late else None  # what has changed back at the place
+    return found
+
+
+def _scan(
+    before: float, after: float, look: Callable[[float], Look], places: tuple[float, ...]
+) -> tuple[float, list[int]] | None:
+    """The first change that shows at one of the places, or between them as a vertex."""
+    times: list[float] = []
+    seen: list[Look] = []
+    for place in places:
         times.append(before + place * (after - before) if place < 1.0 else after)
         seen.append(look(times[-1]))
         if len(seen) > 2:
             vertex = _vertex(times[-3:], seen[-3:], before + _BEGINNING * (after - before), look)
             if vertex is not None:
-                left = times[-3] if vertex[0] <= times[-2] else times[-2]
-                return _earliest(left, *vertex, look)
-        if seen[-1].changed:
+                return _earliest(times[-3] if vertex[0] <= times[-2] else times[-2], *vertex, look)
+        if len(seen) > 1 and seen[-1].changed:
             return _earliest(times[-2], times[-1], seen[-1], look)
     return None
 

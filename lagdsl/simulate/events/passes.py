@@ -10,7 +10,7 @@ from lagdsl.flat.event_flow import branches
 from lagdsl.flat.events import Check, Contact, Impact, Reset, Terminate, entries
 from lagdsl.flat.quantity import Item
 from lagdsl.mechanics.rank import Floats
-from lagdsl.simulate.events.contacts import Contacts
+from lagdsl.simulate.events.contacts import ROUNDING, Contacts, size
 from lagdsl.simulate.events.discretes import Discretes, Outcome
 from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.trajectory import Event
@@ -62,8 +62,8 @@ class Passes:
             w = after
         return w
 
-    def run(self, t: float, y: Floats, w: Floats, contacts: list[int]) -> Result:
-        """Until a pass changes nothing; `contacts` are those that were found to change."""
+    def run(self, t: float, y: Floats, w: Floats, relations: list[int], contacts: list[int]) -> Result:
+        """Until a pass changes nothing; `relations`, turned in w already, and `contacts` were found to change."""
         result = Result(y, w)
         self._change_contacts(t, result, contacts)
         for _ in range(MOST_PASSES):
@@ -75,7 +75,7 @@ class Passes:
             if not acted and not np.array_equal(result.w[self._shaping], before[self._shaping]):
                 self._take_hold(t, result)
             acted |= self._strike(t, result, outcome)
-            result.w[self._discretes.relations] = self._ahead(t, result)
+            result.w[self._discretes.relations] = self._ahead(t, result, relations)
             if result.failed is not None or (not acted and np.array_equal(result.w, before)):
                 break
         else:
@@ -168,15 +168,19 @@ class Passes:
 
     # ---- relations ---------------------------------------------------------------------------------------------------
 
-    def _ahead(self, t: float, result: Result) -> Floats:
-        """Relations as they stand; those that pass zero here are what they are a moment later."""
+    def _ahead(self, t: float, result: Result, turned: list[int]) -> Floats:
+        """Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero
+        what they have `turned` to."""
         discretes, y = self._discretes, result.y
         rate = discretes.system.with_discretes(result.w)(t, y)
         later = y + self.moment * rate if np.all(np.isfinite(rate)) else y
         now = discretes.indicators(t, y, result.w)
         then = discretes.indicators(t + self.moment, later, result.w)
         passing = np.abs(now) <= _PASSING * np.abs(then - now)
-        return discretes.holds(np.where(passing, then, now)).astype(np.float64)
+        truths = discretes.holds(np.where(passing, then, now)).astype(np.float64)
+        staying = [i for i in turned if not passing[i] and abs(now[i]) <= ROUNDING * size(y)]
+        truths[staying] = result.w[discretes.relations[staying]]
+        return truths
 
     def blame(self, code: str, indices: list[int]) -> tuple[str, Item, str]:
         """A failure of what changes, or of the clause that resets the same thing for ever."""

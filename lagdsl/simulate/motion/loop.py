@@ -82,7 +82,7 @@ class Motion:
                 t, y = (t, y) if found is None else self._follow(found)
             t, y = self._segment(t, y, end)
             stops = [stop for stop in stops if stop > t]
-            y = self._tick(t, y)
+            y = self._tick(t, self._jump(t, y))
         if self._happenings.ends:
             self._after_event(t, self._happenings.end(t, y))
         return self._so_far()
@@ -167,7 +167,9 @@ class Motion:
 
     def _stepper(self, t: float, y: Floats, end: float, first_step: float | None) -> Any:
         self._ends.require_acceleration(t, y)
-        return self._choice.method.start(self._system, t, y, end, self._choice.accuracy.after(y), first_step)
+        stepper = self._choice.method.start(self._system, t, y, end, self._choice.accuracy.after(y), first_step)
+        stepper.max_step = self._happenings.longest_step
+        return stepper
 
     def _reached(self, t: float, y: Floats) -> None:
         """An accepted state."""
@@ -210,6 +212,19 @@ class Motion:
             return y
         self._system.enter(np.inf)
         self._rows.before_event(t, y)
+        return self._after_event(t, self._happenings.carry_out(found, y))
+
+    def _jump(self, t: float, y: Floats) -> Floats:
+        """The state after what inputs bring that jump at the end of a segment."""
+        if self._ended or t not in self._task.signals.breaks:
+            return y
+        self._system.enter(np.inf)
+        found = self._happenings.jumped(t, y)
+        if found is None:
+            return y
+        self._system.enter(t)  # the row before has the inputs before
+        self._rows.before_event(t, y)
+        self._system.enter(np.inf)
         return self._after_event(t, self._happenings.carry_out(found, y))
 
     def _after_event(self, t: float, result: Result) -> Floats:

@@ -116,9 +116,9 @@ static lag_status tell(void *context, lag_run *run, const lag_happening *what)
 static lag_status print_accelerations(lag_run *run)
 {
     const lag_model *model = run->motion.model;
-    lag_status status = lag_run_begin(run, 0.0, NULL);
+    lag_status status = lag_run_begin(run, START.t, START.x);
     if (status == LAG_OK) {
-        status = lag_motion_solve(&run->motion, 0.0, run->stepper.x);
+        status = lag_motion_solve(&run->motion, START.t, run->stepper.x);
     }
     for (size_t i = 0; i < model->nq && status == LAG_OK; ++i) {
         const lag_slot *slot = &model->coordinates[i];
@@ -133,7 +133,7 @@ static lag_status print_motion(lag_run *run, const tables *to, double stop)
     if (run->motion.model->nw > 0) {
         (void)fputs("time,event,name\n", to->events);
     }
-    lag_status status = lag_run_begin(run, 0.0, NULL);
+    lag_status status = lag_run_begin(run, START.t, START.x);
     if (status == LAG_OK) {
         status = lag_run_to(run, stop, 0);
     }
@@ -165,7 +165,7 @@ static const char *reason(lag_status status)
 /* Times, memory and files; then the run. Returns whether it came to an end that the model wants. */
 static int simulate(const lag_model *model, lag_run_options *options, tables *to, double *times, double interval)
 {
-    const lag_clock clock = lag_clock_of(0.0, interval); /* 0.3, not 3 times what is nearly 0.1 */
+    const lag_clock clock = lag_clock_of(START.t, interval); /* 0.3, not 3 times what is nearly 0.1 */
     for (size_t i = 0; i < options->count; ++i) {
         times[i] = lag_clock_instant(&clock, i);
     }
@@ -186,11 +186,11 @@ static int simulate(const lag_model *model, lag_run_options *options, tables *to
 int main(int argc, char **argv)
 {
     const lag_model *model = &MODEL;
-    const double stop = argc > 2 ? strtod(argv[1], NULL) : 0.0;
+    const double length = argc > 2 ? strtod(argv[1], NULL) - START.t : 0.0;
     const double interval = argc > 2 ? strtod(argv[2], NULL) : 1.0;
-    const size_t count = stop >= 0.0 && interval > 0.0 ? (size_t)(stop / interval * (1.0 + 1e-12)) + 1 : 1;
+    const size_t count = length >= 0.0 && interval > 0.0 ? (size_t)(length / interval * (1.0 + 1e-12)) + 1 : 1;
     double *times = malloc(count * sizeof(double));
-    tables to = {.rows = stdout, .events = argc > 4 ? fopen(argv[4], "w") : stderr, .event_time = -1.0};
+    tables to = {.rows = stdout, .events = argc > 4 ? fopen(argv[4], "w") : stderr, .event_time = START.t - 1.0};
     to.y = malloc((model->ny + 1) * sizeof(double));
     lag_run_options options = {.output = row, .tell = tell, .context = &to, .times = times, .count = argc > 2 ? count : 0};
     options.tolerance = argc > 3 ? strtod(argv[3], NULL) : 1e-10;

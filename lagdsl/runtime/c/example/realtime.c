@@ -56,7 +56,7 @@ static void print(const record *of, const char *which, double h)
 int main(int argc, char **argv)
 {
     const lag_model *model = &MODEL;
-    const double stop = argc > 2 ? strtod(argv[1], NULL) : 1.0;
+    const double length = argc > 2 ? strtod(argv[1], NULL) - START.t : 1.0;
     const double h = argc > 2 ? strtod(argv[2], NULL) : 1e-3;
     lag_fixed_step *const step = method(argc > 3 ? argv[3] : "rk4");
     size_t events = 0;
@@ -68,10 +68,10 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     lag_run *run = lag_run_place(block, model, &options);
-    lag_status status = lag_run_begin(run, 0.0, NULL);
+    lag_status status = lag_run_begin(run, START.t, START.x);
     record quiet = {0};
     record eventful = {0};
-    for (size_t i = 1; status == LAG_OK && (double)i * h <= stop * (1.0 + 1e-12); ++i) {
+    for (size_t i = 1; status == LAG_OK && (double)i * h <= length * (1.0 + 1e-12); ++i) {
         const size_t so_far = events;
         const double before = now();
         status = lag_run_fixed(run, h, step, memory); /* a controller would set run->motion.u here */

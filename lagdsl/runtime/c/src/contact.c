@@ -172,10 +172,13 @@ lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x
     for (size_t i = 0; i < count; ++i) {
         contacts->closing[i] = fabs(contacts->gap[i]) <= least && fabs(contacts->speed[i]) <= least;
     }
-    return status == LAG_OK ? lag_contacts_press(contacts, t, x, contacts->closing) : status;
+    if (status == LAG_OK) {
+        lag_contacts_press(contacts, t, x, contacts->closing);
+    }
+    return status;
 }
 
-lag_status lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates)
+void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates)
 {
     const size_t count = contacts->motion->model->ncontact;
     size_t closed = 0;
@@ -193,14 +196,13 @@ lag_status lag_contacts_press(lag_contacts *contacts, double t, const double *x,
                 weakest = k;
             }
         }
-        if (push(contacts, (size_t)contacts->part[weakest]) > NOTHING * contacts->force) {
+        if (!(multiplier(contacts, (size_t)contacts->part[weakest]) < -NOTHING * contacts->force)) {
             break;
         }
         *flag(contacts, (size_t)contacts->part[weakest]) = 0.0;
         --closed;
         memmove(contacts->part + weakest, contacts->part + weakest + 1, (closed - weakest) * sizeof(double));
     }
-    return LAG_OK;
 }
 
 /* ---- impacts ---- */
@@ -242,7 +244,7 @@ static int find_closing(lag_contacts *contacts, double size)
     int any = 0;
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
         const int touching = contacts->gap[i] <= TOUCHING * size;
-        const int closing = touching && *flag(contacts, i) == 0.0 && contacts->speed[i] < -ROUNDING * size;
+        const int closing = touching && *flag(contacts, i) == 0.0 && contacts->speed[i] < -TOUCHING * size;
         contacts->closing[i] = closing;
         any = any || closing;
     }
@@ -339,7 +341,7 @@ static int stays(lag_contacts *contacts, double t, size_t i)
     const double interval = t - contacts->last[i];
     contacts->last[i] = t;
     const double brief = contacts->rest[i] >= 0.0 ? contacts->rest[i] : REST * contacts->length;
-    const int over = ratio < 1.0 && interval * ratio / (1.0 - ratio) < brief;
+    const int over = ratio < 1.0 && (interval * ratio / (1.0 - ratio) < brief || interval * ratio < contacts->flight);
     return fabs(speed) < contacts->slow[i] || over;
 }
 
@@ -365,25 +367,6 @@ lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
     return part(contacts, t, x, NULL);
 }
 
-/* Opens closed contacts that would pull: the one that pulls most first. */
-static void let_go(lag_contacts *contacts, double t, const double *x)
-{
-    const size_t count = contacts->motion->model->ncontact;
-    while (any_of(count, flag(contacts, 0))) {
-        size_t weakest = count;
-        solve(contacts, t, x);
-        for (size_t i = 0; i < count; ++i) {
-            if (*flag(contacts, i) != 0.0 && (weakest == count || push(contacts, i) < push(contacts, weakest))) {
-                weakest = i;
-            }
-        }
-        if (!(multiplier(contacts, weakest) < -NOTHING * contacts->force)) {
-            break;
-        }
-        *flag(contacts, weakest) = 0.0;
-    }
-}
-
 /* What is closed after blows: what was and stays, what struck and stays, as far as it does not pull. */
 static lag_status conclude(lag_contacts *contacts, double t, const double *x)
 {
@@ -406,7 +389,7 @@ static lag_status conclude(lag_contacts *contacts, double t, const double *x)
         *flag(contacts, i) = contacts->closing[i] != 0.0 ? 1.0 : *flag(contacts, i);
     }
     if (status == LAG_OK) {
-        let_go(contacts, t, x);
+        lag_contacts_press(contacts, t, x, flag(contacts, 0));
     }
     return status;
 }

@@ -10,7 +10,7 @@ static const double PASSING = 1e-3;
 size_t lag_passes_memory(const lag_model *model)
 {
     return 3 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + 2 * model->nindicator + model->ncontact;
+           3 * lag_motion_size(model) + 2 * model->nindicator + 2 * model->ncontact;
 }
 
 static double *take(double **memory, size_t count)
@@ -44,7 +44,8 @@ void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection
     passes->later = take(&memory, size);
     passes->now = take(&memory, model->nindicator);
     passes->then = take(&memory, model->nindicator);
-    passes->closed = memory;
+    passes->closed = take(&memory, model->ncontact);
+    passes->meeting = memory;
 }
 
 lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, lag_what what, size_t which)
@@ -189,15 +190,17 @@ static lag_status change_contacts(lag_passes *passes, double t, double *x, const
 {
     const size_t count = passes->motion->model->ncontact;
     double *closed = passes->motion->w + passes->places.contact;
+    double *meeting = passes->meeting;
     lag_status status = LAG_OK;
     int any = 0;
     int acted = 0;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+    for (size_t i = 0; i < count; ++i) {
         any = any || changed[i] != 0.0;
-        if (changed[i] != 0.0 && closed[i] != 0.0) {
-            closed[i] = 0.0;
-            status = lag_passes_tell(passes, t, x, LAG_OPENED, i);
-        }
+        meeting[i] = changed[i] != 0.0 && closed[i] == 0.0;
+        closed[i] = changed[i] != 0.0 ? 0.0 : closed[i];
+    }
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        status = changed[i] != 0.0 && meeting[i] == 0.0 ? lag_passes_tell(passes, t, x, LAG_OPENED, i) : LAG_OK;
     }
     if (any && status == LAG_OK) {
         status = collide(passes, t, x, NULL, &acted);
@@ -205,11 +208,9 @@ static lag_status change_contacts(lag_passes *passes, double t, double *x, const
     if (!any || acted || status != LAG_OK) {
         return status;
     }
-    status = lag_contacts_press(passes->contacts, t, x, changed);
+    lag_contacts_press(passes->contacts, t, x, meeting);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (changed[i] != 0.0 && closed[i] != 0.0) {
-            status = lag_passes_tell(passes, t, x, LAG_CLOSED, i);
-        }
+        status = meeting[i] != 0.0 && closed[i] != 0.0 ? lag_passes_tell(passes, t, x, LAG_CLOSED, i) : LAG_OK;
     }
     return status;
 }
@@ -236,24 +237,26 @@ static lag_status reset(lag_passes *passes, double t, double *x, int *any)
 {
     const lag_model *model = passes->motion->model;
     lag_status status = LAG_OK;
+    int conflict = 0;
     memset(passes->held, 0, lag_motion_size(model) * sizeof(double));
     for (size_t i = 0; i < model->nreset; ++i) {
         const size_t place = model->reset_places[i];
         if (passes->reset[i] == 0.0) {
             continue;
         }
-        if (passes->held[place] != 0.0 && x[place] != passes->value[i]) {
-            passes->fault = i;
-            return LAG_CONFLICT;
-        }
-        passes->held[place] = 1.0;
-        x[place] = passes->value[i];
         *any = 1;
+        if (passes->held[place] == 0.0) {
+            passes->held[place] = 1.0;
+            x[place] = passes->value[i];
+        } else if (x[place] != passes->value[i]) {
+            passes->fault = i;
+            conflict = 1;
+        }
     }
     for (size_t i = 0; i < model->nreset && status == LAG_OK; ++i) {
         status = passes->reset[i] != 0.0 ? lag_passes_tell(passes, t, x, LAG_REINIT, i) : LAG_OK;
     }
-    return status;
+    return status == LAG_OK && conflict ? LAG_CONFLICT : status;
 }
 
 /* Closed contacts that a reset moves apart open. */

@@ -17,8 +17,6 @@ static const double SHRINK = 0.2;
 static const double GROW = 8.0;
 /* A step that would grow by less keeps its length, and so its decomposition. */
 static const double WORTH_IT = 1.2;
-/* Where Newton's method contracts by less than this the Jacobian is kept for the next step. */
-static const double GOOD_RATE = 1e-3;
 /* The order goes up where Newton's method contracts by this, after some steps, and tolerances are so small a part of the state. */
 static const double HIGHER = 2e-3;
 enum { SETTLED = 10 };
@@ -26,6 +24,9 @@ static const double ACCURATE[LAG_RADAU_TABLES] = {0.0, 1e5, 1e9};
 /* It goes down where Newton's method contracts by this while the length of steps stays within these bounds, or fails. */
 static const double LOWER = 0.8;
 static const double STEADY[2] = {0.8, 1.2};
+/* After a step that could not be solved the next ones are shorter than it by this; the bound recedes by so much at each of them. */
+static const double BELOW = 0.8;
+static const double RECEDE = 1.03;
 
 static void begin(lag_stepper *s)
 {
@@ -167,13 +168,47 @@ static void choose_order(lag_stepper *s, const lag_radau_places *at, const lag_r
     s->error = 0.0;
 }
 
-/* The step is done; `factor` is what its error allows for the next. */
-static void go_on(lag_stepper *s, const lag_radau_places *at, double h, double proposed, double factor, double error, int rejected)
+/* Length of the next step, where `factor` is what the error of this one, of length h, allows for. */
+static double next_length(const lag_radau_places *at, double h, double factor)
 {
-    const double next = at->memo->usable != 0.0 && factor >= 1.0 && factor < WORTH_IT ? h : h * fmin(factor, GROW);
-    s->h = h < proposed && !rejected ? fmax(next, proposed) : next;
+    lag_radau_memo *memo = at->memo;
+    const int keep = memo->usable != 0.0 && memo->turning == 0.0 && factor >= 1.0 && factor < WORTH_IT;
+    double next = keep ? h : h * fmin(factor, GROW);
+    if (memo->wall > 0.0) {
+        next = fmin(next, BELOW * memo->wall);
+        memo->wall *= RECEDE;
+        memo->wall = next < 0.5 * memo->wall ? 0.0 : memo->wall;
+    }
+    return next;
+}
+
+/* One trial. Infinite: the stage equations could not be solved. */
+static lag_status try_step(lag_stepper *s, const lag_radau_places *at, double h, int again, lag_radau_outcome *solved, double *error)
+{
+    const lag_status status = lag_radau_solve(s, at, h, predict, solved);
+    *error = status == LAG_OK && solved->converged ? error_of(s, at, h, again) : (double)INFINITY;
+    return status;
+}
+
+/* The step is done. */
+static void go_on(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double next, double error)
+{
+    s->h = next;
     s->error = fmax(error, 1e-2);
     s->h_of_error = h;
+    choose_order(s, at, solved, next / h);
+}
+
+/* It is to be tried again, shorter. */
+static void shorten(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double factor)
+{
+    ++s->rejections;
+    s->h = fmax(h * fmax(SHRINK, fmin(factor, 0.9)), s->h_least);
+    lag_radau_fail(at, solved);
+    if (!solved->converged) {
+        at->memo->wall = h;
+        choose_order(s, at, solved, 0.0);
+    }
 }
 
 static lag_status step(lag_stepper *s, double limit)
@@ -184,30 +219,26 @@ static lag_status step(lag_stepper *s, double limit)
         const double proposed = fmin(s->h, s->h_most);
         const double h = lag_stepper_length(s, limit);
         const double t_new = lag_stepper_end(s, h, limit);
+        double error = 0.0;
         lag_radau_outcome solved;
-        const lag_status status = lag_radau_solve(s, &at, h, predict, &solved);
+        const lag_status status = try_step(s, &at, h, rejected, &solved, &error);
         if (status != LAG_OK) {
             return status;
         }
         const double safety = SAFETY * (2.0 * most + 1.0) / (2.0 * most + (double)solved.iterations);
-        const double error = solved.converged ? error_of(s, &at, h, rejected) : (double)INFINITY;
         const double factor = isfinite(error) ? safety * factor_of(s, at.table->stages, h, error) : 0.5;
         if (error < 1.0) {
             accept(s, &at, h, t_new);
-            at.memo->fresh = 0.0;
-            at.memo->usable = solved.rate > GOOD_RATE ? 0.0 : 1.0;
-            go_on(s, &at, h, proposed, factor, error, rejected);
-            choose_order(s, &at, &solved, s->h / h);
+            lag_radau_keep(s, &at, &solved);
+            const double next = next_length(&at, h, factor);
+            go_on(s, &at, &solved, h, h < proposed && !rejected ? fmax(next, proposed) : next, error);
             return LAG_OK;
         }
-        ++s->rejections;
         if (h <= s->h_least) {
+            ++s->rejections;
             return LAG_STUCK;
         }
-        s->h = fmax(h * fmax(SHRINK, fmin(factor, 0.9)), s->h_least);
-        if (!solved.converged) {
-            choose_order(s, &at, &solved, 0.0);
-        }
+        shorten(s, &at, &solved, h, factor);
     }
 }
 

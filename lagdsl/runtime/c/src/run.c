@@ -13,6 +13,8 @@ static const double PART = 1e-3;
 static const double ULPS = 16.0;
 /* A step from which the constraints are out of reach is tried again with this part of its length. */
 static const double SHORTER = 0.25;
+/* So many steps a run has at least where relations or contacts are looked for. */
+static const double LEAST_STEPS = 50.0;
 
 const size_t lag_run_layout[2] = {sizeof(lag_run_options), sizeof(lag_run_report)};
 
@@ -179,7 +181,6 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
     memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
     s->t = s->t_before = run->event_time = t;
     s->h = h;
-    s->h_most = run->options.h_most > 0.0 ? run->options.h_most : (double)INFINITY;
     run->look.rank = 0;
     return status == LAG_OK && !run->sized ? find_sizes(run, t, s->x) : status;
 }
@@ -387,6 +388,17 @@ static lag_status go_on(lag_run *run, double stop)
     return status == LAG_OK ? lag_run_rows(run, s->t, 1) : status;
 }
 
+/* What happens at instants is looked for at a few places of a step: none is so long that much would be missed between them. */
+static double most_length(const lag_run *run)
+{
+    const lag_model *model = run->motion.model;
+    const double length = run->instants.contacts.length;
+    if (run->options.h_most > 0.0) {
+        return run->options.h_most;
+    }
+    return model->nindicator + model->ncontact > 0 && length > 0.0 ? length / LEAST_STEPS : (double)INFINITY;
+}
+
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
 {
     lag_stepper *s = &run->stepper;
@@ -398,6 +410,7 @@ lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
     if (!(run->options.length > 0.0) && run->options.count < 2) {
         run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
     }
+    s->h_most = most_length(run);
     lag_status status = lag_run_ticks(run);
     if (status == LAG_OK) {
         status = restart(run, s->method, stop - s->t);
@@ -426,11 +439,23 @@ static lag_status follow_fixed(lag_run *run, double h)
         return status;
     }
     lag_instants_after(&run->instants, h);
+    run->instants.contacts.flight = h;
     status = lag_alert_look(&run->alert, run->stepper.t, run->stepper.x);
     if (status == LAG_HAPPENS) {
         status = lag_run_event(run, h, run->alert.changed);
     }
+    run->instants.contacts.flight = 0.0;
     return status == LAG_OK ? lag_run_ticks(run) : status;
+}
+
+/* The end of a step of length h from t; of one after the other, as a whole number of steps from the first. */
+static double end_of_step(lag_clock *pace, double t, double h)
+{
+    if (pace->period != h || lag_clock_instant(pace, pace->next) != t) {
+        *pace = lag_clock_of(t, h);
+    }
+    ++pace->next;
+    return lag_clock_instant(pace, pace->next);
 }
 
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
@@ -446,7 +471,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_od
     status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
     if (status == LAG_OK) {
         s->t_before = s->t;
-        s->t += h;
+        s->t = end_of_step(&run->pace, s->t, h);
         run->projection.iterations = 2;
         (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
         run->projection.iterations = iterations;

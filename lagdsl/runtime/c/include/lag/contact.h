@@ -12,6 +12,7 @@ typedef struct lag_contacts {
     lag_places places;
     lag_impact impact;
     double length;           /* of the experiment [s] */
+    double flight;           /* bounces that take less than this are none: steps of fixed length cannot tell them [s] */
     double force;            /* the largest that a contact had to carry, about */
     double slack[2];         /* what is round-off: of gaps, as a part of 1 + the largest number of x, and of forces */
     double *fastest, *last;  /* (ncontact) approach speed so far, time of the last impact */
@@ -38,11 +39,11 @@ double lag_contacts_size(const lag_motion *motion, const double *x);
 /* Whether any gap is negative; flags (ncontact) of those that are. */
 int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags);
 
-/* At the start: contacts that touch and do not move apart are closed if they push. */
+/* At the start: contacts that touch and do not move apart are closed unless they pull. */
 lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x);
 
-/* Closes those of the candidates (ncontact flags) that push: the one that pulls most is opened until none does. */
-lag_status lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates);
+/* Closes those of the candidates (ncontact flags) that do not pull: the one that pulls most opens until none does. */
+void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates);
 
 /* Opens closed contacts that do not touch or do not stay. */
 lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x);

@@ -21,6 +21,12 @@ typedef struct lag_slot {
     const char *place;  /* file:line of its declaration, or null */
 } lag_slot;
 
+/* A state to start from, which satisfies everything that the model says of the start, for the default parameters. */
+typedef struct lag_start {
+    double t;        /* [s] */
+    const double *x; /* (q, qd, z); null: not known */
+} lag_start;
+
 /* Positions of the nonzero elements of a matrix, row by row. */
 typedef struct lag_pattern {
     size_t rows, columns, count;

@@ -30,6 +30,9 @@ extern const lag_radau_table lag_radau_tables[LAG_RADAU_TABLES];
 /* The methods of one order each; lag_radau chooses among them. */
 extern const lag_method lag_radau5, lag_radau9, lag_radau13;
 
+/* Vectors of the Krylov space in which stage equations are solved where the Jacobian turns. */
+enum { LAG_RADAU_KRYLOV = 12 };
+
 /* What is remembered between steps, as numbers. */
 typedef struct lag_radau_memo {
     double level;      /* the present table */
@@ -38,6 +41,10 @@ typedef struct lag_radau_memo {
     double usable;     /* 1: there is a Jacobian */
     double decomposed; /* step length of the decompositions, 0: none */
     double polynomial; /* terms of the dense output of the step before, 0: there is none */
+    double turning;    /* for so many more steps the Jacobian is taken as linear in time, 0: as constant in a step */
+    double ahead;      /* length of step along which it changes by `change`, 0: not known */
+    double before;     /* length of the step that `trend` is from, 0: none */
+    double wall;       /* stage equations of a step so long could not be solved, 0: none such */
     double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
 } lag_radau_memo;
 
@@ -51,6 +58,10 @@ typedef struct lag_radau_places {
     double *z, *w, *slope, *dense;  /* (stages, n) */
     double *right;                  /* (stages, n) */
     double *point, *error;          /* (n) */
+    double *change;                 /* (n, n) of the Jacobian along the step */
+    double *bend;                   /* (n, n) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
+    double *trend;                  /* (n, n) its change along the step before, by time */
+    double *basis;                  /* (LAG_RADAU_KRYLOV + 2, stages, n) */
 } lag_radau_places;
 
 size_t lag_radau_memory(size_t size);
@@ -66,11 +77,33 @@ typedef struct lag_radau_outcome {
 
 unsigned lag_radau_iterations(unsigned stages); /* at most */
 
+/* out = matrix in, for as many arrays of n numbers as there are stages. */
+void lag_radau_transform(
+    size_t n, size_t stages, const double matrix[LAG_RADAU_STAGES][LAG_RADAU_STAGES], const double *in, double *out);
+
+/* x (stages, n) becomes the solution of the decomposed systems for it. */
+void lag_radau_decomposed(size_t n, const lag_radau_places *at, double *x);
+
+/* Sum over the stages, by the tolerances. */
+double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, const double *b);
+
 /*
- * The stages z of a step of length h, from the first guess that is in them: with the Jacobian at hand, `guess` again and a new one
+ * x (stages, n), which solves the equations with the Jacobian at the middle of the step, becomes the solution with one that
+ * changes along it, to a small part of itself.
+ */
+void lag_radau_turn(const lag_stepper *s, const lag_radau_places *at, double *x);
+
+/*
+ * The stages z of a step of length h, from the first guess that `guess` puts into them: with the Jacobian at hand, and a new one
  * where that fails. What is not LAG_OK comes from the Jacobian.
  */
 lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
     void (*guess)(const lag_stepper *s, const lag_radau_places *at, double h), lag_radau_outcome *outcome);
+
+/* The step was accepted: whether the Jacobian serves the next one, and how that is to be solved. */
+void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *outcome);
+
+/* It was not. */
+void lag_radau_fail(const lag_radau_places *at, const lag_radau_outcome *outcome);
 
 #endif

@@ -37,7 +37,7 @@ typedef struct lag_event {
 typedef struct lag_run_options {
     double tolerance;         /* of the motion as a whole; 0: 1e-8 */
     const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
-    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound */
+    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound (with events: a fiftieth of `length`) */
     double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
 
     const double *p;          /* (np) parameters; null: the defaults */
@@ -103,6 +103,7 @@ struct lag_run {
     lag_alert alert;
     lag_instants instants;
     double begun;             /* time at which it began */
+    lag_clock pace;           /* the ends of steps of fixed length, counted: nothing adds up */
     lag_stiffness stiffness;
     int sized;                /* natural sizes are known */
     double *group, *natural, *cap, *row_sizes;

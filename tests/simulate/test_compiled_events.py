@@ -1,0 +1,111 @@
+"""Events that the C runtime carries out, against those of the NumPy engine: rows, failures, what Python still does."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lagdsl
+from lagdsl.pipeline import EngineName
+from lagdsl.simulate.events.passes import Passes
+from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.motion import loop
+
+G = 9.80665
+FALLING = """
+model Falling
+  coordinate Length h(start = 1 m);
+  input Force F = 0;
+  {declarations}
+  gravity = -g_n*world.y;
+  mass 1 kg at {{0, h}};
+  force F on h;
+  {items}
+equation
+  {equations}
+end Falling;
+"""
+
+
+def falling(engine: EngineName, declarations: str = "", items: str = "", equations: str = "") -> lagdsl.Model:
+    return lagdsl.compile(FALLING.format(declarations=declarations, items=items, equations=equations), engine=engine)
+
+
+FAILURES = {
+    "E0810": ("", "", 'when h <= 0.5 m then assert(der(h) > 0, "falls"); end when;'),
+    "E0832": (
+        "",
+        "",
+        "when h <= 0.5 m then reinit(der(h), 1 m/s); end when; when h <= 0.5 m then reinit(der(h), 0); end when;",
+    ),
+    "E0833": ("", "", "when h <= 0 then reinit(der(h), -0.5*pre(der(h))); end when;"),
+    "E0834": ("", "contact roof: h >= 2 m with restitution = 0.5;", ""),
+}
+
+
+@pytest.mark.parametrize("code", FAILURES)
+def test_what_fails_fails_alike(code: str) -> None:
+    told = []
+    for engine in ("numpy", "c"):
+        with pytest.raises(SimulationFailed) as failure:
+            falling(engine, *FAILURES[code]).simulate(stop=5.0)  # type: ignore[arg-type]
+        diagnostic = failure.value.diagnostic
+        assert diagnostic.code == code
+        labels = [(label.span.start, label.span.end, label.text) for label in diagnostic.labels]
+        told.append((failure.value.time, labels, len(failure.value.trajectory.events)))
+    assert told[0][0] == pytest.approx(told[1][0], abs=1e-7)
+    assert told[0][1:] == told[1][1:]
+
+
+def test_python_carries_out_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError("passes in Python")
+
+    monkeypatch.setattr(Passes, "run", never)
+    motion = falling("c", items="contact floor: h >= 0 with restitution = 0.5;").simulate(stop=3.0)
+    assert motion.events[-1].kind == "closed"
+    # impacts at t1 (1 + 2 (e + ... + e^k)), which accumulate at 3 t1
+    first = math.sqrt(2.0 / G)
+    times = [first * (1.0 + 2.0 * sum(0.5**i for i in range(1, k + 1))) for k in range(5)]
+    assert [event.time for event in motion.events[:5]] == pytest.approx(times, abs=1e-9)
+
+
+@pytest.mark.parametrize("interval", [0.1, 0.037])
+def test_rows_are_where_they_are_under_numpy(interval: float) -> None:
+    text = "when sample(0, 0.1 s) then n = pre(n) + 1; end when; when h <= 0.5 m then reinit(der(h), 0); end when;"
+    declarations = "discrete Integer n(start = 0);"
+    first, second = (
+        falling(engine, declarations, equations=text).simulate(stop=0.6, interval=interval)  # type: ignore[arg-type]
+        for engine in ("numpy", "c")
+    )
+    np.testing.assert_allclose(first.time, second.time, rtol=0, atol=1e-12)
+    np.testing.assert_array_equal(first["n"], second["n"])
+    np.testing.assert_allclose(first["der(h)"], second["der(h)"], rtol=0, atol=1e-9)
+
+
+def test_steps_of_python_leave_events_to_c(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As near a singular position, where C hands every step over."""
+    model = falling(
+        "c",
+        "discrete Integer n(start = 0);",
+        "contact floor: h >= 0 with restitution = 0.5;",
+        "when sample(0.05 s, 0.1 s) then n = pre(n) + 1; end when;",
+    )
+    alone = model.simulate(stop=1.5)
+    monkeypatch.setattr(loop.Motion, "_leap", lambda _self, _leaps, here, _end: here)
+    monkeypatch.setattr(Passes, "run", None)
+    stepped = model.simulate(stop=1.5)
+    assert [(e.kind, e.name) for e in alone.events] == [(e.kind, e.name) for e in stepped.events]
+    np.testing.assert_allclose([e.time for e in alone.events], [e.time for e in stepped.events], rtol=0, atol=1e-8)
+    np.testing.assert_array_equal(alone["n"], stepped["n"])
+    np.testing.assert_allclose(alone["h"], stepped["h"], rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+def test_inputs_that_jump_at_a_tick_are_those_behind_it(engine: EngineName) -> None:
+    text = "when sample(0.5 s, 1 s) then n = F/(1 N); end when;"
+    table = ([0.0, 0.5, 0.5, 1.0], [1.0, 1.0, 7.0, 7.0])
+    motion = falling(engine, "discrete Real n(start = 0);", equations=text).simulate(stop=1.0, inputs={"F": table})
+    assert motion["n"][-1] == 7.0
