@@ -38,6 +38,14 @@ static double value_of(void *context, double t)
     return status == LAG_OK || status == LAG_HAPPENS ? lag_alert_value(&one->run->alert, one->which) : (double)NAN;
 }
 
+/* A root is told from the side on which things have changed; what is left of the way there is as good as straight. */
+static double straighten(change *one, double a, double fa, double root, double tolerance)
+{
+    const double value = value_of(one, root);
+    const double better = root - value * (root - a) / (value - fa);
+    return fabs(better - root) <= tolerance ? better : root;
+}
+
 /*
  * Where number `which`, which has changed at b, does so. A value that is zero but for round-off at a, as after an impact, tells nothing:
  * the interval is halved until its ends have different signs and alike sizes.
@@ -49,7 +57,7 @@ static double root_of(change *one, double a, double b, double tolerance)
     for (int k = 0; k < HALVES; ++k) {
         const double middle = a + 0.5 * (b - a);
         if (lag_root_sign(fa) != lag_root_sign(fb) && fabs(fa) >= ALIKE * fabs(fb)) {
-            return lag_root(value_of, one, a, fa, b, fb, tolerance);
+            return straighten(one, a, fa, lag_root(value_of, one, a, fa, b, fb, tolerance), tolerance);
         }
         if (!(middle > a && middle < b)) {
             break;
