@@ -273,7 +273,7 @@ def test_a_tilted_box_strikes_with_one_corner_and_rests_on_both(engine: Engine, 
 def test_the_wheel_of_spokes_reaches_the_speed_that_replaces_what_a_step_loses(engine: Engine) -> None:
     """w^2 (1 - k^2) (J + m l^2) = 4 m g l sin(slope) sin(alpha) before landing, the part k of w is kept:
     k = (J + m l^2 cos 2 alpha)/(J + m l^2)."""
-    motion = _model("rimless_wheel", engine).simulate(stop=60.0)
+    motion = _model("rimless_wheel", engine).simulate(stop=28.0)
     alpha, inertia = math.pi / 8, 1.2
     kept = (0.2 + math.cos(2 * alpha)) / inertia
     speed = math.sqrt(4 * G * math.sin(math.radians(6)) * math.sin(alpha) / inertia / (1 - kept**2))
@@ -311,6 +311,6 @@ def test_the_clutch_sticks_when_it_has_made_the_speeds_equal(engine: Engine) -> 
 @BOTH
 def test_a_sampled_controller_does_not_see_the_rows(engine: Engine) -> None:
     model = _model("furuta_swing_up", engine)
-    ends = [model.simulate(stop=1.0, interval=interval) for interval in (1.0, 0.1, 0.0137)]
+    ends = [model.simulate(stop=0.5, interval=interval) for interval in (0.5, 0.1, 0.0137)]
     names = [name for name in ends[0].names if name != "time"]
     assert len({tuple(float(end[name][-1]) for name in names) for end in ends}) == 1
