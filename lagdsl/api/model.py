@@ -177,7 +177,8 @@ class Model(Interface):
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
     ) -> Trajectory:
-        """The motion from the initial state, a row every `interval`; what is left out says the model's experiment.
+        """The motion from the initial state, a row every `interval` and two at each event, `.events` telling what
+        happened; what is left out says the model's experiment.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
         column `time` and one for each input. `progress` is called with the part of the time that is done; warnings go

@@ -90,7 +90,8 @@ def _equations(ctx: Context, scope: Scope, body: tuple[nodes.Item, ...]) -> list
                 if not inner:
                     return None
             case _:
-                ctx.sink.report("E0330", item.span, what="an `if` around what is no equation")
+                hint = "give the value of the item the condition: `force if c then F else 0 on x`"
+                ctx.sink.report("E0330", item.span, what="an `if` around what is no equation", help=hint)
                 return None
     return found
 

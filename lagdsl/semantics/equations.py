@@ -79,6 +79,8 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
     hint = None
     if symbol is not None and symbol.kind == "coordinate":
         hint = f"an equation between coordinates is a constraint: `constraint {item.span.text.strip().rstrip(';')};`"
+    elif symbol is not None and symbol.kind == "discrete":
+        hint = f"`{symbol.short}` changes at events: write the equation in a `when` clause"
     elif symbol is not None and symbol.kind in ("parameter", "constant", "structural"):
         hint = f"give `{symbol.short}` its value where it is declared"
     ctx.sink.report("E0322", item.span, help=hint)

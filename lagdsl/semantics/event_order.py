@@ -9,7 +9,7 @@ from itertools import pairwise
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.event_flow import assignments, branches, needs
-from lagdsl.flat.events import Assign, Branch, Reset, entries
+from lagdsl.flat.events import Assign, Branch, Contact, Impact, Reset, entries
 from lagdsl.flat.expression import Binary, FlatExpression, Unary
 from lagdsl.flat.model import FlatModel
 
@@ -20,6 +20,7 @@ def check_events(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
     for branch in branches(flat):
         _check_twice(branch, sink)
     _check_resets(flat, sink)
+    _check_gaps(flat, dependence, sink)
     for discrete in flat.events.discretes:
         if discrete.name not in given:
             sink.report("E0384", discrete.spans[0], name=discrete.name)
@@ -102,3 +103,13 @@ def _check_resets(flat: FlatModel, sink: Sink) -> None:
             if isinstance(action, Reset) and action.name not in (coordinates if action.rate else states):
                 name = f"der({action.name})" if action.rate else action.name
                 sink.report("E0374", action.spans[0], name=name)
+
+
+def _check_gaps(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
+    """E0382 for a gap that no impulse can change: of states, time and inputs only."""
+    coordinates = {coordinate.name for coordinate in flat.coordinates}
+    actions = (action for branch in branches(flat) for action in branch.actions)
+    gaps: list[Contact | Impact] = [*flat.events.contacts, *(each for each in actions if isinstance(each, Impact))]
+    for item in gaps:
+        if coordinates.isdisjoint(dependence.of(item.gap)):
+            sink.report("E0382", item.spans[0])

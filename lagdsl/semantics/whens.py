@@ -177,7 +177,9 @@ class _Body:
             case "impact":
                 self._impact(call, scope, spans, guard)
             case _:
-                ctx.sink.report("E0378", item.span)
+                equal = isinstance(call, nodes.Binary) and call.operator == "=="
+                hint = "an assignment is written with a single `=`" if equal else None
+                ctx.sink.report("E0378", item.span, help=hint)
 
     def _message(self, call: nodes.Expression, scope: Scope, count: int) -> str | None:
         """The last of `count` arguments."""

@@ -16,10 +16,7 @@ import pytest
 from click.testing import CliRunner
 
 import lagdsl
-from lagdsl.backends.c.emit import CBackend
 from lagdsl.cli.main import lag
-from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import front, middle, read
 
 G = 9.80665
 BALL = """
@@ -102,25 +99,20 @@ Build = Callable[..., Module]
 @pytest.fixture(scope="module")
 def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
     """Exports a model text and makes it; the runtime is compiled once for all."""
-    compiled: dict[tuple[str, ...], Path] = {}
+    compiled: dict[str, Path] = {}
 
-    def built(text: str, *, batch: bool = False, flags: str = "-O1") -> Module:
-        sink = Sink()
-        source = read(text, sink)
-        flat = front(source, sink) if source is not None else None
-        compilation = middle(flat, sink) if flat is not None else None
-        assert compilation is not None, sink.diagnostics
+    def built(text: str, flags: str = "-O1") -> Module:
         folder = tmp_path_factory.mktemp("module")
-        for path, content in CBackend(batch=batch).emit(compilation.program).files.items():
-            (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            (folder / path).write_text(content, encoding="utf-8")
-        for object_file in sorted((compiled.setdefault((flags,), folder) / "lag").glob("*.o")):
+        (folder / "model.lag").write_text(text, encoding="utf-8")
+        done = CliRunner().invoke(lag, ["build", str(folder / "model.lag"), "--target", "c", "-o", str(folder)])
+        assert done.exit_code == 0, done.output
+        for object_file in sorted((compiled.setdefault(flags, folder) / "lag").glob("*.o")):
             shutil.copy(object_file, folder / "lag")
-        done = subprocess.run(
-            ["make", "-s", f"CFLAGS={flags}"], cwd=folder, capture_output=True, text=True, check=False
-        )
-        assert (done.returncode, done.stderr) == (0, "")
-        return Module(folder, compilation.program.name)
+        command = ["make", "-s", f"CFLAGS={flags}"]
+        made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        assert (made.returncode, made.stderr) == (0, "")
+        (header,) = folder.glob("*.h")
+        return Module(folder, header.stem)
 
     return built
 
@@ -202,22 +194,28 @@ def test_events_are_clean_under_sanitizers(build: Build) -> None:
         assert subprocess.run(command, capture_output=True, text=True, check=False).returncode == 0
 
 
-def test_the_motion_starts_where_the_model_says(tmp_path: Path) -> None:
+def test_the_motion_starts_where_the_model_says(build: Build) -> None:
     """The rate that is given stays, the other one follows from the constraint; at the time that is told."""
-    model = tmp_path / "circle.lag"
-    model.write_text(CIRCLE, encoding="utf-8")
-    done = CliRunner().invoke(lag, ["build", str(model), "--target", "c", "-o", str(tmp_path / "c")])
-    assert done.exit_code == 0, done.output
-    subprocess.run(["make", "-s", "CFLAGS=-O1", "Circle"], cwd=tmp_path / "c", check=True)
-    first, last = (
-        [float(x) for x in line.split(",")]
-        for line in subprocess.run(
-            [str(tmp_path / "c" / "Circle"), "1.5", "0.5"], capture_output=True, text=True, check=True
-        ).stdout.splitlines()[1:]
-    )
-    np.testing.assert_allclose(first, [1.0, 0.6, -0.8, 1.0, 0.75], rtol=1e-12)
+    first, last = build(CIRCLE).run(1.5, 0.5, 1e-10).rows
+    np.testing.assert_allclose(list(first.values()), [1.0, 0.6, -0.8, 1.0, 0.75], rtol=1e-12)
     angle = math.atan2(-0.8, 0.6) + 0.5 * 1.25
-    np.testing.assert_allclose(last[:3], [1.5, math.cos(angle), math.sin(angle)], rtol=1e-8)
+    np.testing.assert_allclose(list(last.values())[:3], [1.5, math.cos(angle), math.sin(angle)], rtol=1e-8)
+
+
+@pytest.mark.parametrize("name", ["newtons_cradle", "rimless_wheel", "ladder_leaving_wall", "valve_train"])
+def test_models_with_events_run_as_under_numpy(build: Build, root: Path, name: str) -> None:
+    text = (root / "models" / f"{name}.lag").read_text(encoding="utf-8")
+    model = lagdsl.compile(text, engine="numpy")
+    stop = {"newtons_cradle": 2.0, "rimless_wheel": 3.0, "ladder_leaving_wall": 1.0, "valve_train": 0.05}[name]
+    motion = model.simulate(stop=stop, interval=stop, tolerance=1e-10)
+    ran = build(text).run(stop, stop, 1e-10)
+    assert ran.code == 0, ran.errors
+    assert [(kind, what) for _, kind, what in ran.events] == [(event.kind, event.name) for event in motion.events]
+    assert ran.events
+    np.testing.assert_allclose([t for t, _, _ in ran.events], [event.time for event in motion.events], atol=1e-9)
+    for column in (*model.coordinates, *model.outputs):
+        scale = float(np.max(np.abs(motion[column]), initial=1e-3))
+        assert ran.rows[-1][column] == pytest.approx(float(motion[column][-1]), abs=1e-7 * scale), column
 
 
 def test_the_page_of_the_module_is_true(build: Build) -> None:

@@ -9,7 +9,16 @@ import pytest
 
 import lagdsl
 
-NAMES = ("beam", "four_bars", "panda", "panda_scalars", "planar_chain", "spatial_chain", "stiff_oscillator", "stiff_slider_crank")
+NAMES = (
+    "beam",
+    "four_bars",
+    "panda",
+    "panda_scalars",
+    "planar_chain",
+    "spatial_chain",
+    "stiff_oscillator",
+    "stiff_slider_crank",
+)
 
 
 def test_every_model_is_sound(root: Path) -> None:

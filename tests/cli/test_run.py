@@ -97,6 +97,33 @@ def test_what_happened_is_shown_and_written(invoke: Invoke, tmp_path: Path) -> N
     assert columns["der(h)"][after] == pytest.approx(-0.5 * columns["der(h)"][before], rel=1e-12)
 
 
+def test_what_happened_before_a_failure_is_written(invoke: Invoke, tmp_path: Path) -> None:
+    model, happened = tmp_path / "ball.lag", tmp_path / "events.csv"
+    contact, clause = (
+        "contact floor: h >= 0 with restitution = 0.5;",
+        "when h <= 0 then reinit(der(h), -0.5*der(h)); end when;",
+    )
+    model.write_text(BALL.replace(contact, "").replace("equation", f"equation {clause}"))
+    result = invoke("run", model, "--stop", "3", "--events", happened)
+    assert result.exit_code == 3
+    assert "error[E0833]: events of `h <= 0` crowd together at t = 1.35" in result.stderr
+    _, *rows = csv.reader(happened.read_text().splitlines())
+    times = [float(time) for time, kind, _ in rows if kind == "reinit"]
+    first = np.sqrt(2 / 9.81)
+    exact = first + np.concatenate([[0.0], np.cumsum(2 * first * 0.5 ** np.arange(1, 12))])
+    np.testing.assert_allclose(times[:12], exact, rtol=0, atol=1e-9)
+
+
+def test_a_model_that_ends_itself_says_so(invoke: Invoke, tmp_path: Path) -> None:
+    model = tmp_path / "ball.lag"
+    model.write_text(BALL.replace("equation", 'equation when h < 0.5 m then terminate("half way"); end when;'))
+    result = invoke("run", model)
+    assert result.exit_code == 0 and result.stderr == ""
+    end = np.sqrt(1 / 9.81)
+    assert f"rows from 0 s to {end:g} s" in result.stdout
+    assert ["half", "way", "terminate", "1"] in [line.split()[:4] for line in result.stdout.splitlines()]
+
+
 def test_both_engines_and_both_derivations_give_the_same_motion(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
     motions = []
     for options in ([], ["--engine", "c"], ["--derivation", "textbook"], ["--solver", "radau"]):

@@ -24,7 +24,7 @@ Verdict = Literal["same", "grazing", "differs", "hang", "nan"]
 
 TOLERANCE = 1e-8
 INTERVAL = 0.01
-SECONDS = 20
+SECONDS = 20  # of the processor
 # States may differ by so many times what an engine differs from itself, or by this part of the tolerance.
 FACTOR, PART = 10.0, 0.1
 # A motion is followed as long as an engine differs from itself by less than this part of the range.
@@ -63,13 +63,13 @@ def limited(seconds: int) -> Iterator[None]:
     def stop(_number: int, _frame: FrameType | None) -> None:
         raise HangError
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds, 0.2)
+    before = signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds, 0.2)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0.0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+        signal.signal(signal.SIGVTALRM, before)
 
 
 def run(model: lagdsl.Model, tolerance: float) -> Run:

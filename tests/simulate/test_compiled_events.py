@@ -109,3 +109,13 @@ def test_inputs_that_jump_at_a_tick_are_those_behind_it(engine: EngineName) -> N
     table = ([0.0, 0.5, 0.5, 1.0], [1.0, 1.0, 7.0, 7.0])
     motion = falling(engine, "discrete Real n(start = 0);", equations=text).simulate(stop=1.0, inputs={"F": table})
     assert motion["n"][-1] == 7.0
+
+
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+def test_where_inputs_jump_relations_turn_before_clocks_tick(engine: EngineName) -> None:
+    text = "when F > 4 N then n = 2; end when; when sample(0.5 s, 1 s) then m = 10*n; end when;"
+    declarations = "discrete Real n(start = 1), m(start = 0);"
+    table = ([0.0, 0.5, 0.5, 1.0], [1.0, 1.0, 7.0, 7.0])
+    motion = falling(engine, declarations, equations=text).simulate(stop=1.0, inputs={"F": table})
+    assert [event.kind for event in motion.events] == ["true", "tick"]
+    assert (motion["n"][-1], motion["m"][-1]) == (2.0, 20.0)

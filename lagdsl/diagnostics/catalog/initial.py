@@ -41,7 +41,8 @@ ROWS: dict[str, Row] = {
     "E0808": error(
         "the motion cannot be continued at t = {time} s: `{name}` is not a number",
         None,
-        "a division by zero, a root or a logarithm leaves its domain here",
+        "a division by zero, a root or a logarithm leaves its domain here; a branch of an `if` is used a little beyond "
+        "its border: write `sqrt(max(x, 0))`",
     ),
     "E0809": error(
         "the motion cannot be continued at t = {time} s: steps became smaller than {step} s because of `{name}`",

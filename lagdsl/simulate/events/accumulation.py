@@ -9,17 +9,17 @@ _SAME, _ROUNDING = 100, 1e-14
 
 
 class Accumulation:
-    """Watches the times of events that are located; clocks do not crowd."""
+    """Watches the times of events that are located; clocks do not crowd, and contacts close when they do."""
 
     def __init__(self) -> None:
         self._last = -float("inf")
         self._first = self._interval = float("inf")
         self._shrinking = self._still = 0
 
-    def reached(self, t: float) -> bool:
-        """Whether the event at t is one too many."""
+    def reached(self, t: float, relations: bool) -> bool:
+        """Whether the event at t, of `relations` or of contacts only, is one too many."""
         interval = t - self._last
-        if self._interval < float("inf") and interval < self._interval:
+        if relations and self._interval < float("inf") and interval < self._interval:
             self._shrinking += 1
         else:
             self._first, self._shrinking = interval, 1

@@ -127,7 +127,7 @@ class Happenings:
 
     def carry_out(self, found: Found, y: Floats) -> Result:
         result = self._carry_out(found.t, y, self._system.w, found, None)
-        if not found.clocks and self._accumulation.reached(found.t):
+        if not found.clocks and self._accumulation.reached(found.t, bool(found.relations)):
             changed = [*self._discretes.relations[found.relations], *self._discretes.contacts[found.contacts]]
             result.failed = result.failed or self._passes.blame("E0833", [int(k) for k in changed])
         return result

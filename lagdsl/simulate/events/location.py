@@ -96,7 +96,8 @@ def _root(index: int, left: float, right: float, look: Callable[[float], Look]) 
     for _ in range(_HALVINGS):
         if low * high < 0.0 and abs(low) >= _ALIKE * abs(high):
             xtol = _rounding(left, right)
-            return float(brentq(lambda t: float(look(t).values[index]), left, right, xtol=xtol, rtol=9e-16))
+            root = float(brentq(lambda t: float(look(t).values[index]), left, right, xtol=xtol, rtol=9e-16))
+            return root if abs(look(root).values[index]) <= _ALIKE * abs(low) else _behind(index, left, right, look)
         middle = 0.5 * (left + right)
         if not left < middle < right:
             break
@@ -105,6 +106,16 @@ def _root(index: int, left: float, right: float, look: Callable[[float], Look]) 
             right, high = middle, float(there.values[index])
         else:
             left, low = middle, float(there.values[index])
+    return right
+
+
+def _behind(index: int, left: float, right: float, look: Callable[[float], Look]) -> float:
+    """The first time behind a jump of the value: before it nothing has changed yet."""
+    while left < (middle := 0.5 * (left + right)) < right:
+        if index in look(middle).changed:
+            right = middle
+        else:
+            left = middle
     return right
 
 

@@ -4,7 +4,7 @@
 
 size_t lag_alert_memory(const lag_model *model)
 {
-    return 6 * model->nindicator + model->ngap * (2 + model->nq) + 9 * model->ncontact;
+    return 7 * model->nindicator + model->ngap * (2 + model->nq) + 10 * model->ncontact;
 }
 
 void lag_alert_place(lag_alert *alert, lag_motion *motion, const double *slack, double *memory)
@@ -19,7 +19,8 @@ void lag_alert_place(lag_alert *alert, lag_motion *motion, const double *slack, 
     for (size_t k = 0; k < 3; ++k) {
         alert->seen[k] = alert->root + (k + 1) * count;
     }
-    alert->inside = alert->root + 4 * count;
+    alert->found = alert->root + 4 * count;
+    alert->inside = alert->root + 5 * count;
     alert->g = alert->inside + model->ncontact;
     alert->gap = alert->g + model->nindicator;
     alert->speed = alert->gap + model->ngap;

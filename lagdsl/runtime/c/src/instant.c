@@ -109,9 +109,9 @@ static lag_status ring(lag_instants *instants, double t, const double *x)
 
 /* ---- instants ---- */
 
-static lag_status run(lag_instants *instants, double t, double *x, const double *contacts)
+static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *contacts)
 {
-    const lag_status status = lag_passes_run(&instants->passes, t, x, contacts);
+    const lag_status status = lag_passes_run(&instants->passes, t, x, relations, contacts);
     return status == LAG_OK && instants->passes.stopped ? LAG_STOPPED : status;
 }
 
@@ -140,7 +140,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     if (instants->places.initial < model->nw) {
         motion->w[instants->places.initial] = 1.0;
     }
-    return run(instants, t, x, NULL);
+    return run(instants, t, x, NULL, NULL);
 }
 
 lag_status lag_instants_end(lag_instants *instants, double t, double *x)
@@ -149,13 +149,13 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x)
         return LAG_OK;
     }
     instants->motion->w[instants->places.terminal] = 1.0;
-    return run(instants, t, x, NULL);
+    return run(instants, t, x, NULL, NULL);
 }
 
 lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
 {
     const lag_status status = ring(instants, t, x);
-    return status == LAG_OK ? run(instants, t, x, NULL) : status;
+    return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed)
@@ -170,7 +170,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
         }
     }
     if (status == LAG_OK) {
-        status = run(instants, t, x, changed + model->nindicator);
+        status = run(instants, t, x, changed, changed + model->nindicator);
     }
     if (!crowds(&instants->crowd, t) || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;

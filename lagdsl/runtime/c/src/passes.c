@@ -6,6 +6,8 @@
 enum { MOST_PASSES = 100 };
 /* What passes zero within this part of the moment does so at the event. */
 static const double PASSING = 1e-3;
+/* What is below this part of the size of the state is round-off. */
+static const double ROUNDING = 1e-13;
 
 size_t lag_passes_memory(const lag_model *model)
 {
@@ -100,14 +102,18 @@ static lag_status stand(lag_passes *passes, double t, const double *x)
     return status;
 }
 
-/* Relations as they stand; those that pass zero here are what they are a moment later. */
-static lag_status ahead(lag_passes *passes, double t, const double *x)
+/*
+ * Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero what they have turned to
+ * (flags, or null).
+ */
+static lag_status ahead(lag_passes *passes, double t, const double *x, const double *turned)
 {
     lag_motion *motion = passes->motion;
     const lag_model *model = motion->model;
     if (model->nindicator == 0) {
         return LAG_OK;
     }
+    const double least = ROUNDING * lag_contacts_size(motion, x);
     const int moves = motion->ode.rates(motion, t, x, passes->rate) == LAG_OK;
     for (size_t i = 0; i < lag_motion_size(model); ++i) {
         passes->later[i] = moves ? x[i] + passes->moment * passes->rate[i] : x[i];
@@ -118,7 +124,10 @@ static lag_status ahead(lag_passes *passes, double t, const double *x)
     }
     for (size_t i = 0; i < model->nindicator; ++i) {
         const int passing = fabs(passes->now[i]) <= PASSING * fabs(passes->then[i] - passes->now[i]);
-        motion->w[passes->places.relation + i] = holds(model, i, passing ? passes->then[i] : passes->now[i]);
+        const int stays = turned != NULL && turned[i] != 0.0 && !passing && fabs(passes->now[i]) <= least;
+        if (!stays) {
+            motion->w[passes->places.relation + i] = holds(model, i, passing ? passes->then[i] : passes->now[i]);
+        }
     }
     return status;
 }
@@ -316,7 +325,7 @@ static lag_status take_hold(lag_passes *passes, double t, double *x)
 }
 
 /* One pass; `acted`: it did more than to change w. */
-static lag_status pass(lag_passes *passes, double t, double *x, int *acted)
+static lag_status pass(lag_passes *passes, double t, double *x, const double *turned, int *acted)
 {
     lag_motion *motion = passes->motion;
     lag_status status = look(passes, t, x);
@@ -332,19 +341,19 @@ static lag_status pass(lag_passes *passes, double t, double *x, int *acted)
     if (status == LAG_OK) {
         status = strike(passes, t, x, acted);
     }
-    return status == LAG_OK ? ahead(passes, t, x) : status;
+    return status == LAG_OK ? ahead(passes, t, x, turned) : status;
 }
 
-lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *changed)
+lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *relations, const double *contacts)
 {
     const lag_model *model = passes->motion->model;
     const double *w = passes->motion->w;
-    lag_status status = changed != NULL ? change_contacts(passes, t, x, changed) : LAG_OK;
+    lag_status status = contacts != NULL ? change_contacts(passes, t, x, contacts) : LAG_OK;
     passes->stopped = 0;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         int acted = 0;
         memcpy(passes->before, w, model->nw * sizeof(double));
-        status = pass(passes, t, x, &acted);
+        status = pass(passes, t, x, relations, &acted);
         if (status == LAG_OK && !acted && same(model->nw, passes->before, w)) {
             return LAG_OK;
         }

@@ -338,14 +338,14 @@ static lag_status find(lag_run *run, double *own, double *other)
     return status;
 }
 
-/* What happens at the end of a step of length h: the model's where `own`, the caller's where `other`; clocks. */
-static lag_status happen(lag_run *run, double h, int own, int other, int *happened)
+/* What happens at the end of a step of length h: the model's where `own`, the caller's where `other`; clocks before `stop`. */
+static lag_status happen(lag_run *run, double stop, double h, int own, int other, int *happened)
 {
     int fired = 0;
     *happened = own;
     lag_instants_after(&run->instants, h);
     lag_status status = own ? lag_run_event(run, h, run->alert.changed) : LAG_OK;
-    if (status == LAG_OK && lag_run_due(run, run->stepper.t)) {
+    if (status == LAG_OK && run->stepper.t < stop && lag_run_due(run, run->stepper.t)) {
         *happened = 1;
         status = lag_run_ticks(run);
     }
@@ -377,7 +377,7 @@ static lag_status go_on(lag_run *run, double stop)
     if (status != LAG_OK) {
         return give_back(run, t, status);
     }
-    status = happen(run, step, own < (double)INFINITY, other < (double)INFINITY, &happened);
+    status = happen(run, stop, step, own < (double)INFINITY, other < (double)INFINITY, &happened);
     if (status == LAG_OK && happened) {
         s->h = fmin(h, s->h_most);
         run->look.rank = 0;

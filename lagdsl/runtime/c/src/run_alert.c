@@ -38,6 +38,14 @@ static double value_of(void *context, double t)
     return status == LAG_OK || status == LAG_HAPPENS ? lag_alert_value(&one->run->alert, one->which) : (double)NAN;
 }
 
+/* A root is told from the side on which things have changed; what is left of the way there is as good as straight. */
+static double straighten(change *one, double a, double fa, double root, double tolerance)
+{
+    const double value = value_of(one, root);
+    const double better = root - value * (root - a) / (value - fa);
+    return fabs(better - root) <= tolerance ? better : root;
+}
+
 /*
  * Where number `which`, which has changed at b, does so. A value that is zero but for round-off at a, as after an impact, tells nothing:
  * the interval is halved until its ends have different signs and alike sizes.
@@ -49,7 +57,7 @@ static double root_of(change *one, double a, double b, double tolerance)
     for (int k = 0; k < HALVES; ++k) {
         const double middle = a + 0.5 * (b - a);
         if (lag_root_sign(fa) != lag_root_sign(fb) && fabs(fa) >= ALIKE * fabs(fb)) {
-            return lag_root(value_of, one, a, fa, b, fb, tolerance);
+            return straighten(one, a, fa, lag_root(value_of, one, a, fa, b, fb, tolerance), tolerance);
         }
         if (!(middle > a && middle < b)) {
             break;
@@ -141,20 +149,30 @@ static lag_status find_vertex(lag_run *run, double t, double h, double first, do
     return status == LAG_HAPPENS ? LAG_OK : status;
 }
 
-/* Look number k of those that divide the last step; LAG_HAPPENS: something has changed at *b, and not yet at *a. */
-static lag_status next_look(lag_run *run, unsigned k, double *a, double *b)
+/* A part of the last step in which something is looked for at `looks` places, equidistant from its beginning on. */
+typedef struct interval {
+    double first, last;
+    unsigned looks; /* beside that at the beginning; the last may be the end */
+} interval;
+
+static double place_of(const lag_run *run, const interval *in, unsigned k)
 {
-    const lag_stepper *s = &run->stepper;
-    const double h = s->t - s->t_before;
-    const double part = h / (double)run->options.looks;
-    const double time = k == run->options.looks ? s->t : s->t_before + part * (double)k;
+    return k == run->options.looks ? in->last : in->first + (in->last - in->first) * (double)k / (double)run->options.looks;
+}
+
+/* Look number k; LAG_HAPPENS: something has changed at *b, and not yet at *a. */
+static lag_status next_look(lag_run *run, const interval *in, unsigned k, double *a, double *b)
+{
+    const double part = (in->last - in->first) / (double)run->options.looks;
+    const double time = place_of(run, in, k);
     double vertex = (double)INFINITY;
     const lag_status now = look(run, time);
     if (now != LAG_OK && now != LAG_HAPPENS) {
         return now;
     }
     remember(run, k < 2 ? k : 2);
-    const lag_status before = k < 2 ? LAG_OK : find_vertex(run, time, part, s->t_before + BEGINNING * h, &vertex);
+    const double first = in->first + BEGINNING * (in->last - in->first);
+    const lag_status before = k < 2 ? LAG_OK : find_vertex(run, time, part, first, &vertex);
     if (before != LAG_OK) {
         *a = vertex <= time - part ? time - 2.0 * part : time - part;
         *b = vertex;
@@ -168,25 +186,53 @@ static lag_status next_look(lag_run *run, unsigned k, double *a, double *b)
     return now == LAG_HAPPENS && k > 0 ? look(run, time) : LAG_OK;
 }
 
+/* LAG_HAPPENS: the first change that shows at one of the places, or between them, is at *t. */
+static lag_status scan(lag_run *run, const interval *in, double *t)
+{
+    const lag_stepper *s = &run->stepper;
+    const double tolerance = ULPS * DBL_EPSILON * fmax(fabs(s->t), s->t - s->t_before);
+    double a = in->first;
+    double b = a;
+    lag_status status = LAG_OK;
+    for (unsigned k = 0; k <= in->looks && status == LAG_OK; ++k) {
+        status = next_look(run, in, k, &a, &b);
+    }
+    if (status == LAG_HAPPENS) {
+        *t = earliest(run, a, b, tolerance);
+    }
+    return status;
+}
+
 lag_status lag_run_happening(lag_run *run, double *t)
 {
     const lag_stepper *s = &run->stepper;
     const lag_model *model = run->motion.model;
-    const double tolerance = ULPS * DBL_EPSILON * fmax(fabs(s->t), s->t - s->t_before);
-    double a = s->t_before;
-    double b = a;
-    if (model->nindicator + model->ncontact == 0) {
+    const size_t count = model->nindicator + model->ncontact;
+    interval in = {s->t_before, s->t, run->options.looks};
+    int any = 0;
+    if (count == 0) {
         return LAG_OK;
     }
-    lag_status status = lag_stepper_dense(&run->stepper, a, run->point);
+    lag_status status = lag_stepper_dense(&run->stepper, in.first, run->point);
     if (status == LAG_OK) {
-        status = lag_alert_begin(&run->alert, a, run->point);
+        status = lag_alert_begin(&run->alert, in.first, run->point);
     }
-    for (unsigned k = 0; k <= run->options.looks && status == LAG_OK; ++k) {
-        status = next_look(run, k, &a, &b);
+    if (status == LAG_OK) {
+        status = scan(run, &in, t);
     }
-    if (status == LAG_HAPPENS) {
-        *t = earliest(run, a, b, tolerance);
+    while (status == LAG_HAPPENS) {
+        any = 1;
+        memcpy(run->alert.found, run->alert.changed, count * sizeof(double));
+        if (!(*t - in.first > BEGINNING * (s->t - in.first))) {
+            break;
+        }
+        in.last = *t; /* what changed before that, and changed back at the place */
+        in.looks = run->options.looks - 1;
+        status = scan(run, &in, t);
+    }
+    if (any && (status == LAG_OK || status == LAG_HAPPENS)) {
+        memcpy(run->alert.changed, run->alert.found, count * sizeof(double));
+        return LAG_HAPPENS;
     }
     return status;
 }

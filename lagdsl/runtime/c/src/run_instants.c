@@ -61,8 +61,9 @@ lag_status lag_run_ticks(lag_run *run)
 
 lag_status lag_run_end(lag_run *run)
 {
-    if (!has_instants(run) || run->instants.places.terminal == run->motion.model->nw) {
-        return LAG_OK;
+    const lag_status status = lag_run_ticks(run);
+    if (status != LAG_OK || !has_instants(run) || run->instants.places.terminal == run->motion.model->nw) {
+        return status;
     }
     return over(run, lag_instants_end(&run->instants, run->stepper.t, run->stepper.x));
 }

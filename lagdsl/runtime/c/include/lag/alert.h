@@ -16,7 +16,7 @@ typedef struct lag_alert {
     double *changed;                           /* (nindicator + ncontact) 1: this one, at the state looked at last */
     double *inside;                            /* (ncontact) 1: this gap was negative already when the step began */
     double *seen[3];                           /* (nindicator + ncontact) for those who look for the time */
-    double *root;                              /* the same */
+    double *root, *found;                      /* the same */
 } lag_alert;
 
 /* Doubles for it. */

@@ -36,10 +36,10 @@ void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection
 lag_status lag_passes_settle(lag_passes *passes, double t, const double *x);
 
 /*
- * Carries out what is new in w; `changed` (ncontact flags, or null) are contacts that were found to change. Changes x and w, whose rates
- * are on the constraints afterwards. Relations are left as they are a moment later.
+ * Carries out what is new in w; `relations`, turned in w already, and `contacts` were found to change (flags, or null). Changes x and w,
+ * whose rates are on the constraints afterwards. Relations are left as they are a moment later.
  */
-lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *changed);
+lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *relations, const double *contacts);
 
 /* Tells that something happened. */
 lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, lag_what what, size_t which);

@@ -166,14 +166,15 @@ lag_status lag_run_event(lag_run *run, double h, const double *changed);
 lag_status lag_run_ticks(lag_run *run);
 int lag_run_due(const lag_run *run, double t);
 
-/* What happens at the end, once, where nothing more is to follow. */
+/* What happens at the end, once, where nothing more is to follow: ticks that are due, then `terminal()`. */
 lag_status lag_run_end(lag_run *run);
 
 /* Rows before number `row` are somebody else's business. */
 void lag_run_skip(lag_run *run, size_t row);
 
 /*
- * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then, and at any failure the last good one.
+ * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then, and at any
+ * failure the last good one. Ticks of the model at that very time are left to the next call, or to lag_run_end.
  * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
  * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_ATTENTION, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted. LAG_UNSETTLED and what
  * follows it there: an event came to no good end. What callbacks return other than LAG_OK comes back.
