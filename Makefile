@@ -44,7 +44,7 @@ bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that 
 
 peers:  ## an environment of their own for the libraries that the benchmarks compare with
 	test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
-	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi
+	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae
 
 docs: $(READY)  ## figures of the documents
 	$(BIN)/lag run models/double_pendulum.lag --plot docs/double_pendulum.png -o /dev/null

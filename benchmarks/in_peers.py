@@ -3,6 +3,7 @@
 in_peers.py where                              folders and versions of what is installed
 in_peers.py casadi ARM N WAY FILE.c            Lagrange's equations by CasADi, as C; WAY is one of WAYS
 in_peers.py pinocchio ARM N STATES.npy OUT.npy forward dynamics at many states
+in_peers.py motion PROBLEM                     integrators of others on a problem of peer_motion.py
 """
 
 import importlib.util
@@ -24,6 +25,9 @@ def where() -> dict[str, dict[str, str]]:
         ("pinocchio", "pin", "cmeel"),
         ("mujoco", "mujoco", "mujoco"),
         ("casadi", "casadi", "casadi"),
+        ("scipy", "scipy", "scipy"),
+        ("numba", "numba", "numba"),
+        ("scikit-sundae", "scikit-sundae", "sksundae"),
     ):
         spec = importlib.util.find_spec(module)
         try:
@@ -141,6 +145,10 @@ def main() -> None:
     command, *rest = sys.argv[1:]
     if command == "where":
         answer: object = where()
+    elif command == "motion":
+        from peer_motion import measure
+
+        answer = measure(rest[0])
     else:
         arm = ARMS[rest[0]](int(rest[1]))
         if command == "casadi":

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+import motion
 from dynamics import family
 from targets import Results, table, targets
 
@@ -48,6 +49,7 @@ def page(found: dict[str, Results]) -> str:
         ("growth", _growth),
         ("accuracy", _accuracy),
         ("start", _start),
+        ("runtime", _runtime),
     ):
         if key in found:
             lines += ["", *section(found[key])]
@@ -225,6 +227,64 @@ def _start(found: Results) -> list[str]:
         f"| exponent (below 2) | {found['nodes']:.2f} | {found['seconds']:.2f} |",
     ]
     return lines
+
+
+def _runtime(found: Results) -> list[str]:
+    lines = [
+        "## Motions",
+        "",
+        "Errors are those of the state at the end, against an independent integration of equations typed by hand (van",
+        "der Pol: the published values). Every integrator runs with tolerances half a decade apart.",
+        "",
+        f"Time for an error of at most {found['goal']:.0e}, the quickest run that has it, least of several:",
+        "",
+        "| | C runtime [ms] | `model.simulate` [ms] | CVODES by CasADi [ms] | ratio | SciPy, Numba [ms] | ratio |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    problems = found["problems"].values()
+    lines += [_times(problem) for problem in problems if not problem["stiff"]]
+    lines += [
+        "",
+        "Right-hand sides for an error, Newton iterations included, between the runs of the frontier; Jacobians apart.",
+        "CVODE is the best of CasADi's and scikit-sundae's, exact Jacobian, three absolute tolerances.",
+        "",
+        "| | error | Radau | automatic | CVODE | Radau to CVODE |",
+        "|---|---|---|---|---|---|",
+    ]
+    for problem in problems:
+        if problem["stiff"]:
+            automatic = {error: mine for error, mine, _ in motion.count_ratios(problem, "auto")}
+            for error, mine, theirs in motion.count_ratios(problem):
+                also = f"{automatic[error]:.0f}" if error in automatic else ""
+                lines.append(
+                    f"| {problem['title']} | {error:.0e} | {mine:.0f} | {also} | {theirs:.0f} | {mine / theirs:.2f} |"
+                )
+    lines += [
+        "",
+        "| Radau, stiff | tolerance | error | right-hand sides | Jacobians | steps |",
+        "|---|---|---|---|---|---|",
+    ]
+    for problem in problems:
+        for row in problem["rows"] if problem["stiff"] else []:
+            if row["way"] == "radau" and row["error"] is not None:
+                lines.append(
+                    f"| {problem['title']} | {row['tolerance']:.1e} | {row['error']:.1e} | {row['evaluations']} "
+                    f"| {row['jacobians']} | {row['steps']} |"
+                )
+    return lines
+
+
+def _times(problem: Results) -> str:
+    cells = [problem["title"], _milliseconds(motion.best(problem, "auto"))]
+    cells.append(f"{1e3 * problem['simulate']:.2f}" if "simulate" in problem else "")
+    for peer in ("CVODES", "SciPy"):
+        ratio = motion.time_ratio(problem, peer)
+        cells += [_milliseconds(motion.best(problem, peer)), "" if ratio is None else f"{ratio:.3f}"]
+    return "| " + " | ".join(cells) + " |"
+
+
+def _milliseconds(row: Results | None) -> str:
+    return "" if row is None else f"{1e3 * row['seconds']:.2f}"
 
 
 def _microseconds(nanoseconds: float | None) -> str:

@@ -18,6 +18,7 @@ import chains
 import figures
 import growth
 import machine
+import motion
 import ours
 import pages
 import peers
@@ -33,6 +34,7 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "accuracy": accuracy.measure,
     "growth": growth.measure,
     "start": start.measure,
+    "runtime": motion.measure,
 }
 
 

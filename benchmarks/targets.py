@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import motion
 from growth import exponent
 
 Results = dict[str, Any]
@@ -142,6 +143,41 @@ def targets(found: Results) -> list[Target]:
             (1.1,),
             (growth("four_bars", "evaluation"),),
             "growth",
+        ),
+        *_motions(found),
+    ]
+
+
+def _motions(found: Results) -> list[Target]:
+    problems = found.get("runtime", {}).get("problems", {})
+
+    def each(names: tuple[str, ...], figure: Callable[[Results], Figure]) -> tuple[Figure, ...]:
+        return tuple(figure(problems[name]) if name in problems else None for name in names)
+
+    chains, stiff = ("double_pendulum", "ten_links"), ("slider_crank", "oscillator")
+    return [
+        Target(
+            "motions of 2 / 10 links to 1e-6, C runtime: time against CasADi's CVODES",
+            (0.15, 0.15),
+            (0.05, 0.05),
+            each(chains, lambda problem: motion.time_ratio(problem, "CVODES")),
+            "runtime",
+            "{:.3f}",
+        ),
+        Target(
+            "the same against SciPy's DOP853 with Numba",
+            (0.03, 0.03),
+            (0.01, 0.01),
+            each(chains, lambda problem: motion.time_ratio(problem, "SciPy")),
+            "runtime",
+            "{:.3f}",
+        ),
+        Target(
+            "stiff slider-crank / van der Pol: right-hand sides against the best CVODE, worst of all accuracies",
+            (1.0, 1.0),
+            (0.7, 0.7),
+            each(stiff, motion.worst_count),
+            "runtime",
         ),
     ]
 

@@ -15,6 +15,7 @@ static struct {
     size_t n, bars, contacts, gaps;
     double mass[LINEAR_MOST], force[LINEAR_MOST], q[LINEAR_MOST], qd[LINEAR_MOST];
     double bar[LINEAR_MOST][LINEAR_MOST], gap[LINEAR_MOST][LINEAR_MOST], rest[LINEAR_MOST], restitution[LINEAR_MOST];
+    double brief; /* stick speed and rest time of every contact are this; zero: the defaults */
     size_t closed; /* first entry of w */
 } linear;
 
@@ -118,7 +119,7 @@ static lag_status linear_contact(
     }
     for (size_t i = 0; i < linear.contacts; ++i) {
         restitution[i] = linear.restitution[i];
-        stick[i] = rest[i] = -1.0;
+        stick[i] = rest[i] = linear.brief > 0.0 ? linear.brief : -1.0;
     }
     return LAG_OK;
 }

@@ -98,6 +98,22 @@ static void a_ball_bounces_and_rests(void)
     free(run);
 }
 
+/*
+ * A contact that is told to rest late does not end as a crowd of events. What is left after bounce k is 4 0.8^(k - 1) s, the speed
+ * 5 0.8^k m/s; both are below 2.2e-6 from k = 66 on.
+ */
+static void a_contact_rests_late(void)
+{
+    set_ball(0.8);
+    linear.brief = 2.2e-6;
+    const lag_model model = linear_model();
+    lag_run *run = begin(&model, LAG_OK);
+    CHECK(lag_run_to(run, 6.0, 0) == LAG_OK);
+    CHECK(count_of(LAG_IMPACT) == 65 && count_of(LAG_CLOSED) == 1);
+    CHECK_NEAR(time_of(LAG_CLOSED, 0), 4.5 - 5.0 * pow(0.8, 66.0), 1e-6);
+    free(run);
+}
+
 /* A ball that lies on the floor is in contact from the start; one that is in it is refused. */
 static void contacts_at_the_start(void)
 {
@@ -257,6 +273,7 @@ static void a_lever_strikes(void)
 int main(void)
 {
     a_ball_bounces_and_rests();
+    a_contact_rests_late();
     contacts_at_the_start();
     fixed_steps_bounce();
     a_row_of_balls();

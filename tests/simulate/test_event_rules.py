@@ -9,6 +9,7 @@ import pytest
 
 import lagdsl
 from lagdsl.pipeline import EngineName
+from lagdsl.simulate.failure import SimulationFailed
 
 ENGINES: tuple[EngineName, ...] = ("numpy", "c")
 
@@ -184,3 +185,18 @@ def test_rows_and_ticks_are_the_same_numbers(engine: EngineName) -> None:
     assert len(motion.time) == 1 + 2 * 20
     np.testing.assert_array_equal(motion.time[1::2], motion.time[2::2])
     np.testing.assert_array_equal(motion.time[1::2], np.arange(1, 21) / 20)
+
+
+def test_a_constraint_that_asks_for_other_positions_is_refused() -> None:
+    text = """
+      coordinate Real x(der(start = 1)), y;
+      discrete Real n(start = 0);
+      kinetic 1/2*der(x)^2 + 1/2*der(y)^2;
+      constraint c: y = n;
+    equation
+      when time >= 0.5 then n = x; end when;
+    """
+    with pytest.raises(SimulationFailed) as failure:
+        model(text, "numpy").simulate(stop=1.0)
+    assert failure.value.diagnostic.code == "E0835"
+    assert failure.value.time == pytest.approx(0.5, abs=1e-12)

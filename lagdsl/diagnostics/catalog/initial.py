@@ -170,4 +170,9 @@ ROWS: dict[str, Row] = {
         label="starts inside",
         help="give starts at which every gap is positive or zero",
     ),
+    "E0835": error(
+        "{text} does not hold at the positions that the motion has at t = {time} s, when it begins to",
+        label="asks for a jump of positions",
+        help="let it begin where it holds, or write it for rates: `der(...) = ...`",
+    ),
 }

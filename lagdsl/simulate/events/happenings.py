@@ -65,11 +65,6 @@ class Happenings:
         return self._carry_out(t, y, self._system.w, Found(t), self._discretes.instant(initial=False))
 
     @property
-    def slack(self) -> Floats:
-        """What is round-off of gaps and forces; kept up to date."""
-        return self._contacts.slack if self.active else np.zeros(2)
-
-    @property
     def ends(self) -> bool:
         return self._discretes.instant(initial=False) is not None
 
@@ -106,11 +101,6 @@ class Happenings:
             return None
         t, indices = found
         return Found(t, [i for i in indices if i < relations], [i - relations for i in indices if i >= relations])
-
-    def located(self, t: float, changed: tuple[list[int], list[int]], step: float) -> Found:
-        """Relations and contacts whose change somebody else has found in a step of this length."""
-        self._passes.moment = AHEAD * step
-        return Found(t, *changed)
 
     def jumped(self, t: float, y: Floats) -> Found | None:
         """Relations that are other now that inputs have jumped at t."""

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 
 from lagdsl.mechanics.rank import Floats
 
@@ -92,6 +91,8 @@ def _earliest(left: float, right: float, seen: Look, look: Callable[[float], Loo
 def _root(index: int, left: float, right: float, look: Callable[[float], Look]) -> float:
     """Where `index`, changed at `right`, changes. A value that is zero but for round-off at the left, as after an
     impact, tells nothing: the interval is halved until its ends have different signs and alike sizes."""
+    from scipy.optimize import brentq
+
     low, high = float(look(left).values[index]), float(look(right).values[index])
     for _ in range(_HALVINGS):
         if low * high < 0.0 and abs(low) >= _ALIKE * abs(high):

@@ -10,6 +10,7 @@ from lagdsl.flat.event_flow import branches
 from lagdsl.flat.events import Check, Contact, Impact, Reset, Terminate, entries
 from lagdsl.flat.quantity import Item
 from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_names import located
 from lagdsl.simulate.events.contacts import ROUNDING, Contacts, size
 from lagdsl.simulate.events.discretes import Discretes, Outcome
 from lagdsl.simulate.projection import Projection
@@ -20,6 +21,8 @@ MOST_PASSES = 100
 # and short against everything else. What passes zero within this part of that moment does so at the event.
 AHEAD = 1e-4
 _PASSING = 1e-3
+# Positions off a constraint by this part of the natural size of its row are not those of the event's time.
+_TORN = 1e-6
 
 
 @dataclass(slots=True)
@@ -47,6 +50,7 @@ class Passes:
         states = {item.name: index for index, item in enumerate(discretes.flat.states)}
         n = len(coordinates)
         self.moment = 1e-9
+        self._switched = any(constraint.switched for constraint in discretes.flat.constraints)
         # what constraints may depend on
         self._shaping = np.concatenate([discretes.variables, discretes.relations])
         self._places = [n + coordinates[r.name] if r.rate else 2 * n + states[r.name] for r in self._resets]
@@ -81,7 +85,17 @@ class Passes:
         else:
             result.failed = self.blame("E0804", np.flatnonzero(before != result.w).tolist())
         self._discretes.system.with_discretes(result.w)
+        result.failed = result.failed or self._torn(t, result.y)
         return result
+
+    def _torn(self, t: float, y: Floats) -> tuple[str, Item, str] | None:
+        """A failure where a constraint that discretes switch asks for other positions than there are."""
+        if not self._switched or self._projection.distance(t, y) <= _TORN:
+            return None
+        row, _ = self._projection.worst(t, y)
+        constraint = next(item.constraint for item in located(self._discretes.flat) if row in item.rows)
+        name = self._discretes.system.engine.layout.constraints[row].name
+        return ("E0835", constraint, f"`{name}`") if constraint.switched else None
 
     # ---- contacts ----------------------------------------------------------------------------------------------------
 

@@ -15,19 +15,23 @@ G_N = 9.80665
 def solve(
     rates: Callable[[float, Floats], ArrayLike], start: Sequence[float], t: Floats, tolerance: float = 1e-12
 ) -> Floats:
-    """Rows of the solution of x' = rates(t, x), x(t[0]) = start, at the times `t`; shape (len(start), len(t))."""
+    """Rows of the solution of x' = rates(t, x), x(t[0]) = start, at the times `t`; shape (len(start), len(t)).
+
+    Times may come twice, as at events.
+    """
+    times, rows = np.unique(t, return_inverse=True)
     scale = np.maximum(np.abs(start), 1e-3 * np.max(np.abs(start)))
     solution = solve_ivp(
         lambda time, x: np.asarray(rates(time, x), dtype=float),
         (t[0], t[-1]),
         start,
         method="DOP853",
-        t_eval=t,
+        t_eval=times,
         rtol=tolerance,
         atol=tolerance * np.where(scale > 0, scale, 1.0),
     )
     assert solution.success, solution.message
-    return np.asarray(solution.y)
+    return np.asarray(solution.y)[:, rows]
 
 
 def linear(a: ArrayLike, start: Sequence[float], t: Floats) -> Floats:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from models.references.hybrid import Mode, Motion
 from models.references.integrate import G_N, Floats, solve
 
 Parameters = Mapping[str, float]
@@ -82,15 +83,20 @@ def slider_crank(p: Parameters, t: Floats) -> dict[str, Floats]:
         piston = -r * np.sin(th) - l * np.sin(ph) * dph
         return p["J"] + p["m_rod"] * (rod @ rod) + p["J_rod"] * dph**2 + p["m_pis"] * piston**2
 
-    def rates(_: float, x: Floats) -> list[float]:
+    def rates(kick: float, x: Floats) -> list[float]:
         th, w = x
         ph = -np.arcsin(r / l * np.sin(th))
         lift = -r * np.sin(th) + l * np.sin(ph) * r * np.cos(th) / (l * np.cos(ph))
         volume = clearance + area * (r + l - r * np.cos(th) - l * np.cos(ph))
-        kick = p["kick"] if np.mod(th, 4 * np.pi) < np.pi else 1.0
         pressure = p["p0"] * ((clearance + swept) / volume) ** 1.3 * kick
         slope = inertia(th + 1e-30j).imag / 1e-30
         return [w, (-(pressure - p["p0"]) * area * lift - slope * w**2 / 2) / np.real(inertia(th))]
 
-    x = solve(rates, [0, 30 * np.pi], t, tolerance=1e-10)
+    def stroke(name: str, _: float) -> Mode:
+        """The power strokes are the even ones, each of them half a turn in two."""
+        count, end = int(name), 4 * np.pi * ((int(name) + 1) // 2) + (np.pi if int(name) % 2 == 0 else 0.0)
+        kick = p["kick"] if count % 2 == 0 else 1.0
+        return Mode(lambda _, x: rates(kick, x), [(lambda _, x: end - x[0], lambda _, x: (f"{count + 1}", x))])
+
+    x = Motion(stroke, "0", [0, 30 * np.pi], t).x
     return {"th": x[0], "speed": x[1]}

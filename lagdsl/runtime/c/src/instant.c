@@ -34,11 +34,11 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
-/* Whether the event at t is one too many. */
-static int crowds(lag_crowd *crowd, double t)
+/* Whether the event at t, of relations or of contacts only, is one too many. Contacts close where they crowd. */
+static int crowds(lag_crowd *crowd, double t, int relations)
 {
     const double interval = t - crowd->last;
-    if (crowd->interval < (double)INFINITY && interval < crowd->interval) {
+    if (relations && crowd->interval < (double)INFINITY && interval < crowd->interval) {
         ++crowd->shrinking;
     } else {
         crowd->first = interval;
@@ -163,8 +163,10 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
     const lag_model *model = instants->motion->model;
     double *truth = instants->motion->w + instants->places.relation;
     lag_status status = LAG_OK;
+    int any = 0;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
+            any = 1;
             truth[i] = 1.0 - truth[i];
             status = lag_passes_tell(&instants->passes, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
         }
@@ -172,7 +174,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
     if (status == LAG_OK) {
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
-    if (!crowds(&instants->crowd, t) || (status != LAG_OK && status != LAG_STOPPED)) {
+    if (!crowds(&instants->crowd, t, any) || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;
     }
     memcpy(instants->passes.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));

@@ -38,11 +38,17 @@ static double value_of(void *context, double t)
     return status == LAG_OK || status == LAG_HAPPENS ? lag_alert_value(&one->run->alert, one->which) : (double)NAN;
 }
 
-/* A root is told from the side on which things have changed; what is left of the way there is as good as straight. */
-static double straighten(change *one, double a, double fa, double root, double tolerance)
+/*
+ * A root is told from the side on which things have changed; what is left of the way there is as good as straight. Where the value jumps
+ * the time is some roundings behind the jump, so that the state, moved onto the constraints, is behind it, too.
+ */
+static double refine(change *one, double a, double fa, double b, double root, double tolerance)
 {
     const double value = value_of(one, root);
     const double better = root - value * (root - a) / (value - fa);
+    if (fabs(value) > ALIKE * fabs(fa)) {
+        return fmin(b, root + TOGETHER * tolerance);
+    }
     return fabs(better - root) <= tolerance ? better : root;
 }
 
@@ -57,7 +63,7 @@ static double root_of(change *one, double a, double b, double tolerance)
     for (int k = 0; k < HALVES; ++k) {
         const double middle = a + 0.5 * (b - a);
         if (lag_root_sign(fa) != lag_root_sign(fb) && fabs(fa) >= ALIKE * fabs(fb)) {
-            return straighten(one, a, fa, lag_root(value_of, one, a, fa, b, fb, tolerance), tolerance);
+            return refine(one, a, fa, b, lag_root(value_of, one, a, fa, b, fb, tolerance), tolerance);
         }
         if (!(middle > a && middle < b)) {
             break;

@@ -11,7 +11,7 @@
 /* Watches the times of events that were located for crowding towards an instant, so that time does not get beyond it (Zeno). */
 typedef struct lag_crowd {
     double last, interval, first; /* time of the last event, time since the one before, and that where they began to shrink */
-    unsigned shrinking, still;    /* so many intervals in a row, each shorter than the one before; so many events at one time */
+    unsigned shrinking, still;    /* so many intervals in a row, each shorter than the one before; events at one time */
 } lag_crowd;
 
 typedef struct lag_instants {
