@@ -174,6 +174,7 @@ class Model(Interface):
         start: Mapping[str, float] | None = None,
         inputs: Mapping[str, Signal] | Path | str | None = None,
         solver: str = "auto",
+        step: float | None = None,
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
     ) -> Trajectory:
@@ -181,8 +182,10 @@ class Model(Interface):
         happened; what is left out says the model's experiment.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
-        column `time` and one for each input. `progress` is called with the part of the time that is done; warnings go
-        to `sink`. Raises CompilationFailed before the first step, SimulationFailed after it, with the motion so far;
+        column `time` and one for each input. `solver`: auto, dop853, rk45, radau, bdf, or rk4, leapfrog, ros2 in steps
+        of the length `step`, or cvode, where SUNDIALS is installed. `progress` is called with the part of the time that
+        is done; warnings go to `sink`. Raises CompilationFailed before the first step, SimulationFailed after it, with
+        the motion so far;
         KeyError and ValueError for arguments that do not fit.
         """
         from lagdsl.api.trajectory import Trajectory
@@ -200,6 +203,7 @@ class Model(Interface):
                 inputs=_signals(inputs),
                 start=self._start_values(start),
                 solver=solver,
+                step=step,
                 progress=progress,
                 sink=sink,
             )

@@ -40,7 +40,10 @@ _SECONDS = "e.g. 10, '500 ms'"
 @click.option(
     "--engine", type=click.Choice(["auto", "numpy", "c"]), default="auto", show_default=True, help="auto: C if large."
 )
-@click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf.")
+@click.option(
+    "--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf, cvode."
+)
+@click.option("--step", metavar="H", help="Length of steps [s], for the solvers rk4, leapfrog and ros2.")
 @click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the columns to this .csv or .parquet.")
 @click.option("--events", type=click.Path(path_type=Path), help="Write what happened, and when, to this .csv.")
@@ -56,6 +59,7 @@ def command(
     inputs: Path | None,
     engine: EngineName,
     solver: str,
+    step: str | None,
     derivation: Derivation,
     output: Path | None,
     events: Path | None,
@@ -80,6 +84,7 @@ def command(
                 start=chosen.start,
                 inputs=signals,
                 solver=solver,
+                step=seconds("--step", step),
                 progress=report,
                 sink=sink,
             )

@@ -76,8 +76,9 @@ class RunSettings:
 class CRun:
     """One run of a model with so many `inputs` and `discretes`, in one block of memory of its own.
 
-    `told` is what happened in the last call; `before` is called with the time of an event before anything happens. What
-    inputs raise is raised by the call.
+    `told` is what happened in the last call; `before` is called with the time of an event before anything happens,
+    `after` with the state and the discretes afterwards: the run stops there where it says no. What inputs raise
+    is raised by the call.
     """
 
     def __init__(self, library: Library, settings: RunSettings, inputs: int, discretes: int) -> None:
@@ -87,6 +88,7 @@ class CRun:
         self._size, self._discretes = settings.rows.shape[1], discretes
         self.told: list[Told] = []
         self.before: Callable[[float], None] | None = None
+        self.after: Callable[[float, Floats, Floats], bool] | None = None
         self.trouble: BaseException | None = None
         options = self._options(settings)
         size = int(library.run_size(library.model, byref(options)))
@@ -139,6 +141,8 @@ class CRun:
             w = np.array(told.w[: self._discretes if whole else 0])
             if what == "before" and self.before is not None:
                 self.before(told.t)
+            if what == "after" and self.after is not None and not self.after(told.t, y, w):
+                return Status.STOPPED
             self.told.append(Told(told.t, what, told.which, told.row, y, w))
         except BaseException as problem:
             self.trouble = problem

@@ -15,6 +15,7 @@ from lagdsl.runtime.engine import Engine
 from lagdsl.simulate.initialize import initial_state
 from lagdsl.simulate.instants import Instants
 from lagdsl.simulate.integrators import METHODS
+from lagdsl.simulate.integrators.cvode import CVODE, SUNDIALS_VARIABLE, has_sundials
 from lagdsl.simulate.motion import Motion, Task
 from lagdsl.simulate.signals import Signal, signals
 from lagdsl.simulate.trajectory import Trajectory
@@ -35,6 +36,7 @@ def simulate(
     inputs: Mapping[str, Signal] | None = None,
     start: Mapping[str, float] | None = None,
     solver: str = "auto",
+    step: float | None = None,
     max_steps: int = 1_000_000,
     progress: Callable[[float], None] | None = None,
     sink: Sink | None = None,
@@ -43,15 +45,15 @@ def simulate(
     the experiment.
 
     `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start`
-    further start values; SI units. `progress` is called with the part of the time that is done. What is wrong before
-    the first step raises CompilationFailed (warnings go to `sink`), what goes wrong on the way SimulationFailed, bad
-    options ValueError.
+    further start values; SI units. `step` is the length of the steps of rk4, leapfrog and ros2. `progress` is called
+    with the part of the time that is done. What is wrong before the first step raises CompilationFailed (warnings go to
+    `sink`), what goes wrong on the way SimulationFailed, bad options ValueError.
     """
     experiment = flat.experiment
     t0 = experiment.start_time
     end = experiment.stop_time if stop is None else float(stop)
     relative = experiment.tolerance if tolerance is None else float(tolerance)
-    check_options(t0, end, relative, solver)
+    check_options(t0, end, relative, solver, step)
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     with np.errstate(all="ignore"), warnings.catch_warnings():
@@ -77,6 +79,7 @@ def simulate(
             sink=own,
             tolerance=relative,
             solver=solver,
+            step=step,
             max_steps=max_steps,
             progress=progress,
         )
@@ -96,7 +99,7 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
     return np.asarray(times)
 
 
-def check_options(t0: float, stop: float, tolerance: float, solver: str) -> None:
+def check_options(t0: float, stop: float, tolerance: float, solver: str, step: float | None = None) -> None:
     """Raise ValueError for options that make no sense."""
     if not np.isfinite(stop) or not stop > t0:
         raise ValueError(f"the stop time {stop:g} s must be after the start time {t0:g} s")
@@ -104,3 +107,20 @@ def check_options(t0: float, stop: float, tolerance: float, solver: str) -> None
         raise ValueError(f"the tolerance {tolerance:g} must be between 1e-13 and 0.1")
     if solver not in SOLVERS:
         raise ValueError(f"there is no solver `{solver}`; there are {', '.join(SOLVERS)}")
+    _check_step(solver, step, stop - t0)
+    if solver == CVODE.name and not has_sundials():
+        raise ValueError(
+            "the solver `cvode` is that of SUNDIALS, which is not found: install its libraries, or let the environment "
+            f"variable {SUNDIALS_VARIABLE} be the path of libsundials_cvode; `radau` and `bdf` are always there"
+        )
+
+
+def _check_step(solver: str, step: float | None, span: float) -> None:
+    fixed = solver in METHODS and METHODS[solver].fixed is not None
+    if fixed and step is None:
+        raise ValueError(f"the solver `{solver}` does not choose the length of its steps: give a step, in seconds")
+    if step is not None and not fixed:
+        names = ", ".join(name for name, method in METHODS.items() if method.fixed is not None)
+        raise ValueError(f"the solver `{solver}` chooses the length of its steps; those that do not are {names}")
+    if step is not None and not 1e-9 * span <= step <= span:
+        raise ValueError(f"the step {step:g} s must be positive and no longer than the simulation")

@@ -20,7 +20,7 @@ static inline lag_status machine_start(const lag_arguments *at, double *q, doubl
 {
     (void)at;
     (void)u;
-    q[0] = 0.1; /* height */
+    q[0] = 0.04; /* height */
     q[1] = 0.0; /* to the side */
     qd[0] = 0.0;
     qd[1] = 1.0;

@@ -50,7 +50,7 @@ def test_what_fails_fails_alike(code: str) -> None:
     told = []
     for engine in ("numpy", "c"):
         with pytest.raises(SimulationFailed) as failure:
-            falling(engine, *FAILURES[code]).simulate(stop=5.0)  # type: ignore[arg-type]
+            falling(engine, *FAILURES[code]).simulate(stop=5.0)
         diagnostic = failure.value.diagnostic
         assert diagnostic.code == code
         labels = [(label.span.start, label.span.end, label.text) for label in diagnostic.labels]
@@ -77,8 +77,7 @@ def test_rows_are_where_they_are_under_numpy(interval: float) -> None:
     text = "when sample(0, 0.1 s) then n = pre(n) + 1; end when; when h <= 0.5 m then reinit(der(h), 0); end when;"
     declarations = "discrete Integer n(start = 0);"
     first, second = (
-        falling(engine, declarations, equations=text).simulate(stop=0.6, interval=interval)  # type: ignore[arg-type]
-        for engine in ("numpy", "c")
+        falling(engine, declarations, equations=text).simulate(stop=0.6, interval=interval) for engine in ("numpy", "c")
     )
     np.testing.assert_allclose(first.time, second.time, rtol=0, atol=1e-12)
     np.testing.assert_array_equal(first["n"], second["n"])
@@ -109,6 +108,26 @@ def test_inputs_that_jump_at_a_tick_are_those_behind_it(engine: EngineName) -> N
     table = ([0.0, 0.5, 0.5, 1.0], [1.0, 1.0, 7.0, 7.0])
     motion = falling(engine, "discrete Real n(start = 0);", equations=text).simulate(stop=1.0, inputs={"F": table})
     assert motion["n"][-1] == 7.0
+
+
+def test_a_jump_of_positions_is_refused_at_its_event() -> None:
+    text = """
+    model Torn
+      coordinate Real x(der(start = 1)), y;
+      discrete Real n(start = 0);
+      gravity = 0;
+      kinetic 1/2*der(x)^2 + 1/2*der(y)^2;
+      constraint c: y = n;
+    equation
+      when time >= 0.5 then n = x; end when;
+      annotation(units = "none");
+    end Torn;
+    """
+    with pytest.raises(SimulationFailed) as failure:
+        lagdsl.compile(text, engine="c").simulate(stop=1.0)
+    assert failure.value.diagnostic.code == "E0835"
+    assert failure.value.time == pytest.approx(0.5, abs=1e-12)
+    assert failure.value.trajectory.time[-1] == pytest.approx(0.5, abs=1e-12)
 
 
 @pytest.mark.parametrize("engine", ["numpy", "c"])

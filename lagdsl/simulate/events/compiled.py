@@ -30,7 +30,9 @@ class CompiledHappenings(Happenings):
         actions = [action for branch in branches(flat) for action in branch.actions]
         self._resets = [action for action in actions if isinstance(action, Reset)]
         self._checks = [action for action in actions if isinstance(action, Check)]
+        self._refused: tuple[str, Item, str] | None = None
         run.before = self._before
+        run.after = self._after
         if self.active:
             self._contacts.slack = np.ctypeslib.as_array(run.report.slack, shape=(2,))
 
@@ -39,8 +41,16 @@ class CompiledHappenings(Happenings):
         if t >= self._system.until:
             self._system.enter(np.inf)
 
+    def _after(self, t: float, y: Floats, w: Floats) -> bool:
+        """Whether the positions are those that constraints want now."""
+        self._system.with_discretes(w)
+        self._refused = self._passes.torn(t, y)
+        return self._refused is None
+
     def begin(self, t: float, y: Floats) -> Result:
-        return self.result(self._run.enter(t, y))
+        result = self.result(self._run.enter(t, y))
+        result.failed = result.failed or self._passes.torn(t, result.y)
+        return result
 
     def end(self, t: float, y: Floats) -> Result:
         return self.result(self._run.end(t, y))
@@ -68,7 +78,7 @@ class CompiledHappenings(Happenings):
             Event(time=told.t, name=self._name(told), kind=told.what) for told in run.told if not len(told.y)
         ]
         stop = "" if status == Status.STOPPED else None
-        return Result(run.state(), w, stop=stop, failed=self._failure(status))
+        return Result(run.state(), w, stop=stop, failed=self._refused or self._failure(status))
 
     def _name(self, told: Told) -> str:
         events, which = self._discretes.flat.events, told.which

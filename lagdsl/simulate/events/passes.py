@@ -85,10 +85,10 @@ class Passes:
         else:
             result.failed = self.blame("E0804", np.flatnonzero(before != result.w).tolist())
         self._discretes.system.with_discretes(result.w)
-        result.failed = result.failed or self._torn(t, result.y)
+        result.failed = result.failed or self.torn(t, result.y)
         return result
 
-    def _torn(self, t: float, y: Floats) -> tuple[str, Item, str] | None:
+    def torn(self, t: float, y: Floats) -> tuple[str, Item, str] | None:
         """A failure where a constraint that discretes switch asks for other positions than there are."""
         if not self._switched or self._projection.distance(t, y) <= _TORN:
             return None

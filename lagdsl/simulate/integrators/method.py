@@ -16,7 +16,9 @@ SMALLEST_RELATIVE = 2.3e-14
 
 
 class System(Protocol):
-    """The first-order system y' = f(t, y) with its exact Jacobian."""
+    """The first-order system y' = f(t, y) with its exact Jacobian; y begins with n coordinates and their rates."""
+
+    n: int
 
     def __call__(self, t: float, y: Floats) -> Floats: ...
 
@@ -29,7 +31,8 @@ class Method:
     accurate.
 
     `start(system, t, y, t_end, atol, first_step)` makes SciPy's stepper; `correct(stepper, y)` gives it another
-    present state.
+    present state. `fixed(h, ...)` is what `make` is where the user gives the length of the steps; None: the method
+    chooses it.
     """
 
     name: str
@@ -38,6 +41,7 @@ class Method:
     factor: float
     make: Callable[..., Any]
     correct: Callable[[Any, System, Floats], None]
+    fixed: Callable[..., Any] | None = None
 
     def start(self, system: System, t: float, y: Floats, t_end: float, atol: Floats, first_step: float | None) -> Any:
         """A stepper at (t, y) that will not step beyond t_end."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.mechanics.rank import Floats
 from lagdsl.simulate.accuracy import Accuracy
-from lagdsl.simulate.integrators import METHODS, Method
+from lagdsl.simulate.integrators import METHODS, Method, with_steps
 from lagdsl.simulate.motion.task import Task, Tools
 from lagdsl.simulate.stiffness import Stiffness
 from lagdsl.simulate.trouble import time_text
@@ -16,7 +16,8 @@ class Choice:
     def __init__(self, task: Task, tools: Tools, notes: list[str]) -> None:
         self._system, self._notes = tools.system, notes
         self._stiffness = Stiffness() if task.solver == "auto" else None
-        self.method: Method = METHODS["dop853" if task.solver == "auto" else task.solver]
+        method = METHODS["dop853" if task.solver == "auto" else task.solver]
+        self.method: Method = method if task.step is None else with_steps(method, task.step)
         self.accuracy = Accuracy(task.flat, tools.space.sizes, self.method.factor * task.tolerance)
         self._tolerance = task.tolerance
         self._since = task.initial.t

@@ -25,7 +25,7 @@ EPSILON = float(np.finfo(np.float64).eps)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
-    """Everything one run needs."""
+    """Everything one run needs. `step`: length of the steps of methods that do not choose it."""
 
     flat: FlatModel
     engine: Engine
@@ -38,6 +38,7 @@ class Task:
     solver: str
     max_steps: int
     progress: Callable[[float], None] | None
+    step: float | None = None
 
     @property
     def first(self) -> float:
