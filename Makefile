@@ -6,7 +6,7 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test test-fast update c-test bench peers docs
+.PHONY: help check lint test test-fast update c-check c-test bench peers docs
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
@@ -16,7 +16,7 @@ $(READY): pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	touch $@
 
-check: lint c-test test  ## everything that must hold: style, types, floors, C tests, all tests with coverage
+check: lint c-check test  ## everything that must hold: style, types, floors, C tests, all tests with coverage
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -31,7 +31,10 @@ test: $(READY)  ## all tests; those of the floors cover at least 95 % of the bra
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
 
-c-test: $(READY)  ## tests of the C runtime under sanitizers and valgrind, warnings of every compiler there is
+c-check: $(READY)  ## tests of the C runtime under sanitizers, warnings of every compiler there is
+	$(MAKE) --jobs=2 --directory=lagdsl/runtime/c sanitized warnings
+
+c-test: $(READY)  ## the same, with the sanitizer of threads and ten thousand runs under valgrind
 	$(MAKE) --directory=lagdsl/runtime/c test
 
 update: $(READY)  ## regenerate what is generated: parser tables, unit table, list of the library, expectations of the corpus
