@@ -16,7 +16,9 @@ $(READY): pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	touch $@
 
-check: lint c-check test  ## everything that must hold: style, types, floors, C tests, all tests with coverage
+check: $(READY)  ## everything that must hold: style, types, floors, C tests, all tests with coverage
+	$(MAKE) --jobs=2 lint c-check
+	$(MAKE) test
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -32,7 +34,7 @@ test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
 
 c-check: $(READY)  ## tests of the C runtime under sanitizers, warnings of every compiler there is
-	$(MAKE) --jobs=2 --directory=lagdsl/runtime/c sanitized warnings
+	$(MAKE) --directory=lagdsl/runtime/c sanitized warnings
 
 c-test: $(READY)  ## the same, with the sanitizer of threads and ten thousand runs under valgrind
 	$(MAKE) --directory=lagdsl/runtime/c test
