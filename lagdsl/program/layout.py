@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from lagdsl.flat.event_flow import branches
 from lagdsl.flat.events import Check, Discrete, Entry, Reset, Terminate, entries
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.flat.quantity import Item, Quantity
 from lagdsl.program.program import Instants, Layout, Slot
 from lagdsl.units.naming import unit_text
@@ -22,7 +22,7 @@ def layout(flat: FlatModel) -> Layout:
         inputs=_slots(flat.inputs),
         discretes=tuple(_discrete(entry) for entry in entries(flat.events)),
         kinds=tuple(entry.kind for entry in entries(flat.events)),
-        instants=_instants(flat, [row for row, _ in rows]),
+        instants=_instants(flat, rows),
         parameters=_slots(independent),
         defaults=tuple(item.value for item in independent),
         outputs=_slots(flat.outputs),
@@ -39,7 +39,8 @@ def _discrete(entry: Entry) -> Slot:
     return Slot(name=entry.name, unit=unit, place=_place(entry.item))
 
 
-def _instants(flat: FlatModel, rows: Sequence[str]) -> Instants:
+def _instants(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> Instants:
+    named = [name for name, _ in rows]
     actions = [action for branch in branches(flat) for action in branch.actions]
     resets = [action for action in actions if isinstance(action, Reset)]
     places = {f"der({c.name})": len(flat.coordinates) + index for index, c in enumerate(flat.coordinates)}
@@ -47,7 +48,8 @@ def _instants(flat: FlatModel, rows: Sequence[str]) -> Instants:
     names = tuple(f"der({reset.name})" if reset.rate else reset.name for reset in resets)
     return Instants(
         strict=tuple(relation.strict for relation in flat.events.relations),
-        contact_rows=tuple(rows.index(contact.name) for contact in flat.events.contacts),
+        contact_rows=tuple(named.index(contact.name) for contact in flat.events.contacts),
+        switched_rows=tuple(i for i, (_, c) in enumerate(rows) if c.switched and c.level == "position"),
         resets=names,
         reset_places=tuple(places[name] for name in names),
         stops=tuple(action.message for action in actions if isinstance(action, Terminate)),

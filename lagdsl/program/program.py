@@ -27,12 +27,14 @@ class Slot:
 class Instants:
     """What happens at instants, in the order of the results of `indicator`, `contact` and `event`.
 
-    `strict` flags relations that do not hold at zero, `contact_rows` are rows of constraints. `resets` are as results
-    call them, `reset_places` their entries in (q, qd, z); `stops` and `failures` are messages.
+    `strict` flags relations that do not hold at zero, `contact_rows` are rows of constraints, `switched_rows` those of
+    position level that discretes switch. `resets` are as results call them, `reset_places` their entries in (q, qd, z);
+    `stops` and `failures` are messages.
     """
 
     strict: tuple[bool, ...] = ()
     contact_rows: tuple[int, ...] = ()
+    switched_rows: tuple[int, ...] = ()
     resets: tuple[str, ...] = ()
     reset_places: tuple[int, ...] = ()
     stops: tuple[str, ...] = ()

@@ -29,6 +29,7 @@ class Status(IntEnum):
     CONFLICT = 13
     REFUSED = 14
     PIERCED = 15
+    TORN = 16
 
 
 @dataclass(slots=True)

@@ -77,10 +77,13 @@ class Projection:
 
     def distance(self, t: float, y: Floats) -> float:
         """Largest position residual as a part of the natural size of its row."""
+        return float(np.max(self.distances(t, y), initial=0.0))
+
+    def distances(self, t: float, y: Floats) -> Floats:
+        """Position residuals (nc) as parts of the natural sizes of their rows."""
         q, qd, z = (part.copy() for part in self.system.split(y))
         rest = (z, self.system.inputs(t), self.system.w, self.system.p)
-        phi = self.system.engine.evaluate("position_constraint", t, q, qd, *rest)[0]
-        return float(np.max(np.abs(phi) / self.row_sizes, initial=0.0))
+        return np.abs(self.system.engine.evaluate("position_constraint", t, q, qd, *rest)[0]) / self.row_sizes
 
     def worst(self, t: float, y: Floats) -> tuple[int, float]:
         """Index and residual of the position row that is farthest off."""

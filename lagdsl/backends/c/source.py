@@ -155,6 +155,7 @@ def _instant_tables(layout: Layout) -> dict[str, tuple[str, list[str]]]:
         "kinds": ("unsigned char", [_kind(layout, index) for index in range(len(layout.kinds))]),
         "strict": ("unsigned char", [str(int(flag)) for flag in instants.strict]),
         "contact_rows": ("size_t", [str(row) for row in instants.contact_rows]),
+        "switched_rows": ("size_t", [str(row) for row in instants.switched_rows]),
         "reset_places": ("size_t", [str(place) for place in instants.reset_places]),
         "resets": ("char *const", [string(name) for name in instants.resets]),
         "stops": ("char *const", [string(text) for text in instants.stops]),
@@ -209,6 +210,7 @@ def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
         "prepared": prepared,
         **_event_counts(program),
         "nk": len(program.kept_rows),
+        "nswitched": len(layout.instants.switched_rows),
     }
     tables: dict[str, Sequence[object]] = {
         **_slot_tables(layout),

@@ -53,6 +53,7 @@ def _instants(layout: Layout) -> list[str]:
         f"KINDS = {_tuple([repr(kind) for kind in layout.kinds])}",
         f"STRICT = {instants.strict!r}",
         f"CONTACT_ROWS = {instants.contact_rows!r}  # of constraints",
+        f"SWITCHED_ROWS = {instants.switched_rows!r}  # of constraints, of position level",
         f"RESET_PLACES = {instants.reset_places!r}  # in (q, qd, z)",
         *(f"{name} = {_tuple([f'{text!a}' for text in rows])}" for name, rows in texts.items()),
     ]

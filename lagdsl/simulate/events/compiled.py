@@ -102,6 +102,8 @@ class CompiledHappenings(Happenings):
                 return self._passes.blame(_BLAMED[Status(status)], self._run.guilty())
             case Status.CONFLICT:
                 return "E0832", self._resets[fault], self._resets[fault].name
+            case Status.TORN:
+                return self._passes.tears(float(self._run.report.t), self._run.state())
             case Status.REFUSED:
                 return "E0810", self._checks[fault], self._checks[fault].message
             case _:

@@ -50,7 +50,7 @@ class Passes:
         states = {item.name: index for index, item in enumerate(discretes.flat.states)}
         n = len(coordinates)
         self.moment = 1e-9
-        self._switched = any(constraint.switched for constraint in discretes.flat.constraints)
+        self._switched = list(discretes.system.engine.layout.instants.switched_rows)
         # what constraints may depend on
         self._shaping = np.concatenate([discretes.variables, discretes.relations])
         self._places = [n + coordinates[r.name] if r.rate else 2 * n + states[r.name] for r in self._resets]
@@ -90,12 +90,15 @@ class Passes:
 
     def torn(self, t: float, y: Floats) -> tuple[str, Item, str] | None:
         """A failure where a constraint that discretes switch asks for other positions than there are."""
-        if not self._switched or self._projection.distance(t, y) <= _TORN:
+        if not self._switched or not np.any(self._projection.distances(t, y)[self._switched] > _TORN):
             return None
-        row, _ = self._projection.worst(t, y)
+        return self.tears(t, y)
+
+    def tears(self, t: float, y: Floats) -> tuple[str, Item, str]:
+        """The switched constraint that is farthest off."""
+        row = self._switched[int(np.argmax(self._projection.distances(t, y)[self._switched]))]
         constraint = next(item.constraint for item in located(self._discretes.flat) if row in item.rows)
-        name = self._discretes.system.engine.layout.constraints[row].name
-        return ("E0835", constraint, f"`{name}`") if constraint.switched else None
+        return "E0835", constraint, f"`{self._discretes.system.engine.layout.constraints[row].name}`"
 
     # ---- contacts ----------------------------------------------------------------------------------------------------
 

@@ -157,6 +157,8 @@ static const char *reason(lag_status status)
         return "one quantity is reset to two values at once";
     case LAG_PIERCED:
         return "a contact is pierced at the start";
+    case LAG_TORN:
+        return "a constraint that an event switches on does not hold at the positions there";
     default:
         return "the motion cannot go on";
     }

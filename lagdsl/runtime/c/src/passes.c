@@ -4,6 +4,8 @@
 #include <string.h>
 
 enum { MOST_PASSES = 100 };
+/* What a constraint that discretes switch may be off the positions, as a part of the size of its row. */
+static const double TORN = 1e-6;
 /* What passes zero within this part of the moment does so at the event. */
 static const double PASSING = 1e-3;
 /* What is below this part of the size of the state is round-off. */
@@ -344,6 +346,18 @@ static lag_status pass(lag_passes *passes, double t, double *x, const double *tu
     return status == LAG_OK ? ahead(passes, t, x, turned) : status;
 }
 
+/* 1: a constraint that discretes switch asks for other positions. */
+static int torn(const lag_passes *passes, double t, const double *x)
+{
+    const lag_model *model = passes->motion->model;
+    for (size_t i = 0; i < model->nswitched; ++i) {
+        if (!(lag_projection_distance(passes->projection, t, x, model->switched_rows[i]) <= TORN)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *relations, const double *contacts)
 {
     const lag_model *model = passes->motion->model;
@@ -355,7 +369,7 @@ lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double 
         memcpy(passes->before, w, model->nw * sizeof(double));
         status = pass(passes, t, x, relations, &acted);
         if (status == LAG_OK && !acted && same(model->nw, passes->before, w)) {
-            return LAG_OK;
+            return torn(passes, t, x) ? LAG_TORN : LAG_OK;
         }
     }
     for (size_t i = 0; i < model->nw; ++i) {

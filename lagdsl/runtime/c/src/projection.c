@@ -264,3 +264,12 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
     }
     return status;
 }
+
+double lag_projection_distance(lag_projection *projection, double t, const double *x, size_t row)
+{
+    lag_motion *motion = projection->motion;
+    const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / ROUNDING : 1.0;
+    lag_motion_look(motion, t, x);
+    const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
+    return status == LAG_OK ? fabs(projection->phi[row]) / size : (double)NAN;
+}

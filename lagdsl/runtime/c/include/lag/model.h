@@ -194,6 +194,8 @@ typedef struct lag_model {
     const unsigned char *kinds;     /* (nw) a lag_kind each, in their order */
     const unsigned char *strict;    /* (nindicator) 1: the relation does not hold at zero */
     const size_t *contact_rows;     /* (ncontact) rows of constraints that hold while they are closed; with their names */
+    size_t nswitched;               /* rows of constraints, of position level, that discretes switch */
+    const size_t *switched_rows;    /* (nswitched) */
     const size_t *reset_places;     /* (nreset) entries of (q, qd, z) */
     const char *const *resets;      /* (nreset) their names: der(h) */
     const char *const *stops;       /* (nstop) messages */

@@ -56,4 +56,10 @@ lag_status lag_projection_exact(lag_projection *projection, double t, double *x,
  */
 lag_status lag_projection_rates(lag_projection *projection, double t, double *x, const double *held);
 
+/*
+ * Residual of a row of position level at (t, x) with the present discretes, as a part of the row's size (of one, where no limits are set).
+ * Not a number where there is none.
+ */
+double lag_projection_distance(lag_projection *projection, double t, const double *x, size_t row);
+
 #endif

@@ -20,7 +20,8 @@ typedef enum lag_status {
     LAG_UNSETTLED = 12,  /* clauses trigger each other and never come to rest */
     LAG_CONFLICT = 13,   /* clauses reset one quantity to different values at one instant */
     LAG_REFUSED = 14,    /* an assertion of a clause failed */
-    LAG_PIERCED = 15     /* a gap is negative at the start */
+    LAG_PIERCED = 15,    /* a gap is negative at the start */
+    LAG_TORN = 16        /* a constraint that discretes switch asks for other positions than there are */
 } lag_status;
 
 #endif
