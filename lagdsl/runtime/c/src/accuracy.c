@@ -5,16 +5,27 @@
 static const double FLOOR = 1e-4;
 static const double ROUNDING = 1e-15;
 
+/* fmax() and fmin() without what they do for nan: they are called often, and states of accepted steps are numbers. */
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *tolerance)
 {
     for (size_t i = 0; i < accuracy->size; ++i) {
         double *largest = accuracy->largest + (size_t)accuracy->group[i];
-        *largest = fmax(*largest, fabs(x[i]));
+        *largest = larger(*largest, fabs(x[i]));
     }
     for (size_t i = 0; i < accuracy->size; ++i) {
         const double floor = FLOOR * accuracy->natural[i];
-        const double scale = fmin(fmax(accuracy->largest[(size_t)accuracy->group[i]], floor), fmax(accuracy->cap[i], floor));
-        tolerance[i] = fmax(accuracy->relative * scale, ROUNDING * accuracy->natural[i]);
+        const double scale = smaller(larger(accuracy->largest[(size_t)accuracy->group[i]], floor), larger(accuracy->cap[i], floor));
+        tolerance[i] = larger(accuracy->relative * scale, ROUNDING * accuracy->natural[i]);
     }
 }
 

@@ -6,10 +6,13 @@
  * II.6 (dense output), II.10 (error estimate); coefficients as in the authors' program DOP853. Step control: Hairer and Wanner,
  * Solving Ordinary Differential Equations II, 2nd ed., section IV.2 (formula 2.43); the measure of stiffness: there, (2.38).
  */
+#define LAG_LANES_AMONG_SINGLES
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "lag/lanes.h"
 #include "lag/stepper.h"
 
 enum { STAGES_OF_STEP = 12, SLOPE_AT_END = 12, SLOPES = 16, DENSE_TERMS = 7 };
@@ -152,11 +155,11 @@ static size_t memory(size_t size)
     return (SLOPES + 2 + DENSE_TERMS) * size;
 }
 
-/* out = base + h * sum; base may be null. */
-static void combine(
-    size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
+/* out = base + h * sum, from entry `i` on; base may be null. */
+static void combine_from(
+    size_t i, size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
 {
-    for (size_t i = 0; i < size; ++i) {
+    for (; i < size; ++i) {
         double sum = 0.0;
         for (unsigned j = 0; j < c->count; ++j) {
             sum += c->weight[j] * slope[c->slope[j] * size + i];
@@ -164,6 +167,38 @@ static void combine(
         out[i] = (base != NULL ? base[i] : 0.0) + h * sum;
     }
 }
+
+#if LAG_LANES
+
+static lag_lanes lanes_at(const double *x)
+{
+    return *(const lag_lanes_memory *)(const void *)x;
+}
+
+/* The same for all entries, several at once: the same bits. */
+static void combine(
+    size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
+{
+    size_t i = 0;
+    for (; i + LAG_LANES <= size; i += LAG_LANES) {
+        lag_lanes sum = lag_lanes_of(0.0);
+        for (unsigned j = 0; j < c->count; ++j) {
+            sum += c->weight[j] * lanes_at(slope + c->slope[j] * size + i);
+        }
+        *(lag_lanes_memory *)(void *)(out + i) = (base != NULL ? lanes_at(base + i) : lag_lanes_of(0.0)) + h * sum;
+    }
+    combine_from(i, size, c, h, slope, base, out);
+}
+
+#else
+
+static void combine(
+    size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
+{
+    combine_from(0, size, c, h, slope, base, out);
+}
+
+#endif
 
 /* All stages and the new state; the slope at its end is left to an accepted step. */
 static lag_status try_step(lag_stepper *s, const places *at, double h)

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/finite.h"
+
 /* Steps that would leave less than this part of themselves before the limit are stretched to it. */
 static const double STRETCH = 1.01;
 
@@ -32,10 +34,8 @@ lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *
 {
     ++s->evaluations;
     lag_status status = s->ode->rates(s->ode->context, t, x, xd);
-    for (size_t i = 0; i < s->ode->size && status == LAG_OK; ++i) {
-        if (!isfinite(xd[i])) {
-            status = LAG_NOT_FINITE;
-        }
+    if (status == LAG_OK && !lag_finite(s->ode->size, xd)) {
+        status = LAG_NOT_FINITE;
     }
     if (status != LAG_OK) {
         s->trouble = status;
