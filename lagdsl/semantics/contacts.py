@@ -64,8 +64,7 @@ def _gap(ctx: Context, scope: Scope, node: nodes.Contact) -> Scalar | None:
             if not isinstance(side.value, Poison):
                 ctx.sink.report("E0312", side.node.span, expected="a scalar", found=kind_of(side.value))
             return None
-    assert isinstance(right.value, Scalar)
-    gap = left.value if right.value.expression == flat.ZERO else added(ctx, scope, "-", left, right, relation)
+    gap = added(ctx, scope, "-", left, right, relation)
     if not isinstance(gap, Scalar):
         return None
     if gap.order != Order.CONFIGURATION:
