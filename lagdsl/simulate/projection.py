@@ -69,11 +69,8 @@ class Projection:
         """Largest position residual and largest velocity residual, each in the units of its row."""
         if not self.active:
             return 0.0, 0.0
-        q, qd, z = (part.copy() for part in self.system.split(y))
-        rest = (z, self.system.inputs(t), self.system.w, self.system.p)
-        phi = self.system.engine.evaluate("position_constraint", t, q, qd, *rest)[0]
-        velocity = self.system.engine.evaluate("velocity_constraint", t, q, qd, *rest)[0]
-        return float(np.max(np.abs(phi), initial=0.0)), float(np.max(np.abs(velocity), initial=0.0))
+        phi, velocity = self._off("position_constraint", t, y), self._off("velocity_constraint", t, y)
+        return float(np.max(phi, initial=0.0)), float(np.max(velocity, initial=0.0))
 
     def distance(self, t: float, y: Floats) -> float:
         """Largest position residual as a part of the natural size of its row."""
@@ -81,17 +78,17 @@ class Projection:
 
     def distances(self, t: float, y: Floats) -> Floats:
         """Position residuals (nc) as parts of the natural sizes of their rows."""
-        q, qd, z = (part.copy() for part in self.system.split(y))
-        rest = (z, self.system.inputs(t), self.system.w, self.system.p)
-        return np.abs(self.system.engine.evaluate("position_constraint", t, q, qd, *rest)[0]) / self.row_sizes
+        return self._off("position_constraint", t, y) / self.row_sizes
 
     def worst(self, t: float, y: Floats) -> tuple[int, float]:
         """Index and residual of the position row that is farthest off."""
+        row = int(np.argmax(self.distances(t, y)))
+        return row, float(self._off("position_constraint", t, y)[row])
+
+    def _off(self, function: str, t: float, y: Floats) -> Floats:
         q, qd, z = (part.copy() for part in self.system.split(y))
         rest = (z, self.system.inputs(t), self.system.w, self.system.p)
-        phi = self.system.engine.evaluate("position_constraint", t, q, qd, *rest)[0]
-        row = int(np.argmax(np.abs(phi) / self.row_sizes))
-        return row, float(abs(phi[row]))
+        return np.abs(self.system.engine.evaluate(function, t, q, qd, *rest)[0])
 
     def _positions(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats) -> Floats | None:
         if not self.rows:

@@ -10,10 +10,9 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from compiled_programs import program_of
 
-from lagdsl import pipeline
 from lagdsl.backends.c.source import source
-from lagdsl.diagnostics import Sink
 from lagdsl.eliminate.count import flops
 from lagdsl.program.program import Program
 
@@ -21,20 +20,9 @@ SIZES = (40, 60, 100)
 CHAINS = ("planar_chain", "spatial_chain")
 
 
-def _program(path: Path, n: int) -> Program:
-    sink = Sink()
-    file = pipeline.read(path, sink)
-    assert file is not None
-    flat = pipeline.front(file, sink, structural={"N": n})
-    assert flat is not None
-    compilation = pipeline.middle(flat, sink)
-    assert compilation is not None
-    return compilation.program
-
-
 @cache
 def _programs(path: Path) -> list[Program]:
-    return [_program(path, n) for n in SIZES]
+    return [program_of(path, {"N": n}) for n in SIZES]
 
 
 def _assert_linear(counts: list[int]) -> None:
@@ -45,12 +33,12 @@ def _assert_linear(counts: list[int]) -> None:
 
 def test_the_work_of_the_compiler_is_linear(root: Path) -> None:
     path = root / "benchmarks" / "models" / "planar_chain.lag"
-    source(_program(path, 2), "chain")  # what is imported and read when first used
+    source(program_of(path, {"N": 2}), "chain")  # what is imported and read when first used
     calls = []
     for n in SIZES:
         profile = cProfile.Profile()
         profile.enable()
-        source(_program(path, n), "chain")
+        source(program_of(path, {"N": n}), "chain")
         profile.disable()
         calls.append(sum(entry.callcount for entry in profile.getstats()))
     _assert_linear(calls)

@@ -7,12 +7,11 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from compiled_programs import program_of
 from scipy.integrate import solve_ivp
 
 import lagdsl
 from lagdsl.backends.registry import BACKENDS
-from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import front, middle, read
 
 G = 9.80665
 BALL = """
@@ -51,13 +50,7 @@ end OnTheFloor;
 
 
 def _module(text: str) -> ModuleType:
-    sink = Sink()
-    source = read(text, sink)
-    assert source is not None
-    flat = front(source, sink)
-    compilation = middle(flat, sink) if flat is not None else None
-    assert compilation is not None, sink.diagnostics
-    (written,) = BACKENDS["numpy"].emit(compilation.program).files.values()
+    (written,) = BACKENDS["numpy"].emit(program_of(text)).files.values()
     module = ModuleType("generated")
     exec(compile(written, "generated", "exec", dont_inherit=True), module.__dict__)
     return module

@@ -10,13 +10,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
+from compiled_programs import program_of
 from models.many_states import onto_constraints
 
-from lagdsl.diagnostics import Sink
 from lagdsl.graph.operation import Group
-from lagdsl.pipeline import EngineName, engine_of, front, middle, read
+from lagdsl.pipeline import EngineName, engine_of
 from lagdsl.program.functions import STATE
-from lagdsl.program.program import Program
 
 Extended = np.longdouble
 STATES = 20
@@ -163,21 +162,10 @@ class Bodies:
         return worst
 
 
-def compiled(text: str) -> Program:
-    sink = Sink()
-    file = read(text, sink)
-    assert file is not None
-    flat = front(file, sink)
-    assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
-    assert compilation is not None, sink.diagnostics
-    return compilation.program
-
-
 @pytest.mark.parametrize("name", CASES)
 def test_every_link_obeys_newton_and_euler(name: str) -> None:
     links = CASES[name]
-    program, random = compiled(links.text()), np.random.default_rng(3)
+    program, random = program_of(links.text()), np.random.default_rng(3)
     assert program.has("elimination")
     n = len(links.parents)
     state = {

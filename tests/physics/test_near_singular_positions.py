@@ -13,11 +13,10 @@ import mpmath
 import numpy as np
 import pytest
 import test_singular_positions as singular
+from compiled_programs import program_of
 from models.many_states import left_in_equations
 
-from lagdsl.diagnostics import Sink
 from lagdsl.graph.operation import Group
-from lagdsl.pipeline import front, middle, read
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
 from lagdsl.runtime.c_engine import CEngine
@@ -111,17 +110,6 @@ CASES = {
 }
 
 
-def compiled(source: str | Path) -> Program:
-    sink = Sink()
-    file = read(source, sink)
-    assert file is not None
-    flat = front(file, sink)
-    assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
-    assert compilation is not None, sink.diagnostics
-    return compilation.program
-
-
 def states(case: Case, program: Program) -> dict[Group, np.ndarray]:
     """RATES states at each distance, the nearest last; loops beside the first are at distances of their own."""
     random = np.random.default_rng(7)
@@ -158,7 +146,7 @@ def states(case: Case, program: Program) -> dict[Group, np.ndarray]:
 @pytest.mark.parametrize("name", CASES)
 def test_little_is_left_in_the_equations(name: str) -> None:
     case = CASES[name]
-    program = compiled(case.source)
+    program = program_of(case.source)
     here = states(case, program)
     arguments = [here[group] for group in STATE]
     *_, pivot = NumpyEngine(program).evaluate_many("elimination", *arguments)

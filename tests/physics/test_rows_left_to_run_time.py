@@ -8,14 +8,13 @@ from types import ModuleType
 import linkages
 import numpy as np
 import pytest
+from compiled_programs import program_of
 from models.many_states import left_in_equations, onto_constraints
 from models.test_elimination import without_dense, without_elimination
 
 from lagdsl.backends.python.emit import module
-from lagdsl.diagnostics import Sink
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics import multipliers
-from lagdsl.pipeline import front, middle, read
 from lagdsl.program.functions import STATE
 from lagdsl.runtime.c_engine import CEngine
 from lagdsl.runtime.numpy_engine import NumpyEngine
@@ -23,14 +22,7 @@ from lagdsl.runtime.numpy_engine import NumpyEngine
 
 def test_every_engine_and_the_exported_module_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(multipliers, "_WELL_CONDITIONED", np.inf)  # every loop counts as weak
-    sink = Sink()
-    file = read(linkages.THREE_BARS, sink)
-    assert file is not None
-    flat = front(file, sink)
-    assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
-    assert compilation is not None, sink.diagnostics
-    program = compilation.program
+    program = program_of(linkages.THREE_BARS)
     assert 0 < sum(program.layout.redundant[row] for row in program.kept_rows) < len(program.kept_rows)
 
     random, count = np.random.default_rng(4), 16

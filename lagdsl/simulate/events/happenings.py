@@ -44,6 +44,7 @@ class Happenings:
         self.events: list[Event] = []
         self._accumulation = Accumulation()
         self.active = self._discretes.any
+        self._locates = len(self._discretes.relations) + len(self._discretes.contacts) > 0
         if self.active:
             self._contacts = Contacts(self._discretes, span[1] - span[0])
             self._passes = Passes(self._discretes, self._contacts, projection)
@@ -73,15 +74,14 @@ class Happenings:
     @property
     def longest_step(self) -> float:
         """What is to be located must not be stepped over, however little the motion shows of it."""
-        located = len(self._discretes.relations) + len(self._discretes.contacts)
-        return (self._span[1] - self._span[0]) / LEAST_STEPS if located else np.inf
+        return (self._span[1] - self._span[0]) / LEAST_STEPS if self._locates else np.inf
 
     def next_tick(self) -> float:
         return self._clocks.next() if self.active else np.inf
 
     def find(self, before: float, after: float, dense_output: Callable[[], Callable[[float], Floats]]) -> Found | None:
         """What happens first in a step, if anything does."""
-        if not self.active:
+        if not self._locates:
             return None
         dense = dense_output()
         self._passes.moment = AHEAD * (after - before)

@@ -2,6 +2,7 @@
 
 #include "lag/dynamics.h"
 #include "lag/finite.h"
+#include "lag/memory.h"
 
 static lag_arguments state(const lag_batch *batch, size_t i)
 {
@@ -82,13 +83,6 @@ static lag_status solve_again(
     return status == LAG_OK ? lag_forward_dynamics(model, &at, batch->memory, qdd, lam, coordinate) : status;
 }
 
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
-}
-
 /* Where several states keep what, all in lanes; `at` are their arguments. */
 typedef struct crowd {
     double *t, *q, *qd, *z, *u, *w, *p;
@@ -105,21 +99,21 @@ static size_t place(const lag_model *model, const lag_states *states, double *me
     const size_t lanes = states->lanes;
     const int dense = states->elimination == NULL;
     double *end = memory;
-    all->t = take(&end, lanes);
-    all->q = take(&end, lanes * n);
-    all->qd = take(&end, lanes * n);
-    all->z = take(&end, lanes * model->nz);
-    all->u = take(&end, lanes * model->nu);
-    all->w = take(&end, lanes * model->nw);
-    all->p = take(&end, lanes * model->np);
-    all->force = take(&end, lanes * n);
-    all->jacobian = take(&end, lanes * n * (dense ? m : kept));
-    all->gamma = take(&end, lanes * (dense ? m : kept));
-    all->mass = take(&end, dense ? lanes * n * n : 0);
-    all->lam = take(&end, dense ? 0 : lanes * m);
-    all->response = take(&end, dense ? 0 : lanes * kept * n);
-    all->lam_response = take(&end, dense ? 0 : lanes * kept * m);
-    all->pivot = take(&end, lanes);
+    all->t = lag_take(&end, lanes);
+    all->q = lag_take(&end, lanes * n);
+    all->qd = lag_take(&end, lanes * n);
+    all->z = lag_take(&end, lanes * model->nz);
+    all->u = lag_take(&end, lanes * model->nu);
+    all->w = lag_take(&end, lanes * model->nw);
+    all->p = lag_take(&end, lanes * model->np);
+    all->force = lag_take(&end, lanes * n);
+    all->jacobian = lag_take(&end, lanes * n * (dense ? m : kept));
+    all->gamma = lag_take(&end, lanes * (dense ? m : kept));
+    all->mass = lag_take(&end, dense ? lanes * n * n : 0);
+    all->lam = lag_take(&end, dense ? 0 : lanes * m);
+    all->response = lag_take(&end, dense ? 0 : lanes * kept * n);
+    all->lam_response = lag_take(&end, dense ? 0 : lanes * kept * m);
+    all->pivot = lag_take(&end, lanes);
     all->at = (lag_arguments){
         .times = all->t, .q = all->q, .qd = all->qd, .z = all->z, .u = all->u, .w = all->w, .p = all->p, .workspace = end
     };

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/memory.h"
+
 enum { MOST_IMPACTS = 10000 };
 /* Parts of the largest approach speed so far and of the length of the experiment. */
 static const double STICK = 1e-3;
@@ -19,22 +21,15 @@ size_t lag_contacts_memory(const lag_model *model)
     return 10 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 2 * model->nq + lag_impact_memory(model);
 }
 
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
-}
-
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
 {
-    contacts->gap = take(memory, model->ngap);
-    contacts->speed = take(memory, model->ngap);
-    contacts->jacobian = take(memory, model->ngap * model->nq);
-    contacts->part = take(memory, model->ngap);
-    contacts->rows = take(memory, model->ngap * model->nq);
-    contacts->speeds = take(memory, model->ngap);
-    contacts->factor = take(memory, model->ngap);
+    contacts->gap = lag_take(memory, model->ngap);
+    contacts->speed = lag_take(memory, model->ngap);
+    contacts->jacobian = lag_take(memory, model->ngap * model->nq);
+    contacts->part = lag_take(memory, model->ngap);
+    contacts->rows = lag_take(memory, model->ngap * model->nq);
+    contacts->speeds = lag_take(memory, model->ngap);
+    contacts->factor = lag_take(memory, model->ngap);
 }
 
 void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memory)
@@ -46,18 +41,18 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     contacts->places = lag_places_of(model);
     contacts->slack[0] = ROUNDING;
     place_gaps(contacts, model, &memory);
-    contacts->fastest = take(&memory, count);
-    contacts->last = take(&memory, count);
-    contacts->restitution = take(&memory, count);
-    contacts->stick = take(&memory, count);
-    contacts->rest = take(&memory, count);
-    contacts->approach = take(&memory, count);
-    contacts->order = take(&memory, count);
-    contacts->closing = take(&memory, count);
-    contacts->before = take(&memory, count);
-    contacts->slow = take(&memory, count);
-    contacts->tau = take(&memory, model->nq);
-    contacts->zero = take(&memory, model->nq);
+    contacts->fastest = lag_take(&memory, count);
+    contacts->last = lag_take(&memory, count);
+    contacts->restitution = lag_take(&memory, count);
+    contacts->stick = lag_take(&memory, count);
+    contacts->rest = lag_take(&memory, count);
+    contacts->approach = lag_take(&memory, count);
+    contacts->order = lag_take(&memory, count);
+    contacts->closing = lag_take(&memory, count);
+    contacts->before = lag_take(&memory, count);
+    contacts->slow = lag_take(&memory, count);
+    contacts->tau = lag_take(&memory, model->nq);
+    contacts->zero = lag_take(&memory, model->nq);
     for (size_t i = 0; i < count; ++i) {
         contacts->fastest[i] = 0.0;
         contacts->last[i] = -(double)INFINITY;

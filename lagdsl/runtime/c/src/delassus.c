@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "lag/linalg.h"
+#include "lag/memory.h"
 
 /* The same figures as in the NumPy modules: see their file `delassus` for what they mean. */
 static const double LEAST_PIVOT = 1e-6;
@@ -12,13 +13,6 @@ static const double SHORT_RESPONSE = 1e-3;
 size_t lag_delassus_memory(size_t m, size_t kept)
 {
     return 2 * kept * kept + kept * m + 6 * kept;
-}
-
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
 }
 
 void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, double *memory)
@@ -32,15 +26,15 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->response = NULL;
     s->lam_response = NULL;
     s->jacobian = NULL;
-    s->factor = take(&memory, kept * kept);
-    s->left = take(&memory, kept);
-    s->weight = take(&memory, kept);
-    s->chosen = take(&memory, kept);
-    s->excess = take(&memory, kept * m);
-    s->gram = take(&memory, kept * kept);
-    s->part = take(&memory, kept);
-    s->x = take(&memory, kept);
-    s->rest = take(&memory, kept);
+    s->factor = lag_take(&memory, kept * kept);
+    s->left = lag_take(&memory, kept);
+    s->weight = lag_take(&memory, kept);
+    s->chosen = lag_take(&memory, kept);
+    s->excess = lag_take(&memory, kept * m);
+    s->gram = lag_take(&memory, kept * kept);
+    s->part = lag_take(&memory, kept);
+    s->x = lag_take(&memory, kept);
+    s->rest = lag_take(&memory, kept);
 }
 
 static double dot(size_t count, const double *x, const double *y)
@@ -50,13 +44,6 @@ static double dot(size_t count, const double *x, const double *y)
         sum += x[i] * y[i];
     }
     return sum;
-}
-
-static void fill(size_t count, double *x)
-{
-    for (size_t i = 0; i < count; ++i) {
-        x[i] = 0.0;
-    }
 }
 
 /* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
@@ -136,12 +123,12 @@ static void find_direction(lag_delassus *s, size_t own, double *direction)
         s->rest[k] = s->factor[own * s->kept + k];
     }
     solve_upper(s, s->rest);
-    fill(s->kept, s->x);
+    lag_fill(s->kept, 0.0, s->x);
     for (size_t k = 0; k < s->rank; ++k) {
         s->x[(size_t)s->chosen[k]] = -s->rest[k];
     }
     s->x[own] = 1.0;
-    fill(s->m, direction);
+    lag_fill(s->m, 0.0, direction);
     add_multipliers(s, s->x, direction);
     const double length = sqrt(dot(s->m, direction, direction));
     for (size_t j = 0; j < s->m; ++j) {

@@ -155,10 +155,24 @@ static size_t memory(size_t size)
     return (SLOPES + 2 + DENSE_TERMS) * size;
 }
 
-/* out = base + h * sum, from entry `i` on; base may be null. */
-static void combine_from(
-    size_t i, size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
+/* out = base + h * sum; base may be null. Several entries at once where there are vectors, with the same bits. */
+static void combine(
+    size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
 {
+    size_t i = 0;
+#if LAG_LANES
+    for (; i + LAG_LANES <= size; i += LAG_LANES) {
+        lag_lanes sum = lag_lanes_of(0.0);
+        for (unsigned j = 0; j < c->count; ++j) {
+            sum += c->weight[j] * *(const lag_lanes_memory *)(const void *)(slope + c->slope[j] * size + i);
+        }
+        lag_lanes from = lag_lanes_of(0.0);
+        if (base != NULL) {
+            from = *(const lag_lanes_memory *)(const void *)(base + i);
+        }
+        *(lag_lanes_memory *)(void *)(out + i) = from + h * sum;
+    }
+#endif
     for (; i < size; ++i) {
         double sum = 0.0;
         for (unsigned j = 0; j < c->count; ++j) {
@@ -167,38 +181,6 @@ static void combine_from(
         out[i] = (base != NULL ? base[i] : 0.0) + h * sum;
     }
 }
-
-#if LAG_LANES
-
-static lag_lanes lanes_at(const double *x)
-{
-    return *(const lag_lanes_memory *)(const void *)x;
-}
-
-/* The same for all entries, several at once: the same bits. */
-static void combine(
-    size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
-{
-    size_t i = 0;
-    for (; i + LAG_LANES <= size; i += LAG_LANES) {
-        lag_lanes sum = lag_lanes_of(0.0);
-        for (unsigned j = 0; j < c->count; ++j) {
-            sum += c->weight[j] * lanes_at(slope + c->slope[j] * size + i);
-        }
-        *(lag_lanes_memory *)(void *)(out + i) = (base != NULL ? lanes_at(base + i) : lag_lanes_of(0.0)) + h * sum;
-    }
-    combine_from(i, size, c, h, slope, base, out);
-}
-
-#else
-
-static void combine(
-    size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
-{
-    combine_from(0, size, c, h, slope, base, out);
-}
-
-#endif
 
 /* All stages and the new state; the slope at its end is left to an accepted step. */
 static lag_status try_step(lag_stepper *s, const places *at, double h)

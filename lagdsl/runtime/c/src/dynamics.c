@@ -4,6 +4,7 @@
 
 #include "lag/delassus.h"
 #include "lag/finite.h"
+#include "lag/memory.h"
 
 /* Where the functions of this file keep what. */
 typedef struct places {
@@ -14,27 +15,20 @@ typedef struct places {
     double *system;
 } places;
 
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
-}
-
 static places place(const lag_model *model, double *memory)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
     places at;
-    at.mass = take(&memory, n * n);
-    at.force = take(&memory, n);
-    at.jacobian = take(&memory, m * n);
-    at.gamma = take(&memory, m);
-    at.response = take(&memory, model->nk * n);
-    at.lam_response = take(&memory, model->nk * m);
-    at.kept_jacobian = take(&memory, model->nk * n);
-    at.kept_gamma = take(&memory, model->nk);
-    at.delassus = take(&memory, lag_delassus_memory(m, model->nk));
+    at.mass = lag_take(&memory, n * n);
+    at.force = lag_take(&memory, n);
+    at.jacobian = lag_take(&memory, m * n);
+    at.gamma = lag_take(&memory, m);
+    at.response = lag_take(&memory, model->nk * n);
+    at.lam_response = lag_take(&memory, model->nk * m);
+    at.kept_jacobian = lag_take(&memory, model->nk * n);
+    at.kept_gamma = lag_take(&memory, model->nk);
+    at.delassus = lag_take(&memory, lag_delassus_memory(m, model->nk));
     at.system = memory;
     return at;
 }
@@ -45,13 +39,6 @@ size_t lag_dynamics_memory(const lag_model *model)
     const size_t m = model->nc;
     const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
     return n * n + n + m * n + m + kept + lag_system_memory(n, m);
-}
-
-static void fill(size_t count, double value, double *x)
-{
-    for (size_t i = 0; i < count; ++i) {
-        x[i] = value;
-    }
 }
 
 static int solved(const lag_model *model, const double *qdd, const double *lam)
@@ -70,8 +57,8 @@ static lag_status solve_formed(
     lag_system_place(system, model->nq, model->nc, to->system);
     const lag_status status = lag_system_factor(system, to->mass, to->jacobian, model->rank, coordinate);
     if (status != LAG_OK) {
-        fill(model->nq, (double)NAN, qdd);
-        fill(model->nc, (double)NAN, lam);
+        lag_fill(model->nq, (double)NAN, qdd);
+        lag_fill(model->nc, (double)NAN, lam);
         return status;
     }
     lag_system_solve(system, to->force, to->gamma, qdd, lam);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "lag/memory.h"
 #include "lag/nonnegative.h"
 
 size_t lag_impact_memory(const lag_model *model)
@@ -10,13 +11,6 @@ size_t lag_impact_memory(const lag_model *model)
     const size_t m = model->nc;
     const size_t k = model->ngap;
     return n * n + m * n + 3 * m + n + model->nw + k * n + k * k + 2 * k + lag_system_memory(n, m) + lag_nonnegative_memory(k);
-}
-
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
 }
 
 void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory)
@@ -28,18 +22,18 @@ void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory)
     memset(impact, 0, sizeof *impact);
     impact->motion = motion;
     impact->places = lag_places_of(model);
-    impact->mass = take(&memory, n * n);
-    impact->jacobian = take(&memory, m * n);
-    impact->residual = take(&memory, m);
-    impact->gamma = take(&memory, m);
-    impact->lam = take(&memory, m);
-    impact->force = take(&memory, n);
-    impact->opened = take(&memory, model->nw);
-    impact->response = take(&memory, k * n);
-    impact->compliance = take(&memory, k * k);
-    impact->wanted = take(&memory, k);
-    impact->impulse = take(&memory, k);
-    impact->system = take(&memory, lag_system_memory(n, m));
+    impact->mass = lag_take(&memory, n * n);
+    impact->jacobian = lag_take(&memory, m * n);
+    impact->residual = lag_take(&memory, m);
+    impact->gamma = lag_take(&memory, m);
+    impact->lam = lag_take(&memory, m);
+    impact->force = lag_take(&memory, n);
+    impact->opened = lag_take(&memory, model->nw);
+    impact->response = lag_take(&memory, k * n);
+    impact->compliance = lag_take(&memory, k * k);
+    impact->wanted = lag_take(&memory, k);
+    impact->impulse = lag_take(&memory, k);
+    impact->system = lag_take(&memory, lag_system_memory(n, m));
     impact->search = memory;
     memset(impact->gamma, 0, m * sizeof(double));
 }

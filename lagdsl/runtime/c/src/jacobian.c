@@ -6,6 +6,7 @@
 #include "lag/delassus.h"
 #include "lag/dynamics.h"
 #include "lag/finite.h"
+#include "lag/memory.h"
 
 /* Functions of `lanes` directions at once; with one lane they are those of the model itself. */
 typedef struct functions {
@@ -43,42 +44,35 @@ static size_t lanes_of(const lag_tangents *tangents)
     return tangents == NULL || tangents->lanes == 0 ? 1 : tangents->lanes;
 }
 
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
-}
-
 /* Lays out `at` and returns how many doubles that takes; what is in lanes comes first, so that it is aligned as `memory` is. */
 static size_t place(const lag_model *model, size_t lanes, double *memory, places *at)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
     double *end = memory;
-    at->x = take(&end, lanes * variables(model));
-    at->dqdd = take(&end, lanes * n);
-    at->dlam = take(&end, lanes * m);
-    at->motion = take(&end, lanes * n);
-    at->rows = take(&end, lanes * m);
-    at->rates = take(&end, lanes * model->nz);
-    at->y = take(&end, lanes * model->ny);
-    at->pivot = take(&end, lanes);
-    at->qdd = take(&end, n);
-    at->lam = take(&end, m);
-    at->one_qdd = take(&end, n);
-    at->one_lam = take(&end, m);
-    at->force = take(&end, n);
-    at->gamma = take(&end, m);
-    at->mass = take(&end, n * n);
-    at->jacobian = take(&end, m * n);
-    at->response = take(&end, model->nk * n);
-    at->lam_response = take(&end, model->nk * m);
-    at->kept_jacobian = take(&end, model->nk * n);
-    at->kept_gamma = take(&end, model->nk);
-    at->delassus = take(&end, lag_delassus_memory(m, model->nk));
-    at->system = take(&end, lag_system_memory(n, m));
-    at->dynamics = take(&end, lag_dynamics_memory(model));
+    at->x = lag_take(&end, lanes * variables(model));
+    at->dqdd = lag_take(&end, lanes * n);
+    at->dlam = lag_take(&end, lanes * m);
+    at->motion = lag_take(&end, lanes * n);
+    at->rows = lag_take(&end, lanes * m);
+    at->rates = lag_take(&end, lanes * model->nz);
+    at->y = lag_take(&end, lanes * model->ny);
+    at->pivot = lag_take(&end, lanes);
+    at->qdd = lag_take(&end, n);
+    at->lam = lag_take(&end, m);
+    at->one_qdd = lag_take(&end, n);
+    at->one_lam = lag_take(&end, m);
+    at->force = lag_take(&end, n);
+    at->gamma = lag_take(&end, m);
+    at->mass = lag_take(&end, n * n);
+    at->jacobian = lag_take(&end, m * n);
+    at->response = lag_take(&end, model->nk * n);
+    at->lam_response = lag_take(&end, model->nk * m);
+    at->kept_jacobian = lag_take(&end, model->nk * n);
+    at->kept_gamma = lag_take(&end, model->nk);
+    at->delassus = lag_take(&end, lag_delassus_memory(m, model->nk));
+    at->system = lag_take(&end, lag_system_memory(n, m));
+    at->dynamics = lag_take(&end, lag_dynamics_memory(model));
     return (size_t)(end - memory);
 }
 
@@ -95,13 +89,6 @@ size_t lag_jacobian_memory(const lag_model *model, const lag_tangents *tangents)
 size_t lag_jacobian_workspace(const lag_model *model, const lag_tangents *tangents)
 {
     return tangents != NULL && tangents->workspace > model->workspace ? tangents->workspace : model->workspace;
-}
-
-static void fill(size_t count, double value, double *x)
-{
-    for (size_t i = 0; i < count; ++i) {
-        x[i] = value;
-    }
 }
 
 /* What solves for accelerations and multipliers: the dense system, or what elimination left. */
@@ -192,8 +179,8 @@ static lag_status differentiate(
     const size_t n = model->nq;
     const size_t lanes = f->lanes;
     lag_status status = LAG_OK;
-    fill(lanes * variables(model), 0.0, to->x);
-    fill(n * x.count, 0.0, rates);
+    lag_fill(lanes * variables(model), 0.0, to->x);
+    lag_fill(n * x.count, 0.0, rates);
     for (size_t k = 0; k < x.count && status == LAG_OK; k += lanes) {
         const size_t width = x.count - k < lanes ? x.count - k : lanes;
         for (size_t lane = 0; lane < width; ++lane) {
@@ -343,7 +330,7 @@ lag_status lag_jacobian(
     if (status == LAG_OK) {
         return lag_finite(count, rates) && lag_finite(output_count, outputs) ? LAG_OK : LAG_NOT_FINITE;
     }
-    fill(count, (double)NAN, rates);
-    fill(output_count, (double)NAN, outputs);
+    lag_fill(count, (double)NAN, rates);
+    lag_fill(output_count, (double)NAN, outputs);
     return status;
 }

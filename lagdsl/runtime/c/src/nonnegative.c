@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/linalg.h"
+#include "lag/memory.h"
 
 /* Of A with a unit diagonal: what is below this part of the largest eigenvalue, or of a pivot, is none. */
 static const double RANK = 1e-13;
@@ -24,13 +25,6 @@ typedef struct problem {
 size_t lag_nonnegative_memory(size_t n)
 {
     return 3 * n * n + 5 * n;
-}
-
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
 }
 
 /* A with a unit diagonal, b to it. */
@@ -154,13 +148,13 @@ static int move(problem *p)
 void lag_nonnegative(size_t n, const double *a, const double *b, double *x, double *memory)
 {
     problem p = {.n = n, .x = x};
-    p.a = take(&memory, n * n);
-    p.b = take(&memory, n);
-    p.scale = take(&memory, n);
-    p.trial = take(&memory, n);
-    p.free = take(&memory, n);
-    p.barred = take(&memory, n);
-    p.factor = take(&memory, n * n);
+    p.a = lag_take(&memory, n * n);
+    p.b = lag_take(&memory, n);
+    p.scale = lag_take(&memory, n);
+    p.trial = lag_take(&memory, n);
+    p.free = lag_take(&memory, n);
+    p.barred = lag_take(&memory, n);
+    p.factor = lag_take(&memory, n * n);
     scale(&p, a, b);
     memset(p.barred, 0, n * sizeof(double));
     into_range(&p, p.factor, memory);

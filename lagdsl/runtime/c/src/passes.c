@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/memory.h"
+
 enum { MOST_PASSES = 100 };
 /* What a constraint that discretes switch may be off the positions, as a part of the size of its row. */
 static const double TORN = 1e-6;
@@ -17,13 +19,6 @@ size_t lag_passes_memory(const lag_model *model)
            3 * lag_motion_size(model) + 2 * model->nindicator + 2 * model->ncontact;
 }
 
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
-}
-
 void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection *projection, double *memory)
 {
     const lag_model *model = contacts->motion->model;
@@ -34,21 +29,21 @@ void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection
     passes->projection = projection;
     passes->places = lag_places_of(model);
     passes->moment = 1e-9;
-    passes->before = take(&memory, model->nw);
-    passes->next = take(&memory, model->nw);
-    passes->guilty = take(&memory, model->nw);
-    passes->reset = take(&memory, model->nreset);
-    passes->value = take(&memory, model->nreset);
-    passes->collision = take(&memory, model->ncollision);
-    passes->restitution = take(&memory, model->ncollision);
-    passes->stop = take(&memory, model->nstop);
-    passes->fail = take(&memory, model->nfail);
-    passes->held = take(&memory, size);
-    passes->rate = take(&memory, size);
-    passes->later = take(&memory, size);
-    passes->now = take(&memory, model->nindicator);
-    passes->then = take(&memory, model->nindicator);
-    passes->closed = take(&memory, model->ncontact);
+    passes->before = lag_take(&memory, model->nw);
+    passes->next = lag_take(&memory, model->nw);
+    passes->guilty = lag_take(&memory, model->nw);
+    passes->reset = lag_take(&memory, model->nreset);
+    passes->value = lag_take(&memory, model->nreset);
+    passes->collision = lag_take(&memory, model->ncollision);
+    passes->restitution = lag_take(&memory, model->ncollision);
+    passes->stop = lag_take(&memory, model->nstop);
+    passes->fail = lag_take(&memory, model->nfail);
+    passes->held = lag_take(&memory, size);
+    passes->rate = lag_take(&memory, size);
+    passes->later = lag_take(&memory, size);
+    passes->now = lag_take(&memory, model->nindicator);
+    passes->then = lag_take(&memory, model->nindicator);
+    passes->closed = lag_take(&memory, model->ncontact);
     passes->meeting = memory;
 }
 

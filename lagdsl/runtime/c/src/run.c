@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "lag/fixed.h"
+#include "lag/memory.h"
 
 static const double TOLERANCE = 1e-8;
 static const double PART = 1e-3;
@@ -36,25 +37,18 @@ size_t lag_run_size(const lag_model *model, const lag_run_options *options)
     return padded(sizeof(lag_run)) + padded((options->clocks + model->nclock) * sizeof(lag_clock)) + doubles(model, options) * sizeof(double);
 }
 
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
-}
-
 static void place_watch(lag_run *run, const lag_model *model, double **memory)
 {
     const lag_run_options *options = &run->options;
     const size_t ni = model->ni;
-    double *own = take(memory, 3 * ni);
+    double *own = lag_take(memory, 3 * ni);
     run->watch.motion = &run->motion;
     run->watch.begun = options->continued;
     run->watch.start = options->invariant_start != NULL ? options->invariant_start : own;
     run->watch.size = options->invariant_size != NULL ? options->invariant_size : own + ni;
     run->watch.drift = options->invariant_drift != NULL ? options->invariant_drift : own + 2 * ni;
     run->watch.tolerance = options->invariant_tolerance;
-    run->watch.value = take(memory, lag_watch_memory(model));
+    run->watch.value = lag_take(memory, lag_watch_memory(model));
     run->watch.scale = run->watch.value + ni;
     run->watch.held = run->watch.scale + ni;
 }
@@ -70,9 +64,9 @@ static lag_status tell(void *context, const lag_happening *happening)
 static void place_instants(lag_run *run, const lag_model *model, double **memory)
 {
     const lag_run_options *options = &run->options;
-    double *own = take(memory, lag_instants_memory(model));
+    double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock + options->clocks, own);
-    lag_alert_place(&run->alert, &run->motion, run->instants.contacts.slack, take(memory, lag_alert_memory(model)));
+    lag_alert_place(&run->alert, &run->motion, run->instants.contacts.slack, lag_take(memory, lag_alert_memory(model)));
     run->instants.passes.tell = tell;
     run->instants.passes.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
@@ -93,29 +87,29 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
     run->options.part = options->part > 0.0 ? options->part : PART;
     run->options.looks = options->looks > 0 ? options->looks : 4;
-    lag_motion_place(&run->motion, model, take(&memory, lag_motion_memory(model)));
+    lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
     run->motion.inputs = options->inputs;
     run->motion.context = options->context;
-    lag_stepper_place(&run->stepper, &run->motion.ode, take(&memory, lag_stepper_memory(size)));
+    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
-    lag_projection_place(&run->projection, &run->motion, take(&memory, lag_projection_memory(model)));
-    run->group = take(&memory, size);
-    run->natural = take(&memory, size);
-    run->cap = take(&memory, size);
-    run->row_sizes = take(&memory, model->nc);
-    lag_look_place(&run->look, model, run->natural, run->row_sizes, take(&memory, lag_look_memory(model->nc, model->nq)));
+    lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
+    run->group = lag_take(&memory, size);
+    run->natural = lag_take(&memory, size);
+    run->cap = lag_take(&memory, size);
+    run->row_sizes = lag_take(&memory, model->nc);
+    lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model->nc, model->nq)));
     run->look.lasting = options->lasting;
     run->look.most = options->lasting != NULL ? options->general : model->rank;
     place_instants(run, model, &memory);
-    run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, take(&memory, size), 0.0};
-    run->point = take(&memory, size);
+    run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&memory, size), 0.0};
+    run->point = lag_take(&memory, size);
     place_watch(run, model, &memory);
-    lag_stiffness_place(&run->stiffness, size, take(&memory, lag_stiffness_memory(size)));
-    run->sign = take(&memory, options->indicators);
-    run->value = take(&memory, options->indicators);
-    run->crossed = take(&memory, options->indicators);
-    run->other = take(&memory, options->indicators);
-    run->ticked = take(&memory, options->clocks);
+    lag_stiffness_place(&run->stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
+    run->sign = lag_take(&memory, options->indicators);
+    run->value = lag_take(&memory, options->indicators);
+    run->crossed = lag_take(&memory, options->indicators);
+    run->other = lag_take(&memory, options->indicators);
+    run->ticked = lag_take(&memory, options->clocks);
     return run;
 }
 

@@ -1,7 +1,9 @@
 #include <math.h>
 
 #include "lag/dynamics.h"
+
 #include "lag/linalg.h"
+#include "lag/memory.h"
 
 /* The same figures as in the NumPy modules: see their file `linear` for what they mean. */
 static const double RANK_TOLERANCE = 1e-8;
@@ -22,13 +24,6 @@ size_t lag_system_memory(size_t n, size_t m)
     return 3 * n * n + m * n + m * m + 5 * n + 4 * m + 2 * least(n, m);
 }
 
-static double *take(double **memory, size_t count)
-{
-    double *start = *memory;
-    *memory += count;
-    return start;
-}
-
 void lag_system_place(lag_system *s, size_t n, size_t m, double *memory)
 {
     s->n = n;
@@ -37,22 +32,22 @@ void lag_system_place(lag_system *s, size_t n, size_t m, double *memory)
     s->indefinite = 0;
     s->mass = NULL;
     s->jacobian = NULL;
-    s->column_scale = take(&memory, n);
-    s->row_scale = take(&memory, m);
-    s->rows = take(&memory, m * n);
-    s->tau = take(&memory, least(n, m));
-    s->diagonal = take(&memory, least(n, m));
-    s->pivot = take(&memory, m);
-    s->reduced = take(&memory, n * n);
-    s->factor = take(&memory, n * n);
-    s->eigenvalue = take(&memory, n);
-    s->copy = take(&memory, n * n);
-    s->excess = take(&memory, m * m);
-    s->y = take(&memory, n);
-    s->h = take(&memory, n);
-    s->rest = take(&memory, n);
-    s->l = take(&memory, m);
-    s->row_rest = take(&memory, m);
+    s->column_scale = lag_take(&memory, n);
+    s->row_scale = lag_take(&memory, m);
+    s->rows = lag_take(&memory, m * n);
+    s->tau = lag_take(&memory, least(n, m));
+    s->diagonal = lag_take(&memory, least(n, m));
+    s->pivot = lag_take(&memory, m);
+    s->reduced = lag_take(&memory, n * n);
+    s->factor = lag_take(&memory, n * n);
+    s->eigenvalue = lag_take(&memory, n);
+    s->copy = lag_take(&memory, n * n);
+    s->excess = lag_take(&memory, m * m);
+    s->y = lag_take(&memory, n);
+    s->h = lag_take(&memory, n);
+    s->rest = lag_take(&memory, n);
+    s->l = lag_take(&memory, m);
+    s->row_rest = lag_take(&memory, m);
 }
 
 static int usable(size_t count, const double *values)

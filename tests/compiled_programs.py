@@ -1,0 +1,22 @@
+"""Programs compiled from model texts, as an engine gets them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import front, middle, read
+from lagdsl.program.program import Program
+
+
+def program_of(source: str | Path, structural: Mapping[str, float] | None = None) -> Program:
+    """The program of a text or of a file that must be sound."""
+    sink = Sink()
+    file = read(source, sink)
+    assert file is not None, sink.diagnostics
+    flat = front(file, sink, structural=structural)
+    assert flat is not None, sink.diagnostics
+    compilation = middle(flat, sink)
+    assert compilation is not None, sink.diagnostics
+    return compilation.program
