@@ -69,7 +69,7 @@ class Passes:
     def run(self, t: float, y: Floats, w: Floats, relations: list[int], contacts: list[int]) -> Result:
         """Until a pass changes nothing; `relations`, turned in w already, and `contacts` were found to change."""
         result = Result(y, w)
-        self._change_contacts(t, result, contacts)
+        self._change_contacts(t, result, contacts, turned=bool(relations))
         for _ in range(MOST_PASSES):
             before = result.w.copy()
             outcome = self._discretes.one_pass(t, result.y, result.w)
@@ -102,14 +102,22 @@ class Passes:
 
     # ---- contacts ----------------------------------------------------------------------------------------------------
 
-    def _change_contacts(self, t: float, result: Result, contacts: list[int]) -> None:
+    def _change_contacts(self, t: float, result: Result, contacts: list[int], *, turned: bool) -> None:
         """Those that pull open; the others strike."""
         entries = self._discretes.contacts
-        pulling = [index for index in contacts if result.w[entries[index]] != 0.0]
+        meeting = [index for index in contacts if result.w[entries[index]] == 0.0]
+        pulling = [index for index in contacts if index not in meeting]
+        if turned and pulling:
+            pulling = self._still_pulling(t, result, pulling)
         result.w[entries[pulling]] = 0.0
         result.events += [Event(time=t, name=self._name(index), kind="opened") for index in pulling]
-        if contacts and not self._collide(t, result, {}):
-            self._press(t, result, [index for index in contacts if index not in pulling])
+        if (meeting or pulling) and not self._collide(t, result, {}):
+            self._press(t, result, meeting)
+
+    def _still_pulling(self, t: float, result: Result, contacts: list[int]) -> list[int]:
+        """Those that pull a moment later: relations that turned with them may have taken the pull away."""
+        force = self._discretes.multipliers(t + self.moment, self._later(t, result), result.w)
+        return [index for index in contacts if force[index] < -self._contacts.slack[1]]
 
     def _press(self, t: float, result: Result, contacts: list[int]) -> None:
         """Contacts that meet without speed: closed as far as they push."""
@@ -185,14 +193,17 @@ class Passes:
 
     # ---- relations ---------------------------------------------------------------------------------------------------
 
+    def _later(self, t: float, result: Result) -> Floats:
+        """The state a moment later, as w has it."""
+        rate = self._discretes.system.with_discretes(result.w)(t, result.y)
+        return result.y + self.moment * rate if np.all(np.isfinite(rate)) else result.y
+
     def _ahead(self, t: float, result: Result, turned: list[int]) -> Floats:
         """Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero
         what they have `turned` to."""
         discretes, y = self._discretes, result.y
-        rate = discretes.system.with_discretes(result.w)(t, y)
-        later = y + self.moment * rate if np.all(np.isfinite(rate)) else y
         now = discretes.indicators(t, y, result.w)
-        then = discretes.indicators(t + self.moment, later, result.w)
+        then = discretes.indicators(t + self.moment, self._later(t, result), result.w)
         passing = np.abs(now) <= _PASSING * np.abs(then - now)
         truths = discretes.holds(np.where(passing, then, now)).astype(np.float64)
         staying = [i for i in turned if not passing[i] and abs(now[i]) <= ROUNDING * size(y)]

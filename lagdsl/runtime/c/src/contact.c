@@ -283,22 +283,13 @@ static lag_blow gather(lag_contacts *contacts, const double *collision, const do
     return blow;
 }
 
-static int any_of(size_t count, const double *flags)
-{
-    size_t i = 0;
-    while (i < count && flags[i] == 0.0) {
-        ++i;
-    }
-    return i < count;
-}
-
 /* Blows until nothing closes any more. */
 static lag_status strike(lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
 {
     const size_t collisions = collision != NULL ? contacts->motion->model->ncollision : 0;
     for (int k = 0; k < MOST_IMPACTS; ++k) {
         const double size = lag_contacts_size(contacts->motion, x);
-        const int struck = k == 0 && any_of(collisions, collision);
+        const int struck = k == 0 && lag_any(collisions, collision);
         lag_status status = look(contacts, t, x);
         if (status == LAG_OK && (find_closing(contacts, size) || struck) && contacts->struck == 0) {
             status = release(contacts, t, x);
@@ -306,7 +297,7 @@ static lag_status strike(lag_contacts *contacts, double t, double *x, const doub
         if (status != LAG_OK) {
             return status;
         }
-        if (!any_of(contacts->motion->model->ncontact, contacts->closing) && !struck && !any_driven(contacts, size)) {
+        if (!lag_any(contacts->motion->model->ncontact, contacts->closing) && !struck && !any_driven(contacts, size)) {
             return LAG_OK;
         }
         const lag_blow blow = gather(contacts, struck ? collision : NULL, restitution);
@@ -345,7 +336,7 @@ static lag_status part(lag_contacts *contacts, double t, const double *x, const 
 {
     const size_t count = contacts->motion->model->ncontact;
     const double least = TOUCHING * lag_contacts_size(contacts->motion, x);
-    if (!any_of(count, flag(contacts, 0))) {
+    if (!lag_any(count, flag(contacts, 0))) {
         return LAG_OK;
     }
     const lag_status status = look(contacts, t, x);

@@ -128,11 +128,12 @@ static const combination DENSE[4] = {
       -0.39177261675615439165231486172e+2, -0.14972683625798562581422125276e+3}}
 };
 
-/* The embedded formula of order 3 uses slopes 0, 8 and 11 only. */
-static const double THIRD[3] = {0.244094488188976377952755905512, 0.733846688281611857341361741547, 0.220588235294117647058823529412e-1};
+/* What is taken from the new state to compare it with the embedded formula of order 3. */
+static const combination THIRD = {1.0, 3, {0, 8, 11},
+    {-0.244094488188976377952755905512, -0.733846688281611857341361741547, -0.220588235294117647058823529412e-1}};
 
-static const double SAFETY = 0.9;
-static const double BETA = 0.05; /* weight of the error before, in the step control */
+static const double SAFETY = 0.8;
+static const double BETA = 0.04; /* weight of the error before, in the step control */
 static const double SHRINK = 0.333;
 static const double GROW = 3.0; /* more would harm the dense output of the step that follows a transient */
 static const double AFTER_TROUBLE = 0.25;
@@ -155,6 +156,31 @@ static size_t memory(size_t size)
     return (SLOPES + 2 + DENSE_TERMS) * size;
 }
 
+#if LAG_LANES
+/* Several entries at i of the weighted slopes, added to `sum`. */
+static lag_lanes add_lanes(size_t size, const combination *c, const double *slope, size_t i, lag_lanes sum)
+{
+    for (unsigned j = 0; j < c->count; ++j) {
+        sum += c->weight[j] * *(const lag_lanes_memory *)(const void *)(slope + c->slope[j] * size + i);
+    }
+    return sum;
+}
+
+static lag_lanes lanes_at(const double *x, size_t i)
+{
+    return *(const lag_lanes_memory *)(const void *)(x + i);
+}
+#endif
+
+/* The entry at i of the weighted slopes, added to `sum`. */
+static double add(size_t size, const combination *c, const double *slope, size_t i, double sum)
+{
+    for (unsigned j = 0; j < c->count; ++j) {
+        sum += c->weight[j] * slope[c->slope[j] * size + i];
+    }
+    return sum;
+}
+
 /* out = base + h * sum; base may be null. Several entries at once where there are vectors, with the same bits. */
 static void combine(
     size_t size, const combination *c, double h, const double *slope, const double *base, double *out)
@@ -162,23 +188,12 @@ static void combine(
     size_t i = 0;
 #if LAG_LANES
     for (; i + LAG_LANES <= size; i += LAG_LANES) {
-        lag_lanes sum = lag_lanes_of(0.0);
-        for (unsigned j = 0; j < c->count; ++j) {
-            sum += c->weight[j] * *(const lag_lanes_memory *)(const void *)(slope + c->slope[j] * size + i);
-        }
-        lag_lanes from = lag_lanes_of(0.0);
-        if (base != NULL) {
-            from = *(const lag_lanes_memory *)(const void *)(base + i);
-        }
-        *(lag_lanes_memory *)(void *)(out + i) = from + h * sum;
+        const lag_lanes from = base != NULL ? lanes_at(base, i) : lag_lanes_of(0.0);
+        *(lag_lanes_memory *)(void *)(out + i) = from + h * add_lanes(size, c, slope, i, lag_lanes_of(0.0));
     }
 #endif
     for (; i < size; ++i) {
-        double sum = 0.0;
-        for (unsigned j = 0; j < c->count; ++j) {
-            sum += c->weight[j] * slope[c->slope[j] * size + i];
-        }
-        out[i] = (base != NULL ? base[i] : 0.0) + h * sum;
+        out[i] = (base != NULL ? base[i] : 0.0) + h * add(size, c, slope, i, 0.0);
     }
 }
 
@@ -202,19 +217,24 @@ static lag_status try_step(lag_stepper *s, const places *at, double h)
 static double error_of(const lag_stepper *s, const places *at, double h)
 {
     const size_t size = s->ode->size;
+    const combination *step = &STAGES[SLOPE_AT_END];
     double fifth = 0.0;
     double third = 0.0;
-    for (size_t i = 0; i < size; ++i) {
-        double e5 = 0.0;
-        double e3 = -THIRD[0] * at->slope[i] - THIRD[1] * at->slope[8 * size + i] - THIRD[2] * at->slope[11 * size + i];
-        for (unsigned j = 0; j < ERROR5.count; ++j) {
-            e5 += ERROR5.weight[j] * at->slope[ERROR5.slope[j] * size + i];
+    size_t i = 0;
+#if LAG_LANES
+    for (; i + LAG_LANES <= size; i += LAG_LANES) {
+        const lag_lanes zero = lag_lanes_of(0.0);
+        const lag_lanes e5 = add_lanes(size, &ERROR5, at->slope, i, zero) / lanes_at(s->tolerance, i);
+        const lag_lanes e3 = add_lanes(size, step, at->slope, i, add_lanes(size, &THIRD, at->slope, i, zero)) / lanes_at(s->tolerance, i);
+        for (size_t lane = 0; lane < LAG_LANES; ++lane) {
+            fifth += e5[lane] * e5[lane];
+            third += e3[lane] * e3[lane];
         }
-        for (unsigned j = 0; j < STAGES[SLOPE_AT_END].count; ++j) {
-            e3 += STAGES[SLOPE_AT_END].weight[j] * at->slope[STAGES[SLOPE_AT_END].slope[j] * size + i];
-        }
-        e5 /= s->tolerance[i];
-        e3 /= s->tolerance[i];
+    }
+#endif
+    for (; i < size; ++i) {
+        const double e5 = add(size, &ERROR5, at->slope, i, 0.0) / s->tolerance[i];
+        const double e3 = add(size, step, at->slope, i, add(size, &THIRD, at->slope, i, 0.0)) / s->tolerance[i];
         fifth += e5 * e5;
         third += e3 * e3;
     }

@@ -16,7 +16,7 @@ static const double ROUNDING = 1e-13;
 size_t lag_passes_memory(const lag_model *model)
 {
     return 3 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + 2 * model->nindicator + 2 * model->ncontact;
+           3 * lag_motion_size(model) + 2 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection *projection, double *memory)
@@ -44,7 +44,8 @@ void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection
     passes->now = lag_take(&memory, model->nindicator);
     passes->then = lag_take(&memory, model->nindicator);
     passes->closed = lag_take(&memory, model->ncontact);
-    passes->meeting = memory;
+    passes->meeting = lag_take(&memory, model->ncontact);
+    passes->pulling = memory;
 }
 
 lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, lag_what what, size_t which)
@@ -99,6 +100,16 @@ static lag_status stand(lag_passes *passes, double t, const double *x)
     return status;
 }
 
+/* The state a moment later, as w has it. */
+static void move_on(lag_passes *passes, double t, const double *x)
+{
+    lag_motion *motion = passes->motion;
+    const int moves = motion->ode.rates(motion, t, x, passes->rate) == LAG_OK;
+    for (size_t i = 0; i < lag_motion_size(motion->model); ++i) {
+        passes->later[i] = moves ? x[i] + passes->moment * passes->rate[i] : x[i];
+    }
+}
+
 /*
  * Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero what they have turned to
  * (flags, or null).
@@ -111,10 +122,7 @@ static lag_status ahead(lag_passes *passes, double t, const double *x, const dou
         return LAG_OK;
     }
     const double least = ROUNDING * lag_contacts_size(motion, x);
-    const int moves = motion->ode.rates(motion, t, x, passes->rate) == LAG_OK;
-    for (size_t i = 0; i < lag_motion_size(model); ++i) {
-        passes->later[i] = moves ? x[i] + passes->moment * passes->rate[i] : x[i];
-    }
+    move_on(passes, t, x);
     lag_status status = indicate(passes, t, x, passes->now);
     if (status == LAG_OK) {
         status = indicate(passes, t + passes->moment, passes->later, passes->then);
@@ -191,23 +199,42 @@ static lag_status collide(lag_passes *passes, double t, double *x, const double 
     return status == LAG_OK && any ? lag_projection_rates(passes->projection, t, x, NULL) : status;
 }
 
-/* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
-static lag_status change_contacts(lag_passes *passes, double t, double *x, const double *changed)
+/* Clears the flags of contacts that do not pull a moment later: relations that turned with them may have taken the pull away. */
+static void keep_pulling(lag_passes *passes, double t, const double *x, double *pulling)
 {
-    const size_t count = passes->motion->model->ncontact;
+    lag_motion *motion = passes->motion;
+    move_on(passes, t, x);
+    solve(motion, t + passes->moment, passes->later);
+    for (size_t i = 0; i < motion->model->ncontact; ++i) {
+        const double force = motion->lam[motion->model->contact_rows[i]];
+        pulling[i] = pulling[i] != 0.0 && force < -passes->contacts->slack[1];
+    }
+}
+
+/* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
+static lag_status change_contacts(lag_passes *passes, double t, double *x, const double *relations, const double *changed)
+{
+    const lag_model *model = passes->motion->model;
+    const size_t count = model->ncontact;
     double *closed = passes->motion->w + passes->places.contact;
     double *meeting = passes->meeting;
+    double *pulling = passes->pulling;
     lag_status status = LAG_OK;
-    int any = 0;
     int acted = 0;
     for (size_t i = 0; i < count; ++i) {
-        any = any || changed[i] != 0.0;
         meeting[i] = changed[i] != 0.0 && closed[i] == 0.0;
-        closed[i] = changed[i] != 0.0 ? 0.0 : closed[i];
+        pulling[i] = changed[i] != 0.0 && closed[i] != 0.0;
+    }
+    if (relations != NULL && lag_any(model->nindicator, relations) && lag_any(count, pulling)) {
+        keep_pulling(passes, t, x, pulling);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        closed[i] = pulling[i] != 0.0 ? 0.0 : closed[i];
     }
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = changed[i] != 0.0 && meeting[i] == 0.0 ? lag_passes_tell(passes, t, x, LAG_OPENED, i) : LAG_OK;
+        status = pulling[i] != 0.0 ? lag_passes_tell(passes, t, x, LAG_OPENED, i) : LAG_OK;
     }
+    const int any = lag_any(count, meeting) || lag_any(count, pulling);
     if (any && status == LAG_OK) {
         status = collide(passes, t, x, NULL, &acted);
     }
@@ -225,10 +252,7 @@ static lag_status change_contacts(lag_passes *passes, double t, double *x, const
 static lag_status strike(lag_passes *passes, double t, double *x, int *acted)
 {
     const lag_model *model = passes->motion->model;
-    int any = 0;
-    for (size_t i = 0; i < model->ncollision; ++i) {
-        any = any || passes->collision[i] != 0.0;
-    }
+    const int any = lag_any(model->ncollision, passes->collision);
     if (!any && model->ncontact == 0) {
         return LAG_OK;
     }
@@ -357,7 +381,7 @@ lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double 
 {
     const lag_model *model = passes->motion->model;
     const double *w = passes->motion->w;
-    lag_status status = contacts != NULL ? change_contacts(passes, t, x, contacts) : LAG_OK;
+    lag_status status = contacts != NULL ? change_contacts(passes, t, x, relations, contacts) : LAG_OK;
     passes->stopped = 0;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         int acted = 0;

@@ -19,7 +19,7 @@ typedef struct lag_passes {
     double *held;          /* (2 nq + nz) */
     double *rate, *later;  /* (2 nq + nz) */
     double *now, *then;    /* (nindicator) */
-    double *closed, *meeting; /* (ncontact) */
+    double *closed, *meeting, *pulling; /* (ncontact) */
     int stopped;           /* a `terminate` acted */
     size_t fault;          /* LAG_CONFLICT: a reset; LAG_REFUSED: an assertion */
     double *guilty;        /* (nw) LAG_UNSETTLED: 1, this one still changed; zero otherwise */
