@@ -200,3 +200,20 @@ def test_a_constraint_that_asks_for_other_positions_is_refused() -> None:
         model(text, "numpy").simulate(stop=1.0)
     assert failure.value.diagnostic.code == "E0835"
     assert failure.value.time == pytest.approx(0.5, abs=1e-12)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_contact_whose_pull_ends_with_a_relation_stays_closed(engine: EngineName) -> None:
+    """A spring with play presses a mass against a stop and is then withdrawn: at the gap of the play the relation turns
+    and the force that held the contact is zero for good. What does not pull stays closed."""
+    text = """
+      coordinate Real x;
+      kinetic 1/2*der(x)^2;
+      contact stop: x >= 0 with restitution = 0.3;
+      force -100*(if x + sin(time + 0.7) > 0.5 then x + sin(time + 0.7) - 0.5 else 0) on x;
+    """
+    motion = model(text, engine).simulate(stop=3.0)
+    (event,) = motion.events
+    assert event.kind == "false"
+    assert event.time == pytest.approx(math.pi - math.asin(0.5) - 0.7, abs=1e-9)
+    np.testing.assert_array_equal(motion["x"], 0.0)
