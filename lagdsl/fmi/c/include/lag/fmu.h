@@ -1,0 +1,65 @@
+/*
+ * What an exported model has beside lag/model.h: its variables as importers see them. A constant of type lag_fmu is generated
+ * for each FMU; everything else of the binary is the same for all of them.
+ */
+#ifndef LAG_FMU_H
+#define LAG_FMU_H
+
+#include "lag/model.h"
+
+/* What a variable stands for; `first` of lag_variable is an index into the array named here. */
+typedef enum lag_role {
+    LAG_ROLE_TIME,
+    LAG_ROLE_PARAMETER,  /* p (np) */
+    LAG_ROLE_CONSTANT,   /* `constants` of the FMU: structural parameters and constants of the model */
+    LAG_ROLE_STATE,      /* x = (q, qd, z) (2 nq + nz) */
+    LAG_ROLE_DERIVATIVE, /* dx/dt (2 nq + nz) */
+    LAG_ROLE_INPUT,      /* u (nu) */
+    LAG_ROLE_OUTPUT,     /* y (ny) */
+    LAG_ROLE_LOCAL,      /* dependent parameters, then definitions: what model->definition gives (nd) */
+    LAG_ROLE_DISCRETE,   /* w (nw) */
+    LAG_ROLE_MULTIPLIER, /* lam (nc) */
+    LAG_ROLE_INDICATOR,  /* event indicators, see lag_instance_indicators() */
+    LAG_ROLE_ENERGY,     /* 0 total, 1 kinetic, 2 potential [J] */
+    LAG_ROLE_RESIDUAL,   /* largest residual of the constraints over the sizes of their rows: 0 of positions, 1 of velocities */
+    LAG_ROLE_OPTION      /* see lag_option */
+} lag_role;
+
+/* Settings of the integrator, parameters that every FMU has. */
+typedef enum lag_option {
+    LAG_OPTION_STEP /* [s] length of fixed steps; 0: steps with error control */
+} lag_option;
+
+typedef enum lag_type { LAG_TYPE_REAL, LAG_TYPE_INTEGER, LAG_TYPE_BOOLEAN } lag_type;
+
+/* When a variable may be set. */
+typedef enum lag_setting {
+    LAG_SET_NEVER,
+    LAG_SET_START,   /* until initialization ends */
+    LAG_SET_TUNABLE, /* and at events, between communication points */
+    LAG_SET_ALWAYS   /* inputs, and states where the standard lets them be set */
+} lag_setting;
+
+/* Its value reference is its index. An array variable is `count` entries, one after the other. */
+typedef struct lag_variable {
+    unsigned char role, type, setting;
+    size_t first, count;
+} lag_variable;
+
+typedef struct lag_fmu {
+    const lag_model *model;
+    const char *token; /* the guid of FMI 2, the instantiation token of FMI 3 */
+    size_t nvariable;
+    const lag_variable *variables; /* (nvariable) */
+    const double *constants;
+    const lag_start *start;      /* where the motion starts with the default parameters */
+    const unsigned char *fixed;  /* (2 nq + nz) 1: the start value holds exactly, it is not only where the search begins */
+    const double *nominal;       /* (2 nq + nz) */
+    double start_time, stop_time, tolerance; /* of the experiment; infinite stop: none given */
+    /* what accuracy is measured by: see lag_run_options */
+    const double *group, *natural, *cap; /* (2 nq + nz) */
+    const double *row_sizes, *lasting;   /* (nc) */
+    size_t general;
+} lag_fmu;
+
+#endif

@@ -1,0 +1,95 @@
+/*
+ * One instance of an exported model, for both versions of FMI: everything but the standard's own names, argument checks and
+ * the order of calls, which are in fmi2.c and fmi3.c.
+ *
+ * All state lies in the one block that the caller gives; copying it (lag_instance_save) is rollback. No function allocates or
+ * calls back but for `report`. A status other than LAG_OK comes with `message`.
+ */
+#ifndef LAG_INSTANCE_H
+#define LAG_INSTANCE_H
+
+#include "lag/fmu.h"
+#include "lag/status.h"
+
+typedef struct lag_instance lag_instance;
+
+/* What newDiscreteStates tells. */
+typedef struct lag_update {
+    int again;           /* another pass is needed */
+    int terminate;       /* the model ends the simulation; `message` tells why */
+    int states_changed;
+    int nominals_changed;
+    double next;         /* time of the next time event; infinite: none */
+} lag_update;
+
+/* What a communication step did. */
+typedef struct lag_progress {
+    double t;        /* reached */
+    int event;       /* an event of the model is there, which event mode would carry out (only where asked to stop for them) */
+    int terminate;
+    int early;       /* t is before the end of the step */
+} lag_progress;
+
+typedef struct lag_known {
+    size_t variable, element; /* of lag_fmu.variables, and entry of an array */
+} lag_known;
+
+size_t lag_instance_size(const lag_fmu *fmu);
+lag_instance *lag_instance_place(void *block, const lag_fmu *fmu);
+const char *lag_instance_message(const lag_instance *instance);
+
+/* ---- variables: values of one variable, (count) of it; Booleans are 0 and 1, Integers whole numbers ---- */
+
+lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values);
+/* Not whether the moment allows it: that is the caller's. Refused: not finite, outside of what a Boolean or Integer may be. */
+lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values);
+/* Inputs become polynomials in time about the present: `order` 1 is the first derivative (co-simulation, FMI 2). */
+lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values);
+lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values);
+
+/* ---- initialization ---- */
+
+/* `tolerance` 0: that of the experiment. */
+lag_status lag_instance_setup(lag_instance *instance, double start, double stop, double tolerance);
+/* States that were not set follow the parameters; all go to the nearest that satisfy constraints and initial equations. */
+lag_status lag_instance_initialize(lag_instance *instance);
+
+/* ---- model exchange ---- */
+
+lag_status lag_instance_set_time(lag_instance *instance, double t);
+lag_status lag_instance_set_states(lag_instance *instance, const double *x);
+void lag_instance_states(const lag_instance *instance, double *x);
+lag_status lag_instance_derivatives(lag_instance *instance, double *xd);
+size_t lag_instance_indicator_count(const lag_fmu *fmu);
+lag_status lag_instance_indicators(lag_instance *instance, double *g);
+/* Event mode: what relations and contacts have changed since is found anew in the first update that follows. */
+lag_status lag_instance_enter_events(lag_instance *instance);
+lag_status lag_instance_update(lag_instance *instance, lag_update *told);
+lag_status lag_instance_enter_continuous(lag_instance *instance);
+/* After an accepted step of the importer: *events 1: the constraints are off by more than the tolerance. */
+lag_status lag_instance_completed(lag_instance *instance, int *events, int *terminate);
+
+/* ---- co-simulation ---- */
+
+/* From the present time over `h`; with `stop_at_events` only up to the first event, which is left to lag_instance_update. */
+lag_status lag_instance_step(lag_instance *instance, double h, int stop_at_events, lag_progress *told);
+
+/* ---- derivatives ---- */
+
+/*
+ * sensitivity = d unknown / d known * seed, exact, of the functions above as they stand (relations and contacts held). Unknowns: outputs,
+ * derivatives, locals, multipliers, indicators; knowns: states, inputs, tunable parameters; in initialization whatever depends.
+ */
+lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+    size_t knowns, const double *seed, double *sensitivity);
+lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+    size_t knowns, const double *seed, double *sensitivity);
+
+/* ---- state ---- */
+
+/* Copies that lag_instance_load takes back bit by bit, also into another instance of the same FMU, in another process. */
+size_t lag_instance_saved_size(const lag_fmu *fmu);
+void lag_instance_save(const lag_instance *instance, unsigned char *bytes);
+lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes);
+
+#endif
