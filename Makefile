@@ -6,7 +6,7 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test test-fast update c-check c-test bench peers docs
+.PHONY: help check lint test test-fast update c-check c-test fmu-check bench peers docs
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
@@ -33,11 +33,15 @@ test: $(READY)  ## all tests; those of the floors cover at least 95 % of the bra
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
 
-c-check: $(READY)  ## tests of the C runtime under sanitizers, warnings of every compiler there is
+c-check: $(READY)  ## tests of the C runtime and of the shells of FMUs under sanitizers, warnings of every compiler there is
 	$(MAKE) --directory=lagdsl/runtime/c sanitized warnings
+	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) sanitized warnings
 
 c-test: $(READY)  ## the same, with the sanitizer of threads and ten thousand runs under valgrind
 	$(MAKE) --directory=lagdsl/runtime/c test
+
+fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (an hour)
+	LAGDSL_EXPLORE=1 $(BIN)/python -m pytest -n auto --dist loadgroup tests/fmi
 
 update: $(READY)  ## regenerate what is generated: parser tables, unit table, list of the library, expectations of the corpus
 	$(BIN)/python -m lagdsl.syntax.generate
