@@ -1,0 +1,96 @@
+"""FMUs of models/, exported once per process, as fmpy reads them."""
+
+from __future__ import annotations
+
+import atexit
+import os
+import re
+import tempfile
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache, cached_property
+from pathlib import Path
+from typing import Any
+
+import fmpy
+import numpy as np
+from fmpy.model_description import ModelDescription, ScalarVariable, read_model_description
+
+from lagdsl.fmi.export import export
+from models.corpus import MODELS, compiled
+
+VERSIONS = (2, 3)
+# One of each kind, where all of models/ would take too long.
+SAMPLE = (
+    "double_pendulum",  # minimal coordinates
+    "four_bar",  # constraints, an input
+    "pendulum_two_dependent_constraints",  # redundant rows
+    "rolling_coin",  # nonholonomic
+    "cart_double_pendulum",  # an input
+    "bouncing_ball_modelica",  # relations, reinit
+    "newtons_cradle",  # contacts
+    "furuta_swing_up",  # a clock, sampled control
+    "chain",  # arrays
+    "van_der_pol",  # states of first order only, stiff
+    "clutch",  # constraints that come and go
+    "library/parts_with_play",  # components
+)
+EVERY = tuple(MODELS) if os.environ.get("LAGDSL_EXPLORE") else SAMPLE
+
+
+@dataclass(frozen=True)
+class Exported:
+    """An FMU, packed and unpacked."""
+
+    path: Path
+    folder: Path
+
+    @cached_property
+    def description(self) -> ModelDescription:
+        return read_model_description(str(self.folder), validate=False)
+
+    @cached_property
+    def variables(self) -> dict[str, ScalarVariable]:
+        return {variable.name: variable for variable in self.description.modelVariables}
+
+    @property
+    def version(self) -> int:
+        return int(self.description.fmiVersion[0])
+
+    def entry(self, name: str) -> tuple[ScalarVariable, int | None]:
+        """The variable that holds a scalar, and where in it, if it is an array: `der(q[2])` is entry 1 of `der(q)`."""
+        if name in self.variables:
+            return self.variables[name], None
+        found = re.fullmatch(r"(.*)\[([\d,]+)\](.*)", name)  # the last subscript; those before belong to components
+        if found is None or found[1] + found[3] not in self.variables:
+            raise KeyError(f"{self.path.name} has no variable for {name}")
+        variable = self.variables[found[1] + found[3]]
+        return variable, int(np.ravel_multi_index([int(i) - 1 for i in found[2].split(",")], variable.shape))
+
+    def columns(self, recorded: Any, names: Iterable[str]) -> dict[str, np.ndarray]:
+        """Scalars over time, out of what fmpy has recorded."""
+        columns = {}
+        for name in names:
+            variable, index = self.entry(name)
+            values = np.asarray(recorded[variable.name], dtype=float)
+            columns[name] = values if index is None else values.reshape(len(values), -1)[:, index]
+        return columns
+
+
+_folder: list[tempfile.TemporaryDirectory[str]] = []
+
+
+def _place() -> Path:
+    if not _folder:
+        _folder.append(tempfile.TemporaryDirectory(prefix="lagdsl-fmi-"))
+        atexit.register(_folder[0].cleanup)
+    return Path(_folder[0].name)
+
+
+@cache
+def exported(name: str, version: int, platforms: tuple[str, ...] = ()) -> Exported:
+    folder = _place() / "-".join((name.replace("/", "-"), str(version), *platforms))
+    path = folder.with_suffix(".fmu")
+    export(compiled(name).compilation, path, version=version, platforms=platforms)
+    fmpy.extract(str(path), str(folder))
+    return Exported(path, folder)

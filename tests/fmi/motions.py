@@ -1,0 +1,127 @@
+"""What an exported model must do: the motion that `lag run --engine c` gives, and how closely another keeps to it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+import lagdsl
+from models.corpus import compiled, expectations, path_of
+
+TOLERANCE = 1e-8
+SAME = 1e-6  # of the range of a signal
+SAME_NEAR_EVENTS = 1e-4
+PREDICTABLE = 1e-7  # agreement of the same engine with itself at a tenth of the tolerance
+ROWS = 500
+# Of the span: closer to an event than this a row may be before or after it.
+NEAR = 1e-6
+Floats = np.ndarray
+
+
+@cache
+def model(name: str) -> lagdsl.Model:
+    return lagdsl.compile(path_of(name), engine="c")
+
+
+def span(name: str) -> tuple[float, float, float]:
+    """Start, stop and distance of rows of the experiment."""
+    experiment = compiled(name).flat.experiment
+    start, stop = experiment.start_time, expectations(name).get("until", experiment.stop_time)
+    return start, stop, (stop - start) / ROWS
+
+
+@cache
+def motion(name: str, tolerance: float = TOLERANCE) -> lagdsl.Trajectory:
+    _, stop, interval = span(name)
+    return model(name).simulate(stop=stop, interval=interval, tolerance=tolerance)
+
+
+def signals(reference: lagdsl.Trajectory) -> tuple[str, ...]:
+    """Every coordinate, rate, state, discrete variable and output."""
+    return reference.names[1:]
+
+
+@dataclass(frozen=True)
+class Deviation:
+    """Of rows from a reference, in ranges of the signals: the largest of each row, and which signal that is."""
+
+    time: Floats
+    error: Floats
+    near: Floats  # bool: rows beside an event
+    worst: tuple[str, ...]
+
+    def exceeding(self, far: float, near: float) -> Floats:
+        """Indices of rows; a number that is none exceeds everything."""
+        return np.flatnonzero(~(self.error <= np.where(self.near, near, far)))
+
+    def first(self, far: float, near: float) -> str:
+        rows = self.exceeding(far, near)
+        if not len(rows):
+            return ""
+        row = rows[np.argmax(self.error[rows])]
+        return (
+            f"{len(rows)} of {len(self.time)} rows; first at {self.time[rows[0]]:.9g} s ({self.worst[rows[0]]}, "
+            f"{self.error[rows[0]]:.2g}), worst at {self.time[row]:.9g} s ({self.worst[row]}, {self.error[row]:.2g})"
+        )
+
+
+def deviation(reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Floats]) -> Deviation:
+    """At the times of the reference; where an event is, anything between the values before and after it will do."""
+    names = signals(reference)
+    missing = [name for name in names if name not in columns]
+    assert not missing, missing
+    expected = np.stack([reference[name] for name in names], axis=-1).astype(float)
+    found = np.stack([np.asarray(columns[name], dtype=float) for name in names], axis=-1)
+    scale = _scales(reference)
+    margin = NEAR * (reference.time[-1] - reference.time[0])
+    rows, errors, near, worst = [], [], [], []
+    for row, t in enumerate(time):
+        low, high = np.searchsorted(reference.time, [t - margin, t + margin])
+        if low == high:
+            continue
+        around = expected[low:high]
+        outside = np.maximum(around.min(axis=0) - found[row], found[row] - around.max(axis=0))
+        error = np.where(np.isfinite(found[row]), np.maximum(outside, 0.0), np.inf) / scale
+        both_undefined = np.isnan(found[row]) & np.isnan(around).any(axis=0)
+        error = np.where(both_undefined, 0.0, error)
+        rows.append(t)
+        errors.append(np.max(error))
+        near.append(high - low > 1)
+        worst.append(names[int(np.argmax(error))])
+    return Deviation(np.array(rows), np.array(errors), np.array(near, dtype=bool), tuple(worst))
+
+
+def _scales(reference: lagdsl.Trajectory) -> Floats:
+    """Ranges of the signals, at least a thousandth of the largest value of the same kind and unit."""
+    columns = reference.columns[1:]
+    largest: dict[tuple[str, str], float] = {}
+    for column in columns:
+        key = (column.kind, column.unit)
+        size = float(np.max(np.abs(column.values[np.isfinite(column.values)]), initial=0.0))
+        largest[key] = max(largest.get(key, 0.0), size)
+    ranges = [float(np.ptp(c.values[np.isfinite(c.values)])) if np.isfinite(c.values).any() else 0.0 for c in columns]
+    return np.array([max(r, 1e-3 * largest[c.kind, c.unit], 1e-9) for r, c in zip(ranges, columns, strict=True)])
+
+
+@cache
+def horizon(name: str, tolerance: float = TOLERANCE) -> float:
+    """Up to where the motion is known: there the same engine at a tenth of the tolerance still agrees to 1e-7."""
+    finer = motion(name, tolerance / 10)
+    rows = deviation(motion(name, tolerance), finer.time, {n: finer[n] for n in signals(finer)})
+    off = rows.exceeding(PREDICTABLE, SAME_NEAR_EVENTS)
+    return float(rows.time[off[0] - 1]) if len(off) else span(name)[1]
+
+
+def assert_same(name: str, reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Any]) -> None:
+    """Within 1e-6 of the range of each signal up to the horizon, 1e-4 beside events; rows over the whole of it."""
+    start, _, interval = span(name)
+    end = horizon(name)
+    assert end > start + 20 * interval, f"known up to {end} s only"
+    rows = np.flatnonzero(np.asarray(time) <= end + 1e-9 * (end - start))
+    known = deviation(reference, np.asarray(time)[rows], {n: np.asarray(c)[rows] for n, c in columns.items()})
+    assert len(known.time) >= 0.9 * (end - start) / interval
+    assert not known.first(SAME, SAME_NEAR_EVENTS), known.first(SAME, SAME_NEAR_EVENTS)
