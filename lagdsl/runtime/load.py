@@ -114,6 +114,7 @@ class RunOptions(Structure):
         ("time_tolerance", c_double),
         *((f"invariant_{name}", c_void_p) for name in ("tolerance", "start", "size", "drift")),
         ("continued", c_int),
+        ("start", c_void_p),
     ]
 
 

@@ -88,11 +88,11 @@ def runtime_sources() -> dict[str, str]:
 def _start(stem: str, start: Start | None) -> str:
     head = f'/* Where the motion starts. */\n#include "{stem}.h"\n\n'
     if start is None or not start.x:
-        return f"{head}const lag_start {stem}_start = {{{number(start.t if start else 0.0)}, NULL}};\n"
+        return f"{head}const lag_start {stem}_start = {{.t = {number(start.t if start else 0.0)}}};\n"
     rows = "".join(f"    {number(value)},\n" for value in start.x)
     return (
         f"{head}static const double state[] = {{\n{rows}}};\n\n"
-        f"const lag_start {stem}_start = {{{number(start.t)}, state}};\n"
+        f"const lag_start {stem}_start = {{.t = {number(start.t)}, .x = state}};\n"
     )
 
 

@@ -21,10 +21,17 @@ typedef struct lag_slot {
     const char *place;  /* file:line of its declaration, or null */
 } lag_slot;
 
-/* A state to start from, which satisfies everything that the model says of the start, for the default parameters. */
+/*
+ * A state to start from, which satisfies everything that the model says of the start, for the default parameters; and what else it says,
+ * so that other parameters and start values lead to such a state, too (lag/initial.h). Entries are those of (q, qd, z).
+ */
 typedef struct lag_start {
-    double t;        /* [s] */
-    const double *x; /* (q, qd, z); null: not known */
+    double t;                        /* [s] */
+    const double *x;                 /* null: not known */
+    const unsigned char *fixed;      /* 1: the start value holds exactly; null: none does */
+    const unsigned char *written;    /* 1: it was written, and weighs 100 times one that was not; null: none was */
+    const double *sizes;             /* what counts as a change of order one; null: found at the start values */
+    const double *minimum, *maximum; /* (nq) where the search stays; null: anywhere */
 } lag_start;
 
 /* Positions of the nonzero elements of a matrix, row by row. */

@@ -48,7 +48,7 @@ typedef struct lag_run_options {
     /* What counts as a change of order one; null: found at the first state (see lag/accuracy.h). */
     const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
     const double *row_sizes;             /* (nc) of the constraints */
-    int careful;                         /* 1: LAG_ATTENTION before the constraints lose rank; then */
+    int careful;                         /* 1: LAG_ATTENTION before the constraints lose rank, 2: across (lag/singular.h); then */
     const double *lasting;               /* (nc) 0: the row comes and goes, as those of contacts; null: all last, */
     size_t general;                      /* else so many of those that do are independent in general */
 
@@ -82,6 +82,9 @@ typedef struct lag_run_options {
     const double *invariant_tolerance;                      /* (ni) */
     double *invariant_start, *invariant_size, *invariant_drift; /* (ni), as an earlier run left them where `continued` */
     int continued;
+
+    /* What the model says of the start, for lag_run_begin() without a state; null: nothing but its start values. */
+    const lag_start *start;
 } lag_run_options;
 
 /* A change of the method. */
@@ -145,8 +148,8 @@ size_t lag_run_size(const lag_model *model, const lag_run_options *options);
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options);
 
 /*
- * Starts at time t from x (2 nq + nz), or, where x is null, from the model's start values moved onto the constraints. Clocks strike
- * if it is their instant; the row of this time is recorded. LAG_OFF: the constraints are out of reach.
+ * Starts at time t from x (2 nq + nz), or, where x is null, from the state that lag/initial.h finds for the parameters. Clocks strike
+ * if it is their instant; the row of this time is recorded. LAG_OFF: there is no such state.
  */
 lag_status lag_run_begin(lag_run *run, double t, const double *x);
 

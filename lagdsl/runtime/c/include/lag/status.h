@@ -21,7 +21,9 @@ typedef enum lag_status {
     LAG_CONFLICT = 13,   /* clauses reset one quantity to different values at one instant */
     LAG_REFUSED = 14,    /* an assertion of a clause failed */
     LAG_PIERCED = 15,    /* a gap is negative at the start */
-    LAG_TORN = 16        /* a constraint that discretes switch asks for other positions than there are */
+    LAG_TORN = 16,       /* a constraint that discretes switch asks for other positions than there are */
+    LAG_FORKED = 17,     /* branches of the motion meet here, and which one it takes cannot be told */
+    LAG_FOREIGN = 18     /* bytes that were not saved by this, or were changed since */
 } lag_status;
 
 #endif
