@@ -19,7 +19,7 @@ typedef enum lag_role {
     LAG_ROLE_LOCAL,      /* dependent parameters, then definitions: what model->definition gives (nd) */
     LAG_ROLE_DISCRETE,   /* w (nw) */
     LAG_ROLE_MULTIPLIER, /* lam (nc) */
-    LAG_ROLE_INDICATOR,  /* event indicators, see lag_instance_indicators() */
+    LAG_ROLE_INDICATOR,  /* event indicators, (nindicator + ncontact): see lag_instance_indicators() */
     LAG_ROLE_ENERGY,     /* 0 total, 1 kinetic, 2 potential [J] */
     LAG_ROLE_RESIDUAL,   /* largest residual of the constraints over the sizes of their rows: 0 of positions, 1 of velocities */
     LAG_ROLE_OPTION      /* see lag_option */
@@ -30,7 +30,8 @@ typedef enum lag_option {
     LAG_OPTION_STEP /* [s] length of fixed steps; 0: steps with error control */
 } lag_option;
 
-typedef enum lag_type { LAG_TYPE_REAL, LAG_TYPE_INTEGER, LAG_TYPE_BOOLEAN } lag_type;
+/* FMI 3 has Integers as Int32. Strings are constants only, `first` of them an index into `texts`. */
+typedef enum lag_type { LAG_TYPE_REAL, LAG_TYPE_INTEGER, LAG_TYPE_BOOLEAN, LAG_TYPE_STRING } lag_type;
 
 /* When a variable may be set. */
 typedef enum lag_setting {
@@ -60,6 +61,9 @@ typedef struct lag_fmu {
     const double *group, *natural, *cap; /* (2 nq + nz) */
     const double *row_sizes, *lasting;   /* (nc) */
     size_t general;
+    const char *const *texts;       /* constants of type String */
+    const unsigned char *turning;   /* (ny) 1: an angle known up to whole turns, made continuous from step to step */
+    const double *invariant_limits; /* (ni) allowed departures, as parts of the scales; 0: a thousand tolerances */
 } lag_fmu;
 
 #endif
