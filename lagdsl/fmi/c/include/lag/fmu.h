@@ -47,6 +47,24 @@ typedef struct lag_variable {
     size_t first, count;
 } lag_variable;
 
+/* How an unknown depends on a known; the numbers are those of FMI 3. */
+typedef enum lag_dependence {
+    LAG_DEPENDENCE_INDEPENDENT,
+    LAG_DEPENDENCE_CONSTANT,
+    LAG_DEPENDENCE_FIXED,
+    LAG_DEPENDENCE_TUNABLE,
+    LAG_DEPENDENCE_DISCRETE,
+    LAG_DEPENDENCE_DEPENDENT
+} lag_dependence;
+
+/* Entry `element` of a variable depends on entry `other_element` of `other`. Entries count from 1; 0 means all of them. */
+typedef struct lag_dependency {
+    size_t element, other, other_element;
+    unsigned char kind;
+} lag_dependency;
+
+typedef enum lag_kinds { LAG_MODEL_EXCHANGE = 1, LAG_CO_SIMULATION = 2 } lag_kinds;
+
 typedef struct lag_fmu {
     const lag_model *model;
     const char *token; /* the guid of FMI 2, the instantiation token of FMI 3 */
