@@ -82,6 +82,10 @@ typedef struct lag_fmu {
     const char *const *texts;       /* constants of type String */
     const unsigned char *turning;   /* (ny) 1: an angle known up to whole turns, made continuous from step to step */
     const double *invariant_limits; /* (ni) allowed departures, as parts of the scales; 0: a thousand tolerances */
+    unsigned char kinds;            /* a sum of lag_kinds: what it can be instantiated for */
+    /* Variable i depends as dependencies [dependency_first[i], dependency_first[i + 1]) tell; null: not told. */
+    const size_t *dependency_first; /* (nvariable + 1) */
+    const lag_dependency *dependencies;
 } lag_fmu;
 
 #endif
