@@ -4,6 +4,7 @@
 #include "check.h"
 #include "lag/fixed.h"
 #include "lag/run.h"
+#include "oscillator.h"
 
 static lag_status no_preparation(const double *p, double *workspace)
 {
@@ -415,71 +416,7 @@ static void a_sampled_controller(void)
     CHECK_NEAR(ends[0][1], v, 1e-10);
 }
 
-/* ---- two states of first order: an oscillator that is stiff or not ---- */
-
-static lag_status oscillator_start(const lag_arguments *at, double *q, double *qd, double *z, double *u)
-{
-    (void)at;
-    (void)q;
-    (void)qd;
-    (void)u;
-    z[0] = 2.0;
-    z[1] = 0.0;
-    return LAG_OK;
-}
-
-static lag_status nothing(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma)
-{
-    (void)at;
-    (void)mass;
-    (void)force;
-    (void)jacobian;
-    (void)gamma;
-    return LAG_OK;
-}
-
-static lag_status no_residual(const lag_arguments *at, double *motion, double *rows)
-{
-    (void)at;
-    (void)motion;
-    (void)rows;
-    return LAG_OK;
-}
-
-static lag_status oscillator_rates(const lag_arguments *at, double *rates)
-{
-    const double *z = at->z;
-    rates[0] = z[1];
-    rates[1] = ((1.0 - z[0] * z[0]) * z[1] - z[0]) / at->p[0];
-    return LAG_OK;
-}
-
-static lag_status oscillator_tangent(const lag_arguments *at, double *rates)
-{
-    const double *z = at->z;
-    rates[0] = at->dz[1];
-    rates[1] = (-(2.0 * z[0] * z[1] + 1.0) * at->dz[0] + (1.0 - z[0] * z[0]) * at->dz[1]) / at->p[0];
-    return LAG_OK;
-}
-
-static const lag_slot OSCILLATOR_Z[2] = {{"x", "1", NULL}, {"v", "1/s", NULL}};
-static const double EPSILON[1] = {1e-6};
-
-static const lag_model OSCILLATOR = {
-    .version = LAG_MODEL_VERSION,
-    .size = sizeof(lag_model),
-    .name = "Oscillator",
-    .nz = 2,
-    .np = 1,
-    .states = OSCILLATOR_Z,
-    .defaults = EPSILON,
-    .prepare = no_preparation,
-    .start = oscillator_start,
-    .dynamics = nothing,
-    .residual_tangent = no_residual,
-    .state_derivative = oscillator_rates,
-    .state_derivative_tangent = oscillator_tangent,
-};
+/* ---- van der Pol's oscillator ---- */
 
 static void stiffness_is_found(double epsilon, int stiff)
 {

@@ -19,12 +19,12 @@ static const double LEAST_STEPS = 50.0;
 
 const size_t lag_run_layout[2] = {sizeof(lag_run_options), sizeof(lag_run_report)};
 
-static size_t doubles(const lag_model *model, const lag_run_options *options)
+size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
-           lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) + lag_stiffness_memory(size) + 5 * size + model->nc +
-           3 * model->ni + 4 * options->indicators + options->clocks + 1;
+           lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
+           lag_stiffness_memory(size) + 5 * size + model->nc + 3 * model->ni + 4 * options->indicators + options->clocks + 1;
 }
 
 static size_t padded(size_t bytes)
@@ -34,7 +34,7 @@ static size_t padded(size_t bytes)
 
 size_t lag_run_size(const lag_model *model, const lag_run_options *options)
 {
-    return padded(sizeof(lag_run)) + padded((options->clocks + model->nclock) * sizeof(lag_clock)) + doubles(model, options) * sizeof(double);
+    return padded(sizeof(lag_run)) + padded((options->clocks + model->nclock) * sizeof(lag_clock)) + lag_run_numbers(model, options) * sizeof(double);
 }
 
 static void place_watch(lag_run *run, const lag_model *model, double **memory)
@@ -84,6 +84,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
     double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) +
         padded((options->clocks + model->nclock) * sizeof(lag_clock)));
+    run->memory = memory;
+    run->numbers = lag_run_numbers(model, options);
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
     run->options.part = options->part > 0.0 ? options->part : PART;
     run->options.looks = options->looks > 0 ? options->looks : 4;
