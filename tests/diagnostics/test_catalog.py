@@ -12,6 +12,7 @@ from lagdsl.diagnostics.catalog import (
     constraints,
     dimensions,
     events,
+    export,
     initial,
     names,
     physics,
@@ -23,7 +24,7 @@ from lagdsl.source import SourceFile, Span
 
 FAMILIES = {
     "01": (syntax,), "02": (names,), "03": (values, events), "04": (dimensions,), "05": (physics,),
-    "06": (constraints,), "07": (assembly,), "08": (initial, analysis), "09": (runtime,),
+    "06": (constraints,), "07": (assembly,), "08": (initial, analysis), "09": (export, runtime),
 }  # fmt: skip
 FILE = SourceFile("a.lag", "one two three")
 HERE, THERE = Span(FILE, 0, 3), Span(FILE, 4, 7)

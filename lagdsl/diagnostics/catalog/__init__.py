@@ -6,6 +6,7 @@ from lagdsl.diagnostics.catalog import (
     constraints,
     dimensions,
     events,
+    export,
     initial,
     names,
     physics,
@@ -26,6 +27,7 @@ ROWS: dict[str, Row] = {
     **assembly.ROWS,
     **initial.ROWS,
     **analysis.ROWS,
+    **export.ROWS,
     **runtime.ROWS,
 }
 

@@ -1,0 +1,36 @@
+"""Family 09: FMUs."""
+
+from lagdsl.diagnostics.catalog.row import Row, error, note
+
+ROWS: dict[str, Row] = {
+    "E0902": error(
+        "{what} of `{name}` is {value}, beyond the integers of FMI {version}, which go from {least} to {most}",
+        label="an integer here",
+        help="declare `{name}` as `Real`, or take a smaller number",
+    ),
+    "N0903": note(
+        "who drives `{name}` of this FMU drives its time derivatives, too: the inputs {derivatives}",
+        label="declared with its derivatives here",
+        help="give all of them from one signal; positions that follow `{name}` are as smooth as these fit together",
+    ),
+    "E0904": error(
+        "FMUs need the package `{package}`, which is not installed",
+        help="install it: pip install 'lagdsl[fmi]'",
+    ),
+    "E0905": error(
+        "no compiler for the platform {platform} was found",
+        help="`pip install ziglang` brings one for every platform: pip install 'lagdsl[fmi]'",
+    ),
+    "E0906": error(
+        "the C compiler `{compiler}` failed for the platform {platform}",
+        help="leave this platform out, or check that `{compiler}` compiles C11 for it",
+    ),
+    "E0907": error(
+        "the finished FMU does not satisfy the standard, so it was not written",
+        help="this is a fault of lagdsl: please report the model; the other version of the standard (`--fmi`) may do",
+    ),
+    "E0908": error(
+        "the finished FMU does not run, so it was not written: {reason}",
+        help="see whether `lag run` does from the same start; a start that moves at once may need other values",
+    ),
+}
