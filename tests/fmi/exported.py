@@ -15,7 +15,6 @@ from typing import Any
 import fmpy
 import numpy as np
 from fmpy.model_description import ModelDescription, ScalarVariable, read_model_description
-
 from lagdsl.fmi.export import export
 from models.corpus import MODELS, compiled
 
@@ -80,7 +79,7 @@ class Exported:
 _folder: list[tempfile.TemporaryDirectory[str]] = []
 
 
-def _place() -> Path:
+def place() -> Path:
     if not _folder:
         _folder.append(tempfile.TemporaryDirectory(prefix="lagdsl-fmi-"))
         atexit.register(_folder[0].cleanup)
@@ -89,7 +88,7 @@ def _place() -> Path:
 
 @cache
 def exported(name: str, version: int, platforms: tuple[str, ...] = ()) -> Exported:
-    folder = _place() / "-".join((name.replace("/", "-"), str(version), *platforms))
+    folder = place() / "-".join((name.replace("/", "-"), str(version), *platforms))
     path = folder.with_suffix(".fmu")
     export(compiled(name).compilation, path, version=version, platforms=platforms)
     fmpy.extract(str(path), str(folder))

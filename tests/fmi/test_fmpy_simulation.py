@@ -1,0 +1,72 @@
+"""Exported models through fmpy, against `lag run --engine c`: its validator, both kinds, CVODE for model exchange."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from typing import Any
+
+import fmpy.sundials
+import numpy as np
+import pytest
+from fmpy import simulate_fmu
+from fmpy.validation import validate_fmu
+
+from fmi.exported import EVERY, VERSIONS, Exported, exported
+from fmi.motions import assert_same, motion, signals, span
+
+MODELS = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in EVERY])
+BOTH = pytest.mark.parametrize("version", VERSIONS)
+
+
+def simulated(fmu: Exported, name: str, kind: str, tolerance: float) -> Any:
+    start, stop, interval = span(name)
+    names = {fmu.entry(signal)[0].name for signal in signals(motion(name))}
+    return simulate_fmu(
+        str(fmu.folder),
+        validate=False,
+        model_description=fmu.description,
+        fmi_type=kind,
+        start_time=start,
+        stop_time=stop,
+        output_interval=interval,
+        relative_tolerance=tolerance,
+        output=sorted(names),
+    )
+
+
+@contextmanager
+def patient_cvode() -> Iterator[None]:
+    """fmpy allows CVODE 500 steps between two rows."""
+    original = fmpy.sundials.CVodeSolver
+    fmpy.sundials.CVodeSolver = partial(original, maxNumSteps=100_000)
+    try:
+        yield
+    finally:
+        fmpy.sundials.CVodeSolver = original
+
+
+@MODELS
+@BOTH
+def test_fmpy_finds_nothing_wrong(name: str, version: int) -> None:
+    assert validate_fmu(str(exported(name, version).path)) == []
+
+
+@MODELS
+@BOTH
+def test_co_simulation_is_the_same_motion(name: str, version: int) -> None:
+    fmu = exported(name, version)
+    rows = simulated(fmu, name, "CoSimulation", 1e-8)
+    assert_same(name, motion(name), rows["time"], fmu.columns(rows, signals(motion(name))))
+
+
+@MODELS
+@BOTH
+def test_model_exchange_under_cvode_is_the_same_motion(name: str, version: int) -> None:
+    fmu = exported(name, version)
+    with patient_cvode():
+        rows = simulated(fmu, name, "ModelExchange", 1e-10)
+    last = np.append(np.diff(rows["time"]) > 0, True)  # of several rows at an instant the last: after the event
+    columns = fmu.columns(rows, signals(motion(name)))
+    assert_same(name, motion(name, 1e-10), rows["time"][last], {n: c[last] for n, c in columns.items()})

@@ -1,0 +1,27 @@
+"""FMUs of texts in tests."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import fmpy
+from lagdsl.fmi.export import export
+
+from fmi.exported import Exported, place
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import front, middle
+from lagdsl.source import SourceFile
+
+
+@cache
+def exported_text(text: str, version: int) -> Exported:
+    sink = Sink()
+    flat = front(SourceFile("text.lag", text), sink)
+    assert flat is not None, sink.diagnostics
+    compilation = middle(flat, sink)
+    assert compilation is not None, sink.diagnostics
+    folder = place() / f"{flat.name}-{version}"
+    path = folder.with_suffix(".fmu")
+    export(compilation, path, version=version)
+    fmpy.extract(str(path), str(folder))
+    return Exported(path, folder)
