@@ -9,7 +9,7 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
@@ -24,6 +24,7 @@ from lagdsl.syntax.parser import parse
 
 if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
+    from lagdsl.mechanics.derive import Derivation as GraphDerivation
     from lagdsl.mechanics.derive import Derived
     from lagdsl.mechanics.structure import Structure
     from lagdsl.program.program import Program
@@ -39,12 +40,13 @@ _WORTH_COMPILING = 3_000
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Compilation:
-    """A model that compiled: `diagnostics` are its warnings and notes."""
+    """A model that compiled: `diagnostics` are its warnings and notes, `derivation` what the graph route made it of."""
 
     flat: FlatModel
     program: Program
     structure: Structure
     diagnostics: tuple[Diagnostic, ...]
+    derivation: GraphDerivation | None = field(default=None, compare=False, repr=False)
 
 
 def read(source: Path | str, sink: Sink) -> SourceFile | None:
@@ -132,7 +134,24 @@ def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Com
         equations = form_equations(flat) if derived is None else derived.derivation
         report_idle_loads(equations, sink)
         report_proofs(equations, sink)
-    return Compilation(flat=flat, program=structure.program, structure=structure, diagnostics=sink.diagnostics)
+    return Compilation(
+        flat=flat,
+        program=structure.program,
+        structure=structure,
+        diagnostics=sink.diagnostics,
+        derivation=None if derived is None else derived.derivation,
+    )
+
+
+def with_names(compilation: Compilation) -> Program:
+    """The program of `compilation` with every named value of the model and the derivatives that exported models offer.
+
+    Raises CompilationFailed where there is no such value (E0304, E0308).
+    """
+    from lagdsl.mechanics.named import with_names as named
+
+    assert compilation.derivation is not None, "only the graph route has named values"
+    return named(compilation.derivation, compilation.program)
 
 
 def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:

@@ -337,7 +337,7 @@ class Experiment:
 
 @record(kw_only=True)
 class FlatModel:
-    """One complete model."""
+    """One complete model. `observed` are named values that need the solved motion: nothing refers to them by name."""
 
     name: str
     doc: str | None
@@ -361,3 +361,4 @@ class FlatModel:
     experiment: Experiment
     joints: tuple[Joint, ...] = ()
     events: Events = Events()
+    observed: tuple[Definition, ...] = ()

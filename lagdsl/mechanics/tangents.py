@@ -10,6 +10,7 @@ from lagdsl.graph.operation import DIRECTION_OF, Group
 
 STATE_GROUPS = (Group.Q, Group.QD, Group.Z, Group.U, Group.P)
 SOLVED_GROUPS = tuple(DIRECTION_OF)
+P_GROUPS = (Group.P,)
 
 
 def directional(graph: Graph, roots: Iterable[int], groups: tuple[Group, ...]) -> list[int]:

@@ -33,6 +33,13 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | contact | t q qd z u w p | gap, speed (ni), dgap/dq (ni, nq) of contacts, then of `impact`; restitution, stick, rest |
 | clock | t p | first instant, period (both one entry per clock) |
 | event | t q qd z u w p qdd lam | a pass over the `when` clauses: w; reset, value; impact, restitution; stop; fail |
+| definition | t q qd z u w p qdd lam | d (nd): every named value, first those that depend on p only |
+| definition_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dd (nd) |
+| start_tangent | t p dp | how the start values change with the parameters: dq (nq), dqd (nq), dz (nz), du (nu) |
+| energies_tangent | t q qd z u w p dq dqd dz du dp | dtotal, dkinetic, dpotential, djacobi (each shape ()) |
+| initial_equation_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dresidual (ne) |
+| indicator_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dg (nr) |
+| contact_tangent | t q qd z u w p dq dqd dz du dp | dgap, dspeed |
 
 M written out has nq^2 entries, and in a long tree of bodies each of them is a sum over what both coordinates move;
 `momentum_tangent` is of the size of the kinetic energy. Programs of many coordinates have it in place of `mass_matrix`
@@ -48,7 +55,8 @@ smallest pivot, relatively: where it is small or no number, the others are not t
 `acceleration_tangent`, there with `elimination`, solves M dqdd - J' dlam = -dr, J dqdd = -ds in the same way: dqdd and
 dlam with the multipliers of the kept rows held, and ds of these rows.
 Directions `dp` hold one entry per independent parameter.
-The functions from `discrete_start` on belong to models with discretes, see `docs/adr/0030-events.md`.
+The functions from `discrete_start` to `event` belong to models with discretes, see `docs/adr/0030-events.md`; those
+from `definition` on to programs that tell every variable of their model (`mechanics/named.py`).
 """
 
 from lagdsl.graph.operation import Group
@@ -89,6 +97,13 @@ OPTIONAL: dict[str, tuple[Group, ...]] = {
     "clock": (Group.TIME, Group.P),
     "event": SOLVED,
     "momentum_tangent": (*STATE, Group.DIRECTION_QD),
+    "definition": SOLVED,
+    "definition_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
+    "start_tangent": (Group.TIME, Group.P, Group.DIRECTION_P),
+    "energies_tangent": (*STATE, *DIRECTIONS),
+    "initial_equation_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
+    "indicator_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
+    "contact_tangent": (*STATE, *DIRECTIONS),
     "acceleration_tangent": (*SOLVED, *DIRECTIONS),
 }
 

@@ -17,15 +17,15 @@ def layout(flat: FlatModel) -> Layout:
     independent = [p for p in flat.parameters if not p.structural]
     rows = [(row, constraint) for constraint in flat.constraints for row in constraint.rows]
     return Layout(
-        coordinates=_slots(flat.coordinates),
-        states=_slots(flat.states),
-        inputs=_slots(flat.inputs),
+        coordinates=slots(flat.coordinates),
+        states=slots(flat.states),
+        inputs=slots(flat.inputs),
         discretes=tuple(_discrete(entry) for entry in entries(flat.events)),
         kinds=tuple(entry.kind for entry in entries(flat.events)),
         instants=_instants(flat, rows),
-        parameters=_slots(independent),
+        parameters=slots(independent),
         defaults=tuple(item.value for item in independent),
-        outputs=_slots(flat.outputs),
+        outputs=slots(flat.outputs),
         constraints=tuple(Slot(name=row, unit=unit_text(c.dimension), place=_place(c)) for row, c in rows),
         position_level=tuple(constraint.level == "position" for _, constraint in rows),
         redundant=(False,) * len(rows),
@@ -57,7 +57,8 @@ def _instants(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> Instan
     )
 
 
-def _slots(items: Sequence[Quantity]) -> tuple[Slot, ...]:
+def slots(items: Sequence[Quantity]) -> tuple[Slot, ...]:
+    """Names, units and places of declared things."""
     return tuple(Slot(name=item.name, unit=item.unit, place=_place(item)) for item in items)
 
 

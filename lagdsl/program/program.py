@@ -47,6 +47,7 @@ class Layout:
 
     `parameters` are the independent ones, with their default values beside them.
 
+    `definitions` are those of the function `definition`, where the program has it.
     `redundant` flags constraint rows found dependent on others; `position_level` flags rows that restrict q itself.
     """
 
@@ -64,6 +65,7 @@ class Layout:
     redundant: tuple[bool, ...]
     invariants: tuple[Slot, ...]
     assertions: tuple[str, ...]
+    definitions: tuple[Slot, ...] = ()
 
     def size(self, group: Group) -> int:
         """Length of the argument array of `group`."""

@@ -39,6 +39,13 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "contact": (None,) * 6,
     "clock": (None,) * 2,
     "event": (("nw",), *(None,) * 6),
+    "definition": (("nd",),),
+    "definition_tangent": (("nd",),),
+    "start_tangent": ((_N,), (_N,), ("nz",), ("nu",)),
+    "energies_tangent": ((), (), (), ()),
+    "initial_equation_tangent": (None,),
+    "indicator_tangent": (None,),
+    "contact_tangent": (None, None),
 }
 
 
@@ -58,6 +65,7 @@ def sizes(layout: Layout) -> dict[str, int]:
         "ny": len(layout.outputs),
         "ni": len(layout.invariants),
         "na": len(layout.assertions),
+        "nd": len(layout.definitions),
     }
 
 

@@ -68,6 +68,7 @@ class Context:
     overrides: Mapping[str, float] = field(default_factory=dict)
     parameters: list[flat_model.Parameter] = field(default_factory=list)
     named: list[flat_model.Named] = field(default_factory=list)
+    observed: list[flat_model.Definition] = field(default_factory=list)
     constraints: list[flat_model.Constraint] = field(default_factory=list)
     names: set[str] = field(default_factory=set)
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)

@@ -292,11 +292,15 @@ class Definitions:
         dimension = value.dimension if value.dimension is not None else DIMENSIONLESS
         value = replace(value, dimension=dimension)
         unused_port = symbol.kind == "input" and value.expression == flat.ZERO
-        if symbol.kind == "output" or value.order >= Order.ACCELERATION or unused_port:
+        if symbol.kind == "output" or unused_port:
             return value
         fields = quantity_fields(symbol, indices, sign_of(self.ctx, symbol), dimension)
         variability = max(value.variability, Variability.PARAMETER, key=rank)
-        self.ctx.named.append(flat_model.Definition(**fields, value=value.expression, variability=variability))
+        definition = flat_model.Definition(**fields, value=value.expression, variability=variability)
+        if value.order >= Order.ACCELERATION:
+            self.ctx.observed.append(definition)
+            return value
+        self.ctx.named.append(definition)
         return replace(value, expression=flat.Variable(fields["name"]), variability=variability)
 
     def _point(self, symbol: Symbol, indices: Indices) -> Value:

@@ -168,6 +168,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         experiment=notes.experiment(ctx, contents.annotations),
         joints=assembly.joints(),
         events=ctx.occurrences.events(),
+        observed=tuple(ctx.observed),
     )
 
 

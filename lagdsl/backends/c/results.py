@@ -42,6 +42,13 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "contact": ("gap", "speed", "jacobian", "restitution", "stick", "rest"),
     "clock": ("first", "period"),
     "event": ("next", "reset", "value", "collision", "restitution", "stop", "fail"),
+    "definition": ("d",),
+    "definition_tangent": ("d",),
+    "start_tangent": ("q", "qd", "z", "u"),
+    "energies_tangent": ("total", "kinetic", "potential", "jacobi"),
+    "initial_equation_tangent": ("residual",),
+    "indicator_tangent": ("g",),
+    "contact_tangent": ("gap", "speed"),
 }
 _FEWEST_ZEROS = 8
 
@@ -120,6 +127,7 @@ def _places(layout: Layout, function: str, position: int) -> Sequence[Slot]:
         "nc": layout.constraints,
         "ny": layout.outputs,
         "ni": layout.invariants,
+        "nd": layout.definitions,
     }
     return tables.get(shape[0], ()) if shape else ()
 

@@ -180,6 +180,7 @@ def _slot_tables(layout: Layout) -> dict[str, tuple[Slot, ...]]:
         "constraints": layout.constraints,
         "outputs": layout.outputs,
         "invariants": layout.invariants,
+        "definitions": layout.definitions,
     }
 
 

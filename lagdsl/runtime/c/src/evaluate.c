@@ -44,6 +44,33 @@ static lag_status eliminate(const lag_model *model, const lag_arguments *at, dou
     return model->elimination(at, r, r + model->nq, response, lam_response, jacobian, gamma, gamma + model->nk);
 }
 
+/* What models have that were compiled with their named values. */
+static lag_status evaluate_named(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
+{
+    const size_t n = model->nq;
+    if (model->definition == NULL) {
+        return LAG_MISSING;
+    }
+    switch (which) {
+    case LAG_DEFINITION:
+        return model->definition(at, r);
+    case LAG_DEFINITION_TANGENT:
+        return model->definition_tangent(at, r);
+    case LAG_START_TANGENT:
+        return model->start_tangent(at, r, r + n, r + 2 * n, r + 2 * n + model->nz);
+    case LAG_ENERGIES_TANGENT:
+        return model->energies_tangent(at, r, r + 1, r + 2, r + 3);
+    case LAG_INITIAL_EQUATION_TANGENT:
+        return model->initial_equation_tangent(at, r);
+    case LAG_INDICATOR_TANGENT:
+        return model->indicator_tangent == NULL ? LAG_MISSING : model->indicator_tangent(at, r);
+    case LAG_CONTACT_TANGENT:
+        return model->contact_tangent == NULL ? LAG_MISSING : model->contact_tangent(at, r, r + model->ngap);
+    default:
+        return LAG_MISSING;
+    }
+}
+
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
 {
     const size_t n = model->nq;
@@ -102,6 +129,14 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
             return LAG_MISSING;
         }
         return model->momentum_tangent(at, r);
+    case LAG_DEFINITION:
+    case LAG_DEFINITION_TANGENT:
+    case LAG_START_TANGENT:
+    case LAG_ENERGIES_TANGENT:
+    case LAG_INITIAL_EQUATION_TANGENT:
+    case LAG_INDICATOR_TANGENT:
+    case LAG_CONTACT_TANGENT:
+        return evaluate_named(model, which, at, r);
     }
     return LAG_MISSING;
 }

@@ -31,7 +31,14 @@ typedef enum lag_function {
     LAG_CONTACT,
     LAG_CLOCK,
     LAG_EVENT,
-    LAG_MOMENTUM_TANGENT
+    LAG_MOMENTUM_TANGENT,
+    LAG_DEFINITION,
+    LAG_DEFINITION_TANGENT,
+    LAG_START_TANGENT,
+    LAG_ENERGIES_TANGENT,
+    LAG_INITIAL_EQUATION_TANGENT,
+    LAG_INDICATOR_TANGENT,
+    LAG_CONTACT_TANGENT
 } lag_function;
 
 /* prepare() for the parameters and the workspace of `at`. */

@@ -207,6 +207,22 @@ typedef struct lag_model {
     const char *const *resets;      /* (nreset) their names: der(h) */
     const char *const *stops;       /* (nstop) messages */
     const char *const *failures;    /* (nfail) messages */
+
+    /* every named value of the model, where it was compiled with them: first those that depend on p only */
+    size_t nd;
+    const lag_slot *definitions; /* (nd) */
+    /* t q qd z u w p qdd lam -> d (nd) */
+    lag_status (*definition)(const lag_arguments *at, double *d);
+    /* what they and others change by along dq dqd dz du dp, dqdd dlam; as the functions without `tangent` where nothing else is said */
+    lag_status (*definition_tangent)(const lag_arguments *at, double *d);
+    /* along dp */
+    lag_status (*start_tangent)(const lag_arguments *at, double *q, double *qd, double *z, double *u);
+    /* along dq dqd dz du dp, as the one of gaps */
+    lag_status (*energies_tangent)(const lag_arguments *at, double *total, double *kinetic, double *potential, double *jacobi);
+    lag_status (*initial_equation_tangent)(const lag_arguments *at, double *residual);
+    lag_status (*indicator_tangent)(const lag_arguments *at, double *g);
+    /* gap and its rate (ngap) */
+    lag_status (*contact_tangent)(const lag_arguments *at, double *gap, double *speed);
 } lag_model;
 
 #endif

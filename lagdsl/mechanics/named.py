@@ -1,0 +1,70 @@
+"""Everything that has a name in a model, and how all of it changes along a direction: what an exported model offers
+beside its outputs. Simulations need none of it, so programs get it only where it is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from lagdsl.flat.model import Definition, FlatModel
+from lagdsl.flat.quantity import Variability
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics.derive import Derivation
+from lagdsl.mechanics.tangents import P_GROUPS, SOLVED_GROUPS, STATE_GROUPS, directional
+from lagdsl.program.functions import OPTIONAL
+from lagdsl.program.layout import slots
+from lagdsl.program.program import Block, Function, Program
+
+_STILL = (Variability.CONSTANT, Variability.STRUCTURAL, Variability.PARAMETER)
+
+
+def definitions(flat: FlatModel) -> tuple[Definition, ...]:
+    """In the order of the function `definition`: first those that depend on parameters only."""
+    found = [*(item for item in flat.named if isinstance(item, Definition)), *flat.observed]
+    still = [item for item in found if item.variability in _STILL]
+    return (*still, *(item for item in found if item.variability not in _STILL))
+
+
+def with_names(derivation: Derivation, program: Program) -> Program:
+    """`program`, which was made from `derivation`, with the functions of OPTIONAL from `definition` on.
+
+    Raises CompilationFailed where a definition needs the derivative of an input that has none (E0304) or of an
+    acceleration (E0308).
+    """
+    graph, lowering, flat = derivation.graph, derivation.lowering, derivation.flat
+    named = definitions(flat)
+    values = []
+    for item in named:
+        lowering.place = item.spans
+        values.append(lowering.scalar(item.value))
+    found = {
+        "definition": [_vector("d", values)],
+        "definition_tangent": [_vector("dd", directional(graph, values, SOLVED_GROUPS))],
+        "start_tangent": _along(program, "start", P_GROUPS),
+        "energies_tangent": _along(program, "energies", STATE_GROUPS),
+        "initial_equation_tangent": _along(program, "initial_equation", SOLVED_GROUPS),
+    }
+    if program.has("indicator"):
+        gaps = program.function("contact").results[:2]
+        found["indicator_tangent"] = _along(program, "indicator", SOLVED_GROUPS)
+        found["contact_tangent"] = [_block_along(program, block, STATE_GROUPS) for block in gaps]
+    functions = [
+        Function(name=name, arguments=arguments, results=tuple(found[name]))
+        for name, arguments in OPTIONAL.items()
+        if name in found
+    ]
+    layout = replace(program.layout, definitions=slots(named))
+    return replace(program, layout=layout, functions=(*program.functions, *functions))
+
+
+def _along(program: Program, function: str, groups: tuple[Group, ...]) -> list[Block]:
+    return [_block_along(program, block, groups) for block in program.function(function).results]
+
+
+def _block_along(program: Program, block: Block, groups: tuple[Group, ...]) -> Block:
+    elements = directional(program.graph, block.elements, groups)
+    return Block(name=f"d{block.name}", shape=block.shape, elements=tuple(elements))
+
+
+def _vector(name: str, nodes: Sequence[int]) -> Block:
+    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
