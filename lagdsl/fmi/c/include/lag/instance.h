@@ -51,8 +51,15 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
 
 /* `tolerance` 0: that of the experiment. */
 lag_status lag_instance_setup(lag_instance *instance, double start, double stop, double tolerance);
-/* States that were not set follow the parameters; all go to the nearest that satisfy constraints and initial equations. */
+/*
+ * States that were not set follow the parameters; all go to the nearest that satisfy constraints and initial equations, and what happens at
+ * the start happens. What is set until lag_instance_begin() lets it start from the beginning; reading a value does the same.
+ */
 lag_status lag_instance_initialize(lag_instance *instance);
+/* Initialization is over, in event mode; the first update or step says so, too. */
+lag_status lag_instance_begin(lag_instance *instance);
+/* The end: ticks that are due, then what `terminal()` wants. Values are those afterwards. */
+lag_status lag_instance_terminate(lag_instance *instance);
 
 /* ---- model exchange ---- */
 
@@ -71,8 +78,14 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
 
 /* ---- co-simulation ---- */
 
-/* From the present time over `h`; with `stop_at_events` only up to the first event, which is left to lag_instance_update. */
-lag_status lag_instance_step(lag_instance *instance, double h, int stop_at_events, lag_progress *told);
+/* Where a step ends before its time. */
+enum {
+    LAG_STOP_EVENTS = 1, /* at the first event, which is left to lag_instance_update */
+    LAG_STOP_STEPS = 2   /* after every step of the integrator */
+};
+
+/* From the present time over `h`; `stops`: a sum of these. */
+lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told);
 
 /* ---- derivatives ---- */
 

@@ -1,0 +1,126 @@
+/*
+ * What an instance consists of, for its parts. Numbers that make up its state are in `held` and `kept`, without pointers, and in the run;
+ * everything else follows from them.
+ */
+#ifndef LAG_PARTS_H
+#define LAG_PARTS_H
+
+#include "lag/instance.h"
+#include "lag/run.h"
+
+/* Derivatives of inputs up to this order. */
+enum { LAG_INPUT_ORDER = 3 };
+enum { LAG_MESSAGE = 512 };
+
+typedef enum lag_phase {
+    LAG_PHASE_START,  /* until initialization ends: states follow starts and parameters */
+    LAG_PHASE_MOTION
+} lag_phase;
+
+/* What is known at the present state; as long as a bit is not set, it is not. */
+enum {
+    LAG_KNOWN_MOTION = 1,    /* accelerations and multipliers, in run->motion */
+    LAG_KNOWN_RATES = 2,     /* derivatives */
+    LAG_KNOWN_OUTPUTS = 4,
+    LAG_KNOWN_LOCALS = 8,
+    LAG_KNOWN_ENERGIES = 16,
+    LAG_KNOWN_RESIDUALS = 32,
+    LAG_KNOWN_INDICATORS = 64
+};
+
+typedef struct lag_held {
+    double t;               /* [s] the present */
+    double start, stop;     /* of the experiment; infinite stop: none given */
+    double tolerance;
+    double last, span;      /* time of the last completed step, and its length */
+    double about;           /* time at which inputs are `course` */
+    double step;            /* LAG_OPTION_STEP */
+    lag_phase phase;
+    int prepared;           /* functions know the parameters */
+    int initialized;        /* x follows from what was set */
+    int jumped;             /* something was set since the motion went on: rates are others */
+    int polynomial;         /* inputs have derivatives */
+    int entered;            /* event mode: nothing has been looked at yet */
+    int stopped;            /* the model has ended the simulation */
+} lag_held;
+
+struct lag_instance {
+    const lag_fmu *fmu;
+    lag_run *run;
+    lag_held held;
+    double *kept;           /* (kept_count) the arrays that follow up to `latched` */
+    size_t kept_count;
+    double *x;              /* (2 nq + nz) */
+    double *p;              /* (np) */
+    double *begin, *given;  /* (2 nq + nz) start values that were set, and flags: this one was */
+    double *course;         /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
+    double *given_inputs;   /* (nu) flags: this one was set */
+    double *largest;        /* (indicators) magnitudes seen since they stand as they do */
+    double *latched;        /* (indicators) what is nearer to zero than this had changed already at the last event */
+    /* what follows from these */
+    unsigned known;
+    double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
+    double *point;          /* (2 nq + nz) */
+    double energy[4], residual[2];
+    double *fixed_memory;   /* lag_fixed_memory() */
+    char message[LAG_MESSAGE];
+};
+
+/* Numbers of its state, and of the present inputs. */
+static inline size_t lag_instance_order(const lag_instance *instance)
+{
+    return lag_motion_size(instance->fmu->model);
+}
+
+/* ---- instance.c ---- */
+
+/* Doubles of `kept`. */
+size_t lag_instance_kept(const lag_fmu *fmu);
+
+/* Says what went wrong and returns it. `format` as that of printf. */
+lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
+/* The same in the words of the runtime; LAG_OK stays. */
+lag_status lag_instance_judge(lag_instance *instance, lag_status status);
+/* The run anew, with the tolerance and the length of the experiment. */
+void lag_instance_renew(lag_instance *instance);
+
+/* ---- starting.c ---- */
+
+/* In the start phase: the state that follows from what was set, with what happens there. */
+lag_status lag_instance_settle(lag_instance *instance);
+
+/* ---- observing.c ---- */
+
+/* Functions know the parameters, states follow from the starts. */
+lag_status lag_instance_ready(lag_instance *instance);
+/* Lets all of these be known. */
+lag_status lag_instance_know(lag_instance *instance, unsigned what);
+
+
+/* ---- courses.c ---- */
+
+/* The inputs at time t, into u. */
+void lag_instance_inputs_at(const lag_instance *instance, double t, double *u);
+/* The course of the inputs about t, so that their values can be set there. */
+void lag_instance_inputs_about(lag_instance *instance, double t);
+/* Values of so many inputs at the present. */
+void lag_instance_set_inputs(lag_instance *instance, size_t first, size_t count, const double *values);
+/* The run knows the inputs. */
+void lag_instance_tell_inputs(lag_instance *instance);
+
+/* ---- event_mode.c ---- */
+
+/* Indicators at the present state, into g. */
+lag_status lag_instance_look(lag_instance *instance);
+
+/* What stands on the other side of zero now is no event any more until it goes further. */
+lag_status lag_instance_latch(lag_instance *instance);
+/* What is farther from zero than its margin is forgiven; magnitudes follow. */
+lag_status lag_instance_release(lag_instance *instance);
+/*
+ * At the present state: onto the constraints, and what inputs, parameters or a step of the importer have changed is carried out; clocks
+ * tick. *happened: whether anything did.
+ */
+lag_status lag_instance_carry_out(lag_instance *instance, int *happened);
+
+#endif

@@ -1,0 +1,61 @@
+/* Model exchange: the importer integrates. */
+#include "lag/parts.h"
+
+#include <math.h>
+#include <string.h>
+
+lag_status lag_instance_set_time(lag_instance *instance, double t)
+{
+    if (!isfinite(t)) {
+        return lag_instance_fail(instance, LAG_NOT_FINITE, "the time is infinite or not a number");
+    }
+    instance->known = t == instance->held.t ? instance->known : 0;
+    instance->held.t = t;
+    return LAG_OK;
+}
+
+lag_status lag_instance_set_states(lag_instance *instance, const double *x)
+{
+    for (size_t i = 0; i < lag_instance_order(instance); ++i) {
+        if (!isfinite(x[i])) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "state number %zu is infinite or not a number", i);
+        }
+    }
+    memcpy(instance->x, x, lag_instance_order(instance) * sizeof(double));
+    instance->known = 0;
+    return LAG_OK;
+}
+
+void lag_instance_states(const lag_instance *instance, double *x)
+{
+    memcpy(x, instance->x, lag_instance_order(instance) * sizeof(double));
+}
+
+lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
+{
+    const lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
+    if (status == LAG_OK) {
+        memcpy(xd, instance->xd, lag_instance_order(instance) * sizeof(double));
+    }
+    return status;
+}
+
+lag_status lag_instance_completed(lag_instance *instance, int *events, int *terminate)
+{
+    lag_held *held = &instance->held;
+    *events = *terminate = 0;
+    lag_status status = lag_instance_know(instance, LAG_KNOWN_RESIDUALS);
+    if (status == LAG_OK) {
+        *events = !(fmax(instance->residual[0], instance->residual[1]) <= held->tolerance);
+        status = lag_instance_release(instance);
+    }
+    if (status == LAG_OK) {
+        instance->known = 0;
+        status = lag_instance_judge(instance, lag_watch_look(&instance->run->watch, held->t, instance->x));
+    }
+    if (held->t != held->last) {
+        held->span = held->t - held->last;
+        held->last = held->t;
+    }
+    return status;
+}

@@ -1,0 +1,221 @@
+/* One instance: its block, its experiment, what it says. */
+#include "lag/parts.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "lag/fixed.h"
+#include "lag/memory.h"
+
+static const double LEAST_TOLERANCE = 1e-13;
+static const double MOST_TOLERANCE = 0.1;
+
+static size_t padded(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+static size_t locals(const lag_fmu *fmu)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < fmu->nvariable; ++i) {
+        const lag_variable *variable = &fmu->variables[i];
+        const size_t behind = variable->first + variable->count;
+        count = variable->role == LAG_ROLE_LOCAL && behind > count ? behind : count;
+    }
+    return count;
+}
+
+size_t lag_instance_kept(const lag_fmu *fmu)
+{
+    const lag_model *model = fmu->model;
+    return 3 * lag_motion_size(model) + model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu);
+}
+
+static size_t doubles(const lag_fmu *fmu)
+{
+    const size_t size = lag_motion_size(fmu->model);
+    return lag_instance_kept(fmu) + 2 * size + lag_instance_indicator_count(fmu) + fmu->model->ny + locals(fmu) + lag_fixed_memory(size) + 1;
+}
+
+static lag_run_options options_of(const lag_instance *instance)
+{
+    const lag_fmu *fmu = instance->fmu;
+    const lag_held *held = &instance->held;
+    const double stop = held->stop < (double)INFINITY ? held->stop : fmu->stop_time;
+    const double length = stop - held->start;
+    return (lag_run_options){
+        .tolerance = held->tolerance,
+        .p = instance->p,
+        .group = fmu->group,
+        .natural = fmu->natural,
+        .cap = fmu->cap,
+        .row_sizes = fmu->row_sizes,
+        .lasting = fmu->lasting,
+        .general = fmu->general,
+        .length = length > 0.0 && length < (double)INFINITY ? length : 0.0,
+    };
+}
+
+size_t lag_instance_size(const lag_fmu *fmu)
+{
+    const lag_run_options options = {.count = 0};
+    return padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
+}
+
+static void lay_out(lag_instance *instance, double *memory)
+{
+    const lag_fmu *fmu = instance->fmu;
+    const lag_model *model = fmu->model;
+    const size_t size = lag_motion_size(model);
+    const size_t indicators = lag_instance_indicator_count(fmu);
+    instance->kept = memory;
+    instance->x = lag_take(&memory, size);
+    instance->p = lag_take(&memory, model->np);
+    instance->begin = lag_take(&memory, size);
+    instance->given = lag_take(&memory, size);
+    instance->course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
+    instance->given_inputs = lag_take(&memory, model->nu);
+    instance->largest = lag_take(&memory, indicators);
+    instance->latched = lag_take(&memory, indicators);
+    instance->kept_count = (size_t)(memory - instance->kept);
+    instance->g = lag_take(&memory, indicators);
+    instance->xd = lag_take(&memory, size);
+    instance->y = lag_take(&memory, model->ny);
+    instance->local = lag_take(&memory, locals(fmu));
+    instance->point = lag_take(&memory, size);
+    instance->fixed_memory = memory;
+}
+
+lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
+{
+    const lag_model *model = fmu->model;
+    char *bytes = block;
+    lag_instance *instance = block;
+    memset(block, 0, padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
+    instance->fmu = fmu;
+    lay_out(instance, (double *)(void *)(bytes + padded(sizeof(lag_instance))));
+    instance->run = (lag_run *)(void *)(bytes + padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
+    instance->held.start = instance->held.t = fmu->start_time;
+    instance->held.stop = (double)INFINITY;
+    instance->held.tolerance = fmu->tolerance;
+    if (model->np > 0) {
+        memcpy(instance->p, model->defaults, model->np * sizeof(double));
+    }
+    lag_instance_renew(instance);
+    return instance;
+}
+
+void lag_instance_renew(lag_instance *instance)
+{
+    const lag_run_options options = options_of(instance);
+    instance->run = lag_run_place(instance->run, instance->fmu->model, &options);
+    instance->run->motion.at.p = instance->p;
+    instance->held.prepared = instance->held.initialized = 0;
+    instance->known = 0;
+    lag_instance_tell_inputs(instance);
+}
+
+lag_status lag_instance_setup(lag_instance *instance, double start, double stop, double tolerance)
+{
+    lag_held *held = &instance->held;
+    if (!isfinite(start) || !(stop > start)) {
+        return lag_instance_fail(instance, LAG_NOT_FINITE, "the simulation cannot go from %g s to %g s", start, stop);
+    }
+    if (!(tolerance >= 0.0) || !isfinite(tolerance)) {
+        return lag_instance_fail(instance, LAG_NOT_FINITE, "the tolerance %g is no positive number", tolerance);
+    }
+    held->start = held->t = held->last = start;
+    held->stop = stop;
+    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->tolerance;
+    lag_instance_inputs_about(instance, start);
+    lag_instance_renew(instance);
+    return LAG_OK;
+}
+
+/* ---- what it says ---- */
+
+const char *lag_instance_message(const lag_instance *instance)
+{
+    return instance->message;
+}
+
+lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(instance->message, LAG_MESSAGE, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+static const char *name_of(size_t count, const lag_slot *slots, size_t which)
+{
+    return which < count ? slots[which].name : "the model";
+}
+
+/* The first discrete that an event could not settle. */
+static const char *guilty(const lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    size_t i = 0;
+    while (i < model->nw && instance->run->instants.passes.guilty[i] == 0.0) {
+        ++i;
+    }
+    return name_of(model->nw, model->discretes, i);
+}
+
+/* The first assertion that does not hold where the run looked last. */
+static const char *broken(const lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    size_t i = 0;
+    while (i < model->na && instance->run->watch.held[i] != 0.0) {
+        ++i;
+    }
+    return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
+}
+
+lag_status lag_instance_judge(lag_instance *instance, lag_status status)
+{
+    const lag_model *model = instance->fmu->model;
+    const lag_run *run = instance->run;
+    const double t = instance->held.t;
+    switch (status) {
+    case LAG_OK:
+    case LAG_STOPPED:
+        return status;
+    case LAG_SINGULAR:
+        return lag_instance_fail(instance, status, "t = %.10g s: the acceleration of %s is not determined", t,
+            name_of(model->nq, model->coordinates, run->motion.coordinate));
+    case LAG_NOT_FINITE:
+        return lag_instance_fail(instance, status, "t = %.10g s: a value is infinite or not a number", t);
+    case LAG_STUCK:
+        return lag_instance_fail(instance, status, "t = %.10g s: steps became as short as the round-off of time", t);
+    case LAG_OFF:
+        return lag_instance_fail(instance, status, "t = %.10g s: the constraints cannot be reached from here", t);
+    case LAG_ATTENTION:
+        return lag_instance_fail(instance, status, "t = %.10g s: the constraints are about to lose rank", t);
+    case LAG_VIOLATED:
+        return lag_instance_fail(instance, status, "t = %.10g s: %s", t, broken(instance));
+    case LAG_CHATTER:
+        return lag_instance_fail(instance, status, "t = %.10g s: events of %s follow each other without end", t, guilty(instance));
+    case LAG_UNSETTLED:
+        return lag_instance_fail(instance, status, "t = %.10g s: clauses trigger each other without end, with %s", t, guilty(instance));
+    case LAG_CONFLICT:
+        return lag_instance_fail(instance, status, "t = %.10g s: two clauses reset %s to different values", t,
+            run->instants.passes.fault < model->nreset ? model->resets[run->instants.passes.fault] : "a state");
+    case LAG_REFUSED:
+        return lag_instance_fail(instance, status, "t = %.10g s: %s", t,
+            run->instants.passes.fault < model->nfail ? model->failures[run->instants.passes.fault] : "an assertion failed");
+    case LAG_PIERCED:
+        return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative at the start", t, guilty(instance));
+    case LAG_TORN:
+        return lag_instance_fail(instance, status, "t = %.10g s: a constraint that is switched on asks for other positions", t);
+    default:
+        break;
+    }
+    return lag_instance_fail(instance, status, "t = %.10g s: status %d", t, (int)status);
+}
