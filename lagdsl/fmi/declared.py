@@ -1,0 +1,128 @@
+"""Numbers of an exported model that its text declares: parameters, constants, inputs, outputs, definitions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from lagdsl.flat import quantity as fq
+from lagdsl.flat.events import Contact, Discrete, entries
+from lagdsl.flat.model import Definition, FlatModel, Output
+from lagdsl.fmi.attributes import attributes_of, bounds, type_of
+from lagdsl.fmi.knowledge import parameters_of, tunable
+from lagdsl.fmi.names import belonging, named
+from lagdsl.fmi.scalar import Attributes, Causality, Role, Scalar, Variability
+from lagdsl.fmi.settings import Settings
+from lagdsl.program.program import Program
+
+
+def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
+    """Independent ones, in the order of the vector p."""
+    changeable = tunable(program)
+    for index, item in enumerate(p for p in flat.parameters if not p.structural):
+        variability: Variability = "tunable" if index in changeable else "fixed"
+        attributes = replace(
+            attributes_of(item, Role.PARAMETER, type_of(item.kind)),
+            causality="parameter",
+            variability=variability,
+            setting="TUNABLE" if variability == "tunable" else "START",
+            **bounds(item, item.value),
+        )
+        yield Scalar(
+            name=named(item.name), first=index, attributes=attributes, initial="exact", start=item.value, key=attributes
+        )
+
+
+def constants(flat: FlatModel) -> Iterator[Scalar]:
+    """Structural parameters and constants; numbers and texts are counted each for themselves."""
+    counts = {False: 0, True: 0}
+    for item in flat.parameters:
+        if not item.structural:
+            continue
+        text = item.kind == "String"
+        attributes = replace(
+            attributes_of(item, Role.CONSTANT, type_of(item.kind)),
+            variability="constant",
+            **bounds(item, item.value),
+        )
+        start = (item.text or "") if text else item.value
+        yield Scalar(
+            name=named(item.name),
+            first=counts[text],
+            attributes=attributes,
+            initial="exact",
+            start=start,
+            key=attributes,
+        )
+        counts[text] += 1
+
+
+def inputs(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
+    for index, (item, value) in enumerate(zip(flat.inputs, settings.inputs, strict=True)):
+        attributes = replace(attributes_of(item, Role.INPUT), causality="input", setting="ALWAYS")
+        yield Scalar(
+            name=named(item.name), first=index, attributes=attributes, initial=None, start=value, key=attributes
+        )
+
+
+def outputs(flat: FlatModel) -> Iterator[Scalar]:
+    for index, item in enumerate(flat.outputs):
+        yield _computed(item, Role.OUTPUT, index, "output", "continuous")
+
+
+def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
+    """Dependent parameters, then what changes. The coordinates of cut joints are outputs already."""
+    slots = program.layout.definitions
+    if not slots:
+        return
+    known = {item.name: item for item in flat.named if isinstance(item, Definition)}
+    told = {item.name for item in flat.outputs}
+    changeable = tunable(program)
+    (block,) = program.function("definition").results
+    for index, (slot, node) in enumerate(zip(slots, block.elements, strict=True)):
+        if slot.name in told:
+            continue
+        item = known[slot.name]
+        match item.variability:
+            case fq.Variability.CONTINUOUS | fq.Variability.DISCRETE:
+                variability: Variability = "discrete" if item.variability is fq.Variability.DISCRETE else "continuous"
+                yield _computed(item, Role.LOCAL, index, "local", variability)
+            case _:
+                moved = bool(parameters_of(program, [node]) & changeable)
+                yield _computed(item, Role.LOCAL, index, "calculatedParameter", "tunable" if moved else "fixed")
+
+
+def discretes(flat: FlatModel) -> Iterator[Scalar]:
+    """Of the vector w: variables, and of contacts whether they are closed and how often they hit."""
+    for index, entry in enumerate(entries(flat.events)):
+        match entry.kind, entry.item:
+            case "variable", Discrete() as item:
+                attributes = replace(attributes_of(item, Role.DISCRETE, type_of(item.kind)), variability="discrete")
+                yield Scalar(
+                    name=named(item.name), first=index, attributes=attributes, initial="calculated", key=attributes
+                )
+            case "contact", Contact() as item:
+                doc = f"whether contact {item.name} is closed"
+                flag = Attributes(role=Role.DISCRETE, type="BOOLEAN", variability="discrete", doc=doc)
+                yield Scalar(
+                    name=belonging(item.name, "closed"), first=index, attributes=flag, initial="calculated", key=flag
+                )
+            case "impacts", Contact() as item:
+                doc = f"impacts of contact {item.name} so far"
+                count = Attributes(role=Role.DISCRETE, type="INTEGER", variability="discrete", doc=doc, minimum=0.0)
+                yield Scalar(
+                    name=belonging(item.name, "impacts"), first=index, attributes=count, initial="calculated", key=count
+                )
+            case _:
+                pass
+
+
+def _computed(
+    item: Definition | Output, role: Role, index: int, causality: Causality, variability: Variability
+) -> Scalar:
+    """A value that nobody sets. What is no Real changes at instants only."""
+    kind = type_of(item.type_name)
+    if kind != "REAL" and variability == "continuous":
+        variability = "discrete"
+    attributes = replace(attributes_of(item, role, kind), causality=causality, variability=variability)
+    return Scalar(name=named(item.name), first=index, attributes=attributes, initial="calculated", key=attributes)

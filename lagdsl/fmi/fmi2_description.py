@@ -1,0 +1,159 @@
+"""modelDescription.xml of FMI 2.0."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import lagdsl
+from lagdsl.fmi.description import (
+    LOG_CATEGORIES,
+    NamedType,
+    dependencies_text,
+    experiment,
+    named_types,
+    needs_completed_steps,
+)
+from lagdsl.fmi.provided import indicator_count
+from lagdsl.fmi.scalar import Variable
+from lagdsl.fmi.structure import Unknown, derivatives, initial_unknowns, outputs
+from lagdsl.fmi.unit_definitions import unit_definitions
+from lagdsl.fmi.variables import Table
+from lagdsl.fmi.xml import Element, document, element, one_line, start_text, text
+
+_TAGS = {"REAL": "Real", "INTEGER": "Integer", "BOOLEAN": "Boolean", "STRING": "String"}
+
+
+def fmi2_description(table: Table, *, identifier: str, source_files: Sequence[str], token: str) -> str:
+    """`identifier` is the stem of the binaries' names, `source_files` what lies in `sources/`, `token` the guid."""
+    root = element(
+        "fmiModelDescription",
+        fmiVersion="2.0",
+        modelName=one_line(table.flat.name),
+        guid=token,
+        description=table.flat.doc,
+        generationTool=f"lagdsl {lagdsl.__version__}",
+        variableNamingConvention="structured",
+        numberOfEventIndicators=indicator_count(table.flat),
+    )
+    _interfaces(root, table, identifier, source_files)
+    types = named_types(table)
+    _units(root, table)
+    _types(root, types)
+    categories = element("LogCategories", root)
+    for name, description in LOG_CATEGORIES.items():
+        element("Category", categories, name=name, description=description)
+    given = experiment(table)
+    element(
+        "DefaultExperiment",
+        root,
+        startTime=given.start,
+        stopTime=given.stop,
+        tolerance=given.tolerance,
+        stepSize=given.step,
+    )
+    variables = element("ModelVariables", root)
+    for reference, variable in enumerate(table.variables):
+        _variable(variables, reference, variable, types)
+    _structure(root, table)
+    return document(root)
+
+
+def _interfaces(root: Element, table: Table, identifier: str, source_files: Sequence[str]) -> None:
+    exchange: dict[str, int] = {"completedIntegratorStepNotNeeded": not needs_completed_steps(table)}
+    simulation: dict[str, int] = {
+        "canHandleVariableCommunicationStepSize": True,
+        "canInterpolateInputs": True,
+        "maxOutputDerivativeOrder": 1,
+    }
+    interfaces: dict[str, tuple[str, dict[str, int]]] = {
+        "me": ("ModelExchange", exchange),
+        "cs": ("CoSimulation", simulation),
+    }
+    for kind in table.kinds:
+        tag, own = interfaces[kind]
+        interface = element(
+            tag,
+            root,
+            modelIdentifier=identifier,
+            **own,
+            canGetAndSetFMUstate=True,
+            canSerializeFMUstate=True,
+            providesDirectionalDerivative=True,
+        )
+        if source_files:
+            files = element("SourceFiles", interface)
+            for name in source_files:
+                element("File", files, name=name)
+
+
+def _units(root: Element, table: Table) -> None:
+    used = unit_definitions((v.attributes.unit, v.attributes.display_unit) for v in table.variables)
+    definitions = element("UnitDefinitions", root)
+    for unit in used:
+        defined = element("Unit", definitions, name=unit.name)
+        if unit.exponents is not None:
+            powers: dict[str, int] = dict(unit.exponents)
+            element("BaseUnit", defined, **powers, factor=None if unit.factor == 1.0 else unit.factor)
+        for shown in unit.display_units:
+            element("DisplayUnit", defined, name=shown.name, factor=shown.factor, offset=shown.offset or None)
+
+
+def _types(root: Element, types: dict[tuple[str, str | None], NamedType]) -> None:
+    if not types:
+        return
+    definitions = element("TypeDefinitions", root)
+    for kind in types.values():
+        defined = element("SimpleType", definitions, name=kind.name)
+        element("Real", defined, quantity=kind.quantity, unit=kind.unit)
+
+
+def _variable(
+    parent: Element, reference: int, variable: Variable, types: dict[tuple[str, str | None], NamedType]
+) -> None:
+    attributes = variable.attributes
+    scalar = element(
+        "ScalarVariable",
+        parent,
+        name=variable.name,
+        valueReference=reference,
+        description=attributes.doc,
+        causality=attributes.causality,
+        variability=attributes.variability,
+        initial=variable.initial,
+    )
+    kind = types.get((attributes.type_name or "", attributes.unit)) if attributes.type == "REAL" else None
+    numeric = attributes.type in ("REAL", "INTEGER")
+    whole = attributes.type == "INTEGER"
+    element(
+        _TAGS[attributes.type],
+        scalar,
+        declaredType=None if kind is None else kind.name,
+        unit=attributes.unit,
+        displayUnit=attributes.display_unit,
+        min=_bound(attributes.minimum, whole) if numeric else None,
+        max=_bound(attributes.maximum, whole) if numeric else None,
+        nominal=attributes.nominal,
+        start=start_text(attributes.type, variable.starts),
+        derivative=None if variable.derivative_of is None else variable.derivative_of + 1,
+        reinit=True if variable.reinit else None,
+    )
+
+
+def _bound(value: float | None, whole: bool) -> str | None:
+    return None if value is None else text(int(value) if whole else value)
+
+
+def _structure(root: Element, table: Table) -> None:
+    structure = element("ModelStructure", root)
+    parts: dict[str, tuple[Unknown, ...]] = {
+        "Outputs": outputs(table),
+        "Derivatives": derivatives(table),
+        "InitialUnknowns": initial_unknowns(table),
+    }
+    for tag, unknowns in parts.items():
+        if not unknowns:
+            continue
+        part = element(tag, structure)
+        for unknown in unknowns:
+            dependencies, kinds = dependencies_text(unknown, 1)
+            element("Unknown", part, index=unknown.variable + 1, dependencies=dependencies, dependenciesKind=kinds)

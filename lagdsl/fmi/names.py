@@ -1,0 +1,86 @@
+"""Names of variables by the structured naming convention of FMI: `arm.q`, `der(theta,2)`, `q[2,1]`, `'odd name'`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from lagdsl.record import record
+
+_PART = r"[A-Za-z_][A-Za-z0-9_]*(?:\[[0-9]+(?:,[0-9]+)*\])?"
+_PATH = re.compile(rf"{_PART}(?:\.{_PART})*")
+_LAST_INDICES = re.compile(r"(?P<base>.+)\[(?P<indices>[0-9]+(?:,[0-9]+)*)\]")
+_ABOUT = re.compile(r"(?P<what>[A-Za-z_][A-Za-z0-9_]*)\((?P<of>.+)\)")
+# What a quoted part may hold beside letters and digits.
+_PLAIN = frozenset("_!#$%&()*+,-./:;<>=?@[]^{}|~ ")
+_ESCAPED = {"'": "\\'", '"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
+
+
+@record()
+class Name:
+    """The `order`-th time derivative of the entry `indices` of the variable at `path`; `owner` is what it hangs on."""
+
+    path: str
+    indices: tuple[int, ...] = ()
+    order: int = 0
+
+    @property
+    def text(self) -> str:
+        entry = f"{self.path}[{','.join(map(str, self.indices))}]" if self.indices else self.path
+        return derivative(entry, self.order)
+
+    @property
+    def array(self) -> str:
+        """Of the whole array."""
+        return derivative(self.path, self.order)
+
+
+def derivative(path: str, order: int) -> str:
+    """`theta`, `der(theta)`, `der(theta,2)`."""
+    return path if order == 0 else f"der({path})" if order == 1 else f"der({path},{order})"
+
+
+def named(text: str, order: int = 0) -> Name:
+    """The name of a variable of the model: `arm.q[2]`, also `der(road)`."""
+    while text.startswith("der(") and text.endswith(")"):
+        text, order = text[4:-1], order + 1
+    found = _LAST_INDICES.fullmatch(text)
+    if found is None:
+        return Name(structured(text), (), order)
+    return Name(structured(found["base"]), tuple(int(index) for index in found["indices"].split(",")), order)
+
+
+def belonging(owner: str, what: str) -> Name:
+    """What belongs to something with a name of its own: `wire.multiplier`, `pin.multiplier[2]`. Rows that the compiler
+    wrote are named after what they are about: `closure(D)[2]` gives `D.closure.multiplier[2]`."""
+    found = _LAST_INDICES.fullmatch(owner)
+    base, indices = (found["base"], found["indices"]) if found else (owner, "")
+    about = _ABOUT.fullmatch(base)
+    path = f"{structured(about['of'])}.{about['what']}" if about else structured(base)
+    return Name(f"{path}.{what}", tuple(int(index) for index in indices.split(",") if index))
+
+
+def structured(path: str) -> str:
+    """The path as it is where the convention has it, else as one quoted name."""
+    return path if _PATH.fullmatch(path) else quoted(path)
+
+
+def quoted(text: str) -> str:
+    """A name in quotes; what these cannot hold becomes its number in hexadecimal: `'caf{e9}'`."""
+    return "'" + "".join(_character(character) for character in text or " ") + "'"
+
+
+def _character(character: str) -> str:
+    if character in _ESCAPED:
+        return _ESCAPED[character]
+    if character in _PLAIN or (character.isascii() and character.isalnum()):
+        return character
+    return f"{{{ord(character):x}}}"
+
+
+def aside(wanted: str, taken: Iterable[str]) -> str:
+    """The first name of a group of variables that is free: with as many `_` behind it as it takes."""
+    firsts = {re.split(r"[.\[]", text.removeprefix("der("), maxsplit=1)[0].rstrip(")") for text in taken}
+    while wanted in firsts:
+        wanted += "_"
+    return wanted

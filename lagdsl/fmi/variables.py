@@ -1,0 +1,88 @@
+"""The variables of an exported model: one table, of which descriptions and C sources are made."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from itertools import chain
+from typing import Literal, TypeAlias
+
+from lagdsl.backends.c.emit import Start
+from lagdsl.flat.model import FlatModel
+from lagdsl.fmi import declared, moving, provided
+from lagdsl.fmi.arrays import grouped
+from lagdsl.fmi.scalar import Role, Scalar, Variable
+from lagdsl.fmi.settings import Settings, settings
+from lagdsl.pipeline import Compilation
+from lagdsl.program.program import Program
+from lagdsl.record import record
+from lagdsl.runtime.engine import Engine
+
+Version: TypeAlias = Literal[2, 3]
+Kind: TypeAlias = Literal["me", "cs"]
+KINDS: tuple[Kind, ...] = ("me", "cs")
+
+
+@record(kw_only=True)
+class Table:
+    """Value references are indices of `variables`; the first is time."""
+
+    version: Version
+    kinds: tuple[Kind, ...]
+    flat: FlatModel
+    program: Program
+    settings: Settings
+    variables: tuple[Variable, ...]
+
+    def of(self, role: Role) -> Iterator[tuple[int, Variable]]:
+        """Variables of one role with their value references."""
+        return ((index, v) for index, v in enumerate(self.variables) if v.attributes.role is role)
+
+
+def table(
+    compilation: Compilation,
+    version: Version,
+    start: Start,
+    *,
+    kinds: Collection[Kind] = KINDS,
+    engine: Engine | None = None,
+) -> Table:
+    """`start` is the consistent state for the default parameters."""
+    flat, program = compilation.flat, compilation.program
+    known = settings(compilation, start, engine)
+    scalars = _scalars(flat, program, known, version, kinds)
+    return Table(
+        version=version,
+        kinds=tuple(kind for kind in KINDS if kind in kinds),
+        flat=flat,
+        program=program,
+        settings=known,
+        variables=grouped(scalars, arrays=version == 3),
+    )
+
+
+def _scalars(
+    flat: FlatModel, program: Program, known: Settings, version: Version, kinds: Collection[Kind]
+) -> Sequence[Scalar]:
+    own = list(
+        chain(
+            [provided.time()],
+            declared.parameters(flat, program),
+            declared.constants(flat),
+            moving.states(flat, program, known),
+            moving.derivatives(flat, known),
+            declared.inputs(flat, known),
+            declared.outputs(flat),
+            declared.definitions(flat, program),
+            declared.discretes(flat),
+        )
+    )
+    taken = [scalar.name.text for scalar in own]
+    added = list(
+        chain(
+            provided.multipliers(flat),
+            provided.indicators(flat, taken) if version == 3 else (),
+            provided.balance(flat, taken),
+            provided.options(taken) if "cs" in kinds else (),
+        )
+    )
+    return [*own, *added]
