@@ -1,0 +1,21 @@
+/* What the files of the shell for FMI 2 share. */
+#ifndef LAG_FMI2_H
+#define LAG_FMI2_H
+
+#include "fmi2Functions.h"
+
+#include "lag/shell.h"
+
+/* A shell of this handle that may be asked for this now, or the end of the function. */
+#define LAG_ENTER(NAME, MODES)                                            \
+    lag_shell *shell = lag_shell_enter(c, "fmi2" NAME, (unsigned)(MODES)); \
+    if (shell == NULL) {                                                  \
+        return fmi2Error;                                                 \
+    }
+
+#define LAG_NEEDS(ARGUMENT, WORDS)                            \
+    if (lag_shell_lacks(shell, (ARGUMENT) == NULL, (WORDS))) { \
+        return fmi2Error;                                     \
+    }
+
+#endif
