@@ -13,6 +13,7 @@ from lagdsl.fmi.knowledge import parameters_of, tunable
 from lagdsl.fmi.names import belonging, named
 from lagdsl.fmi.scalar import Attributes, Causality, Role, Scalar, Variability
 from lagdsl.fmi.settings import Settings
+from lagdsl.mechanics.named import definitions as named_values
 from lagdsl.program.program import Program
 
 
@@ -72,17 +73,14 @@ def outputs(flat: FlatModel) -> Iterator[Scalar]:
 
 def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
     """Dependent parameters, then what changes. The coordinates of cut joints are outputs already."""
-    slots = program.layout.definitions
-    if not slots:
+    if not program.has("definition"):
         return
-    known = {item.name: item for item in flat.named if isinstance(item, Definition)}
     told = {item.name for item in flat.outputs}
     changeable = tunable(program)
     (block,) = program.function("definition").results
-    for index, (slot, node) in enumerate(zip(slots, block.elements, strict=True)):
-        if slot.name in told:
+    for index, (item, node) in enumerate(zip(named_values(flat), block.elements, strict=True)):
+        if item.name in told:
             continue
-        item = known[slot.name]
         match item.variability:
             case fq.Variability.CONTINUOUS | fq.Variability.DISCRETE:
                 variability: Variability = "discrete" if item.variability is fq.Variability.DISCRETE else "continuous"

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from lagdsl.fmi.scalar import Type, Variable
 from lagdsl.fmi.structure import Unknown
+from lagdsl.fmi.unit_definitions import unit_definitions
 from lagdsl.fmi.variables import Table
-from lagdsl.fmi.xml import one_line
+from lagdsl.fmi.xml import Element, element, one_line
 from lagdsl.record import record
 
 # What instances tell, by category: those of the standard.
@@ -31,19 +33,40 @@ class NamedType:
     unit: str | None
 
 
-@record(kw_only=True)
-class Experiment:
-    start: float
-    stop: float
-    tolerance: float
-    step: float
-
-
-def experiment(table: Table) -> Experiment:
-    """With the defaults of the language where the model does not tell."""
+def experiment(table: Table) -> dict[str, float]:
+    """Attributes of DefaultExperiment, the defaults of the language where the model does not tell."""
     given = table.flat.experiment
-    step = given.interval or (given.stop_time - given.start_time) / _ROWS
-    return Experiment(start=given.start_time, stop=given.stop_time, tolerance=given.tolerance, step=step)
+    return {
+        "startTime": given.start_time,
+        "stopTime": given.stop_time,
+        "tolerance": given.tolerance,
+        "stepSize": given.interval or (given.stop_time - given.start_time) / _ROWS,
+    }
+
+
+def unit_elements(root: Element, table: Table) -> None:
+    """UnitDefinitions, the same in both versions."""
+    used = unit_definitions((v.attributes.unit, v.attributes.display_unit) for v in table.variables)
+    definitions = element("UnitDefinitions", root)
+    for unit in used:
+        defined = element("Unit", definitions, name=unit.name)
+        if unit.exponents is not None:
+            powers: dict[str, int] = dict(unit.exponents)
+            element("BaseUnit", defined, **powers, factor=None if unit.factor == 1.0 else unit.factor)
+        for shown in unit.display_units:
+            element("DisplayUnit", defined, name=shown.name, factor=shown.factor, offset=shown.offset or None)
+
+
+def bound(value: float | None, kind: Type) -> float | int | None:
+    """`min` or `max`."""
+    return None if value is None or kind in ("BOOLEAN", "STRING") else int(value) if kind == "INTEGER" else value
+
+
+def type_of_variable(variable: Variable, types: dict[tuple[str, str | None], NamedType]) -> str | None:
+    """Name of its type definition."""
+    attributes = variable.attributes
+    found = types.get((attributes.type_name or "", attributes.unit)) if attributes.type == "REAL" else None
+    return None if found is None else found.name
 
 
 def named_types(table: Table) -> dict[tuple[str, str | None], NamedType]:

@@ -8,17 +8,19 @@ import lagdsl
 from lagdsl.fmi.description import (
     LOG_CATEGORIES,
     NamedType,
+    bound,
     dependencies_text,
     experiment,
     named_types,
     needs_completed_steps,
+    type_of_variable,
+    unit_elements,
 )
 from lagdsl.fmi.provided import indicator_count
 from lagdsl.fmi.scalar import Variable
 from lagdsl.fmi.structure import Unknown, derivatives, initial_unknowns, outputs
-from lagdsl.fmi.unit_definitions import unit_definitions
 from lagdsl.fmi.variables import Table
-from lagdsl.fmi.xml import Element, document, element, one_line, start_text, text
+from lagdsl.fmi.xml import Element, document, element, one_line, start_text
 
 _TAGS = {"REAL": "Real", "INTEGER": "Integer", "BOOLEAN": "Boolean", "STRING": "String"}
 
@@ -37,20 +39,12 @@ def fmi2_description(table: Table, *, identifier: str, source_files: Sequence[st
     )
     _interfaces(root, table, identifier, source_files)
     types = named_types(table)
-    _units(root, table)
+    unit_elements(root, table)
     _types(root, types)
     categories = element("LogCategories", root)
     for name, description in LOG_CATEGORIES.items():
         element("Category", categories, name=name, description=description)
-    given = experiment(table)
-    element(
-        "DefaultExperiment",
-        root,
-        startTime=given.start,
-        stopTime=given.stop,
-        tolerance=given.tolerance,
-        stepSize=given.step,
-    )
+    element("DefaultExperiment", root, **experiment(table))
     variables = element("ModelVariables", root)
     for reference, variable in enumerate(table.variables):
         _variable(variables, reference, variable, types)
@@ -86,18 +80,6 @@ def _interfaces(root: Element, table: Table, identifier: str, source_files: Sequ
                 element("File", files, name=name)
 
 
-def _units(root: Element, table: Table) -> None:
-    used = unit_definitions((v.attributes.unit, v.attributes.display_unit) for v in table.variables)
-    definitions = element("UnitDefinitions", root)
-    for unit in used:
-        defined = element("Unit", definitions, name=unit.name)
-        if unit.exponents is not None:
-            powers: dict[str, int] = dict(unit.exponents)
-            element("BaseUnit", defined, **powers, factor=None if unit.factor == 1.0 else unit.factor)
-        for shown in unit.display_units:
-            element("DisplayUnit", defined, name=shown.name, factor=shown.factor, offset=shown.offset or None)
-
-
 def _types(root: Element, types: dict[tuple[str, str | None], NamedType]) -> None:
     if not types:
         return
@@ -121,26 +103,19 @@ def _variable(
         variability=attributes.variability,
         initial=variable.initial,
     )
-    kind = types.get((attributes.type_name or "", attributes.unit)) if attributes.type == "REAL" else None
-    numeric = attributes.type in ("REAL", "INTEGER")
-    whole = attributes.type == "INTEGER"
     element(
         _TAGS[attributes.type],
         scalar,
-        declaredType=None if kind is None else kind.name,
+        declaredType=type_of_variable(variable, types),
         unit=attributes.unit,
         displayUnit=attributes.display_unit,
-        min=_bound(attributes.minimum, whole) if numeric else None,
-        max=_bound(attributes.maximum, whole) if numeric else None,
+        min=bound(attributes.minimum, attributes.type),
+        max=bound(attributes.maximum, attributes.type),
         nominal=attributes.nominal,
         start=start_text(attributes.type, variable.starts),
         derivative=None if variable.derivative_of is None else variable.derivative_of + 1,
         reinit=True if variable.reinit else None,
     )
-
-
-def _bound(value: float | None, whole: bool) -> str | None:
-    return None if value is None else text(int(value) if whole else value)
 
 
 def _structure(root: Element, table: Table) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from lagdsl.backends.c.literal import number, string
+from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.scalar import Role, Variable
 from lagdsl.fmi.variables import Kind, Table
 
@@ -27,6 +28,7 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "row_sizes": ("double", _numbers(settings.row_sizes)),
         "lasting": ("double", _numbers([float(flag) for flag in settings.lasting])),
         "turning": ("unsigned char", _flags([output.turning for output in flat.outputs])),
+        "input_rates": ("size_t", _input_rates(flat)),
         "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
     }
     experiment = flat.experiment
@@ -59,6 +61,12 @@ def _row(variable: Variable) -> str:
         f"{{LAG_ROLE_{attributes.role}, LAG_TYPE_{attributes.type}, LAG_SET_{attributes.setting}, "
         f"{variable.first}, {variable.count}}}"
     )
+
+
+def _input_rates(flat: FlatModel) -> list[str]:
+    """By input, the index of the one that is its time derivative; none where no input has one."""
+    rates = {item.derivative_of: index for index, item in enumerate(flat.inputs) if item.derivative_of is not None}
+    return [str(rates.get(item.name, len(flat.inputs))) for item in flat.inputs] if rates else []
 
 
 def _numbers(values: Sequence[float]) -> list[str]:

@@ -86,6 +86,7 @@ typedef struct lag_fmu {
     /* Variable i depends as dependencies [dependency_first[i], dependency_first[i + 1]) tell; null: not told. */
     const size_t *dependency_first; /* (nvariable + 1) */
     const lag_dependency *dependencies;
+    const size_t *input_rates; /* (nu) the input that is the time derivative of this one; nu: none. Null: none at all */
 } lag_fmu;
 
 #endif
