@@ -24,7 +24,8 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
-           lag_stiffness_memory(size) + 5 * size + model->nc + 3 * model->ni + 4 * options->indicators + options->clocks + 1;
+           lag_stiffness_memory(size) + 5 * size + model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
+           model->nindicator + model->ncontact + 1;
 }
 
 static size_t padded(size_t bytes)
@@ -112,6 +113,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->crossed = lag_take(&memory, options->indicators);
     run->other = lag_take(&memory, options->indicators);
     run->ticked = lag_take(&memory, options->clocks);
+    run->pending = lag_take(&memory, model->nindicator + model->ncontact);
     return run;
 }
 
@@ -177,6 +179,7 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
     memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
     s->t = s->t_before = run->event_time = t;
     s->h = h;
+    run->half.open = 0;
     run->look.rank = 0;
     return status == LAG_OK && !run->sized ? find_sizes(run, t, s->x) : status;
 }
@@ -334,35 +337,34 @@ static lag_status find(lag_run *run, double *own, double *other)
     return status;
 }
 
-/* What happens at the end of a step of length h: the model's where `own`, the caller's where `other`; clocks before `stop`. */
-static lag_status happen(lag_run *run, double stop, double h, int own, int other, int *happened)
+/* What happens at the end of a step: the model's, the caller's; clocks before `stop`. */
+static lag_status happen(lag_run *run, double stop, const lag_half *half, int *happened)
 {
     int fired = 0;
-    *happened = own;
-    lag_instants_after(&run->instants, h);
-    lag_status status = own ? lag_run_event(run, h, run->alert.changed) : LAG_OK;
+    *happened = half->own;
+    lag_instants_after(&run->instants, half->length);
+    lag_status status = half->own ? lag_run_event(run, half->length, run->pending) : LAG_OK;
     if (status == LAG_OK && run->stepper.t < stop && lag_run_due(run, run->stepper.t)) {
         *happened = 1;
         status = lag_run_ticks(run);
     }
     if (status == LAG_OK) {
-        status = lag_run_fire(run, other, &fired);
+        status = lag_run_fire(run, half->other, &fired);
     }
     *happened = *happened || fired;
     return status == LAG_OK && *happened ? lag_watch_look(&run->watch, run->stepper.t, run->stepper.x) : status;
 }
 
-/* One step and what follows from it: rows, an event, other tolerances. */
-static lag_status go_on(lag_run *run, double stop)
+lag_status lag_run_step(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
+    lag_half *half = &run->half;
     const double t = s->t;
     double own = (double)INFINITY;
     double other = (double)INFINITY;
-    int happened = 0;
     lag_status status = advance(run, fmin(stop, lag_run_instant(run)));
-    const double h = s->h;
-    const double step = s->t - t;
+    half->next = s->h;
+    half->length = s->t - t;
     if (status == LAG_OK) {
         status = find(run, &own, &other);
     }
@@ -373,9 +375,25 @@ static lag_status go_on(lag_run *run, double stop)
     if (status != LAG_OK) {
         return give_back(run, t, status);
     }
-    status = happen(run, stop, step, own < (double)INFINITY, other < (double)INFINITY, &happened);
+    half->own = own < (double)INFINITY;
+    half->other = other < (double)INFINITY;
+    half->open = 1;
+    memcpy(run->pending, run->alert.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+    return LAG_OK;
+}
+
+lag_status lag_run_finish(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    lag_half *half = &run->half;
+    int happened = 0;
+    if (!half->open) {
+        return LAG_OK;
+    }
+    half->open = 0;
+    lag_status status = happen(run, stop, half, &happened);
     if (status == LAG_OK && happened) {
-        s->h = fmin(h, s->h_most);
+        s->h = fmin(half->next, s->h_most);
         run->look.rank = 0;
         status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
     } else if (status == LAG_OK) {
@@ -395,18 +413,15 @@ static double most_length(const lag_run *run)
     return model->nindicator + model->ncontact > 0 && length > 0.0 ? length / LEAST_STEPS : (double)INFINITY;
 }
 
-lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
+lag_status lag_run_restart(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
-    run->steps = 0;
-    if (!(stop > s->t)) {
-        return LAG_OK;
-    }
     s->h_least = least_length(run, stop);
     if (!(run->options.length > 0.0) && run->options.count < 2) {
         run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
     }
     s->h_most = most_length(run);
+    run->half.open = 0;
     lag_status status = lag_run_ticks(run);
     if (status == LAG_OK) {
         status = restart(run, s->method, stop - s->t);
@@ -417,12 +432,25 @@ lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
         run->look.rank = 0;
         status = status == LAG_OK ? lag_look_at(&run->look, run->projection.jacobian) : status;
     }
-    while (status == LAG_OK && s->t < stop) {
+    return status;
+}
+
+lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
+{
+    run->steps = 0;
+    if (!(stop > run->stepper.t)) {
+        return LAG_OK;
+    }
+    lag_status status = lag_run_restart(run, stop);
+    while (status == LAG_OK && run->stepper.t < stop) {
         if (most_steps > 0 && run->steps >= most_steps) {
             return LAG_TOO_LONG;
         }
         ++run->steps;
-        status = go_on(run, stop);
+        status = lag_run_step(run, stop);
+        if (status == LAG_OK) {
+            status = lag_run_finish(run, stop);
+        }
     }
     return status;
 }

@@ -144,6 +144,11 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->idle);
     RECORD(run->event_time);
     RECORD(run->changes);
+    RECORD(run->half.open);
+    RECORD(run->half.own);
+    RECORD(run->half.other);
+    RECORD(run->half.length);
+    RECORD(run->half.next);
     for (size_t i = 0; i < LAG_CHANGES; ++i) {
         RECORD(run->change[i].t);
         RECORD(run->change[i].implicit);

@@ -95,6 +95,13 @@ typedef struct lag_change {
 
 enum { LAG_CHANGES = 16 };
 
+/* A step of which what happens at its end is still to come. */
+typedef struct lag_half {
+    int open;            /* there is one */
+    int own, other;      /* something of the model's, of the caller's happens at its end */
+    double length, next; /* of the step, as far as the method went; proposed for the next one */
+} lag_half;
+
 struct lag_run {
     lag_run_options options;
     lag_motion motion;
@@ -113,6 +120,8 @@ struct lag_run {
     double *point;            /* (2 nq + nz) */
     double *sign, *value, *crossed, *other; /* (indicators) */
     double *ticked;           /* (clocks) */
+    double *pending;          /* (nindicator + ncontact) what happens at the end of `half` */
+    lag_half half;
     lag_clock *clock;         /* (clocks) */
     size_t row;               /* the next one */
     size_t steps;             /* of this call */
@@ -187,6 +196,15 @@ void lag_run_skip(lag_run *run, size_t row);
  * follows it there: an event came to no good end. What callbacks return other than LAG_OK comes back.
  */
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
+
+/*
+ * lag_run_to in pieces, for those who want to see the states within a step before anything happens at its end, and let steps lead
+ * beyond what they want to see: the method starts at the present state, on the way to `stop`; one step, up to the first that happens in it;
+ * that, and what else follows. A step that failed is taken back, and may be tried with another `stop`.
+ */
+lag_status lag_run_restart(lag_run *run, double stop);
+lag_status lag_run_step(lag_run *run, double stop);
+lag_status lag_run_finish(lag_run *run, double stop);
 
 /*
  * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no rows. What happens at instants,
