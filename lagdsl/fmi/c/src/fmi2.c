@@ -1,8 +1,6 @@
 /* FMI 2.0: instances, the order of their modes, states, directional derivatives. */
 #include "lag/fmi2.h"
 
-#include <string.h>
-
 const char *fmi2GetTypesPlatform(void)
 {
     return fmi2TypesPlatform;
@@ -50,7 +48,7 @@ fmi2Component fmi2Instantiate(fmi2String instanceName, fmi2Type fmuType, fmi2Str
     if (functions == NULL) {
         return NULL;
     }
-    const lag_kinds other = fmuType == fmi2CoSimulation ? LAG_CO_SIMULATION : (lag_kinds)0;
+    const lag_kinds other = fmuType == fmi2CoSimulation ? LAG_CO_SIMULATION : LAG_NO_KIND;
     const lag_birth birth = {
         .name = instanceName,
         .token = fmuGUID,

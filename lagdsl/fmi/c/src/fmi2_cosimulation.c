@@ -1,12 +1,6 @@
 /* FMI 2.0 for co-simulation. */
 #include "lag/fmi2.h"
 
-#define LAG_ENTER_STEPS(NAME, MODES)                                                                        \
-    LAG_ENTER(NAME, MODES)                                                                                  \
-    if (shell->now.kind != LAG_CO_SIMULATION) {                                                             \
-        return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made for model exchange"); \
-    }
-
 /* Its status is asked for after a step, be it discarded or the last one. */
 #define ASKABLE (LAG_MODE_STEP | LAG_MODE_STEP_FAILED | LAG_MODE_TERMINATED | LAG_MODE_FAILED)
 

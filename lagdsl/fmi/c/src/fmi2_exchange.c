@@ -6,13 +6,6 @@
 #define EXCHANGE (LAG_MODE_EVENT | LAG_MODE_CONTINUOUS)
 #define EVALUABLE (EXCHANGE | LAG_MODE_INITIALIZATION | LAG_MODE_TERMINATED | LAG_MODE_FAILED)
 
-/* Modes are those of both kinds; what is only there for one of them. */
-#define LAG_ENTER_EXCHANGE(NAME, MODES)                                                                     \
-    LAG_ENTER(NAME, MODES)                                                                                  \
-    if (shell->now.kind != LAG_MODEL_EXCHANGE) {                                                            \
-        return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made for co-simulation"); \
-    }
-
 fmi2Status fmi2EnterEventMode(fmi2Component c)
 {
     LAG_ENTER_EXCHANGE("EnterEventMode", EXCHANGE)

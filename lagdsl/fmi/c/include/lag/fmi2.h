@@ -18,4 +18,17 @@
         return fmi2Error;                                     \
     }
 
+/* What is there for one kind of instance only. */
+#define LAG_ENTER_EXCHANGE(NAME, MODES)                                                                     \
+    LAG_ENTER(NAME, MODES)                                                                                  \
+    if (shell->now.kind != LAG_MODEL_EXCHANGE) {                                                            \
+        return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made for co-simulation"); \
+    }
+
+#define LAG_ENTER_STEPS(NAME, MODES)                                                                        \
+    LAG_ENTER(NAME, MODES)                                                                                  \
+    if (shell->now.kind != LAG_CO_SIMULATION) {                                                             \
+        return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made for model exchange"); \
+    }
+
 #endif

@@ -63,7 +63,7 @@ typedef struct lag_dependency {
     unsigned char kind;
 } lag_dependency;
 
-typedef enum lag_kinds { LAG_MODEL_EXCHANGE = 1, LAG_CO_SIMULATION = 2 } lag_kinds;
+typedef enum lag_kinds { LAG_NO_KIND = 0, LAG_MODEL_EXCHANGE = 1, LAG_CO_SIMULATION = 2 } lag_kinds;
 
 typedef struct lag_fmu {
     const lag_model *model;
