@@ -30,8 +30,11 @@ typedef enum lag_option {
     LAG_OPTION_STEP /* [s] length of fixed steps; 0: steps with error control */
 } lag_option;
 
-/* FMI 3 has Integers as Int32. Strings are constants only, `first` of them an index into `texts`. */
-typedef enum lag_type { LAG_TYPE_REAL, LAG_TYPE_INTEGER, LAG_TYPE_BOOLEAN, LAG_TYPE_STRING } lag_type;
+/*
+ * FMI 3 has Integers as Int32, Enumerations as Int64; FMI 2 has both as Integers, and no table with Enumerations. Strings are constants
+ * only, `first` of them an index into `texts`.
+ */
+typedef enum lag_type { LAG_TYPE_REAL, LAG_TYPE_INTEGER, LAG_TYPE_BOOLEAN, LAG_TYPE_STRING, LAG_TYPE_ENUMERATION } lag_type;
 
 /* When a variable may be set. */
 typedef enum lag_setting {
