@@ -69,14 +69,17 @@ class Deviation:
         )
 
 
-def deviation(reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Floats]) -> Deviation:
-    """At the times of the reference; where an event is, anything between the values before and after it will do."""
-    names = signals(reference)
+def deviation(
+    reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Floats], names: tuple[str, ...] = ()
+) -> Deviation:
+    """At the times of the reference, of all signals or those named; where an event is, anything between the values
+    before and after it will do."""
+    names = names or signals(reference)
     missing = [name for name in names if name not in columns]
     assert not missing, missing
     expected = np.stack([reference[name] for name in names], axis=-1).astype(float)
     found = np.stack([np.asarray(columns[name], dtype=float) for name in names], axis=-1)
-    scale = _scales(reference)
+    scale = _scales(reference)[[signals(reference).index(name) for name in names]]
     margin = NEAR * (reference.time[-1] - reference.time[0])
     rows, errors, near, worst = [], [], [], []
     for row, t in enumerate(time):
@@ -96,15 +99,25 @@ def deviation(reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, 
 
 
 def _scales(reference: lagdsl.Trajectory) -> Floats:
-    """Ranges of the signals, at least a thousandth of the largest value of the same kind and unit."""
-    columns = reference.columns[1:]
+    """Ranges of the signals; at least a thousandth of the largest value of the same kind and unit, and of rates at least
+    of that of their coordinate over the time of the experiment: what is at rest but for rounding has no range."""
     largest: dict[tuple[str, str], float] = {}
-    for column in columns:
+    sizes = {column.name: _size(column.values) for column in reference.columns}
+    for column in reference.columns[1:]:
         key = (column.kind, column.unit)
-        size = float(np.max(np.abs(column.values[np.isfinite(column.values)]), initial=0.0))
-        largest[key] = max(largest.get(key, 0.0), size)
-    ranges = [float(np.ptp(c.values[np.isfinite(c.values)])) if np.isfinite(c.values).any() else 0.0 for c in columns]
-    return np.array([max(r, 1e-3 * largest[c.kind, c.unit], 1e-9) for r, c in zip(ranges, columns, strict=True)])
+        largest[key] = max(largest.get(key, 0.0), sizes[column.name])
+    scales = []
+    for column in reference.columns[1:]:
+        known = column.values[np.isfinite(column.values)]
+        coordinate = sizes.get(column.name.removeprefix("der(")[:-1], 0.0) if column.kind == "rate" else 0.0
+        span = float(reference.time[-1] - reference.time[0])
+        floor = 1e-3 * max(largest[column.kind, column.unit], coordinate / span)
+        scales.append(max(float(np.ptp(known)) if len(known) else 0.0, floor, 1e-9))
+    return np.array(scales)
+
+
+def _size(values: Floats) -> float:
+    return float(np.max(np.abs(values[np.isfinite(values)]), initial=0.0))
 
 
 @cache
