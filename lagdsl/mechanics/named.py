@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.flat.quantity import Variability
+from lagdsl.graph.differentiate import Tangent
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.derive import Derivation
 from lagdsl.mechanics.tangents import P_GROUPS, SOLVED_GROUPS, STATE_GROUPS, directional
@@ -43,11 +44,8 @@ def with_names(derivation: Derivation, program: Program) -> Program:
         "start_tangent": _along(program, "start", P_GROUPS),
         "energies_tangent": _along(program, "energies", STATE_GROUPS),
         "initial_equation_tangent": _along(program, "initial_equation", SOLVED_GROUPS),
+        "time_tangent": _in_time(program, values),
     }
-    if program.has("indicator"):
-        gaps = program.function("contact").results[:2]
-        found["indicator_tangent"] = _along(program, "indicator", SOLVED_GROUPS)
-        found["contact_tangent"] = [_block_along(program, block, STATE_GROUPS) for block in gaps]
     functions = [
         Function(name=name, arguments=arguments, results=tuple(found[name]))
         for name, arguments in OPTIONAL.items()
@@ -59,6 +57,19 @@ def with_names(derivation: Derivation, program: Program) -> Program:
 
 def _along(program: Program, function: str, groups: tuple[Group, ...]) -> list[Block]:
     return [_block_along(program, block, groups) for block in program.function(function).results]
+
+
+def _in_time(program: Program, values: Sequence[int]) -> list[Block]:
+    """How everything changes with the time alone."""
+    graph = program.graph
+    tangent = Tangent(graph, (Group.TIME,), lambda symbol: graph.one)
+    blocks = [
+        *program.function("residual").results,
+        *(program.function(name).results[0] for name in ("position_constraint", "velocity_constraint")),
+        *(block for name in ("state_derivative", "output", "energies") for block in program.function(name).results),
+        _vector("d", values),
+    ]
+    return [replace(block, name=f"d{block.name}", elements=tuple(tangent.of_all(block.elements))) for block in blocks]
 
 
 def _block_along(program: Program, block: Block, groups: tuple[Group, ...]) -> Block:

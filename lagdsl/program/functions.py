@@ -38,8 +38,7 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | start_tangent | t p dp | how the start values change with the parameters: dq (nq), dqd (nq), dz (nz), du (nu) |
 | energies_tangent | t q qd z u w p dq dqd dz du dp | dtotal, dkinetic, dpotential, djacobi (each shape ()) |
 | initial_equation_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dresidual (ne) |
-| indicator_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dg (nr) |
-| contact_tangent | t q qd z u w p dq dqd dz du dp | dgap, dspeed |
+| time_tangent | t q qd z u w p qdd lam | with the time alone: dr, ds, dphi, d(J qd + b), dzd, dy, denergies, dd |
 
 M written out has nq^2 entries, and in a long tree of bodies each of them is a sum over what both coordinates move;
 `momentum_tangent` is of the size of the kinetic energy. Programs of many coordinates have it in place of `mass_matrix`
@@ -102,8 +101,7 @@ OPTIONAL: dict[str, tuple[Group, ...]] = {
     "start_tangent": (Group.TIME, Group.P, Group.DIRECTION_P),
     "energies_tangent": (*STATE, *DIRECTIONS),
     "initial_equation_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
-    "indicator_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
-    "contact_tangent": (*STATE, *DIRECTIONS),
+    "time_tangent": SOLVED,
     "acceleration_tangent": (*SOLVED, *DIRECTIONS),
 }
 

@@ -44,8 +44,7 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "start_tangent": ((_N,), (_N,), ("nz",), ("nu",)),
     "energies_tangent": ((), (), (), ()),
     "initial_equation_tangent": (None,),
-    "indicator_tangent": (None,),
-    "contact_tangent": (None, None),
+    "time_tangent": ((_N,), (_ROWS,), (_ROWS,), (_ROWS,), ("nz",), ("ny",), (), (), (), (), ("nd",)),
 }
 
 

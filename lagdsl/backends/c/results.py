@@ -47,8 +47,10 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "start_tangent": ("q", "qd", "z", "u"),
     "energies_tangent": ("total", "kinetic", "potential", "jacobi"),
     "initial_equation_tangent": ("residual",),
-    "indicator_tangent": ("g",),
-    "contact_tangent": ("gap", "speed"),
+    "time_tangent": (
+        *("motion", "rows", "phi", "residual", "rates", "y"),
+        *("total", "kinetic", "potential", "jacobi", "d"),
+    ),
 }
 _FEWEST_ZEROS = 8
 

@@ -48,6 +48,10 @@ static lag_status eliminate(const lag_model *model, const lag_arguments *at, dou
 static lag_status evaluate_named(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
 {
     const size_t n = model->nq;
+    const size_t m = model->nc;
+    double *rows = r + n;
+    double *rates = rows + 3 * m;
+    double *y = rates + model->nz;
     if (model->definition == NULL) {
         return LAG_MISSING;
     }
@@ -62,10 +66,9 @@ static lag_status evaluate_named(const lag_model *model, lag_function which, con
         return model->energies_tangent(at, r, r + 1, r + 2, r + 3);
     case LAG_INITIAL_EQUATION_TANGENT:
         return model->initial_equation_tangent(at, r);
-    case LAG_INDICATOR_TANGENT:
-        return model->indicator_tangent == NULL ? LAG_MISSING : model->indicator_tangent(at, r);
-    case LAG_CONTACT_TANGENT:
-        return model->contact_tangent == NULL ? LAG_MISSING : model->contact_tangent(at, r, r + model->ngap);
+    case LAG_TIME_TANGENT:
+        return model->time_tangent(at, r, rows, rows + m, rows + 2 * m, rates, y, y + model->ny, y + model->ny + 1, y + model->ny + 2,
+            y + model->ny + 3, y + model->ny + 4);
     default:
         return LAG_MISSING;
     }
@@ -134,8 +137,7 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
     case LAG_START_TANGENT:
     case LAG_ENERGIES_TANGENT:
     case LAG_INITIAL_EQUATION_TANGENT:
-    case LAG_INDICATOR_TANGENT:
-    case LAG_CONTACT_TANGENT:
+    case LAG_TIME_TANGENT:
         return evaluate_named(model, which, at, r);
     }
     return LAG_MISSING;

@@ -37,8 +37,7 @@ typedef enum lag_function {
     LAG_START_TANGENT,
     LAG_ENERGIES_TANGENT,
     LAG_INITIAL_EQUATION_TANGENT,
-    LAG_INDICATOR_TANGENT,
-    LAG_CONTACT_TANGENT
+    LAG_TIME_TANGENT
 } lag_function;
 
 /* prepare() for the parameters and the workspace of `at`. */

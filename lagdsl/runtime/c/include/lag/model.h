@@ -30,7 +30,7 @@ typedef struct lag_start {
     const double *x;                 /* null: not known */
     const unsigned char *fixed;      /* 1: the start value holds exactly; null: none does */
     const unsigned char *written;    /* 1: it was written, and weighs 100 times one that was not; null: none was */
-    const double *sizes;             /* what counts as a change of order one; null: found at the start values */
+    const double *nominal;           /* what counts as a change of order one; zero, or null: not said */
     const double *minimum, *maximum; /* (nq) where the search stays; null: anywhere */
 } lag_start;
 
@@ -213,16 +213,31 @@ typedef struct lag_model {
     const lag_slot *definitions; /* (nd) */
     /* t q qd z u w p qdd lam -> d (nd) */
     lag_status (*definition)(const lag_arguments *at, double *d);
-    /* what they and others change by along dq dqd dz du dp, dqdd dlam; as the functions without `tangent` where nothing else is said */
+    /* the same and dq dqd dz du dp dqdd dlam -> dd (nd) */
     lag_status (*definition_tangent)(const lag_arguments *at, double *d);
-    /* along dp */
+    /* t p, dp -> how the start values change */
     lag_status (*start_tangent)(const lag_arguments *at, double *q, double *qd, double *z, double *u);
-    /* along dq dqd dz du dp, as the one of gaps */
+    /* t q qd z u w p, dq dqd dz du dp -> how the energies change */
     lag_status (*energies_tangent)(const lag_arguments *at, double *total, double *kinetic, double *potential, double *jacobi);
+    /* t q qd z u w p qdd lam, dq dqd dz du dp dqdd dlam -> dresidual (ne) */
     lag_status (*initial_equation_tangent)(const lag_arguments *at, double *residual);
-    lag_status (*indicator_tangent)(const lag_arguments *at, double *g);
-    /* gap and its rate (ngap) */
-    lag_status (*contact_tangent)(const lag_arguments *at, double *gap, double *speed);
+    /*
+     * t q qd z u w p qdd lam -> how everything changes with t alone: dr (nq), ds (nc) of residual(); dphi (nc), d(J qd + b) (nc),
+     * dzd (nz), dy (ny), of the energies, dd (nd)
+     */
+    lag_status (*time_tangent)(
+        const lag_arguments *at,
+        double *motion,
+        double *rows,
+        double *phi,
+        double *residual,
+        double *rates,
+        double *y,
+        double *total,
+        double *kinetic,
+        double *potential,
+        double *jacobi,
+        double *d);
 } lag_model;
 
 #endif
