@@ -94,13 +94,16 @@ def random_states(name: str) -> Arrays:
     """
     random = np.random.default_rng(20)
     rows: list[Arrays] = []
-    for _ in range(40 * STATES):
-        state = _draw(name, random)
-        if _regular(name, state):
-            rows.append(state)
+    for _ in range(40):
+        drawn = [_draw(name, random) for _ in range(STATES - len(rows))]
+        rows += [state for state, sound in zip(drawn, _sound(name, _by_group(drawn)), strict=True) if sound]
         if len(rows) == STATES:
-            return {group: np.array([row[group] for row in rows]) for group in rows[0]}
+            return _by_group(rows)
     raise AssertionError(f"{name}: only {len(rows)} regular states found")
+
+
+def _by_group(rows: list[Arrays]) -> Arrays:
+    return {group: np.array([row[group] for row in rows]) for group in rows[0]}
 
 
 def _draw(name: str, random: np.random.Generator) -> Arrays:
@@ -170,35 +173,44 @@ def on_constraints(program: Program, state: Arrays) -> Arrays:
     return state | {Group.Q: q, Group.QD: qd}
 
 
-def _regular(name: str, state: Arrays) -> bool:
-    """Everything is finite and the equations determine the accelerations well."""
+def _sound(name: str, states: Arrays) -> np.ndarray:
+    """Which states are regular, with all functions finite there."""
     program = compiled(name).graph
-    blocks = values(program, "dynamics", state)
-    if not all(np.all(np.isfinite(block)) for block in blocks):
-        return False
-    others = [block for f in program.functions for block in values(program, f.name, state)]
-    if not all(np.all(np.isfinite(block)) for block in others):
-        return False
-    phi, _ = values(program, "position_constraint", state)
-    if phi.size and np.max(np.abs(phi)) > 1e-9:
-        return False
-    mass, _, jacobian, _ = blocks
-    jacobian = jacobian[independent_rows(program, jacobian)]
-    matrix = saddle_point(mass, jacobian)
-    if not matrix.size:
-        return True
-    scale = 1 / np.sqrt(np.maximum(np.max(np.abs(matrix), axis=1), 1e-300))
-    return bool(np.linalg.cond(scale[:, None] * matrix * scale) < 1e6)
+    finite = regular(program, states)
+    for function in program.functions:
+        for block in values(program, function.name, states):
+            finite &= np.isfinite(block).reshape(len(block), -1).all(axis=1)
+    return finite
+
+
+def regular(program: Program, states: Arrays) -> np.ndarray:
+    """At which of many states everything is finite, on the constraints, and determines the accelerations well."""
+    blocks = values(program, "dynamics", states)
+    finite = np.ones(len(states[Group.TIME]), dtype=bool)
+    for block in blocks:
+        finite &= np.isfinite(block).reshape(len(block), -1).all(axis=1)
+    phi, _ = values(program, "position_constraint", states)
+    finite &= np.max(np.abs(np.nan_to_num(phi, nan=1.0)), axis=1, initial=0.0) < 1e-9
+    for i in np.flatnonzero(finite):
+        rows = blocks[2][i]
+        matrix = saddle_point(blocks[0][i], rows[independent_rows(program, rows)])
+        if matrix.size:
+            scale = 1 / np.sqrt(np.maximum(np.max(np.abs(matrix), axis=1), 1e-300))
+            finite[i] = np.linalg.cond(scale[:, None] * matrix * scale) < 1e6
+    return finite
 
 
 def independent_rows(program: Program, jacobian: np.ndarray) -> list[int]:
-    """Rows that are not redundant; those of open contacts, and those that a discrete has switched off, are zero."""
-    return [i for i, redundant in enumerate(program.layout.redundant) if not redundant and np.any(jacobian[i])]
+    """Rows of (..., nc, nq) that are not redundant; those of open contacts, and those that a discrete has switched off,
+    are zero."""
+    return [i for i, redundant in enumerate(program.layout.redundant) if not redundant and np.any(jacobian[..., i, :])]
 
 
 def saddle_point(mass: np.ndarray, jacobian: np.ndarray) -> np.ndarray:
-    rows = jacobian.shape[0]
-    return np.block([[mass, -jacobian.T], [jacobian, np.zeros((rows, rows))]])
+    """[[M, -J'], [J, 0]] of one state or of many."""
+    nothing = np.zeros((*jacobian.shape[:-1], jacobian.shape[-2]))
+    above = np.concatenate([mass, -np.swapaxes(jacobian, -1, -2)], axis=-1)
+    return np.concatenate([above, np.concatenate([jacobian, nothing], axis=-1)], axis=-2)
 
 
 # ---- values ----------------------------------------------------------------------------------------------------------
@@ -216,7 +228,7 @@ def values_with_size(program: Program, function: str, arrays: Arrays) -> list[tu
     given = {group: arrays[group] for group in definition.arguments}
     roots = [element for block in definition.results for element in block.elements]
     pairs = evaluate_with_size(program.graph, roots, given)
-    columns = [_stacked([pair[i] for pair in pairs], leading) for i in (0, 1)]
+    columns = [stacked([pair[i] for pair in pairs], leading) for i in (0, 1)]
     blocks, at = [], 0
     for block in definition.results:
         end = at + len(block.elements)
@@ -226,7 +238,7 @@ def values_with_size(program: Program, function: str, arrays: Arrays) -> list[tu
     return blocks
 
 
-def _stacked(numbers: list[Any], leading: tuple[int, ...]) -> np.ndarray:
+def stacked(numbers: list[Any], leading: tuple[int, ...]) -> np.ndarray:
     if not numbers:
         return np.zeros((*leading, 0))
     if not leading:

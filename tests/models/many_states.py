@@ -11,17 +11,15 @@ from models.corpus import (
     Arrays,
     about,
     compiled,
-    independent_rows,
     parameter_is_whole,
     random_discretes,
-    saddle_point,
+    regular,
     values,
     values_with_size,
 )
 
 MANY = 200
 _ROUNDS = 8
-_ILL_CONDITIONED = 1e6
 
 
 def many_states(name: str) -> Arrays:
@@ -31,8 +29,8 @@ def many_states(name: str) -> Arrays:
     found: list[Arrays] = []
     for _ in range(_ROUNDS):
         state = onto_constraints(program, _draw(name, random))
-        regular = _regular(program, state)
-        found.append({group: rows[regular] for group, rows in state.items()})
+        sound = regular(program, state)
+        found.append({group: rows[sound] for group, rows in state.items()})
         if sum(len(part[Group.TIME]) for part in found) >= MANY:
             return {group: np.concatenate([part[group] for part in found])[:MANY] for group in STATE}
     raise AssertionError(f"{name}: too few regular states found")
@@ -77,23 +75,6 @@ def _least(jacobian: np.ndarray, right: np.ndarray) -> np.ndarray:
     sound = np.isfinite(jacobian).all(axis=(-1, -2)) & np.isfinite(right).all(axis=-1)
     inverse = np.linalg.pinv(np.where(sound[:, None, None], jacobian, 0.0), rcond=1e-10)
     return np.asarray((inverse @ np.where(sound[:, None], right, 0.0)[..., None])[..., 0])
-
-
-def _regular(program: Program, state: Arrays) -> np.ndarray:
-    """Where everything is finite, on the constraints, and the equations determine the accelerations well."""
-    blocks = values(program, "dynamics", state)
-    finite: np.ndarray = np.array([np.isfinite(block).reshape(len(block), -1).all(axis=1) for block in blocks]).all(
-        axis=0
-    )
-    phi, _ = values(program, "position_constraint", state)
-    finite &= np.max(np.abs(np.nan_to_num(phi, nan=1.0)), axis=1, initial=0.0) < 1e-9
-    for i in np.flatnonzero(finite):
-        rows = blocks[2][i]
-        matrix = saddle_point(blocks[0][i], rows[independent_rows(program, rows)])
-        if matrix.size:
-            scale = 1 / np.sqrt(np.maximum(np.max(np.abs(matrix), axis=1), 1e-300))
-            finite[i] = np.linalg.cond(scale[:, None] * matrix * scale) < _ILL_CONDITIONED
-    return finite
 
 
 def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.ndarray) -> float:

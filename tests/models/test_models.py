@@ -27,6 +27,7 @@ from models.corpus import (
     path_of,
     random_states,
     saddle_point,
+    stacked,
     textbook,
     values,
     values_with_size,
@@ -135,17 +136,16 @@ def _assert_solved(name: str, engine: Engine, states: Arrays, program: Program, 
     Where all terms of a row vanish, against a ten-thousandth of what the largest unknowns, or the accelerations that
     the forces alone would make, would make of it: where everything is held, those are all there is.
     """
-    left = TAKEN_BACK.get(name, ROUNDING)
-    for i in range(STATES):
-        state = {g: a[i] for g, a in states.items()}
-        qdd, lam = engine.solve(*arguments(program, "dynamics", states, i))
-        solved = state | {Group.QDD: qdd, Group.LAMBDA: lam}
-        mass, force = values(program, "dynamics", state)[:2]
-        alone = np.concatenate([qdd, np.linalg.lstsq(mass, force, rcond=1e-10)[0]])
-        largest = state | {Group.QDD: _level(alone)[: len(qdd)], Group.LAMBDA: _level(lam)}
-        sizes = [_residual_sizes(each, solved, largest) for each in (program, *as_large_as)]
-        for (value, _), *size in zip(values_with_size(program, "residual", solved), *sizes, strict=True):
-            _assert_close(value, np.zeros_like(value), np.maximum.reduce(size), "residual", left)
+    solutions = [engine.solve(*arguments(program, "dynamics", states, i)) for i in range(STATES)]
+    qdd, lam = (np.array([solution[k] for solution in solutions]) for k in (0, 1))
+    mass, force = values(program, "dynamics", states)[:2]
+    free = np.array([np.linalg.lstsq(m, f, rcond=1e-10)[0] for m, f in zip(mass, force, strict=True)])
+    alone = np.concatenate([qdd, free], axis=1)
+    solved = states | {Group.QDD: qdd, Group.LAMBDA: lam}
+    largest = states | {Group.QDD: _level(alone)[:, : qdd.shape[1]], Group.LAMBDA: _level(lam)}
+    sizes = [_residual_sizes(each, solved, largest) for each in (program, *as_large_as)]
+    for (value, _), *size in zip(values_with_size(program, "residual", solved), *sizes, strict=True):
+        _assert_close(value, np.zeros_like(value), np.maximum.reduce(size), "residual", TAKEN_BACK.get(name, ROUNDING))
 
 
 def _residual_sizes(program: Program, solved: Arrays, largest: Arrays) -> list[np.ndarray]:
@@ -153,8 +153,9 @@ def _residual_sizes(program: Program, solved: Arrays, largest: Arrays) -> list[n
     return [np.maximum(size, 1e-4 * bound) for (_, size), (_, bound) in zip(own, most, strict=True)]
 
 
-def _level(vector: np.ndarray) -> np.ndarray:
-    return np.full_like(vector, np.max(np.abs(vector), initial=0.0))
+def _level(rows: np.ndarray) -> np.ndarray:
+    """The largest of each row in all its entries."""
+    return np.broadcast_to(np.max(np.abs(rows), axis=1, initial=0.0, keepdims=True), rows.shape)
 
 
 def _assert_close(ours: np.ndarray, theirs: np.ndarray, size: np.ndarray, what: str, part: float = ROUNDING) -> None:
@@ -177,7 +178,7 @@ def test_the_jacobian_is_exact(name: str, make: object) -> None:
         state = {g: a[i] for g, a in states.items()}
         ours = engine.jacobian(*arguments(program, "dynamics", states, i))
         directions = _consistent_directions(program, state)
-        exact = np.array([_derivative_along(program, state, d) for d in directions.T]).T
+        exact = _derivatives_along(program, state, directions.T).T
         error = np.abs(ours @ directions - exact)
         scale = np.max(np.abs(ours), axis=1, keepdims=True, initial=0.0)
         scale = np.maximum(scale, 1e-4 * np.max(scale))  # rows that vanish
@@ -189,49 +190,53 @@ def _consistent_directions(program: Program, state: Arrays) -> np.ndarray:
     nq, nz = len(program.layout.coordinates), len(program.layout.states)
     if not any(program.layout.redundant):
         return np.eye(2 * nq + nz)
-    stepped = [_stepped(state, nq, direction) for direction in np.eye(2 * nq + nz)]
+    stepped = _stepped(state, nq, np.eye(2 * nq + nz))
     rows = ("position_constraint", "velocity_constraint")
-    columns = [np.concatenate([_complex(program, row, step)[0].imag / STEP for row in rows]) for step in stepped]
-    matrix = np.array(columns).T
+    columns = [_complex(program, row, stepped)[0].imag / STEP for row in rows]
+    matrix = np.concatenate(columns, axis=1).T
     _, sizes, axes = np.linalg.svd(matrix)
     rank = int(np.sum(sizes > 1e-9 * sizes[0]))
     return axes[rank:].T
 
 
-def _stepped(state: Arrays, nq: int, direction: np.ndarray) -> Arrays:
+def _stepped(state: Arrays, nq: int, directions: np.ndarray) -> Arrays:
+    """A complex step along each of (n, 2 nq + nz)."""
     return state | {
-        Group.Q: state[Group.Q] + 1j * STEP * direction[:nq],
-        Group.QD: state[Group.QD] + 1j * STEP * direction[nq : 2 * nq],
-        Group.Z: state[Group.Z] + 1j * STEP * direction[2 * nq :],
+        Group.TIME: np.full(len(directions), state[Group.TIME]),
+        Group.Q: state[Group.Q] + 1j * STEP * directions[:, :nq],
+        Group.QD: state[Group.QD] + 1j * STEP * directions[:, nq : 2 * nq],
+        Group.Z: state[Group.Z] + 1j * STEP * directions[:, 2 * nq :],
     }
 
 
-def _derivative_along(program: Program, state: Arrays, direction: np.ndarray) -> np.ndarray:
-    """d(qd, qdd, zd) along (dq, dqd, dz)."""
-    stepped = _stepped(state, len(program.layout.coordinates), direction)
+def _derivatives_along(program: Program, state: Arrays, directions: np.ndarray) -> np.ndarray:
+    """d(qd, qdd, zd) along each (dq, dqd, dz)."""
+    stepped = _stepped(state, len(program.layout.coordinates), directions)
     qdd, lam = _complex_solution(program, stepped)
     (zd,) = _complex(program, "state_derivative", stepped | {Group.QDD: qdd, Group.LAMBDA: lam})
-    return np.concatenate([stepped[Group.QD].imag, qdd.imag, zd.imag]) / STEP
+    return np.concatenate([stepped[Group.QD].imag, qdd.imag, zd.imag], axis=1) / STEP
 
 
 def _complex_solution(program: Program, state: Arrays) -> tuple[np.ndarray, np.ndarray]:
+    """Of one state, or of several that differ by complex steps."""
     mass, force, jacobian, gamma = _complex(program, "dynamics", state)
     rows = independent_rows(program, jacobian)
-    matrix = saddle_point(mass, jacobian[rows])
-    right = np.concatenate([force, gamma[rows]])
-    solution = np.linalg.solve(matrix, right)
-    lam = np.zeros(len(gamma), dtype=complex)
-    lam[rows] = solution[len(force) :]
-    return solution[: len(force)], lam
+    matrix = saddle_point(mass, jacobian[..., rows, :])
+    right = np.concatenate([force, gamma[..., rows]], axis=-1)
+    solution = np.linalg.solve(matrix, right[..., None])[..., 0]
+    lam = np.zeros(gamma.shape, dtype=complex)
+    lam[..., rows] = solution[..., force.shape[-1] :]
+    return solution[..., : force.shape[-1]], lam
 
 
 def _complex(program: Program, function: str, state: Arrays) -> list[np.ndarray]:
     definition = program.function(function)
+    leading = np.shape(state[Group.TIME])
     given = {group: state[group] for group in definition.arguments}
     blocks = []
     for block in definition.results:
         numbers = evaluate(program.graph, block.elements, given)
-        blocks.append(np.array(numbers, dtype=complex).reshape(block.shape))
+        blocks.append(stacked(numbers, leading).astype(complex).reshape(leading + block.shape))
     return blocks
 
 
