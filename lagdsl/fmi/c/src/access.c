@@ -5,7 +5,7 @@
 
 static const char *type_name(lag_type type)
 {
-    static const char *const names[] = {"a real number", "an integer", "a Boolean", "a text"};
+    static const char *const names[] = {"a real number", "an integer", "a Boolean", "a text", "an enumeration"};
     return names[type];
 }
 
@@ -36,6 +36,11 @@ static int consistent(lag_shell *shell, lag_type type, const uint32_t *reference
         return 0;
     }
     return 1;
+}
+
+int32_t lag_shell_integer(double value)
+{
+    return value > INT32_MAX ? INT32_MAX : value < INT32_MIN ? INT32_MIN : (int32_t)value;
 }
 
 /* What is there before anything is computed. */

@@ -27,8 +27,7 @@ fmi2Status fmi2DoStep(fmi2Component c, fmi2Real currentCommunicationPoint, fmi2R
     const lag_answer answer = lag_shell_step(shell, currentCommunicationPoint, communicationStepSize, NULL, &outcome);
     if (answer == LAG_ANSWER_OK && outcome.terminate) {
         shell->now.mode = LAG_MODE_STEP_FAILED;
-        return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_DISCARD, "the model has ended the simulation at %.17g s: %s", outcome.t,
-            lag_instance_message(shell->instance));
+        return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_DISCARD, "the model has ended the simulation at %.17g s", outcome.t);
     }
     return (fmi2Status)answer;
 }

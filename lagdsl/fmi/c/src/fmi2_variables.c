@@ -6,7 +6,7 @@
 
 static void store_integer(void *values, size_t index, double value)
 {
-    ((fmi2Integer *)values)[index] = (fmi2Integer)value;
+    ((fmi2Integer *)values)[index] = lag_shell_integer(value);
 }
 
 static double fetch_integer(const void *values, size_t index)

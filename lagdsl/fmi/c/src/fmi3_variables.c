@@ -1,4 +1,4 @@
-/* FMI 3.0: values of variables: Float64, Int32, Boolean and constant String; of other types there are none. */
+/* FMI 3.0: values of variables: Float64, Int32, Int64 of enumerations, Boolean, constant String; of other types there are none. */
 #include "lag/fmi3.h"
 
 #define READABLE LAG_MODES_ALL
@@ -29,17 +29,26 @@ LAG_NO_VARIABLES(UInt8)
 LAG_NO_VARIABLES(Int16)
 LAG_NO_VARIABLES(UInt16)
 LAG_NO_VARIABLES(UInt32)
-LAG_NO_VARIABLES(Int64)
 LAG_NO_VARIABLES(UInt64)
 
 static void store_integer(void *values, size_t index, double value)
 {
-    ((fmi3Int32 *)values)[index] = (fmi3Int32)value;
+    ((fmi3Int32 *)values)[index] = lag_shell_integer(value);
 }
 
 static double fetch_integer(const void *values, size_t index)
 {
     return (double)((const fmi3Int32 *)values)[index];
+}
+
+static void store_choice(void *values, size_t index, double value)
+{
+    ((fmi3Int64 *)values)[index] = lag_shell_integer(value);
+}
+
+static double fetch_choice(const void *values, size_t index)
+{
+    return (double)((const fmi3Int64 *)values)[index];
 }
 
 static void store_boolean(void *values, size_t index, double value)
@@ -72,6 +81,7 @@ static double fetch_boolean(const void *values, size_t index)
 
 LAG_VARIABLES(Float64, LAG_TYPE_REAL, NULL, NULL)
 LAG_VARIABLES(Int32, LAG_TYPE_INTEGER, store_integer, fetch_integer)
+LAG_VARIABLES(Int64, LAG_TYPE_ENUMERATION, store_choice, fetch_choice)
 LAG_VARIABLES(Boolean, LAG_TYPE_BOOLEAN, store_boolean, fetch_boolean)
 
 fmi3Status fmi3GetString(

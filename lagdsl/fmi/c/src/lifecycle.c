@@ -18,7 +18,7 @@ lag_answer lag_shell_set_experiment(lag_shell *shell, int tolerance_defined, dou
     if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the tolerance %.17g is not a positive number", tolerance);
     }
-    shell->now.time = shell->now.start = start;
+    shell->now.time = shell->now.reached = shell->now.start = start;
     shell->now.stop = stop_defined ? stop : (double)INFINITY;
     shell->now.tolerance = tolerance_defined ? tolerance : 0.0;
     return LAG_ANSWER_OK;
@@ -62,6 +62,10 @@ lag_answer lag_shell_exit_initialization(lag_shell *shell)
     if (answer != LAG_ANSWER_OK) {
         shell->now.mode = LAG_MODE_FAILED;
         return answer;
+    }
+    const lag_status status = lag_instance_begin(shell->instance);
+    if (status != LAG_OK) {
+        return lag_shell_failed(shell, status);
     }
     shell->now.mode = LAG_MODE_EVENT;
     shell->now.pending = 1;

@@ -54,6 +54,7 @@ static void begin(lag_shell *shell)
         .mode = LAG_MODE_INSTANTIATED,
         .stale = 1,
         .time = shell->fmu->start_time,
+        .reached = shell->fmu->start_time,
         .start = shell->fmu->start_time,
         .stop = (double)INFINITY,
     };

@@ -139,7 +139,7 @@ lag_answer lag_shell_load(lag_shell *shell, void *snapshot)
     }
     const lag_status status = lag_instance_load(shell->instance, bytes_of(saved));
     if (status != LAG_OK) {
-        return lag_shell_failed(shell, status);
+        return lag_shell_refused(shell, status);
     }
     const uint32_t early_return = shell->now.early_return;
     shell->now = *then;

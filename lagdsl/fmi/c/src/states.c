@@ -28,7 +28,7 @@ lag_answer lag_shell_set_time(lag_shell *shell, double time)
     if (status != LAG_OK) {
         return lag_shell_refused(shell, status);
     }
-    shell->now.time = time;
+    shell->now.time = shell->now.reached = time;
     return LAG_ANSWER_OK;
 }
 
@@ -101,7 +101,7 @@ lag_answer lag_shell_completed(lag_shell *shell, int *events, int *terminate)
     const lag_status status = lag_instance_completed(shell->instance, events, terminate);
     if (status == LAG_OK && *terminate) {
         shell->now.ended = 1;
-        lag_shell_note(shell, "the model ends the simulation: %s", lag_instance_message(shell->instance));
+        lag_shell_note(shell, "the model ends the simulation at %.17g s", shell->now.time);
     }
     return lag_shell_failed(shell, status);
 }

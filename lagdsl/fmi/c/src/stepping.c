@@ -52,8 +52,9 @@ static lag_status proceed(lag_shell *shell, double end, lag_between *between, la
     const int stops = (shell->now.event_mode && shell->now.early_return ? LAG_STOP_EVENTS : 0) | (between != NULL ? LAG_STOP_STEPS : 0);
     double until = end;
     for (;;) {
-        lag_progress told = {.t = shell->now.time};
-        const lag_status status = lag_instance_step(shell->instance, until - shell->now.time, stops, &told);
+        lag_progress told = {.t = shell->now.reached};
+        const lag_status status = lag_instance_step(shell->instance, until - shell->now.reached, stops, &told);
+        shell->now.reached = told.t;
         const int there = !told.early && !told.event && !told.terminate;
         shell->now.time = status == LAG_OK && there ? until : told.t;
         *outcome = (lag_outcome){.t = shell->now.time, .event = told.event, .terminate = told.terminate};
@@ -90,7 +91,7 @@ lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *bet
     shell->now.due = outcome->event != 0;
     if (outcome->terminate) {
         shell->now.ended = 1;
-        lag_shell_note(shell, "the model ends the simulation at %.17g s: %s", outcome->t, lag_instance_message(shell->instance));
+        lag_shell_note(shell, "the model ends the simulation at %.17g s", outcome->t);
     }
     return LAG_ANSWER_OK;
 }

@@ -66,7 +66,8 @@ typedef struct lag_host {
 
 /* The part of a shell that belongs to a snapshot. */
 typedef struct lag_course_of_calls {
-    double time;                   /* [s] the present */
+    double time;                   /* [s] the present, as the importer counts */
+    double reached;                /* the same as the instance counts: they may differ by round-off */
     double start, stop, tolerance; /* of the experiment; infinite stop, zero tolerance: none given */
     uint32_t kind, mode;
     uint32_t stale;                /* initialization: something was set since the last one */
@@ -138,11 +139,13 @@ lag_answer lag_shell_get(lag_shell *shell, lag_type type, const uint32_t *refere
 lag_answer lag_shell_set(
     lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count, lag_fetch *fetch);
 lag_answer lag_shell_get_texts(lag_shell *shell, const uint32_t *references, size_t n, const char **values, size_t count);
+/* The nearest that Integers of importers can be. */
+int32_t lag_shell_integer(double value);
 /* Of variables of a type that no model has. */
 lag_answer lag_shell_none(lag_shell *shell, size_t n, const char *type);
 /* In initialization: the state that follows from what was set. */
 lag_answer lag_shell_initialized(lag_shell *shell);
-/* Values of real variables one after the other, with an order each; `set` or `get` is null. */
+/* Of real variables, with an order each. */
 lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *references, size_t n, const int *orders, const double *values);
 lag_answer lag_shell_get_output_derivatives(
     lag_shell *shell, const uint32_t *references, size_t n, const int32_t *orders, double *values, size_t count);
