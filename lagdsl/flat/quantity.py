@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import field
 from enum import StrEnum
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from lagdsl.record import record
 from lagdsl.source import Span
 from lagdsl.units import Dimension
 
 Spans: TypeAlias = tuple[Span, ...]
+Base: TypeAlias = Literal["Real", "Integer", "Boolean", "String", "Enumeration"]
 
 
 class Variability(StrEnum):
@@ -29,7 +30,8 @@ class Item:
 @record(kw_only=True)
 class Quantity(Item):
     """What every named scalar has. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see,
-    `symbol` how reports typeset the name (LaTeX)."""
+    `symbol` how reports typeset the name (LaTeX). `base` is what its values are, `literals` the names of those of an
+    enumeration, from 1."""
 
     name: str
     dimension: Dimension
@@ -38,3 +40,5 @@ class Quantity(Item):
     doc: str | None = None
     type_name: str = "Real"
     symbol: str | None = None
+    base: Base = "Real"
+    literals: tuple[str, ...] = ()

@@ -7,13 +7,20 @@ from typing import TypedDict
 
 from lagdsl.flat.events import Discrete
 from lagdsl.flat.model import Coordinate, Parameter, State
-from lagdsl.flat.quantity import Quantity
+from lagdsl.flat.quantity import Base, Quantity
 from lagdsl.fmi.scalar import Attributes, Role, Type
 from lagdsl.units.dimension import TIME
 from lagdsl.units.naming import rate_text
 from lagdsl.units.parse import UnknownUnit, parse_unit
 
 _NUMBER = "1"
+_TYPES: dict[Base, Type] = {
+    "Real": "REAL",
+    "Integer": "INTEGER",
+    "Boolean": "BOOLEAN",
+    "String": "STRING",
+    "Enumeration": "ENUMERATION",
+}
 
 
 class Bounds(TypedDict):
@@ -23,30 +30,18 @@ class Bounds(TypedDict):
     maximum: float | None
 
 
-def attributes_of(item: Quantity, role: Role, kind: Type = "REAL") -> Attributes:
-    """What every quantity has. Only Reals have units."""
-    real = kind == "REAL"
+def attributes_of(item: Quantity, role: Role) -> Attributes:
+    """What every quantity has. Only Reals have units; a type of its own is known by name."""
+    real = item.base == "Real"
     return Attributes(
         role=role,
-        type=kind,
+        type=_TYPES[item.base],
         unit=(item.unit or _NUMBER) if real else None,
         display_unit=item.display_unit if real and item.display_unit != item.unit else None,
         doc=item.doc,
-        type_name=None if item.type_name in ("Real", "Integer", "Boolean", "String") else item.type_name,
+        type_name=None if item.type_name == item.base else item.type_name,
+        literals=item.literals,
     )
-
-
-def type_of(name: str) -> Type:
-    """By the name of a type of the language; types of their own are Reals."""
-    match name:
-        case "Integer":
-            return "INTEGER"
-        case "Boolean":
-            return "BOOLEAN"
-        case "String":
-            return "STRING"
-        case _:
-            return "REAL"
 
 
 def bounds(item: Parameter | Coordinate | State | Discrete, start: float | None) -> Bounds:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from lagdsl.flat import quantity as fq
 from lagdsl.flat.events import Contact, Discrete, entries
 from lagdsl.flat.model import Definition, FlatModel, Output
-from lagdsl.fmi.attributes import attributes_of, bounds, type_of
+from lagdsl.fmi.attributes import attributes_of, bounds
 from lagdsl.fmi.knowledge import parameters_of, tunable
 from lagdsl.fmi.names import belonging, named
 from lagdsl.fmi.scalar import Attributes, Causality, Role, Scalar, Variability
@@ -18,12 +18,14 @@ from lagdsl.program.program import Program
 
 
 def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
-    """Independent ones, in the order of the vector p."""
+    """Independent ones, in the order of the vector p; texts there have no effect."""
     changeable = tunable(program)
     for index, item in enumerate(p for p in flat.parameters if not p.structural):
+        if item.kind == "String":
+            continue
         variability: Variability = "tunable" if index in changeable else "fixed"
         attributes = replace(
-            attributes_of(item, Role.PARAMETER, type_of(item.kind)),
+            attributes_of(item, Role.PARAMETER),
             causality="parameter",
             variability=variability,
             setting="TUNABLE" if variability == "tunable" else "START",
@@ -35,27 +37,21 @@ def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
 
 
 def constants(flat: FlatModel) -> Iterator[Scalar]:
-    """Structural parameters and constants; numbers and texts are counted each for themselves."""
+    """Structural parameters, constants and texts. Numbers and texts are counted each for themselves."""
     counts = {False: 0, True: 0}
     for item in flat.parameters:
-        if not item.structural:
-            continue
         text = item.kind == "String"
-        attributes = replace(
-            attributes_of(item, Role.CONSTANT, type_of(item.kind)),
-            variability="constant",
-            **bounds(item, item.value),
-        )
-        start = (item.text or "") if text else item.value
-        yield Scalar(
-            name=named(item.name),
-            first=counts[text],
-            attributes=attributes,
-            initial="exact",
-            start=start,
-            key=attributes,
-        )
-        counts[text] += 1
+        if item.structural or text:
+            attributes = replace(attributes_of(item, Role.CONSTANT), variability="constant", **bounds(item, item.value))
+            yield Scalar(
+                name=named(item.name),
+                first=counts[text],
+                attributes=attributes,
+                initial="exact",
+                start=(item.text or "") if text else item.value,
+                key=None if text else attributes,
+            )
+            counts[text] += 1
 
 
 def inputs(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
@@ -91,36 +87,36 @@ def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
 
 
 def discretes(flat: FlatModel) -> Iterator[Scalar]:
-    """Of the vector w: variables, and of contacts whether they are closed and how often they hit."""
+    """Variables of the vector w."""
     for index, entry in enumerate(entries(flat.events)):
-        match entry.kind, entry.item:
-            case "variable", Discrete() as item:
-                attributes = replace(attributes_of(item, Role.DISCRETE, type_of(item.kind)), variability="discrete")
-                yield Scalar(
-                    name=named(item.name), first=index, attributes=attributes, initial="calculated", key=attributes
-                )
-            case "contact", Contact() as item:
-                doc = f"whether contact {item.name} is closed"
-                flag = Attributes(role=Role.DISCRETE, type="BOOLEAN", variability="discrete", doc=doc)
-                yield Scalar(
-                    name=belonging(item.name, "closed"), first=index, attributes=flag, initial="calculated", key=flag
-                )
-            case "impacts", Contact() as item:
-                doc = f"impacts of contact {item.name} so far"
-                count = Attributes(role=Role.DISCRETE, type="INTEGER", variability="discrete", doc=doc, minimum=0.0)
-                yield Scalar(
-                    name=belonging(item.name, "impacts"), first=index, attributes=count, initial="calculated", key=count
-                )
-            case _:
-                pass
+        if isinstance(entry.item, Discrete):
+            attributes = replace(attributes_of(entry.item, Role.DISCRETE), variability="discrete")
+            yield Scalar(
+                name=named(entry.name), first=index, attributes=attributes, initial="calculated", key=attributes
+            )
+
+
+def contacts(flat: FlatModel) -> Iterator[Scalar]:
+    """Whether they are closed, and how often they did so or bounced."""
+    closed = Attributes(role=Role.DISCRETE, type="BOOLEAN", variability="discrete", doc="whether the contact is closed")
+    impacts = replace(closed, type="INTEGER", doc="impacts so far", minimum=0.0)
+    for index, entry in enumerate(entries(flat.events)):
+        if isinstance(entry.item, Contact):
+            what, attributes = ("closed", closed) if entry.kind == "contact" else ("impacts", impacts)
+            yield Scalar(
+                name=belonging(entry.item.name, what),
+                first=index,
+                attributes=attributes,
+                initial="calculated",
+                key=attributes,
+            )
 
 
 def _computed(
     item: Definition | Output, role: Role, index: int, causality: Causality, variability: Variability
 ) -> Scalar:
     """A value that nobody sets. What is no Real changes at instants only."""
-    kind = type_of(item.type_name)
-    if kind != "REAL" and variability == "continuous":
+    if item.base != "Real" and variability == "continuous":
         variability = "discrete"
-    attributes = replace(attributes_of(item, role, kind), causality=causality, variability=variability)
+    attributes = replace(attributes_of(item, role), causality=causality, variability=variability)
     return Scalar(name=named(item.name), first=index, attributes=attributes, initial="calculated", key=attributes)

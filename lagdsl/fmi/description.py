@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from typing import TypeAlias
 
 from lagdsl.fmi.scalar import Type, Variable
 from lagdsl.fmi.structure import Unknown
@@ -24,13 +25,18 @@ LOG_CATEGORIES = {
 _ROWS = 500
 
 
+TypeKey: TypeAlias = tuple[object, ...]
+
+
 @record(kw_only=True)
 class NamedType:
-    """A type of the model's text and its unit."""
+    """A type of the model's text, with its unit or its literals."""
 
     name: str
+    type: Type
     quantity: str
     unit: str | None
+    literals: tuple[str, ...]
 
 
 def experiment(table: Table) -> dict[str, float]:
@@ -59,31 +65,51 @@ def unit_elements(root: Element, table: Table) -> None:
 
 def bound(value: float | None, kind: Type) -> float | int | None:
     """`min` or `max`."""
-    return None if value is None or kind in ("BOOLEAN", "STRING") else int(value) if kind == "INTEGER" else value
+    match kind:
+        case "REAL":
+            return value
+        case "INTEGER":
+            return None if value is None else int(value)
+        case "BOOLEAN" | "STRING" | "ENUMERATION":
+            return None
 
 
-def type_of_variable(variable: Variable, types: dict[tuple[str, str | None], NamedType]) -> str | None:
-    """Name of its type definition."""
-    attributes = variable.attributes
-    found = types.get((attributes.type_name or "", attributes.unit)) if attributes.type == "REAL" else None
-    return None if found is None else found.name
-
-
-def named_types(table: Table) -> dict[tuple[str, str | None], NamedType]:
-    """By name of the type and unit. The names are none of a variable and differ from each other, as FMI 2 asks."""
+def named_types(table: Table) -> dict[TypeKey, NamedType]:
+    """Types by what tells them apart: texts may have two of one name. Here their names are none of a variable and
+    differ from each other, as FMI asks."""
     taken = {variable.name for variable in table.variables}
-    found: dict[tuple[str, str | None], NamedType] = {}
+    found: dict[TypeKey, NamedType] = {}
     for variable in table.variables:
-        attributes = variable.attributes
-        key = (attributes.type_name or "", attributes.unit)
-        if attributes.type_name is None or attributes.type != "REAL" or key in found:
+        key, attributes = _key(variable), variable.attributes
+        if key is None or key in found:
             continue
-        name = one_line(attributes.type_name)
+        quantity = one_line(attributes.type_name or "")
+        name = quantity
         while name in taken:
             name += "_"
         taken.add(name)
-        found[key] = NamedType(name=name, quantity=one_line(attributes.type_name), unit=attributes.unit)
+        found[key] = NamedType(
+            name=name,
+            type=attributes.type,
+            quantity=quantity,
+            unit=attributes.unit,
+            literals=attributes.literals,
+        )
     return found
+
+
+def type_of_variable(variable: Variable, types: Mapping[TypeKey, NamedType]) -> str | None:
+    """Name of its type definition."""
+    key = _key(variable)
+    return None if key is None else types[key].name
+
+
+def _key(variable: Variable) -> TypeKey | None:
+    """None for variables without a type of their own; those of Integers and Booleans tell nothing more."""
+    attributes = variable.attributes
+    if attributes.type_name is None or attributes.type not in ("REAL", "ENUMERATION"):
+        return None
+    return attributes.type_name, attributes.type, attributes.unit, attributes.literals
 
 
 def needs_completed_steps(table: Table) -> bool:

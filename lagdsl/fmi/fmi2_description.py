@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import lagdsl
 from lagdsl.fmi.description import (
     LOG_CATEGORIES,
     NamedType,
+    TypeKey,
     bound,
     dependencies_text,
     experiment,
@@ -22,7 +23,7 @@ from lagdsl.fmi.structure import Unknown, derivatives, initial_unknowns, outputs
 from lagdsl.fmi.variables import Table
 from lagdsl.fmi.xml import Element, document, element, one_line, start_text
 
-_TAGS = {"REAL": "Real", "INTEGER": "Integer", "BOOLEAN": "Boolean", "STRING": "String"}
+_TAGS = {"REAL": "Real", "INTEGER": "Integer", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
 
 
 def fmi2_description(table: Table, *, identifier: str, source_files: Sequence[str], token: str) -> str:
@@ -80,18 +81,18 @@ def _interfaces(root: Element, table: Table, identifier: str, source_files: Sequ
                 element("File", files, name=name)
 
 
-def _types(root: Element, types: dict[tuple[str, str | None], NamedType]) -> None:
+def _types(root: Element, types: Mapping[TypeKey, NamedType]) -> None:
     if not types:
         return
     definitions = element("TypeDefinitions", root)
     for kind in types.values():
         defined = element("SimpleType", definitions, name=kind.name)
-        element("Real", defined, quantity=kind.quantity, unit=kind.unit)
+        inner = element(_TAGS[kind.type], defined, quantity=kind.quantity, unit=kind.unit)
+        for value, literal in enumerate(kind.literals, 1):
+            element("Item", inner, name=literal, value=value)
 
 
-def _variable(
-    parent: Element, reference: int, variable: Variable, types: dict[tuple[str, str | None], NamedType]
-) -> None:
+def _variable(parent: Element, reference: int, variable: Variable, types: Mapping[TypeKey, NamedType]) -> None:
     attributes = variable.attributes
     scalar = element(
         "ScalarVariable",

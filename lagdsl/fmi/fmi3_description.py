@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import lagdsl
 from lagdsl.fmi.description import (
     LOG_CATEGORIES,
     NamedType,
+    TypeKey,
     bound,
     dependencies_text,
     experiment,
@@ -20,7 +23,7 @@ from lagdsl.fmi.structure import Unknown, derivatives, indicators, initial_unkno
 from lagdsl.fmi.variables import Table
 from lagdsl.fmi.xml import Element, document, element, one_line, start_text
 
-_TAGS = {"REAL": "Float64", "INTEGER": "Int32", "BOOLEAN": "Boolean", "STRING": "String"}
+_TAGS = {"REAL": "Float64", "INTEGER": "Int32", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
 # What can be read in the middle of a communication step.
 _INTERMEDIATE = (Role.STATE, Role.DERIVATIVE, Role.OUTPUT)
 
@@ -42,7 +45,10 @@ def fmi3_description(table: Table, *, identifier: str, token: str) -> str:
     if types:
         definitions = element("TypeDefinitions", root)
         for kind in types.values():
-            element("Float64Type", definitions, name=kind.name, quantity=kind.quantity, unit=kind.unit)
+            tag = f"{_TAGS[kind.type]}Type"
+            defined = element(tag, definitions, name=kind.name, quantity=kind.quantity, unit=kind.unit)
+            for value, literal in enumerate(kind.literals, 1):
+                element("Item", defined, name=literal, value=value)
     categories = element("LogCategories", root)
     for name, description in LOG_CATEGORIES.items():
         element("Category", categories, name=name, description=description)
@@ -81,9 +87,7 @@ def _interfaces(root: Element, table: Table, identifier: str) -> None:
         )
 
 
-def _variable(
-    parent: Element, reference: int, variable: Variable, types: dict[tuple[str, str | None], NamedType]
-) -> None:
+def _variable(parent: Element, reference: int, variable: Variable, types: Mapping[TypeKey, NamedType]) -> None:
     attributes = variable.attributes
     text = attributes.type == "STRING"
     defined = element(

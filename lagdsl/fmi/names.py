@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from lagdsl.record import record
 
@@ -11,9 +12,9 @@ _PART = r"[A-Za-z_][A-Za-z0-9_]*(?:\[[0-9]+(?:,[0-9]+)*\])?"
 _PATH = re.compile(rf"{_PART}(?:\.{_PART})*")
 _LAST_INDICES = re.compile(r"(?P<base>.+)\[(?P<indices>[0-9]+(?:,[0-9]+)*)\]")
 _ABOUT = re.compile(r"(?P<what>[A-Za-z_][A-Za-z0-9_]*)\((?P<of>.+)\)")
-# What a quoted part may hold beside letters and digits.
-_PLAIN = frozenset("_!#$%&()*+,-./:;<>=?@[]^{}|~ ")
-_ESCAPED = {"'": "\\'", '"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
+# What a quoted name may hold beside letters and digits; braces stand around numbers of all other characters. The
+# escapes of the convention are left alone: importers read them in different ways.
+_PLAIN = frozenset("_!#$%&()*+,-./:;<>=?@[]^|~ ")
 
 
 @record()
@@ -71,16 +72,26 @@ def quoted(text: str) -> str:
 
 
 def _character(character: str) -> str:
-    if character in _ESCAPED:
-        return _ESCAPED[character]
     if character in _PLAIN or (character.isascii() and character.isalnum()):
         return character
     return f"{{{ord(character):x}}}"
 
 
 def aside(wanted: str, taken: Iterable[str]) -> str:
-    """The first name of a group of variables that is free: with as many `_` behind it as it takes."""
+    """The first name of a group of variables that no other begins with: `wanted`, and as many `_` as it takes."""
     firsts = {re.split(r"[.\[]", text.removeprefix("der("), maxsplit=1)[0].rstrip(")") for text in taken}
     while wanted in firsts:
         wanted += "_"
     return wanted
+
+
+def apart(names: Sequence[Name], taken: Iterable[str]) -> list[Name]:
+    """The names, moved aside where they are taken; entries of one array together."""
+    known, moved = set(taken), list(names)
+    for path in dict.fromkeys(name.path for name in names):
+        own = [place for place, name in enumerate(names) if name.path == path]
+        while any(moved[place].text in known for place in own):
+            for place in own:
+                moved[place] = replace(moved[place], path=f"{moved[place].path}_")
+        known |= {moved[place].text for place in own}
+    return moved

@@ -29,7 +29,7 @@ class Role(StrEnum):
     OPTION = "OPTION"
 
 
-Type: TypeAlias = Literal["REAL", "INTEGER", "BOOLEAN", "STRING"]
+Type: TypeAlias = Literal["REAL", "INTEGER", "BOOLEAN", "STRING", "ENUMERATION"]
 Setting: TypeAlias = Literal["NEVER", "START", "TUNABLE", "ALWAYS"]
 Causality: TypeAlias = Literal["independent", "parameter", "calculatedParameter", "input", "output", "local"]
 Variability: TypeAlias = Literal["constant", "fixed", "tunable", "discrete", "continuous"]
@@ -38,7 +38,8 @@ Initial: TypeAlias = Literal["exact", "approx", "calculated"]
 
 @record(kw_only=True)
 class Attributes:
-    """What the entries of one array have in common. `unit` is a coherent SI unit."""
+    """What the entries of one array have in common. `unit` is a coherent SI unit, `literals` are those of an
+    enumeration."""
 
     role: Role
     type: Type = "REAL"
@@ -52,6 +53,7 @@ class Attributes:
     nominal: float | None = None
     doc: str | None = None
     type_name: str | None = None
+    literals: tuple[str, ...] = ()
 
 
 @record(kw_only=True)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from lagdsl.backends.c.literal import number, string
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.scalar import Role, Variable
-from lagdsl.fmi.variables import Kind, Table
+from lagdsl.fmi.variables import Kind, Table, Version
 
 _KINDS: dict[Kind, str] = {"me": "LAG_MODEL_EXCHANGE", "cs": "LAG_CO_SIMULATION"}
 
@@ -17,7 +17,7 @@ def table_source(table: Table, stem: str, token: str) -> str:
     settings, flat = table.settings, table.flat
     constants = [(v.attributes.type == "STRING", start) for _, v in table.of(Role.CONSTANT) for start in v.starts]
     tables = {
-        "variables": ("lag_variable", [_row(variable) for variable in table.variables]),
+        "variables": ("lag_variable", [_row(variable, table.version) for variable in table.variables]),
         "constants": ("double", _numbers([float(start) for is_text, start in constants if not is_text])),
         "texts": ("char *const", [string(str(start)) for is_text, start in constants if is_text]),
         "fixed": ("unsigned char", _flags(settings.fixed)),
@@ -55,10 +55,12 @@ def table_source(table: Table, stem: str, token: str) -> str:
     )
 
 
-def _row(variable: Variable) -> str:
+def _row(variable: Variable, version: Version) -> str:
+    """FMI 2 has enumerations as integers."""
     attributes = variable.attributes
+    kind = "INTEGER" if attributes.type == "ENUMERATION" and version == 2 else attributes.type
     return (
-        f"{{LAG_ROLE_{attributes.role}, LAG_TYPE_{attributes.type}, LAG_SET_{attributes.setting}, "
+        f"{{LAG_ROLE_{attributes.role}, LAG_TYPE_{kind}, LAG_SET_{attributes.setting}, "
         f"{variable.first}, {variable.count}}}"
     )
 

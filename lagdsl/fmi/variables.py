@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from itertools import chain
 from typing import Literal, TypeAlias
 
@@ -10,6 +11,7 @@ from lagdsl.backends.c.emit import Start
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi import declared, moving, provided
 from lagdsl.fmi.arrays import grouped
+from lagdsl.fmi.names import apart
 from lagdsl.fmi.scalar import Role, Scalar, Variable
 from lagdsl.fmi.settings import Settings, settings
 from lagdsl.pipeline import Compilation
@@ -79,10 +81,12 @@ def _scalars(
     taken = [scalar.name.text for scalar in own]
     added = list(
         chain(
+            declared.contacts(flat),
             provided.multipliers(flat),
             provided.indicators(flat, taken) if version == 3 else (),
             provided.balance(flat, taken),
             provided.options(taken) if "cs" in kinds else (),
         )
     )
-    return [*own, *added]
+    names = apart([scalar.name for scalar in added], taken)
+    return [*own, *(replace(scalar, name=name) for scalar, name in zip(added, names, strict=True))]

@@ -49,7 +49,7 @@ def start_text(kind: Type, values: Sequence[float | str]) -> str | None:
     match kind:
         case "REAL":
             return " ".join(number(float(value)) for value in values)
-        case "INTEGER":
+        case "INTEGER" | "ENUMERATION":
             return " ".join(str(int(value)) for value in values)
         case "BOOLEAN":
             return " ".join(text(bool(value)) for value in values)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from lagdsl.flat.quantity import Spans
+from lagdsl.flat.quantity import Base, Spans
 from lagdsl.semantics.naming import element_name
-from lagdsl.semantics.scope import Indices, Symbol
+from lagdsl.semantics.scope import Indices, Symbol, TypeInfo
 from lagdsl.semantics.values import AnyDimension
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS
@@ -22,6 +22,8 @@ class QuantityFields(TypedDict):
     doc: str | None
     type_name: str
     symbol: str | None
+    base: Base
+    literals: tuple[str, ...]
 
 
 def quantity_fields(
@@ -40,4 +42,15 @@ def quantity_fields(
         doc=symbol.declarator.doc if symbol.declarator is not None else None,
         type_name=info.name,
         symbol=sign,
+        base=_base(info),
+        literals=info.literals,
     )
+
+
+def _base(info: TypeInfo) -> Base:
+    """Types with literals are kinds of their own to the checks; to all others they are enumerations."""
+    match info.base:
+        case "Real" | "Integer" | "Boolean" | "String":
+            return info.base
+        case _:
+            return "Enumeration"

@@ -47,7 +47,8 @@ LABELS = ("energy", "load", "constraint", "contact", "body", "invariant")
 
 @record()
 class TypeInfo:
-    """`dimension` is None for a plain `Real`, which a binding may determine. `modifiers` come from type definitions."""
+    """`dimension` is None for a plain `Real`, which a binding may determine. `modifiers` come from type definitions,
+    `literals` are those of an enumeration."""
 
     name: str
     base: BaseType
@@ -58,6 +59,7 @@ class TypeInfo:
     shape: tuple[tuple[nodes.Subscript, Scope] | int, ...] = ()
     modifiers: tuple[tuple[nodes.AnyModifier, Scope], ...] = ()
     quaternion: bool = False
+    literals: tuple[str, ...] = ()
 
 
 @dataclass(slots=True)

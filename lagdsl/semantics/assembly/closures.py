@@ -224,4 +224,6 @@ def _fields(item: flat_model.Coordinate) -> QuantityFields:
         doc=item.doc,
         type_name=item.type_name,
         symbol=item.symbol,
+        base=item.base,
+        literals=item.literals,
     )
