@@ -1,32 +1,165 @@
-/* Co-simulation: the integrators of the runtime, from one communication point to the next. */
+/*
+ * Co-simulation: the integrators of the runtime, from one communication point to the next. Their steps lead beyond it where nothing speaks
+ * against it, and values there come from dense output, so that communication points cost no steps. Where an input jumps the run goes back
+ * to the communication point, and after that goes no further than the next one, since it may well jump there again.
+ */
 #include "lag/parts.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "lag/finite.h"
+#include "lag/fixed.h"
+
+/* Steps lead beyond a communication point by at most so many communication steps. */
+static const double AHEAD = 1000.0;
+/* A communication step longer than fixed steps by this part of one takes no further one. */
+static const double SAME = 1e-9;
+
+/* The state at a time that the run has reached. */
+static lag_status deliver(lag_instance *instance, double t)
+{
+    const lag_run *run = instance->run;
+    lag_status status = LAG_OK;
+    if (run->stepper.t == t) {
+        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+    } else {
+        status = lag_run_inside(instance->run, t, instance->x);
+    }
+    instance->held.t = t;
+    instance->known = 0;
+    if (status == LAG_OK && !lag_finite(lag_instance_order(instance), instance->x)) {
+        status = LAG_NOT_FINITE;
+    }
+    return status == LAG_OK ? lag_instance_turn(instance, t, instance->x) : status;
+}
+
+/* How far steps may lead on the way to `end`. */
+static double farthest(const lag_instance *instance, double end, int jumped)
+{
+    const double stop = instance->held.stop;
+    const double far = end + AHEAD * (end - instance->held.t);
+    return jumped || end >= stop ? end : fmin(stop, far);
+}
+
+/* One step of the integrator; where it fails beyond `end`, one that stays before. */
+static lag_status step(lag_instance *instance, double end, double *far)
+{
+    lag_run *run = instance->run;
+    lag_status status = lag_run_step(run, *far);
+    if (status != LAG_OK && *far > end) {
+        *far = end;
+        run->stepper.h = end - run->stepper.t;
+        status = lag_run_step(run, *far);
+    }
+    return status;
+}
+
+/* Whether event mode has something to do where the run is, at the end of a step. */
+static int is_event(const lag_run *run)
+{
+    return run->half.own || lag_run_due(run, run->stepper.t);
+}
+
+/* What the end of the last step has left, and margins where anything happened. */
+static lag_status finish(lag_instance *instance, double far)
+{
+    lag_run *run = instance->run;
+    const size_t before = run->events;
+    const lag_status status = lag_run_finish(run, far);
+    return status == LAG_OK && run->events > before ? lag_instance_latch(instance, run->stepper.t, run->stepper.x) : status;
+}
+
+/* From where the run is to `end`, or to where it has to stop before; *event: event mode has something to do there. */
+static lag_status go(lag_instance *instance, double end, double far, int stops, int *event)
+{
+    lag_run *run = instance->run;
+    int going = 1;
+    *event = 0;
+    while (going) {
+        lag_status status = LAG_OK;
+        if (run->stepper.t < end) {
+            status = finish(instance, far);
+            status = status == LAG_OK ? step(instance, end, &far) : status;
+        }
+        if (status == LAG_OK && run->stepper.t < end) {
+            status = lag_instance_turn(instance, run->stepper.t, run->stepper.x);
+        }
+        if (status != LAG_OK) {
+            return status;
+        }
+        *event = (stops & LAG_STOP_EVENTS) != 0 && run->stepper.t <= end && is_event(run);
+        going = run->stepper.t < end && !*event && (stops & LAG_STOP_STEPS) == 0;
+    }
+    return deliver(instance, fmin(run->stepper.t, end));
+}
+
+/* Steps of one length, none longer than the option wants it. */
+static lag_status go_fixed(lag_instance *instance, double end)
+{
+    lag_run *run = instance->run;
+    const double begun = instance->held.t;
+    const double count = fmax(1.0, ceil((end - begun) / instance->held.step - SAME));
+    lag_status status = LAG_OK;
+    for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
+        const size_t before = run->events;
+        status = lag_run_fixed(run, (end - begun) / count, lag_rk4, instance->fixed_memory);
+        run->stepper.t = k + 1.0 < count ? run->stepper.t : end;
+        if (status == LAG_OK && !lag_finite(lag_instance_order(instance), run->stepper.x)) {
+            status = LAG_NOT_FINITE;
+        }
+        if (status == LAG_OK && run->events > before) {
+            status = lag_instance_latch(instance, run->stepper.t, run->stepper.x);
+        }
+        if (status == LAG_OK) {
+            status = lag_instance_assert(instance, run->stepper.t, run->stepper.x);
+        }
+        if (status == LAG_OK) {
+            status = deliver(instance, run->stepper.t);
+        }
+    }
+    return status;
+}
+
+/* Where something was set the run begins anew at the communication point. */
+static lag_status begin(lag_instance *instance, double far)
+{
+    lag_held *held = &instance->held;
+    if (held->latched_at != held->t) {
+        memset(instance->latched, 0, lag_instance_indicator_count(instance->fmu) * sizeof(double));
+    }
+    lag_status status = lag_instance_carry_out(instance);
+    if (status == LAG_OK && !held->stopped && held->step == 0.0) {
+        status = lag_run_restart(instance->run, far);
+    }
+    held->jumped = status != LAG_OK;
+    return status;
+}
+
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
 {
     lag_held *held = &instance->held;
-    lag_run *run = instance->run;
     const double end = held->t + h;
-    int happened = 0;
-    (void)stops;
-    *told = (lag_progress){.t = held->t};
     lag_status status = lag_instance_begin(instance);
+    *told = (lag_progress){.t = held->t};
     if (status == LAG_OK) {
         status = lag_instance_ready(instance);
     }
-    if (status == LAG_OK && held->jumped) {
-        status = lag_instance_carry_out(instance, &happened);
-        held->jumped = 0;
+    if (held->jumped) {
+        lag_instance_chain_inputs(instance);
     }
-    if (status == LAG_OK && !held->stopped) {
-        status = lag_run_to(run, end, 0);
-        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
-        held->t = run->stepper.t;
-        held->stopped = status == LAG_STOPPED;
-        status = held->stopped ? LAG_OK : status;
-        instance->known = 0;
+    const double far = farthest(instance, end, held->jumped);
+    if (status == LAG_OK && held->jumped && !held->stopped) {
+        status = begin(instance, far);
+    }
+    if (status == LAG_OK && !held->stopped && end > held->t) {
+        status = held->step > 0.0 ? go_fixed(instance, end) : go(instance, end, far, stops, &told->event);
+    }
+    if (status != LAG_OK) {
+        const lag_status at = instance->run->stepper.t <= end ? deliver(instance, instance->run->stepper.t) : LAG_OK;
+        held->jumped = 1;
+        held->stopped = held->stopped || status == LAG_STOPPED;
+        status = status == LAG_STOPPED ? at : status;
     }
     told->t = held->t;
     told->terminate = held->stopped;

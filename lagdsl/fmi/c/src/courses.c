@@ -53,6 +53,34 @@ void lag_instance_inputs_about(lag_instance *instance, double t)
     instance->held.about = t;
 }
 
+static void find_polynomials(lag_instance *instance)
+{
+    const size_t nu = instance->fmu->model->nu;
+    instance->held.polynomial = 0;
+    for (size_t i = nu; i < (LAG_INPUT_ORDER + 1) * nu; ++i) {
+        instance->held.polynomial = instance->held.polynomial || instance->course[i] != 0.0;
+    }
+}
+
+void lag_instance_chain_inputs(lag_instance *instance)
+{
+    const size_t nu = instance->fmu->model->nu;
+    const size_t *rates = instance->fmu->input_rates;
+    if (rates == NULL) {
+        return;
+    }
+    lag_instance_inputs_about(instance, instance->held.t);
+    for (size_t k = 1; k <= LAG_INPUT_ORDER; ++k) {
+        for (size_t i = 0; i < nu; ++i) {
+            if (rates[i] < nu) {
+                instance->course[k * nu + i] = instance->course[(k - 1) * nu + rates[i]];
+            }
+        }
+    }
+    find_polynomials(instance);
+    lag_instance_tell_inputs(instance);
+}
+
 /* Derivative number `order` of the inputs from `first` on, at the present. */
 static void set(lag_instance *instance, size_t order, size_t first, size_t count, const double *values)
 {
@@ -68,10 +96,7 @@ static void set(lag_instance *instance, size_t order, size_t first, size_t count
     if (same) {
         return;
     }
-    held->polynomial = 0;
-    for (size_t i = nu; i < (LAG_INPUT_ORDER + 1) * nu; ++i) {
-        held->polynomial = held->polynomial || instance->course[i] != 0.0;
-    }
+    find_polynomials(instance);
     held->jumped = 1;
     held->initialized = 0;
     instance->known = 0;

@@ -27,9 +27,9 @@ static double value(const lag_instance *instance, size_t i)
     return lag_alert_value(&instance->run->alert, i);
 }
 
-static double margin(const lag_instance *instance, size_t i)
+static double margin(const lag_instance *instance, size_t i, const double *x)
 {
-    return PART * instance->largest[i] + ROUNDING * lag_contacts_size(&instance->run->motion, instance->x);
+    return PART * instance->largest[i] + ROUNDING * lag_contacts_size(&instance->run->motion, x);
 }
 
 /* 1, or -1 for relations that do not hold. */
@@ -40,14 +40,22 @@ static double side(const lag_instance *instance, size_t i)
     return relation && run->motion.w[run->alert.places.relation + i] == 0.0 ? -1.0 : 1.0;
 }
 
+/* Values at a state. */
+static lag_status look(lag_instance *instance, double t, const double *x)
+{
+    const size_t count = lag_instance_indicator_count(instance->fmu);
+    const lag_status status = count > 0 ? lag_alert_look(&instance->run->alert, t, x) : LAG_OK;
+    return status == LAG_HAPPENS ? LAG_OK : status;
+}
+
 lag_status lag_instance_look(lag_instance *instance)
 {
     const size_t count = lag_instance_indicator_count(instance->fmu);
-    const lag_status status = count > 0 ? lag_alert_look(&instance->run->alert, instance->held.t, instance->x) : LAG_OK;
-    for (size_t i = 0; i < count; ++i) {
-        instance->g[i] = side(instance, i) * (value(instance, i) + margin(instance, i) + instance->latched[i]);
+    const lag_status status = look(instance, instance->held.t, instance->x);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        instance->g[i] = side(instance, i) * (value(instance, i) + margin(instance, i, instance->x) + instance->latched[i]);
     }
-    return status == LAG_HAPPENS ? LAG_OK : status;
+    return status;
 }
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
@@ -59,12 +67,13 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
     return status;
 }
 
-lag_status lag_instance_latch(lag_instance *instance)
+lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
 {
     const size_t count = lag_instance_indicator_count(instance->fmu);
+    const lag_status status = look(instance, t, x);
     instance->known = 0;
-    const lag_status status = count > 0 ? lag_instance_look(instance) : LAG_OK;
-    for (size_t i = 0; i < count; ++i) {
+    instance->held.latched_at = t;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         instance->latched[i] = fmax(0.0, -value(instance, i));
         instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
     }
@@ -77,21 +86,22 @@ lag_status lag_instance_release(lag_instance *instance)
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
-        if (value(instance, i) > margin(instance, i)) {
+        if (value(instance, i) > margin(instance, i, instance->x)) {
             instance->latched[i] = 0.0;
         }
     }
     return status;
 }
 
-/* Flags of what has changed, into those of the run's alert; *any: whether anything has. */
-static lag_status find(lag_instance *instance, int *any)
+/* Flags of what has changed, beside those that are set already, into those of the run's alert; *any: whether anything has. */
+static lag_status find(lag_instance *instance, const double *located, int *any)
 {
     const size_t count = lag_instance_indicator_count(instance->fmu);
-    const lag_status status = count > 0 ? lag_instance_look(instance) : LAG_OK;
+    const lag_status status = look(instance, instance->held.t, instance->x);
     *any = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const int changed = value(instance, i) < -instance->latched[i] - CLEARLY * margin(instance, i);
+        const double behind = instance->latched[i] + CLEARLY * margin(instance, i, instance->x);
+        const int changed = value(instance, i) < -behind || (located != NULL && located[i] != 0.0);
         instance->run->alert.changed[i] = changed;
         instance->largest[i] = changed ? 0.0 : instance->largest[i];
         *any = *any || changed;
@@ -99,34 +109,55 @@ static lag_status find(lag_instance *instance, int *any)
     return status;
 }
 
-lag_status lag_instance_carry_out(lag_instance *instance, int *happened)
+/* The run is at the present state, which is moved onto the constraints. */
+static lag_status place(lag_instance *instance)
+{
+    lag_run *run = instance->run;
+    int moved = 0;
+    lag_status status = lag_run_move(run, instance->held.t, instance->x, run->stepper.h);
+    if (status == LAG_OK) {
+        status = lag_projection_apply(&run->projection, instance->held.t, run->stepper.x, &moved);
+    }
+    if (status == LAG_OK) {
+        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+    }
+    return status;
+}
+
+/* Length of the step that led here: the run's, the importer's. */
+static double length_of_step(const lag_instance *instance, int located)
+{
+    const lag_run *run = instance->run;
+    const double span = located ? run->half.length : instance->held.span;
+    return span > 0.0 ? span : MOMENT * fmax(run->instants.contacts.length, fabs(instance->held.t));
+}
+
+lag_status lag_instance_carry_out(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
-    const size_t order = lag_instance_order(instance);
-    const double h = held->span > 0.0 ? held->span : MOMENT * fmax(run->instants.contacts.length, fabs(held->t));
+    const int located = run->half.open && run->half.own && run->stepper.t == held->t;
+    const double h = length_of_step(instance, located);
     int any = 0;
-    int moved = 0;
     instance->known = 0;
-    lag_status status = lag_run_move(run, held->t, instance->x, 0.0);
+    held->jumped = 1;
+    lag_status status = place(instance);
     if (status == LAG_OK) {
-        status = lag_projection_apply(&run->projection, held->t, run->stepper.x, &moved);
-        memcpy(instance->x, run->stepper.x, order * sizeof(double));
+        status = find(instance, located ? run->pending : NULL, &any);
     }
-    if (status == LAG_OK) {
-        status = find(instance, &any);
-    }
-    *happened = any || lag_run_due(run, held->t);
     if (status == LAG_OK && any) {
         status = lag_run_event(run, h, run->alert.changed);
     }
     if (status == LAG_OK) {
         status = lag_run_ticks(run);
     }
-    memcpy(instance->x, run->stepper.x, order * sizeof(double));
-    held->stopped = held->stopped || status == LAG_STOPPED;
     if (status == LAG_OK || status == LAG_STOPPED) {
-        status = lag_instance_latch(instance);
+        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        held->stopped = held->stopped || status == LAG_STOPPED;
+        status = lag_instance_latch(instance, held->t, instance->x);
+    }
+    if (status == LAG_OK) {
+        status = lag_instance_turn(instance, held->t, instance->x);
     }
     return lag_instance_judge(instance, status);
 }
@@ -140,7 +171,6 @@ lag_status lag_instance_enter_events(lag_instance *instance)
 lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 {
     lag_held *held = &instance->held;
-    int happened = 0;
     *told = (lag_update){.next = (double)INFINITY};
     lag_status status = lag_instance_begin(instance);
     if (status == LAG_OK) {
@@ -149,7 +179,7 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     if (status == LAG_OK && held->entered) {
         held->entered = 0;
         memcpy(instance->point, instance->x, lag_instance_order(instance) * sizeof(double));
-        status = lag_instance_carry_out(instance, &happened);
+        status = lag_instance_carry_out(instance);
         told->states_changed = memcmp(instance->point, instance->x, lag_instance_order(instance) * sizeof(double)) != 0;
     }
     told->next = instance->fmu->model->event != NULL ? lag_instants_next(&instance->run->instants) : (double)INFINITY;

@@ -50,8 +50,10 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
         status = lag_instance_release(instance);
     }
     if (status == LAG_OK) {
-        instance->known = 0;
-        status = lag_instance_judge(instance, lag_watch_look(&instance->run->watch, held->t, instance->x));
+        status = lag_instance_judge(instance, lag_instance_assert(instance, held->t, instance->x));
+    }
+    if (status == LAG_OK) {
+        status = lag_instance_judge(instance, lag_instance_turn(instance, held->t, instance->x));
     }
     if (held->t != held->last) {
         held->span = held->t - held->last;

@@ -11,33 +11,27 @@
 
 static const double LEAST_TOLERANCE = 1e-13;
 static const double MOST_TOLERANCE = 0.1;
+/* Of an experiment of which nothing is known [s]. */
+static const double LENGTH = 1.0;
+/* Invariants may depart by so many tolerances where the model does not say. */
+static const double INVARIANT = 1e3;
 
 static size_t padded(size_t bytes)
 {
     return (bytes + 15) / 16 * 16;
 }
 
-static size_t locals(const lag_fmu *fmu)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < fmu->nvariable; ++i) {
-        const lag_variable *variable = &fmu->variables[i];
-        const size_t behind = variable->first + variable->count;
-        count = variable->role == LAG_ROLE_LOCAL && behind > count ? behind : count;
-    }
-    return count;
-}
-
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu);
+    return 3 * lag_motion_size(model) + model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) + model->ny;
 }
 
 static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
-    return lag_instance_kept(fmu) + 2 * size + lag_instance_indicator_count(fmu) + fmu->model->ny + locals(fmu) + lag_fixed_memory(size) + 1;
+    return lag_instance_kept(fmu) + 2 * size + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd + fmu->model->ni +
+           lag_fixed_memory(size) + 1;
 }
 
 static lag_run_options options_of(const lag_instance *instance)
@@ -55,7 +49,8 @@ static lag_run_options options_of(const lag_instance *instance)
         .row_sizes = fmu->row_sizes,
         .lasting = fmu->lasting,
         .general = fmu->general,
-        .length = length > 0.0 && length < (double)INFINITY ? length : 0.0,
+        .length = length > 0.0 && length < (double)INFINITY ? length : LENGTH,
+        .invariant_tolerance = instance->invariant_limits,
     };
 }
 
@@ -80,12 +75,14 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->given_inputs = lag_take(&memory, model->nu);
     instance->largest = lag_take(&memory, indicators);
     instance->latched = lag_take(&memory, indicators);
+    instance->turned = lag_take(&memory, model->ny);
     instance->kept_count = (size_t)(memory - instance->kept);
     instance->g = lag_take(&memory, indicators);
     instance->xd = lag_take(&memory, size);
     instance->y = lag_take(&memory, model->ny);
-    instance->local = lag_take(&memory, locals(fmu));
+    instance->local = lag_take(&memory, fmu->model->nd);
     instance->point = lag_take(&memory, size);
+    instance->invariant_limits = lag_take(&memory, model->ni);
     instance->fixed_memory = memory;
 }
 
@@ -101,6 +98,9 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     instance->held.start = instance->held.t = fmu->start_time;
     instance->held.stop = (double)INFINITY;
     instance->held.tolerance = fmu->tolerance;
+    for (size_t i = 0; i < model->ny && fmu->turning != NULL; ++i) {
+        instance->turning = instance->turning || fmu->turning[i] != 0;
+    }
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
     }
@@ -111,6 +111,10 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
 void lag_instance_renew(lag_instance *instance)
 {
     const lag_run_options options = options_of(instance);
+    const double *limits = instance->fmu->invariant_limits;
+    for (size_t i = 0; i < instance->fmu->model->ni; ++i) {
+        instance->invariant_limits[i] = limits != NULL && limits[i] > 0.0 ? limits[i] : INVARIANT * instance->held.tolerance;
+    }
     instance->run = lag_run_place(instance->run, instance->fmu->model, &options);
     instance->run->motion.at.p = instance->p;
     instance->held.prepared = instance->held.initialized = 0;

@@ -51,6 +51,16 @@ static lag_status residuals(lag_instance *instance)
     return status;
 }
 
+static lag_status outputs(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    const lag_status status = model->ny > 0 ? model->output(&instance->run->motion.at, instance->y) : LAG_OK;
+    if (status == LAG_OK && instance->turning) {
+        lag_instance_unwind(instance, instance->y);
+    }
+    return status;
+}
+
 /* One of what can be known; what it needs is. */
 static lag_status find(lag_instance *instance, unsigned what)
 {
@@ -63,7 +73,9 @@ static lag_status find(lag_instance *instance, unsigned what)
     case LAG_KNOWN_RATES:
         return rates(instance);
     case LAG_KNOWN_OUTPUTS:
-        return model->ny > 0 ? model->output(&motion->at, instance->y) : LAG_OK;
+        return outputs(instance);
+    case LAG_KNOWN_LOCALS:
+        return model->nd > 0 ? model->definition(&motion->at, instance->local) : LAG_OK;
     case LAG_KNOWN_ENERGIES:
         return model->energies(&motion->at, &energy[0], &energy[1], &energy[2], &energy[3]);
     case LAG_KNOWN_RESIDUALS:
@@ -85,6 +97,24 @@ lag_status lag_instance_know(lag_instance *instance, unsigned what)
             instance->known |= status == LAG_OK ? bit : 0;
             missing &= ~bit;
         }
+    }
+    return status;
+}
+
+lag_status lag_instance_assert(lag_instance *instance, double t, const double *x)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_watch *watch = &instance->run->watch;
+    if (model->na == 0) {
+        return LAG_OK;
+    }
+    instance->known = 0;
+    lag_status status = lag_motion_solve(&instance->run->motion, t, x);
+    if (status == LAG_OK) {
+        status = model->monitor(&instance->run->motion.at, watch->value, watch->scale, watch->held);
+    }
+    for (size_t i = 0; i < model->na && status == LAG_OK; ++i) {
+        status = watch->held[i] == 0.0 ? LAG_VIOLATED : LAG_OK;
     }
     return status;
 }

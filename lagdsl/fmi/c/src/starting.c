@@ -75,7 +75,10 @@ lag_status lag_instance_settle(lag_instance *instance)
     memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
     held->stopped = status == LAG_STOPPED;
     if (status == LAG_OK || status == LAG_STOPPED) {
-        status = lag_instance_latch(instance);
+        status = lag_instance_latch(instance, held->t, instance->x);
+    }
+    if (status == LAG_OK) {
+        status = lag_instance_turn(instance, held->t, instance->x);
     }
     if (status != LAG_OK) {
         held->initialized = 0;

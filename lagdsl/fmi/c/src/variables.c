@@ -70,6 +70,12 @@ static unsigned needed(lag_role role)
     return 0;
 }
 
+/* Numbers that only a motion gone wrong lets be none. */
+static int is_motion(lag_role role)
+{
+    return role == LAG_ROLE_STATE || role == LAG_ROLE_DERIVATIVE || role == LAG_ROLE_INPUT || role == LAG_ROLE_MULTIPLIER;
+}
+
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values)
 {
     const lag_variable *which = &instance->fmu->variables[variable];
@@ -88,7 +94,7 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
     const double *array = array_of(instance, role) + which->first;
     for (size_t i = 0; i < which->count && status == LAG_OK; ++i) {
         values[i] = array[i];
-        if (!isfinite(values[i])) {
+        if (is_motion(role) && !isfinite(values[i])) {
             status = lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: a value is infinite or not a number", instance->held.t);
         }
     }
@@ -101,13 +107,13 @@ static lag_status check(lag_instance *instance, const lag_variable *variable, co
 {
     for (size_t i = 0; i < variable->count; ++i) {
         const double value = values[i];
-        if (!isfinite(value)) {
+        if (isnan(value) || (isinf(value) && variable->role != LAG_ROLE_PARAMETER)) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "a value to be set is infinite or not a number");
         }
         if (variable->type == LAG_TYPE_BOOLEAN && value != 0.0 && value != 1.0) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "%g is neither true nor false", value);
         }
-        if (variable->type == LAG_TYPE_INTEGER && value != floor(value)) {
+        if ((variable->type == LAG_TYPE_INTEGER || variable->type == LAG_TYPE_ENUMERATION) && value != floor(value)) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "%g is no whole number", value);
         }
     }

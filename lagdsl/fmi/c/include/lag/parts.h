@@ -33,6 +33,7 @@ typedef struct lag_held {
     double start, stop;     /* of the experiment; infinite stop: none given */
     double tolerance;
     double last, span;      /* time of the last completed step, and its length */
+    double latched_at;      /* time at which `latched` were taken */
     double about;           /* time at which inputs are `course` */
     double step;            /* LAG_OPTION_STEP */
     lag_phase phase;
@@ -48,7 +49,7 @@ struct lag_instance {
     const lag_fmu *fmu;
     lag_run *run;
     lag_held held;
-    double *kept;           /* (kept_count) the arrays that follow up to `latched` */
+    double *kept;           /* (kept_count) the arrays that follow up to `turned` */
     size_t kept_count;
     double *x;              /* (2 nq + nz) */
     double *p;              /* (np) */
@@ -57,11 +58,14 @@ struct lag_instance {
     double *given_inputs;   /* (nu) flags: this one was set */
     double *largest;        /* (indicators) magnitudes seen since they stand as they do */
     double *latched;        /* (indicators) what is nearer to zero than this had changed already at the last event */
+    double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
     /* what follows from these */
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
     double *point;          /* (2 nq + nz) */
     double energy[4], residual[2];
+    double *invariant_limits;   /* (ni) */
+    int turning;                /* any output is such an angle */
     double *fixed_memory;   /* lag_fixed_memory() */
     char message[LAG_MESSAGE];
 };
@@ -95,7 +99,15 @@ lag_status lag_instance_settle(lag_instance *instance);
 lag_status lag_instance_ready(lag_instance *instance);
 /* Lets all of these be known. */
 lag_status lag_instance_know(lag_instance *instance, unsigned what);
+/* LAG_VIOLATED: an assertion does not hold at x at time t. */
+lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
 
+/* ---- turning.c ---- */
+
+/* The whole turns in y that bring angles nearest to those before. */
+void lag_instance_unwind(const lag_instance *instance, double *y);
+/* The state at t is accepted: angles go on from there. */
+lag_status lag_instance_turn(lag_instance *instance, double t, const double *x);
 
 /* ---- courses.c ---- */
 
@@ -105,6 +117,8 @@ void lag_instance_inputs_at(const lag_instance *instance, double t, double *u);
 void lag_instance_inputs_about(lag_instance *instance, double t);
 /* Values of so many inputs at the present. */
 void lag_instance_set_inputs(lag_instance *instance, size_t first, size_t count, const double *values);
+/* Inputs whose derivatives are inputs, too, go as these say. */
+void lag_instance_chain_inputs(lag_instance *instance);
 /* The run knows the inputs. */
 void lag_instance_tell_inputs(lag_instance *instance);
 
@@ -112,15 +126,14 @@ void lag_instance_tell_inputs(lag_instance *instance);
 
 /* Indicators at the present state, into g. */
 lag_status lag_instance_look(lag_instance *instance);
-
 /* What stands on the other side of zero now is no event any more until it goes further. */
-lag_status lag_instance_latch(lag_instance *instance);
+lag_status lag_instance_latch(lag_instance *instance, double t, const double *x);
 /* What is farther from zero than its margin is forgiven; magnitudes follow. */
 lag_status lag_instance_release(lag_instance *instance);
 /*
- * At the present state: onto the constraints, and what inputs, parameters or a step of the importer have changed is carried out; clocks
- * tick. *happened: whether anything did.
+ * At the present state: onto the constraints; what was located there, and what inputs, parameters or a step of the importer have changed,
+ * is carried out; clocks tick.
  */
-lag_status lag_instance_carry_out(lag_instance *instance, int *happened);
+lag_status lag_instance_carry_out(lag_instance *instance);
 
 #endif
