@@ -31,6 +31,11 @@ def c_folder() -> Path:
     return _PACKAGE / "runtime" / "c"
 
 
+def fmi_folder() -> Path:
+    """The written C of FMUs: `include/lag/*.h` and `src/*.c`."""
+    return _PACKAGE / "fmi" / "c"
+
+
 def _folder(packed: str, checked_out: str) -> Path:
     """The folder inside the wheel if there is one, else the one of the checkout."""
     inside = _PACKAGE / "_data" / packed

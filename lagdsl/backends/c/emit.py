@@ -20,8 +20,15 @@ PARTS: dict[str, Callable[[Program, str], str]] = {
     "parameter_tangents": partial(tangents_source, parameters=True),
 }
 
-# Names that the Makefile, the runtime or the example have taken.
-_RESERVED = frozenset({"main", "realtime", "makefile", "lag", "freestanding", "all", "clean"})
+# Names that the Makefile, the runtime, the examples, the headers of FMI or the devices of Windows have taken.
+_RESERVED = frozenset(
+    {
+        *("main", "realtime", "makefile", "lag", "freestanding", "all", "clean"),
+        *("fmi2functions", "fmi2functiontypes", "fmi2typesplatform"),
+        *("fmi3functions", "fmi3functiontypes", "fmi3platformtypes"),
+        *("con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(10))),
+    }
+)
 _EXAMPLES = ("main.c", "realtime.c")
 
 
@@ -43,13 +50,11 @@ class CBackend:
         self._start = start
 
     def emit(self, program: Program) -> Artifact:
-        stem = identifier(program.name, _RESERVED)
+        stem = stem_of(program)
         head = f'#include "{stem}.h"\n#define MODEL {symbol(stem)}\n#define START {stem}_start\n\n'
         return Artifact(
             {
-                **sources(program, self._parts),
-                f"{stem}.h": header(stem, self._parts, start=True),
-                f"{stem}_start.c": _start(stem, self._start),
+                **started_sources(program, self._start, self._parts),
                 **_headers_of_no_library(),
                 **{name: head + _example(name) for name in _EXAMPLES},
                 "Makefile": f"MODEL := {stem}\n{_example('Makefile')}",
@@ -58,23 +63,38 @@ class CBackend:
         )
 
 
+def stem_of(program: Program) -> str:
+    """What the files and constants of the model are named after: an identifier, and a file name everywhere."""
+    return identifier(program.name, _RESERVED)
+
+
 def model_symbol(program: Program) -> str:
     """Name of the constant of type lag_model that the sources define."""
-    return symbol(identifier(program.name, _RESERVED))
+    return symbol(stem_of(program))
 
 
 def part_symbol(program: Program, part: str) -> str:
     """Name of the constant, of type lag_states or lag_tangents, that the sources with this part define."""
-    return f"{identifier(program.name, _RESERVED)}_{part}"
+    return f"{stem_of(program)}_{part}"
 
 
 def sources(program: Program, parts: Sequence[str] = ()) -> dict[str, str]:
     """What a library of the model is compiled from, by relative path. `parts` of PARTS are the functions of several
     states, or of several directions of derivatives, at once."""
-    stem = identifier(program.name, _RESERVED)
+    stem = stem_of(program)
     own = {f"{stem}.c": source(program, stem), f"{stem}.h": header(stem)}
     own |= {f"{stem}_{part}.c": PARTS[part](program, stem) for part in parts}
     return {**own, **runtime_sources()}
+
+
+def started_sources(program: Program, start: Start | None, parts: Sequence[str] = ()) -> dict[str, str]:
+    """The same with the constant, of type lag_start, that tells where the motion starts."""
+    stem = stem_of(program)
+    return {
+        **sources(program, parts),
+        f"{stem}.h": header(stem, parts, start=True),
+        f"{stem}_start.c": _start(stem, start),
+    }
 
 
 def runtime_sources() -> dict[str, str]:

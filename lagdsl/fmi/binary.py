@@ -1,0 +1,102 @@
+"""From C sources to shared libraries, one for each platform; objects are kept by content and made on all cores."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from lagdsl.fmi.libraries import timeless
+from lagdsl.fmi.platforms import Platform
+from lagdsl.fmi.toolchain import Toolchain, toolchain
+from lagdsl.runtime.build import cache_folder
+from lagdsl.runtime.compiler import failure
+from lagdsl.runtime.cores import cores
+
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
+
+
+def binaries(
+    sources: Mapping[str, str],
+    stem: str,
+    platforms: Sequence[Platform],
+    progress: Callable[[float], None] | None = None,
+) -> dict[str, bytes]:
+    """The libraries `stem`.so and so on by the name of their platform.
+
+    The same sources, the same bytes, in any folder. `progress` is called with the part of the work that is done.
+    Raises CompilationFailed: E0905, E0906, E0911, E0913.
+    """
+    tools = [toolchain(platform) for platform in platforms]
+    kept = cache_folder()
+    try:
+        with tempfile.TemporaryDirectory(dir=kept, prefix="fmu-") as name:
+            folder = Path(name)
+            _write(sources, folder)
+            jobs = [(tool, path) for tool in tools for path in sorted(sources) if path.endswith(".c")]
+            objects = _objects(jobs, sources, folder, kept, progress)
+            return {tool.platform.name: _linked(tool, stem, objects, folder) for tool in tools}
+    except OSError as problem:
+        raise failure("E0913", reason=str(problem)) from None
+
+
+def _write(sources: Mapping[str, str], folder: Path) -> None:
+    for path, text in sources.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text, encoding="utf-8", newline="\n")
+
+
+def _objects(
+    jobs: Sequence[tuple[Toolchain, str]],
+    sources: Mapping[str, str],
+    folder: Path,
+    kept: Path,
+    progress: Callable[[float], None] | None,
+) -> dict[str, list[str]]:
+    """Paths of the object files by platform, in the order of the sources. The first failure is raised."""
+    found: dict[str, list[str]] = {}
+
+    def compiled(number: int) -> str:
+        tool, path = jobs[number]
+        target = kept / f"{_digest(*tool.flags, *_read(path, sources))}.o"
+        if not target.exists():
+            draft = f"{number}.o"
+            tool.compile(folder, path, draft)
+            (folder / draft).replace(target)
+        return str(target)
+
+    with ThreadPoolExecutor(cores()) as pool:
+        for number, target in enumerate(pool.map(compiled, range(len(jobs)))):
+            found.setdefault(jobs[number][0].platform.name, []).append(target)
+            if progress is not None:
+                progress((number + 1) / len(jobs))
+    return found
+
+
+def _read(path: str, sources: Mapping[str, str]) -> list[str]:
+    """Names and texts of a C file and all that it includes, so that another model finds the runtime compiled."""
+    names = [path]
+    for name in names:
+        included = (each for each in _INCLUDE.findall(sources[name]) if each in sources)
+        names += [each for each in dict.fromkeys(included) if each not in names]
+    return [part for name in names for part in (name, sources[name])]
+
+
+def _linked(tool: Toolchain, stem: str, objects: Mapping[str, list[str]], folder: Path) -> bytes:
+    target = stem + tool.platform.suffix
+    tool.link(folder, objects[tool.platform.name], target)
+    library = folder / target
+    content = timeless(library.read_bytes())
+    library.unlink()
+    return content
+
+
+def _digest(*parts: str) -> str:
+    digest = hashlib.sha256()
+    for part in parts:
+        data = part.encode()
+        digest.update(f"{len(data)}:".encode() + data)
+    return digest.hexdigest()[:40]

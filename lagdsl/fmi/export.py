@@ -1,0 +1,82 @@
+"""From a compiled model to an FMU: texts, libraries, a zip file that was tried before it takes its name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from lagdsl.diagnostics import Sink
+from lagdsl.fmi.archive import write_archive
+from lagdsl.fmi.binary import binaries
+from lagdsl.fmi.contents import library_files, source_files, texts
+from lagdsl.fmi.platforms import PLATFORMS, Platform, platform_of, this_machine
+from lagdsl.fmi.refusals import refuse
+from lagdsl.fmi.sources import require_fmpy
+from lagdsl.fmi.subject import subject
+from lagdsl.fmi.trial import try_out
+from lagdsl.fmi.variables import KINDS, Kind, Version
+from lagdsl.pipeline import Compilation
+from lagdsl.runtime.compiler import failure
+from lagdsl.source import SourceFile
+from lagdsl.source.whole_file import whole_file
+
+# Parts of the work: until the texts are there, until the libraries are.
+_WRITTEN, _COMPILED = 0.1, 0.9
+
+
+def export(
+    compilation: Compilation,
+    path: Path,
+    *,
+    version: Version = 2,
+    kinds: Sequence[Kind] = KINDS,
+    platforms: Sequence[str] = (),
+    parameters: Mapping[str, float] | None = None,
+    start: Mapping[str, float] | None = None,
+    source: SourceFile | None = None,
+    sink: Sink | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> None:
+    """Write the model as an FMU of this `version` of FMI.
+
+    `platforms` are names of `lagdsl.fmi.platforms.PLATFORMS`; none: that of this machine. `parameters` and `start`, by
+    name in SI units, become the defaults. `source` is put into the file with all else that the model was read from.
+    `progress` is called with the part of the work that is done. The file appears when the validator of fmpy found
+    nothing and its own library, if it is for this machine, came through its first steps; the same model gives the same
+    bytes.
+
+    Raises CompilationFailed with E09xx, ValueError for a platform that there is not, OSError where `path` cannot be
+    written.
+    """
+    own = Sink() if sink is None else sink
+    told = progress or _nobody
+    machines = _platforms(platforms)
+    require_fmpy()
+    refuse(compilation.flat, version, parameters or {}, own)
+    own.raise_if_errors()
+    exported = subject(compilation, version, kinds, parameters or {}, start or {}, own)
+    description, sources = texts(exported)
+    told(_WRITTEN)
+    libraries = binaries(sources, exported.stem, machines, lambda part: told(_WRITTEN + (_COMPILED - _WRITTEN) * part))
+    files = {
+        "modelDescription.xml": description.encode(),
+        **source_files(exported, sources),
+        **library_files(libraries, exported.stem, version),
+    }
+    with whole_file(path) as draft:
+        write_archive(draft, files)
+        try_out(draft, exported.table.kinds if this_machine() in libraries else ())
+    told(1.0)
+
+
+def _platforms(names: Sequence[str]) -> list[Platform]:
+    """Each once, in a fixed order. Raises ValueError; E0905 where this machine is no platform of FMUs."""
+    own = this_machine()
+    if not names and own not in PLATFORMS:
+        raise failure("E0905", platform=own)
+    chosen = [platform_of(name) for name in names or (own,)]
+    return sorted({each.name: each for each in chosen}.values(), key=lambda each: PLATFORMS.index(each.name))
+
+
+def _nobody(_: float) -> None:
+    """Nobody watches."""

@@ -1,0 +1,82 @@
+"""What an FMU is made of: the model with all that importers ask for, its start, and its variables."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from lagdsl.backends.c.emit import Start, stem_of
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.limits import check_limits
+from lagdsl.fmi.variables import Kind, Table, Version, table
+from lagdsl.pipeline import Compilation, engine_of, middle, with_names
+from lagdsl.program.program import Program
+from lagdsl.record import record
+from lagdsl.simulate.initialize import initial_state
+
+
+@record(kw_only=True)
+class Subject:
+    """`compilation` has the program with every named value and the chosen defaults; `stem` names files and symbols."""
+
+    compilation: Compilation
+    start: Start
+    table: Table
+    stem: str
+
+    @property
+    def program(self) -> Program:
+        return self.compilation.program
+
+
+def subject(
+    compilation: Compilation,
+    version: Version,
+    kinds: Collection[Kind],
+    parameters: Mapping[str, float],
+    start: Mapping[str, float],
+    sink: Sink,
+) -> Subject:
+    """`parameters` and `start` (SI) become the defaults. Raises CompilationFailed where nothing starts from them."""
+    graph = _by_graph(compilation)
+    plain = _with_defaults(graph.program, parameters)
+    defaults = plain.layout.defaults
+    names = (slot.name for slot in plain.layout.parameters)
+    check_limits(graph.flat, dict(zip(names, defaults, strict=True)), sink)
+    _raise(sink)
+    engine = engine_of(plain)
+    with np.errstate(all="ignore"):
+        initial = initial_state(graph.flat, engine, start=start, sink=sink)
+    _raise(sink)
+    state = (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist())
+    where = Start(initial.t, tuple(float(value) for value in state))
+    whole = replace(graph, program=_with_defaults(with_names(graph), parameters))
+    return Subject(
+        compilation=whole,
+        start=where,
+        table=table(whole, version, where, kinds=kinds, engine=engine),
+        stem=stem_of(whole.program),
+    )
+
+
+def _by_graph(compilation: Compilation) -> Compilation:
+    """The same model by the route that knows named values and derivatives."""
+    if compilation.derivation is not None:
+        return compilation
+    found = middle(compilation.flat, Sink())
+    assert found is not None, "one route found the model sound and the other did not"
+    return found
+
+
+def _with_defaults(program: Program, parameters: Mapping[str, float]) -> Program:
+    layout = program.layout
+    pairs = zip(layout.parameters, layout.defaults, strict=True)
+    defaults = tuple(float(parameters.get(slot.name, value)) for slot, value in pairs)
+    return replace(program, layout=replace(layout, defaults=defaults))
+
+
+def _raise(sink: Sink) -> None:
+    if sink.has_errors:
+        raise CompilationFailed(sink.diagnostics)

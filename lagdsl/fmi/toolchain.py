@@ -1,0 +1,88 @@
+"""What compiles for a platform: the compiler of the package ziglang for all, else this machine's for its own."""
+
+from __future__ import annotations
+
+import importlib.util
+import subprocess
+from functools import cache
+from pathlib import Path
+
+from lagdsl.fmi.platforms import Platform, this_machine
+from lagdsl.record import record
+from lagdsl.runtime.compiler import FLAGS, failure, find_compiler
+
+_LONGEST_NOTE = 2000
+# Only what the headers of the standard export is seen from outside, and what nobody calls is left out.
+_COMPILE = (*FLAGS, "-g0", "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", "-I.")
+# Calls within a library stay within it where two are loaded; its only identity is its content; nothing is missing.
+_LINK = {
+    "linux": (
+        "-shared",
+        "-s",
+        *("-Wl," + word for word in ("-Bsymbolic", "--build-id=none", "-z,defs", "--gc-sections")),
+    ),
+    "windows": ("-shared", "-s", "-Wl,--gc-sections"),
+    "macos": ("-dynamiclib", "-Wl,-dead_strip"),
+}
+
+
+@record()
+class Toolchain:
+    """`command` takes the arguments of a C compiler; `identity` changes when it is replaced by another version."""
+
+    platform: Platform
+    command: tuple[str, ...]
+    identity: str
+
+    def compile(self, folder: Path, source: str, target: str) -> None:
+        """The C file `source` into the object file `target`, both in `folder`. Raises CompilationFailed (E0906)."""
+        self._run(folder, [*_COMPILE, "-c", "-o", target, source])
+
+    def link(self, folder: Path, objects: list[str], target: str) -> None:
+        """Object files into the library `target`, which depends on C's own libraries only. Raises CompilationFailed."""
+        system = self.platform.system
+        name = [f"-Wl,-install_name,@rpath/{target}"] if system == "macos" else []
+        self._run(folder, [*_LINK[system], *name, "-o", target, *objects, *([] if system == "windows" else ["-lm"])])
+
+    @property
+    def flags(self) -> tuple[str, ...]:
+        """All that objects depend on beside the text."""
+        return (*self.command, self.identity, *_COMPILE)
+
+    def _run(self, folder: Path, arguments: list[str]) -> None:
+        command = [*self.command, *arguments]
+        try:
+            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", check=False)
+        except OSError as problem:
+            raise failure(
+                "E0906", notes=(str(problem),), platform=self.platform.name, compiler=Path(self.command[0]).name
+            ) from None
+        if done.returncode != 0:
+            said = done.stderr.strip()[:_LONGEST_NOTE] or f"it left with status {done.returncode}"
+            raise failure("E0906", notes=(said,), platform=self.platform.name, compiler=Path(self.command[0]).name)
+
+
+def toolchain(platform: Platform) -> Toolchain:
+    """Raises CompilationFailed: E0905 where nothing here compiles for the platform, E0911 without any compiler."""
+    zig = _zig()
+    if zig is not None:
+        return Toolchain(platform, (str(zig), "cc", "-target", platform.target), _identity(zig))
+    if platform.name != this_machine():
+        raise failure("E0905", platform=platform.name)
+    compiler = find_compiler()
+    return Toolchain(platform, compiler.command, compiler.identity)
+
+
+@cache
+def _zig() -> Path | None:
+    """The program of the package ziglang: called directly, it starts without another Python."""
+    package = importlib.util.find_spec("ziglang")
+    if package is None or package.origin is None:
+        return None
+    folder = Path(package.origin).parent
+    return next((program for program in (folder / "zig", folder / "zig.exe") if program.is_file()), None)
+
+
+def _identity(program: Path) -> str:
+    status = program.stat()
+    return f"{program.resolve()}:{status.st_size}:{status.st_mtime_ns}"
