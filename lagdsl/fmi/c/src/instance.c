@@ -21,6 +21,16 @@ static size_t padded(size_t bytes)
     return (bytes + 15) / 16 * 16;
 }
 
+/* Entries of the longest variable. */
+static size_t longest(const lag_fmu *fmu)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < fmu->nvariable; ++i) {
+        count = fmu->variables[i].count > count ? fmu->variables[i].count : count;
+    }
+    return count;
+}
+
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
@@ -30,7 +40,7 @@ size_t lag_instance_kept(const lag_fmu *fmu)
 static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
-    return lag_instance_kept(fmu) + 2 * size + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd + fmu->model->ni +
+    return lag_instance_kept(fmu) + 3 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd + fmu->model->ni +
            lag_fixed_memory(size) + 1;
 }
 
@@ -82,6 +92,8 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->y = lag_take(&memory, model->ny);
     instance->local = lag_take(&memory, fmu->model->nd);
     instance->point = lag_take(&memory, size);
+    instance->tangent = lag_take(&memory, size);
+    instance->entry = lag_take(&memory, longest(fmu));
     instance->invariant_limits = lag_take(&memory, model->ni);
     instance->fixed_memory = memory;
 }

@@ -62,7 +62,8 @@ struct lag_instance {
     /* what follows from these */
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
-    double *point;          /* (2 nq + nz) */
+    double *point, *tangent; /* (2 nq + nz) */
+    double *entry;          /* as many as the longest variable has */
     double energy[4], residual[2];
     double *invariant_limits;   /* (ni) */
     int turning;                /* any output is such an angle */
