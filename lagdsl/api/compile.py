@@ -29,4 +29,4 @@ def compile(
     compilation = middle(flat, sink, derivation) if flat is not None else None
     sink.raise_if_errors()
     assert compilation is not None, "internal error: a stage gave up without saying why"
-    return Model(compilation, engine_of(compilation.program, engine))
+    return Model(compilation, engine_of(compilation.program, engine), file)

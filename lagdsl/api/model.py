@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from lagdsl.runtime.broadcast import BatchEngine
     from lagdsl.simulate.initialize import InitialState
     from lagdsl.simulate.signals import Signal
+    from lagdsl.source import SourceFile
     from lagdsl.textbook.equations import EquationsOfMotion
 
 Floats = NDArray[np.float64]
@@ -47,7 +48,7 @@ class Model(Interface):
     `coordinates`, `states`, `inputs`, `parameters`, `outputs` and `constraints`.
     """
 
-    def __init__(self, compilation: Compilation, engine: BatchEngine) -> None:
+    def __init__(self, compilation: Compilation, engine: BatchEngine, source: SourceFile | None = None) -> None:
         program = compilation.program
         super().__init__(
             engine.evaluate_many,
@@ -58,6 +59,7 @@ class Model(Interface):
         )
         self._compilation = compilation
         self._engine = engine
+        self._source = source
         self._layout = compilation.program.layout
 
     def __repr__(self) -> str:
@@ -355,6 +357,35 @@ class Model(Interface):
         chosen = self._where(t, q, qd, z, u, p)
         where = replace(chosen, trim=True, free=tuple(free), hold=tuple(hold), steady=steady)
         return trim(self._subject, where, Sink())
+
+    # ---- other tools -------------------------------------------------------------------------------------------------
+
+    def export_fmu(
+        self,
+        path: Path | str,
+        *,
+        fmi: int = 2,
+        kind: Literal["me", "cs", "both"] = "both",
+        platforms: Sequence[str] = (),
+        parameters: Mapping[str, float] | None = None,
+        start: Mapping[str, float] | None = None,
+        with_source: bool = False,
+        progress: Callable[[float], None] | None = None,
+        sink: Sink | None = None,
+    ) -> None:
+        """Write the model to `path` as an FMU of FMI 2.0 or 3.0, checked and run once before it appears.
+
+        `platforms` are those that binaries are made for, `linux-x86_64`, `windows-x86_64`...; default: this machine's.
+        `parameters` and `start`, by name in SI units, become the defaults of the FMU. `with_source` puts the text of
+        the model into it. Notes go to `sink`. Raises CompilationFailed where there is no FMU of this model or it cannot
+        be made here, OSError where `path` cannot be written, KeyError and ValueError for arguments that do not fit.
+        """
+        from lagdsl.api.fmu import export_fmu
+
+        self._parameter_vector(parameters)
+        source = self._source if with_source else None
+        chosen, starts = known("parameter", parameters, self.parameters), self._start_values(start)
+        export_fmu(self._compilation, Path(path), fmi, kind, platforms, chosen, starts, source, sink, progress)
 
     @property
     def _subject(self) -> Subject:

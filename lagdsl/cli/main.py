@@ -25,6 +25,7 @@ _COMMANDS = {
     "trim": "Find an equilibrium.",
     "derive": "Show the derivation of the equations of motion, step by step.",
     "build": "Write the equations as a module that stands alone.",
+    "fmu": "Write the model as an FMU, for other tools to run.",
     "flat": "Show the flat model: coordinates, energies, loads, constraints.",
     "fmt": "Format model texts in place.",
     "explain": "Show the manual page of a diagnostic.",

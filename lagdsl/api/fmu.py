@@ -1,0 +1,46 @@
+"""From a model to an FMU, by the names of the package and of the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Literal
+
+from lagdsl.diagnostics import Sink
+from lagdsl.fmi.export import export
+from lagdsl.pipeline import Compilation
+from lagdsl.source import SourceFile
+
+VERSIONS: dict[int, Literal[2, 3]] = {2: 2, 3: 3}
+KINDS: dict[str, tuple[Literal["me", "cs"], ...]] = {"me": ("me",), "cs": ("cs",), "both": ("me", "cs")}
+
+
+def export_fmu(
+    compilation: Compilation,
+    path: Path,
+    fmi: int,
+    kind: str,
+    platforms: Sequence[str],
+    parameters: Mapping[str, float],
+    start: Mapping[str, float],
+    source: SourceFile | None,
+    sink: Sink | None,
+    progress: Callable[[float], None] | None,
+) -> None:
+    """`export`, with ValueError for a version and a kind that there are not."""
+    if fmi not in VERSIONS:
+        raise ValueError(f"there is no FMI {fmi}; there are 2, 3")
+    if kind not in KINDS:
+        raise ValueError(f"there is no kind `{kind}`; there are {', '.join(KINDS)}")
+    export(
+        compilation,
+        path,
+        version=VERSIONS[fmi],
+        kinds=KINDS[kind],
+        platforms=tuple(platforms),
+        parameters=parameters,
+        start=start,
+        source=source,
+        sink=Sink() if sink is None else sink,
+        progress=progress,
+    )
