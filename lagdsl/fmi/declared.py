@@ -20,7 +20,8 @@ from lagdsl.program.program import Program
 def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
     """Independent ones, in the order of the vector p; texts there have no effect."""
     changeable = tunable(program)
-    for index, item in enumerate(p for p in flat.parameters if not p.structural):
+    independent = [item for item in flat.parameters if not item.structural]
+    for index, (item, value) in enumerate(zip(independent, program.layout.defaults, strict=True)):
         if item.kind == "String":
             continue
         variability: Variability = "tunable" if index in changeable else "fixed"
@@ -29,10 +30,10 @@ def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
             causality="parameter",
             variability=variability,
             setting="TUNABLE" if variability == "tunable" else "START",
-            **bounds(item, item.value),
+            **bounds(item, value),
         )
         yield Scalar(
-            name=named(item.name), first=index, attributes=attributes, initial="exact", start=item.value, key=attributes
+            name=named(item.name), first=index, attributes=attributes, initial="exact", start=value, key=attributes
         )
 
 
@@ -57,6 +58,8 @@ def constants(flat: FlatModel) -> Iterator[Scalar]:
 def inputs(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
     for index, (item, value) in enumerate(zip(flat.inputs, settings.inputs, strict=True)):
         attributes = replace(attributes_of(item, Role.INPUT), causality="input", setting="ALWAYS")
+        if item.derivative_of is not None:  # of another type than the input itself
+            attributes = replace(attributes, type_name=None, doc=f"time derivative of {item.derivative_of}")
         yield Scalar(
             name=named(item.name), first=index, attributes=attributes, initial=None, start=value, key=attributes
         )

@@ -5,6 +5,8 @@ The same numbers that `simulate/` gives to the C runtime, for the default parame
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from lagdsl.backends.c.emit import Start
@@ -35,8 +37,11 @@ class Settings:
     general: int
 
 
-def settings(compilation: Compilation, start: Start, engine: Engine | None = None) -> Settings:
-    """`start` is the consistent state for the default parameters; `engine`, if there is one, saves an interpreter."""
+def settings(
+    compilation: Compilation, start: Start, engine: Engine | None = None, redundant: Sequence[bool] | None = None
+) -> Settings:
+    """`start` is the consistent state for the default parameters, near which rows that are `redundant` depend on others
+    (None: those that do in general); `engine`, if there is one, saves an interpreter."""
     flat, layout = compilation.flat, compilation.program.layout
     functions = ProgramFunctions(compilation.program) if engine is None else engine
     space = geometry(flat, functions)
@@ -57,7 +62,7 @@ def settings(compilation: Compilation, start: Start, engine: Engine | None = Non
         caps=_floats(accuracy.caps),
         row_sizes=_floats(space.row_sizes),
         lasting=tuple(row not in loose for row in range(len(layout.constraints))),
-        general=sum(not (flag or row in loose) for row, flag in enumerate(layout.redundant)),
+        general=sum(not (flag or row in loose) for row, flag in enumerate(redundant or layout.redundant)),
     )
 
 

@@ -47,10 +47,11 @@ def table(
     *,
     kinds: Collection[Kind] = KINDS,
     engine: Engine | None = None,
+    redundant: Sequence[bool] | None = None,
 ) -> Table:
-    """`start` is the consistent state for the default parameters."""
+    """`start` is the consistent state for the default parameters, `redundant` flags rows of constraints near it."""
     flat, program = compilation.flat, compilation.program
-    known = settings(compilation, start, engine)
+    known = settings(compilation, start, engine, redundant)
     scalars = _scalars(flat, program, known, version, kinds)
     return Table(
         version=version,
