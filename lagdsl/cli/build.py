@@ -55,11 +55,11 @@ def command(
 
 def _start(compilation: Compilation) -> Start | None:
     """Where the motion starts; None where there is no such state, which does not keep the equations from being used."""
-    from lagdsl.backends.c.emit import Start
+    from lagdsl.backends.c.start import start_of
     from lagdsl.simulate.initialize import initial_state
 
     sink = Sink()
     initial = initial_state(compilation.flat, engine_of(compilation.program, "numpy"), sink=sink)
     if sink.has_errors:
         return None
-    return Start(initial.t, (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist()))
+    return start_of(compilation.flat, initial.t, (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist()))

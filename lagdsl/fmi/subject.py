@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from lagdsl.backends.c.emit import Start, stem_of
+from lagdsl.backends.c.start import start_of
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.limits import check_limits
 from lagdsl.fmi.variables import Kind, Table, Version, table
@@ -51,7 +52,7 @@ def subject(
         initial = initial_state(graph.flat, engine, start=start, sink=sink)
     _raise(sink)
     state = (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist())
-    where = Start(initial.t, tuple(float(value) for value in state))
+    where = start_of(graph.flat, initial.t, [float(value) for value in state], start)
     whole = replace(graph, program=_with_defaults(with_names(graph), parameters))
     return Subject(
         compilation=whole,

@@ -34,10 +34,16 @@ _EXAMPLES = ("main.c", "realtime.c")
 
 @record()
 class Start:
-    """A consistent state x = (q, qd, z) at time t [s], for the default parameters."""
+    """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
+    entries (`minimum` and `maximum`: of q), as lag/model.h tells it. What is left out is not said."""
 
     t: float
     x: tuple[float, ...]
+    fixed: tuple[bool, ...] = ()
+    written: tuple[bool, ...] = ()
+    nominal: tuple[float, ...] = ()
+    minimum: tuple[float, ...] = ()
+    maximum: tuple[float, ...] = ()
 
 
 class CBackend:
@@ -106,13 +112,19 @@ def runtime_sources() -> dict[str, str]:
 
 
 def _start(stem: str, start: Start | None) -> str:
-    head = f'/* Where the motion starts. */\n#include "{stem}.h"\n\n'
-    if start is None or not start.x:
-        return f"{head}const lag_start {stem}_start = {{.t = {number(start.t if start else 0.0)}}};\n"
-    rows = "".join(f"    {number(value)},\n" for value in start.x)
+    told = start or Start(0.0, ())
+    flags = {name: [str(int(flag)) for flag in getattr(told, name)] for name in ("fixed", "written")}
+    numbers = {name: [number(v) for v in getattr(told, name)] for name in ("x", "nominal", "minimum", "maximum")}
+    tables = [*(("unsigned char", item) for item in flags.items()), *(("double", item) for item in numbers.items())]
+    arrays = [
+        "".join([f"static const {kind} start_{name}[] = {{\n", *(f"    {row},\n" for row in rows), "};\n"])
+        for kind, (name, rows) in tables
+        if rows
+    ]
+    members = "".join(f"    .{name} = start_{name},\n" for _, (name, rows) in tables if rows)
     return (
-        f"{head}static const double state[] = {{\n{rows}}};\n\n"
-        f"const lag_start {stem}_start = {{.t = {number(start.t)}, .x = state}};\n"
+        f'/* Where the motion starts. */\n#include "{stem}.h"\n\n{"".join(arrays)}\n'
+        f"const lag_start {stem}_start = {{\n    .t = {number(told.t)},\n{members}}};\n"
     )
 
 

@@ -1,0 +1,26 @@
+"""What generated C is told of the start of a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from lagdsl.backends.c.emit import Start
+from lagdsl.flat.model import FlatModel
+
+
+def start_of(flat: FlatModel, t: float, x: Sequence[float], changed: Collection[str] = ()) -> Start:
+    """The state x = (q, qd, z) at time t with what `flat` says of it; start values of the names in `changed` count as
+    written."""
+    q, z = flat.coordinates, flat.states
+    names = [*(c.name for c in q), *(f"der({c.name})" for c in q), *(s.name for s in z)]
+    written = [*(c.start_explicit for c in q), *(c.rate_start_explicit for c in q), *(s.start_explicit for s in z)]
+    nominal = [abs(c.nominal or 0.0) for c in q]
+    return Start(
+        t,
+        tuple(x),
+        fixed=(*(c.fixed for c in q), *(c.rate_fixed for c in q), *(s.fixed for s in z)),
+        written=tuple(flag or name in changed for flag, name in zip(written, names, strict=True)),
+        nominal=(*nominal, *nominal, *(abs(s.nominal or 0.0) for s in z)),
+        minimum=tuple(-1.7976931348623157e308 if c.minimum is None else c.minimum for c in q),
+        maximum=tuple(1.7976931348623157e308 if c.maximum is None else c.maximum for c in q),
+    )
