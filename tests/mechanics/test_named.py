@@ -9,11 +9,11 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from named_models import compiled
 
-from lagdsl.diagnostics import Sink
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import DIRECTION_OF, Group
-from lagdsl.pipeline import Compilation, front, middle, read, with_names
+from lagdsl.pipeline import with_names
 from lagdsl.program.program import Program
 from lagdsl.program.verify import verify
 from lagdsl.runtime.c_engine import CEngine
@@ -52,17 +52,6 @@ TANGENTS = {
     "energies_tangent": "energies",
     "initial_equation_tangent": "initial_equation",
 }
-
-
-def compiled(source: str | Path) -> Compilation:
-    sink = Sink()
-    file = read(source, sink)
-    assert file is not None
-    flat = front(file, sink)
-    assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
-    assert compilation is not None, sink.diagnostics
-    return compilation
 
 
 def state(program: Program) -> dict[Group, np.ndarray]:

@@ -255,19 +255,25 @@ static void solve_free(const lag_system *s, double *x, double *kept)
     }
 }
 
+/* The first components of y in the basis Q, from the scaled pivot rows for row_rest = gamma. */
+static void solve_rows(lag_system *s)
+{
+    for (size_t i = 0; i < s->rank; ++i) {
+        const size_t row = (size_t)s->pivot[i];
+        double sum = s->row_scale[row] * s->row_rest[row];
+        for (size_t j = 0; j < i; ++j) {
+            sum -= s->rows[i * s->n + j] * s->y[j];
+        }
+        s->y[i] = sum / s->diagonal[i];
+    }
+}
+
 /* y in the basis Q, and the multipliers of the scaled pivot rows in l, for h = Q' of the scaled force and row_rest = gamma. */
 static void solve_reduced(lag_system *s)
 {
     const size_t n = s->n;
     const size_t rank = s->rank;
-    for (size_t i = 0; i < rank; ++i) {
-        const size_t row = (size_t)s->pivot[i];
-        double sum = s->row_scale[row] * s->row_rest[row];
-        for (size_t j = 0; j < i; ++j) {
-            sum -= s->rows[i * n + j] * s->y[j];
-        }
-        s->y[i] = sum / s->diagonal[i];
-    }
+    solve_rows(s);
     for (size_t i = rank; i < n; ++i) {
         s->y[i] = s->h[i];
         for (size_t j = 0; j < rank; ++j) {
@@ -334,5 +340,20 @@ void lag_system_solve(lag_system *s, const double *force, const double *gamma, d
             }
         }
         correct(s, a, lam);
+    }
+}
+
+void lag_system_least(lag_system *s, const double *gamma, double *v)
+{
+    for (size_t i = 0; i < s->m; ++i) {
+        s->row_rest[i] = gamma[i];
+    }
+    for (size_t i = s->rank; i < s->n; ++i) {
+        s->y[i] = 0.0;
+    }
+    solve_rows(s);
+    lag_qr_apply(s->rank, s->n, s->rows, s->tau, s->y, 1);
+    for (size_t i = 0; i < s->n; ++i) {
+        v[i] = s->column_scale[i] * s->y[i];
     }
 }

@@ -50,6 +50,9 @@ lag_status lag_system_factor(
 /* Solution a (n), lam (m) for force (n) and gamma (m), refined to working accuracy. */
 void lag_system_solve(lag_system *system, const double *force, const double *gamma, double *a, double *lam);
 
+/* The shortest v (n), in scaled coordinates, with J v = gamma (m) for the independent rows. */
+void lag_system_least(lag_system *system, const double *gamma, double *v);
+
 /* Doubles that the functions below need beside the workspace of the model. */
 size_t lag_dynamics_memory(const lag_model *model);
 

@@ -1,0 +1,20 @@
+"""Models compiled with everything that has a name, as they are exported."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import Compilation, front, middle, read
+
+
+def compiled(source: str | Path) -> Compilation:
+    """Of a text or a file that must be sound."""
+    sink = Sink()
+    file = read(source, sink)
+    assert file is not None
+    flat = front(file, sink)
+    assert flat is not None, sink.diagnostics
+    compilation = middle(flat, sink)
+    assert compilation is not None, sink.diagnostics
+    return compilation

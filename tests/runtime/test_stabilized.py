@@ -1,0 +1,207 @@
+"""Accelerations with a pull towards the constraints, and their derivatives in C, against the same with fifty digits."""
+
+from __future__ import annotations
+
+import ctypes
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from named_models import compiled
+
+from lagdsl.backends.c.emit import model_symbol, sources
+from lagdsl.graph.evaluate import evaluate
+from lagdsl.graph.operation import Group
+from lagdsl.pipeline import with_names
+from lagdsl.program.program import Program
+from lagdsl.runtime.build import build
+from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.simulate.initialize import initial_state
+
+STEP = mpmath.mpf("1e-16")
+TIME = 0.3
+GROUPS = (Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P)
+MOVED = (Group.Q, Group.QD, Group.Z, Group.U, Group.P)
+
+GENERAL = (
+    "double_pendulum",
+    "four_bar",
+    "rolling_coin",
+    "furuta_swing_up",
+    "kapitza_pendulum",
+    "maglev",
+    "crane_with_motor",
+    "bead_on_cosine_wire",
+)
+# The rows depend on each other on the constraints only.
+DEPENDENT = (
+    "pendulum_two_dependent_constraints",
+    "bead_on_circular_wire_redundant",
+    "four_bar_spatial",
+    "newtons_cradle",
+)
+
+
+@cache
+def program_of(path: Path) -> tuple[Program, dict[Group, np.ndarray]]:
+    """The program, and the state it starts from, with two contacts closed."""
+    compilation = compiled(path)
+    program = with_names(compilation)
+    engine = NumpyEngine(program)
+    start = initial_state(compilation.flat, engine)
+    u = engine.evaluate("start", 0.0, np.array(program.layout.defaults))[3]
+    closed = [index for index, kind in enumerate(program.layout.kinds) if kind == "contact"][:2]
+    w = np.zeros(program.layout.size(Group.W))
+    w[closed] = 1.0
+    at = {Group.Q: start.q, Group.QD: start.qd, Group.Z: start.z, Group.U: u, Group.W: w}
+    return program, {**at, Group.P: np.array(program.layout.defaults)}
+
+
+def at_random(program: Program, start: dict[Group, np.ndarray]) -> dict[Group, np.ndarray]:
+    """A state in general position, off the constraints."""
+    rng = np.random.default_rng(3)
+    found = {group: rng.uniform(0.2, 0.7, program.layout.size(group)) for group in GROUPS[:4]}
+    return {**found, Group.W: start[Group.W], Group.P: start[Group.P]}
+
+
+class Exact:
+    """The same function with any number of digits; `rows` of J are solved for, the others depend on them."""
+
+    def __init__(self, program: Program, rate: float, rows: list[int]) -> None:
+        self._program, self._rate, self._rows = program, mpmath.mpf(rate), rows
+
+    def solve(self, given: dict[Group, Any]) -> tuple[list[Any], list[Any]]:
+        """qdd, and lam of least length."""
+        layout, rate = self._program.layout, self._rate
+        n, m = len(layout.coordinates), len(layout.constraints)
+        mass, force, jacobian, gamma = self._blocks("dynamics", given)
+        phi, velocity = self._blocks("position_constraint", given)[0], self._blocks("velocity_constraint", given)[0]
+        for i, of_positions in enumerate(layout.position_level):
+            gamma[i] -= 2 * rate * velocity[i] + rate**2 * phi[i] if of_positions else rate * velocity[i]
+        system, right = mpmath.zeros(n + len(self._rows)), mpmath.zeros(n + len(self._rows), 1)
+        for i in range(n):
+            right[i] = force[i]
+            for k in range(n):
+                system[i, k] = mass[i * n + k]
+        for r, row in enumerate(self._rows):
+            right[n + r] = gamma[row]
+            for k in range(n):
+                system[n + r, k] = jacobian[row * n + k]
+                system[k, n + r] = -jacobian[row * n + k]
+        solution = mpmath.lu_solve(system, right) if n + len(self._rows) else []
+        lam = [mpmath.mpf(0)] * m
+        for r, row in enumerate(self._rows):
+            lam[row] = solution[n + r]
+        return list(solution[:n]), self._shortest(lam, jacobian, mass)
+
+    def _shortest(self, lam: list[Any], jacobian: list[Any], mass: list[Any]) -> list[Any]:
+        """Without the parts that change nothing: rows that depend on others, less these combinations of them. How
+        well a combination fits is measured with coordinates of unit inertia."""
+        n, m = len(self._program.layout.coordinates), len(lam)
+        others = [row for row in range(m) if row not in self._rows]
+        if not others:
+            return lam
+        diagonal = [mass[k * n + k] for k in range(n)]
+        scale = [1 / mpmath.sqrt(x if x > 1e-28 * max(diagonal) else max(diagonal)) for x in diagonal]
+        rows = [[jacobian[row * n + k] * scale[k] for k in range(n)] for row in range(m)]
+        gram = mpmath.matrix([[mpmath.fdot(rows[a], rows[b]) for b in self._rows] for a in self._rows])
+        excess = mpmath.zeros(len(others), m)
+        for k, row in enumerate(others):
+            parts = mpmath.lu_solve(gram, mpmath.matrix([mpmath.fdot(rows[row], rows[a]) for a in self._rows]))
+            excess[k, row] = 1
+            for part, a in zip(parts, self._rows, strict=True):
+                excess[k, a] = -part
+        along = mpmath.lu_solve(excess * excess.T, excess * mpmath.matrix(lam))
+        return [a - b for a, b in zip(lam, excess.T * along, strict=True)]
+
+    def everything(self, given: dict[Group, Any]) -> list[Any]:
+        """What the probe tells, as values: rates, y, d, energies, phi, J qd + b, lam."""
+        qdd, lam = self.solve(given)
+        solved = {**given, Group.QDD: qdd, Group.LAMBDA: lam}
+        told = [*given[Group.QD], *qdd]
+        for function in ("state_derivative", "output", "definition"):
+            told += self._blocks(function, solved)[0]
+        told += [value for (value,) in self._blocks("energies", given)[:3]]
+        for function in ("position_constraint", "velocity_constraint"):
+            told += self._blocks(function, given)[0]
+        return told + lam
+
+    def _blocks(self, function: str, given: dict[Group, Any]) -> list[list[Any]]:
+        graph = self._program.graph
+        return [evaluate(graph, block.elements, given) for block in self._program.function(function).results]
+
+
+def moved(at: dict[Group, np.ndarray], along: dict[Group, np.ndarray], time: float, step: Any) -> dict[Group, Any]:
+    given: dict[Group, Any] = {group: [mpmath.mpf(float(x)) for x in values] for group, values in at.items()}
+    for group, direction in along.items():
+        given[group] = [x + step * mpmath.mpf(float(d)) for x, d in zip(given[group], direction, strict=True)]
+    given[Group.TIME] = mpmath.mpf(TIME) + step * time
+    return given
+
+
+@cache
+def library(path: Path) -> Any:
+    program, _ = program_of(path)
+    probe = Path(__file__).with_name("derivatives_probe.c").read_text(encoding="utf-8")
+    loaded = ctypes.CDLL(str(build({**sources(program), "probe.c": probe})))
+    loaded.probe.argtypes = [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 6]
+    return loaded
+
+
+class Probe:
+    def __init__(
+        self, path: Path, at: dict[Group, np.ndarray], along: dict[Group, np.ndarray], time: float, rate: float
+    ):
+        program, _ = program_of(path)
+        layout = program.layout
+        n, m = len(layout.coordinates), len(layout.constraints)
+        length = 2 * n + len(layout.states) + len(layout.outputs) + len(layout.definitions) + 3 + 3 * m
+        state = np.concatenate([*(at[group] for group in GROUPS), [0.0]])
+        direction = np.concatenate([*(along[group] for group in MOVED), [time]])
+        values, changes, rows = np.zeros(n + m + 1), np.zeros(length + 1), np.zeros(m + 1)
+        rank = ctypes.c_size_t()
+        model = ctypes.addressof(ctypes.c_char.in_dll(library(path), model_symbol(program)))
+        arrays = (x.ctypes.data for x in (state, direction, values, changes))
+        status = library(path).probe(model, rate, TIME, *arrays, ctypes.addressof(rank), rows.ctypes.data)
+        assert status == 0
+        self.qdd, self.lam, self.changes = values[:n], values[n : n + m], changes[:length]
+        self.rows = [int(row) for row in rows[: rank.value]]
+
+
+def compare(path: Path, at: dict[Group, np.ndarray], along: dict[Group, np.ndarray], time: float, rate: float) -> None:
+    program, _ = program_of(path)
+    found = Probe(path, at, along, time, rate)
+    with mpmath.workdps(50):
+        exact = Exact(program, rate, found.rows)
+        qdd, lam = exact.solve(moved(at, along, time, mpmath.mpf(0)))
+        close(found.qdd, [float(x) for x in qdd])
+        close(found.lam, [float(x) for x in lam])
+        plus, minus = (exact.everything(moved(at, along, time, sign * STEP)) for sign in (1, -1))
+        close(found.changes, [float((a - b) / (2 * STEP)) for a, b in zip(plus, minus, strict=True)])
+
+
+def close(ours: np.ndarray, theirs: list[float]) -> None:
+    np.testing.assert_allclose(ours, theirs, rtol=1e-9, atol=1e-9 * max([1.0, *map(abs, theirs)]) * 1e-2)
+
+
+@pytest.mark.parametrize("rate", [0.0, 7.0])
+@pytest.mark.parametrize("name", GENERAL)
+def test_off_the_constraints(root: Path, name: str, rate: float) -> None:
+    path = root / "models" / f"{name}.lag"
+    program, start = program_of(path)
+    rng = np.random.default_rng(5)
+    along = {group: rng.uniform(-1.0, 1.0, program.layout.size(group)) for group in MOVED}
+    compare(path, at_random(program, start), along, 0.7, rate)
+
+
+@pytest.mark.parametrize("rate", [0.0, 7.0])
+@pytest.mark.parametrize("name", DEPENDENT)
+def test_rows_that_depend_on_each_other(root: Path, name: str, rate: float) -> None:
+    path = root / "models" / f"{name}.lag"
+    program, start = program_of(path)
+    rng = np.random.default_rng(5)
+    along = {group: rng.uniform(-1.0, 1.0, program.layout.size(group)) for group in MOVED}
+    compare(path, start, along, 0.0, rate)
