@@ -17,9 +17,9 @@ typedef enum lag_initial_fault {
     LAG_INITIAL_NONE,
     LAG_INITIAL_NUMBERS,   /* a start value, or a row at the start values, is no number; `which`: entry of (q, qd, z), then of rows */
     LAG_INITIAL_POSITIONS, /* row `which` cannot be satisfied, */
-    LAG_INITIAL_RATES,     /* that of velocity level, or behind them all fixed rate number which - nc, */
-    LAG_INITIAL_EQUATIONS, /* initial equations; `which`: of constraints of both levels, then of these, the worst */
-    LAG_INITIAL_RANK       /* more rows are independent with these parameters than with those the model was compiled for */
+    LAG_INITIAL_RATES,     /* or the rate that it asks for, or behind all rows the fixed rate of coordinate which - nc, */
+    LAG_INITIAL_EQUATIONS, /* `which`: a row of constraints, then of initial equations, the worst */
+    LAG_INITIAL_RANK       /* with these parameters `which` more rows are independent than with those the model was compiled for */
 } lag_initial_fault;
 
 typedef struct lag_initial {

@@ -1,0 +1,262 @@
+#include "lag/beginning.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/accuracy.h"
+#include "lag/discretes.h"
+#include "lag/finite.h"
+#include "lag/memory.h"
+
+/* A written start value weighs 100 times another: the square of this. */
+static const double SHARP = 10.0;
+/* Rows that are smaller than this part of the largest are zero but for round-off. */
+static const double ROUNDING = 1e-12;
+/* Beside the start, rows are measured at so many points: the median of their lengths hardly depends on which they are. */
+enum { SIZED_AT = 9 };
+
+static size_t numbers(const lag_model *model)
+{
+    return lag_motion_size(model);
+}
+
+size_t lag_beginning_memory(const lag_model *model)
+{
+    return 5 * numbers(model) + 3 * model->nc + model->nc * model->nq + 2 * model->nq + model->nz + model->nu + model->nw + model->nq +
+           model->nc + SIZED_AT * model->nc;
+}
+
+void lag_beginning_place(lag_beginning *b, lag_motion *motion, double *memory)
+{
+    const lag_model *model = motion->model;
+    const size_t size = numbers(model);
+    memset(b, 0, sizeof *b);
+    b->motion = motion;
+    b->row = lag_take(&memory, model->nc);
+    b->x = lag_take(&memory, size);
+    b->sizes = lag_take(&memory, size);
+    b->row_sizes = lag_take(&memory, model->nc);
+    b->widths = lag_take(&memory, size);
+    b->written = lag_take(&memory, size);
+    b->fixed = lag_take(&memory, size);
+    b->phi = lag_take(&memory, model->nc);
+    b->jacobian = lag_take(&memory, model->nc * model->nq);
+    b->q = lag_take(&memory, model->nq);
+    b->qd = lag_take(&memory, model->nq);
+    b->z = lag_take(&memory, model->nz);
+    b->u = lag_take(&memory, model->nu);
+    b->w = lag_take(&memory, model->nw);
+    b->still = lag_take(&memory, model->nq + model->nc);
+    b->lengths = lag_take(&memory, SIZED_AT * model->nc);
+    b->memory = memory;
+    for (size_t i = 0; i < model->nc; ++i) {
+        if (model->position_level[i]) {
+            b->row[b->rows++] = (double)i;
+        }
+    }
+}
+
+/* ---- what is asked ---- */
+
+static void ask(lag_beginning *b, lag_status (*function)(const lag_arguments *, double *, double *))
+{
+    lag_arguments *at = &b->motion->at;
+    const lag_model *model = b->motion->model;
+    at->q = b->q;
+    at->qd = b->qd;
+    at->z = b->z;
+    if (function(at, b->phi, b->jacobian) != LAG_OK) {
+        lag_fill(model->nc, (double)NAN, b->phi);
+        lag_fill(model->nc * model->nq, (double)NAN, b->jacobian);
+    }
+}
+
+void lag_beginning_positions(lag_beginning *b)
+{
+    ask(b, b->motion->model->position_constraint);
+}
+
+void lag_beginning_velocities(lag_beginning *b)
+{
+    ask(b, b->motion->model->velocity_constraint);
+}
+
+double lag_beginning_draw(unsigned long long *seed)
+{
+    double sum = -6.0;
+    for (int i = 0; i < 12; ++i) {
+        *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
+        sum += (double)(*seed >> 11) / 9007199254740992.0;
+    }
+    return sum;
+}
+
+void lag_beginning_point(const lag_beginning *b, unsigned long long *seed, size_t which, const double *q, double *point)
+{
+    const lag_start *start = b->start;
+    const double width = 0.4 * pow(1.2, (double)(which < 12 ? which : 12));
+    for (size_t j = 0; j < b->motion->model->nq; ++j) {
+        point[j] = q[j] + width * b->sizes[j] * lag_beginning_draw(seed);
+        if (start != NULL && start->minimum != NULL) {
+            point[j] = fmax(point[j], start->minimum[j]);
+        }
+        if (start != NULL && start->maximum != NULL) {
+            point[j] = fmin(point[j], start->maximum[j]);
+        }
+    }
+}
+
+void lag_beginning_pattern(const lag_beginning *b, double *pattern)
+{
+    const lag_model *model = b->motion->model;
+    const lag_pattern *entries = model->jacobian_pattern;
+    lag_fill(model->nc * model->nq, entries != NULL ? 0.0 : 1.0, pattern);
+    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
+        pattern[entries->row[k] * model->nq + entries->column[k]] = 1.0;
+    }
+}
+
+/* ---- sizes ---- */
+
+static void find_sizes(lag_beginning *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    const double *nominal = b->start != NULL ? b->start->nominal : NULL;
+    lag_accuracy_groups(model, q, b->widths, b->sizes, b->written); /* of the three only sizes are wanted */
+    for (size_t i = 0; i < n && nominal != NULL; ++i) {
+        b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : b->sizes[i];
+        b->sizes[n + i] = b->sizes[i];
+    }
+    for (size_t i = 2 * n; i < numbers(model) && nominal != NULL; ++i) {
+        b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : 1.0;
+    }
+}
+
+/* The median of the lengths, of those that are not zero; the lower one of two. */
+static double usual(size_t count, double *lengths)
+{
+    size_t some = 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (isfinite(lengths[i]) && lengths[i] > 0.0) {
+            size_t place = some++;
+            const double length = lengths[i];
+            for (; place > 0 && lengths[place - 1] > length; --place) {
+                lengths[place] = lengths[place - 1];
+            }
+            lengths[place] = length;
+        }
+    }
+    return some > 0 ? lengths[(some - 1) / 2] : 0.0;
+}
+
+/* Rows are as large as their derivatives usually come out, at the start and at points about it. */
+static void find_row_sizes(lag_beginning *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    double *lengths = b->lengths;
+    double most = 0.0;
+    unsigned long long seed = 20011;
+    memcpy(b->q, q, n * sizeof(double));
+    for (size_t k = 0; k < SIZED_AT; ++k) {
+        if (k > 0) {
+            lag_beginning_point(b, &seed, k - 1, q, b->q);
+        }
+        lag_beginning_velocities(b);
+        for (size_t i = 0; i < model->nc; ++i) {
+            double sum = 0.0;
+            for (size_t j = 0; j < n; ++j) {
+                const double entry = b->jacobian[i * n + j] * b->sizes[j];
+                sum += entry * entry;
+            }
+            lengths[i * SIZED_AT + k] = sqrt(sum);
+        }
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        b->row_sizes[i] = usual(SIZED_AT, lengths + i * SIZED_AT);
+        most = fmax(most, b->row_sizes[i]);
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        b->row_sizes[i] = b->row_sizes[i] > ROUNDING * most ? b->row_sizes[i] : 1.0;
+    }
+}
+
+static void find_widths(lag_beginning *b, const unsigned char *set)
+{
+    const lag_start *start = b->start;
+    for (size_t i = 0; i < numbers(b->motion->model); ++i) {
+        const int written = (start != NULL && start->written != NULL && start->written[i]) || (set != NULL && set[i]);
+        b->written[i] = written;
+        b->fixed[i] = start != NULL && start->fixed != NULL && start->fixed[i];
+        b->widths[i] = written ? b->sizes[i] / SHARP : b->sizes[i];
+    }
+}
+
+/* ---- discretes ---- */
+
+/* Those of the start, relations as they stand. */
+static lag_status find_discretes(lag_beginning *b)
+{
+    lag_motion *motion = b->motion;
+    const lag_model *model = motion->model;
+    lag_arguments at = motion->at;
+    if (model->discrete_start == NULL) {
+        return LAG_OK;
+    }
+    lag_status status = model->discrete_start(&at, motion->w);
+    at.q = b->q;
+    at.qd = b->qd;
+    at.z = b->z;
+    at.qdd = b->still;
+    at.lam = b->still + model->nq;
+    if (status == LAG_OK && model->standing != NULL) {
+        status = model->standing(&at, b->w);
+        memcpy(motion->w, b->w, model->nw * sizeof(double));
+    }
+    return status;
+}
+
+static void close_contacts(lag_beginning *b, double closed)
+{
+    const lag_model *model = b->motion->model;
+    const lag_places places = lag_places_of(model);
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        b->motion->w[places.contact + i] = closed;
+    }
+}
+
+lag_status lag_beginning_at(lag_beginning *b, const lag_start *start, const unsigned char *set, double t, const double *x)
+{
+    lag_motion *motion = b->motion;
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    double *own = b->widths; /* the start values of the model, */
+    b->start = start;
+    b->t = t;
+    lag_fill(n + model->nc, 0.0, b->still);
+    lag_motion_look(motion, t, x); /* and the inputs of the motion, which stay */
+    memcpy(b->x, x, numbers(model) * sizeof(double));
+    lag_status status = model->start(&motion->at, own, own + n, own + 2 * n, b->u);
+    if (status != LAG_OK) {
+        return status;
+    }
+    memcpy(b->fixed, own, n * sizeof(double));
+    memcpy(b->q, own, n * sizeof(double));
+    memcpy(b->qd, own + n, n * sizeof(double));
+    memcpy(b->z, own + 2 * n, model->nz * sizeof(double));
+    status = find_discretes(b);
+    if (status != LAG_OK) {
+        return status;
+    }
+    find_sizes(b, b->fixed);
+    close_contacts(b, 1.0);
+    find_row_sizes(b, b->fixed);
+    close_contacts(b, 0.0);
+    find_widths(b, set);
+    memcpy(b->q, x, n * sizeof(double));
+    memcpy(b->qd, x + n, n * sizeof(double));
+    memcpy(b->z, x + 2 * n, model->nz * sizeof(double));
+    return LAG_OK;
+}

@@ -1,0 +1,236 @@
+/* The order in which a start is found, and its positions. */
+#include "lag/initial.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/beginning.h"
+#include "lag/memory.h"
+
+/* Where residuals are no larger than this, as a part of the rows' sizes, nothing is moved. */
+static const double THERE = 1e-15;
+
+static size_t larger(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
+/* ---- positions ---- */
+
+typedef struct positions {
+    lag_beginning *b;
+    size_t count;  /* coordinates that are free */
+    double *free;  /* (count) which they are */
+} positions;
+
+static size_t count_rows(const lag_model *model)
+{
+    size_t rows = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        rows += model->position_level[i] != 0;
+    }
+    return rows;
+}
+
+size_t lag_beginning_q_memory(const lag_model *model)
+{
+    const size_t m = count_rows(model);
+    const size_t n = model->nq;
+    return n + m * n + model->nc * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + lag_nearest_memory(m, n);
+}
+
+static void put(const positions *p, const double *y)
+{
+    lag_beginning *b = p->b;
+    memcpy(b->q, b->x, b->motion->model->nq * sizeof(double));
+    for (size_t k = 0; k < p->count; ++k) {
+        const size_t j = (size_t)p->free[k];
+        b->q[j] += b->widths[j] * y[k];
+    }
+}
+
+static void at_positions(void *context, const double *y, double *residual, double *jacobian)
+{
+    const positions *p = context;
+    lag_beginning *b = p->b;
+    put(p, y);
+    lag_beginning_positions(b);
+    for (size_t i = 0; i < b->rows; ++i) {
+        const size_t row = (size_t)b->row[i];
+        residual[i] = b->phi[row] / b->row_sizes[row];
+        for (size_t k = 0; k < p->count; ++k) {
+            const size_t j = (size_t)p->free[k];
+            jacobian[i * p->count + k] = b->jacobian[row * b->motion->model->nq + j] * b->widths[j] / b->row_sizes[row];
+        }
+    }
+}
+
+static int already_there(lag_beginning *b)
+{
+    int there = 1;
+    lag_beginning_positions(b);
+    for (size_t i = 0; i < b->rows; ++i) {
+        const size_t row = (size_t)b->row[i];
+        there = there && fabs(b->phi[row]) <= THERE * b->row_sizes[row];
+    }
+    return there;
+}
+
+/* The row that is farthest off is told. */
+static void tell(lag_beginning *b)
+{
+    double worst = -1.0;
+    lag_beginning_positions(b);
+    for (size_t i = 0; i < b->rows; ++i) {
+        const size_t row = (size_t)b->row[i];
+        const double size = isfinite(b->phi[row]) ? fabs(b->phi[row]) / b->row_sizes[row] : (double)INFINITY;
+        if (size > worst) {
+            worst = size;
+            b->told.which = row;
+            b->told.residual = fabs(b->phi[row]);
+        }
+    }
+    b->told.fault = LAG_INITIAL_POSITIONS;
+}
+
+void lag_beginning_find_q(lag_beginning *b, double *x)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    double *memory = b->memory;
+    positions p = {b, 0, lag_take(&memory, n)};
+    lag_nearest search;
+    if (b->rows == 0 || already_there(b)) {
+        return;
+    }
+    for (size_t j = 0; j < n; ++j) {
+        if (b->fixed[j] == 0.0) {
+            p.free[p.count++] = (double)j;
+        }
+    }
+    double *every = lag_take(&memory, model->nc * n);
+    double *pattern = lag_take(&memory, b->rows * p.count);
+    double *point = lag_take(&memory, n);
+    double *others = lag_take(&memory, LAG_NEAREST_OTHERS * p.count);
+    lag_beginning_pattern(b, every);
+    for (size_t i = 0; i < b->rows; ++i) {
+        for (size_t k = 0; k < p.count; ++k) {
+            pattern[i * p.count + k] = every[(size_t)b->row[i] * n + (size_t)p.free[k]];
+        }
+    }
+    unsigned long long seed = 20011;
+    for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
+        lag_beginning_point(b, &seed, k, b->x, point);
+        for (size_t i = 0; i < p.count; ++i) {
+            const size_t j = (size_t)p.free[i];
+            others[k * p.count + i] = (point[j] - b->x[j]) / b->widths[j];
+        }
+    }
+    const lag_parts parts = lag_parts_of(b->rows, p.count, pattern, lag_take(&memory, lag_parts_memory(b->rows, p.count)));
+    const lag_equations equations = {b->rows, p.count, at_positions, &p};
+    lag_nearest_place(&search, b->rows, p.count, memory);
+    const double worst = lag_nearest_search(&search, &equations, &parts, others, LAG_HOLDS);
+    put(&p, search.best.point);
+    memcpy(x, b->q, n * sizeof(double));
+    if (!(worst <= LAG_HOLDS)) {
+        tell(b);
+    }
+}
+
+/* ---- all of it ---- */
+
+size_t lag_initial_memory(const lag_model *model)
+{
+    const size_t q = larger(lag_beginning_q_memory(model), lag_beginning_qd_memory(model));
+    const size_t all = model->ne > 0 ? lag_beginning_all_memory(model) : 0;
+    return model->nc + model->ne == 0 ? 0 : lag_beginning_memory(model) + larger(larger(q, all), lag_beginning_rank_memory(model));
+}
+
+static size_t first_wrong(size_t count, const double *x)
+{
+    size_t i = 0;
+    while (i < count && isfinite(x[i])) {
+        ++i;
+    }
+    return i;
+}
+
+/* A start value or a row there that is no number. */
+static int find_no_number(lag_beginning *b)
+{
+    const lag_model *model = b->motion->model;
+    const size_t size = lag_motion_size(model);
+    size_t wrong = first_wrong(size, b->x);
+    if (wrong == size && model->nc > 0) {
+        lag_beginning_positions(b);
+        const size_t row = first_wrong(model->nc, b->phi);
+        lag_beginning_velocities(b);
+        const size_t other = first_wrong(model->nc, b->phi);
+        wrong += row < other ? row : other;
+    }
+    if (wrong == size + model->nc) {
+        return 0;
+    }
+    b->told.fault = LAG_INITIAL_NUMBERS;
+    b->told.which = wrong;
+    return 1;
+}
+
+/* Ranks are those the model was compiled with where nothing is other than then. */
+static int as_compiled(const lag_beginning *b, const unsigned char *set)
+{
+    const lag_model *model = b->motion->model;
+    size_t i = 0;
+    while (i < model->np && b->motion->at.p[i] == model->defaults[i]) {
+        ++i;
+    }
+    int alike = i == model->np;
+    for (i = 0; alike && set != NULL && i < lag_motion_size(model); ++i) {
+        alike = !set[i];
+    }
+    return alike;
+}
+
+static void find(lag_beginning *b, const unsigned char *set, double *x)
+{
+    const lag_model *model = b->motion->model;
+    if (find_no_number(b)) {
+        return;
+    }
+    if (model->ne > 0) {
+        lag_beginning_find_all(b, x);
+    } else {
+        lag_beginning_find_q(b, x);
+        if (b->told.fault == LAG_INITIAL_NONE) {
+            lag_beginning_find_qd(b, x);
+        }
+    }
+    if (b->told.fault == LAG_INITIAL_NONE && b->rows > 0 && !as_compiled(b, set)) {
+        lag_beginning_find_rank(b, x);
+    }
+}
+
+lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *memory,
+    lag_initial *told)
+{
+    const lag_model *model = motion->model;
+    lag_beginning b;
+    lag_initial found = {LAG_INITIAL_NONE, 0, 0.0, model->rank, 0};
+    lag_status status = LAG_OK;
+    if (model->nc + model->ne > 0) {
+        lag_beginning_place(&b, motion, memory);
+        b.told = found;
+        status = lag_beginning_at(&b, start, set, t, x);
+        if (status == LAG_OK) {
+            find(&b, set, x);
+            found = b.told;
+            found.moved = memcmp(b.x, x, lag_motion_size(model) * sizeof(double)) != 0;
+            status = found.fault == LAG_INITIAL_NONE ? LAG_OK : found.fault == LAG_INITIAL_NUMBERS ? LAG_NOT_FINITE : LAG_OFF;
+        }
+        lag_motion_look(motion, t, x);
+    }
+    if (told != NULL) {
+        *told = found;
+    }
+    return status;
+}

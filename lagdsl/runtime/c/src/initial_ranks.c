@@ -1,0 +1,213 @@
+/*
+ * Ranks at other parameters and starts than those the model was compiled with. A linkage that moves because of its special dimensions
+ * (Bennett's) is rigid with others, and one that does not may get them.
+ *
+ * Rows that depend on each other on the constraint set only are independent beside it, so ranks are those of general points on it, on the
+ * branch on which the motion starts, found by walking along.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "lag/beginning.h"
+#include "lag/memory.h"
+#include "lag/svd.h"
+
+static const double RANK = 1e-9;
+static const double LOOSE = 1e-6;
+/* Points are as good as exact below this residual; J is known to so many residuals. */
+static const double EXACT = 1e-10;
+static const double KNOWN = 1e3;
+/* A part whose largest singular value is below this has no content but round-off. */
+static const double CONTENT = 1e-3;
+static const double SHORTER = 0.6;
+static const double TARGET = 1e-13;
+enum { WANTED = 3, TRIES = 24, DESCENTS = 100 };
+
+typedef struct walk {
+    lag_beginning *b;
+    lag_descent descent;
+    lag_parts parts, all; /* of the position rows, of all rows */
+    lag_equations equations;
+    double *here, *step, *point;    /* (nq) in natural sizes */
+    double *residual, *jacobian;    /* (rows) (nc, nq) */
+    double *block, *part, *inner;   /* (nc, nq) (nq) (nq) */
+    double *ranks;                  /* (nc + nq) of each part, the largest so far, */
+    double *rough;                  /* (nc + nq) and of points where the rows hold by and large */
+    double *svd;
+} walk;
+
+size_t lag_beginning_rank_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    return lag_descent_memory(m, n) + 2 * lag_parts_memory(m, n) + 3 * n + m + 3 * m * n + 2 * n + 2 * (m + n) + lag_svd_memory(m, n);
+}
+
+static void at_point(void *context, const double *y, double *residual, double *jacobian)
+{
+    walk *w = context;
+    lag_beginning *b = w->b;
+    const size_t n = b->motion->model->nq;
+    for (size_t j = 0; j < n; ++j) {
+        b->q[j] = y[j] * b->sizes[j];
+    }
+    lag_beginning_positions(b);
+    for (size_t i = 0; i < b->rows; ++i) {
+        const size_t row = (size_t)b->row[i];
+        residual[i] = b->phi[row] / b->row_sizes[row];
+        for (size_t j = 0; j < n; ++j) {
+            jacobian[i * n + j] = b->jacobian[row * n + j] * b->sizes[j] / b->row_sizes[row];
+        }
+    }
+}
+
+static void place(walk *w, lag_beginning *b)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    double *memory = b->memory;
+    memset(w, 0, sizeof *w);
+    w->b = b;
+    w->equations = (lag_equations){b->rows, n, at_point, w};
+    lag_descent_place(&w->descent, b->rows, n, lag_take(&memory, lag_descent_memory(m, n)));
+    double *for_parts = lag_take(&memory, lag_parts_memory(m, n));
+    double *for_all = lag_take(&memory, lag_parts_memory(m, n));
+    w->here = lag_take(&memory, n);
+    w->step = lag_take(&memory, n);
+    w->point = lag_take(&memory, n);
+    w->residual = lag_take(&memory, m);
+    w->jacobian = lag_take(&memory, m * n);
+    w->block = lag_take(&memory, m * n);
+    double *pattern = lag_take(&memory, m * n);
+    w->part = lag_take(&memory, n);
+    w->inner = lag_take(&memory, n);
+    w->ranks = lag_take(&memory, m + n);
+    w->rough = lag_take(&memory, m + n);
+    w->svd = memory;
+    lag_fill(m + n, 0.0, w->ranks);
+    lag_fill(m + n, 0.0, w->rough);
+    lag_beginning_pattern(b, w->jacobian);
+    for (size_t i = 0; i < b->rows; ++i) {
+        memcpy(pattern + i * n, w->jacobian + (size_t)b->row[i] * n, n * sizeof(double));
+    }
+    w->parts = lag_parts_of(b->rows, n, pattern, for_parts);
+    w->all = lag_parts_of(m, n, w->jacobian, for_all);
+}
+
+/* The part of `step` that the position rows leave free. */
+static void keep_tangent(walk *w)
+{
+    const size_t n = w->b->motion->model->nq;
+    at_point(w, w->here, w->residual, w->jacobian);
+    for (size_t which = 0; which < w->parts.count; ++which) {
+        size_t first = 0;
+        const size_t rows = lag_parts_rows(&w->parts, which, &first);
+        const size_t columns = lag_parts_columns(&w->parts, which, &first);
+        if (rows == 0 || columns == 0 || !lag_parts_block(&w->parts, which, n, w->jacobian, w->block)) {
+            continue;
+        }
+        const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);
+        for (size_t j = 0; j < columns; ++j) {
+            w->part[j] = w->step[(size_t)w->parts.column[first + j]];
+            w->inner[j] = 0.0;
+        }
+        for (size_t i = lag_svd_rank(&svd, LOOSE); i < columns; ++i) {
+            double along = 0.0;
+            for (size_t j = 0; j < columns; ++j) {
+                along += svd.v[i * columns + j] * w->part[j];
+            }
+            for (size_t j = 0; j < columns; ++j) {
+                w->inner[j] += along * svd.v[i * columns + j];
+            }
+        }
+        for (size_t j = 0; j < columns; ++j) {
+            w->step[(size_t)w->parts.column[first + j]] = w->inner[j];
+        }
+    }
+}
+
+/* Ranks of all parts at `point`, which is on the constraints up to the residual; 0: a function is not finite there. */
+static int look(walk *w, double residual)
+{
+    lag_beginning *b = w->b;
+    const size_t n = b->motion->model->nq;
+    double *ranks = residual <= EXACT ? w->ranks : w->rough;
+    for (size_t j = 0; j < n; ++j) {
+        b->q[j] = w->point[j] * b->sizes[j];
+    }
+    lag_beginning_velocities(b);
+    for (size_t i = 0; i < b->motion->model->nc; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            w->jacobian[i * n + j] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
+        }
+    }
+    int finite = 1;
+    for (size_t which = 0; which < w->all.count && finite; ++which) {
+        size_t first = 0;
+        const size_t rows = lag_parts_rows(&w->all, which, &first);
+        const size_t columns = lag_parts_columns(&w->all, which, &first);
+        finite = lag_parts_block(&w->all, which, n, w->jacobian, w->block);
+        if (finite && rows > 0 && columns > 0) {
+            const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);
+            const double least = fmax(RANK, KNOWN * residual) * fmax(svd.value[0], CONTENT);
+            size_t rank = 0;
+            while (rank < svd.k && svd.value[rank] > least) {
+                ++rank;
+            }
+            ranks[which] = fmax(ranks[which], (double)rank);
+        }
+    }
+    return finite;
+}
+
+/* Further along the set; 0: there are no numbers, or no way back to it. */
+static int take_step(walk *w, unsigned long long *seed, size_t which, double scale, double *residual)
+{
+    lag_beginning *b = w->b;
+    const size_t n = b->motion->model->nq;
+    lag_beginning_point(b, seed, which, b->x, w->step);
+    for (size_t j = 0; j < n; ++j) {
+        w->step[j] = (w->step[j] - b->x[j]) / b->sizes[j];
+    }
+    keep_tangent(w);
+    for (size_t j = 0; j < n; ++j) {
+        w->point[j] = w->here[j] + scale * w->step[j];
+    }
+    lag_descend(&w->descent, &w->equations, &w->parts, TARGET, DESCENTS, w->point);
+    *residual = lag_descent_size(&w->descent, &w->equations);
+    return *residual <= LAG_HOLDS && look(w, *residual);
+}
+
+void lag_beginning_find_rank(lag_beginning *b, const double *x)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    walk w;
+    unsigned long long seed = 20011;
+    double scale = 1.0;
+    double residual = 0.0;
+    size_t found = 0;
+    size_t rank = 0;
+    place(&w, b);
+    memcpy(b->qd, x + n, n * sizeof(double));
+    for (size_t j = 0; j < n; ++j) {
+        w.here[j] = x[j] / b->sizes[j];
+    }
+    for (size_t k = 0; k < TRIES && found < WANTED; ++k) {
+        if (take_step(&w, &seed, k, scale, &residual)) {
+            memcpy(w.here, w.point, n * sizeof(double));
+            found += residual <= EXACT;
+        } else {
+            scale *= SHORTER;
+        }
+    }
+    for (size_t which = 0; which < w.all.count; ++which) {
+        rank += (size_t)(found > 0 ? w.ranks : w.rough)[which];
+    }
+    b->told.rank = rank;
+    if (rank > model->rank) {
+        b->told.fault = LAG_INITIAL_RANK;
+        b->told.which = rank - model->rank;
+    }
+}
