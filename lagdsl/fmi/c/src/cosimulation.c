@@ -11,7 +11,7 @@
 #include "lag/finite.h"
 #include "lag/fixed.h"
 
-/* Steps lead beyond a communication point by at most so many communication steps. */
+/* Where nobody tells when the simulation ends, steps lead beyond a communication point by at most so many communication steps. */
 static const double AHEAD = 1000.0;
 /* A communication step longer than fixed steps by this part of one takes no further one. */
 static const double SAME = 1e-9;
@@ -38,8 +38,8 @@ static lag_status deliver(lag_instance *instance, double t)
 static double farthest(const lag_instance *instance, double end, int jumped)
 {
     const double stop = instance->held.stop;
-    const double far = end + AHEAD * (end - instance->held.t);
-    return jumped || end >= stop ? end : fmin(stop, far);
+    const double far = stop < (double)INFINITY ? stop : end + AHEAD * (end - instance->held.t);
+    return jumped || end >= stop ? end : far;
 }
 
 /* One step of the integrator; where it fails beyond `end`, one that stays before. */

@@ -13,6 +13,8 @@ static const double LEAST_TOLERANCE = 1e-13;
 static const double MOST_TOLERANCE = 0.1;
 /* Of an experiment of which nothing is known [s]. */
 static const double LENGTH = 1.0;
+/* Residuals of constraints die out within this part of the experiment: fast against it, and no stiffness. */
+static const double RATE = 50.0;
 /* Invariants may depart by so many tolerances where the model does not say. */
 static const double INVARIANT = 1e3;
 
@@ -118,6 +120,12 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     }
     lag_instance_renew(instance);
     return instance;
+}
+
+double lag_instance_rate(const lag_instance *instance)
+{
+    const double length = instance->fmu->stop_time - instance->fmu->start_time;
+    return RATE / (length > 0.0 && length < (double)INFINITY ? length : LENGTH);
 }
 
 void lag_instance_renew(lag_instance *instance)

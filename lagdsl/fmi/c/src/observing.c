@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/derivatives.h"
 #include "lag/finite.h"
 
 lag_status lag_instance_ready(lag_instance *instance)
@@ -69,7 +70,7 @@ static lag_status find(lag_instance *instance, unsigned what)
     double *energy = instance->energy;
     switch (what) {
     case LAG_KNOWN_MOTION:
-        return lag_motion_solve(motion, instance->held.t, instance->x);
+        return lag_motion_solve_stabilized(motion, lag_instance_rate(instance), instance->held.t, instance->x);
     case LAG_KNOWN_RATES:
         return rates(instance);
     case LAG_KNOWN_OUTPUTS:
@@ -95,6 +96,7 @@ lag_status lag_instance_know(lag_instance *instance, unsigned what)
         if ((missing & bit) != 0) {
             status = lag_instance_judge(instance, find(instance, bit));
             instance->known |= status == LAG_OK ? bit : 0;
+            instance->known &= bit == LAG_KNOWN_INDICATORS ? ~(unsigned)LAG_KNOWN_MOTION : ~0U; /* they want accelerations of their own */
             missing &= ~bit;
         }
     }

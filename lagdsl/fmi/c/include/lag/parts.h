@@ -86,6 +86,8 @@ size_t lag_instance_kept(const lag_fmu *fmu);
 lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
 /* The same in the words of the runtime; LAG_OK stays. */
 lag_status lag_instance_judge(lag_instance *instance, lag_status status);
+/* How fast accelerations bring residuals of constraints to rest [1/s]: within a fiftieth of the experiment of the FMU. */
+double lag_instance_rate(const lag_instance *instance);
 /* The run anew, with the tolerance and the length of the experiment. */
 void lag_instance_renew(lag_instance *instance);
 

@@ -1,0 +1,143 @@
+/*
+ * An exported model of which the motion is known: q'' = -k q + u and z' = -z, u with its derivative as a further input. Outputs are q and
+ * q''; an assertion wants q < 3, an invariant k q^2 + q'^2 says nothing of the motion with u.
+ */
+#ifndef OSCILLATOR_H
+#define OSCILLATOR_H
+
+#include "lag/instance.h"
+
+enum { OSC_TIME, OSC_K, OSC_Q, OSC_QD, OSC_Z, OSC_QDD, OSC_ZD, OSC_U, OSC_UD, OSC_YQ, OSC_YA, OSC_STEP, OSC_ENERGY, OSC_BOTH, OSC_VARIABLES };
+
+static inline lag_status osc_prepare(const double *p, double *workspace)
+{
+    workspace[0] = p[0];
+    return LAG_OK;
+}
+
+static inline lag_status osc_start(const lag_arguments *at, double *q, double *qd, double *z, double *u)
+{
+    q[0] = 4.0 / at->p[0];
+    qd[0] = 0.0;
+    z[0] = 1.0;
+    u[0] = u[1] = 0.0;
+    return LAG_OK;
+}
+
+static inline lag_status osc_mass(const lag_arguments *at, double *mass)
+{
+    (void)at;
+    mass[0] = 1.0;
+    return LAG_OK;
+}
+
+static inline lag_status osc_dynamics(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma)
+{
+    (void)jacobian;
+    (void)gamma;
+    mass[0] = 1.0;
+    force[0] = at->u[0] - at->workspace[0] * at->q[0];
+    return LAG_OK;
+}
+
+static inline lag_status osc_rates(const lag_arguments *at, double *rates)
+{
+    rates[0] = -at->z[0];
+    return LAG_OK;
+}
+
+static inline lag_status osc_output(const lag_arguments *at, double *y)
+{
+    y[0] = at->q[0];
+    y[1] = at->qdd[0];
+    return LAG_OK;
+}
+
+static inline lag_status osc_energies(const lag_arguments *at, double *total, double *kinetic, double *potential, double *jacobi)
+{
+    *kinetic = 0.5 * at->qd[0] * at->qd[0];
+    *potential = 0.5 * at->p[0] * at->q[0] * at->q[0];
+    *total = *jacobi = *kinetic + *potential;
+    return LAG_OK;
+}
+
+static inline lag_status osc_monitor(const lag_arguments *at, double *invariant, double *scale, double *assertion)
+{
+    (void)invariant;
+    (void)scale;
+    assertion[0] = at->q[0] < 3.0;
+    return LAG_OK;
+}
+
+static const lag_slot OSC_SLOTS[2] = {{"q", "m", NULL}, {"r", "1", NULL}};
+static const double OSC_DEFAULTS[1] = {4.0};
+static const char *const OSC_ASSERTIONS[1] = {"q is too large"};
+
+static const lag_model OSC = {
+    .version = LAG_MODEL_VERSION,
+    .size = sizeof(lag_model),
+    .name = "Oscillator",
+    .nq = 1,
+    .nz = 1,
+    .nu = 2,
+    .np = 1,
+    .ny = 2,
+    .na = 1,
+    .workspace = 1,
+    .prepared = 1,
+    .coordinates = OSC_SLOTS,
+    .states = OSC_SLOTS + 1,
+    .inputs = OSC_SLOTS,
+    .parameters = OSC_SLOTS,
+    .outputs = OSC_SLOTS,
+    .assertions = OSC_ASSERTIONS,
+    .defaults = OSC_DEFAULTS,
+    .prepare = osc_prepare,
+    .start = osc_start,
+    .mass_matrix = osc_mass,
+    .dynamics = osc_dynamics,
+    .state_derivative = osc_rates,
+    .output = osc_output,
+    .energies = osc_energies,
+    .monitor = osc_monitor,
+};
+
+static const lag_variable OSC_TABLE[OSC_VARIABLES] = {
+    {LAG_ROLE_TIME, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 1},
+    {LAG_ROLE_PARAMETER, LAG_TYPE_REAL, LAG_SET_TUNABLE, 0, 1},
+    {LAG_ROLE_STATE, LAG_TYPE_REAL, LAG_SET_ALWAYS, 0, 1},
+    {LAG_ROLE_STATE, LAG_TYPE_REAL, LAG_SET_ALWAYS, 1, 1},
+    {LAG_ROLE_STATE, LAG_TYPE_REAL, LAG_SET_ALWAYS, 2, 1},
+    {LAG_ROLE_DERIVATIVE, LAG_TYPE_REAL, LAG_SET_NEVER, 1, 1},
+    {LAG_ROLE_DERIVATIVE, LAG_TYPE_REAL, LAG_SET_NEVER, 2, 1},
+    {LAG_ROLE_INPUT, LAG_TYPE_REAL, LAG_SET_ALWAYS, 0, 1},
+    {LAG_ROLE_INPUT, LAG_TYPE_REAL, LAG_SET_ALWAYS, 1, 1},
+    {LAG_ROLE_OUTPUT, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 1},
+    {LAG_ROLE_OUTPUT, LAG_TYPE_REAL, LAG_SET_NEVER, 1, 1},
+    {LAG_ROLE_OPTION, LAG_TYPE_REAL, LAG_SET_TUNABLE, LAG_OPTION_STEP, 1},
+    {LAG_ROLE_ENERGY, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 1},
+    {LAG_ROLE_OUTPUT, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 2},
+};
+static const double OSC_STATE[3] = {1.0, 0.0, 1.0};
+static const lag_start OSC_START = {.t = 0.0, .x = OSC_STATE};
+static const double OSC_GROUP[3] = {0.0, 1.0, 2.0};
+static const double OSC_SIZES[3] = {1.0, 1.0, 1.0};
+static const double OSC_CAPS[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+static const lag_fmu OSC_FMU = {
+    .model = &OSC,
+    .token = "oscillator",
+    .nvariable = OSC_VARIABLES,
+    .variables = OSC_TABLE,
+    .start = &OSC_START,
+    .nominal = OSC_SIZES,
+    .start_time = 0.0,
+    .stop_time = 10.0,
+    .tolerance = 1e-9,
+    .group = OSC_GROUP,
+    .natural = OSC_SIZES,
+    .cap = OSC_CAPS,
+    .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
+};
+
+#endif
