@@ -46,13 +46,14 @@ def _shape(run: Sequence[Scalar]) -> tuple[int, ...] | None:
 
 def _array(run: Sequence[Scalar], shape: tuple[int, ...]) -> Variable:
     first = run[0]
+    tunable = (scalar.attributes for scalar in run if scalar.attributes.variability == "tunable")
     initials = list(dict.fromkeys(scalar.initial for scalar in run))
     initial: Initial | None = initials[0] if len(initials) == 1 else "approx"
     return Variable(
         name=first.name.array,
         first=first.first,
         shape=shape,
-        attributes=first.attributes,
+        attributes=next(tunable, first.attributes),
         initial=initial,
         starts=tuple(scalar.start for scalar in run if scalar.start is not None),
         reinit=any(scalar.reinit for scalar in run),

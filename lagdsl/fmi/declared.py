@@ -33,7 +33,12 @@ def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
             **bounds(item, value),
         )
         yield Scalar(
-            name=named(item.name), first=index, attributes=attributes, initial="exact", start=value, key=attributes
+            name=named(item.name),
+            first=index,
+            attributes=attributes,
+            initial="exact",
+            start=value,
+            key=_but_for_tuning(attributes),
         )
 
 
@@ -122,4 +127,16 @@ def _computed(
     if item.base != "Real" and variability == "continuous":
         variability = "discrete"
     attributes = replace(attributes_of(item, role), causality=causality, variability=variability)
-    return Scalar(name=named(item.name), first=index, attributes=attributes, initial="calculated", key=attributes)
+    return Scalar(
+        name=named(item.name),
+        first=index,
+        attributes=attributes,
+        initial="calculated",
+        key=_but_for_tuning(attributes),
+    )
+
+
+def _but_for_tuning(attributes: Attributes) -> object:
+    """What entries of an array have in common, also where only some of them have an effect after the start."""
+    tuned = attributes.variability in ("tunable", "fixed")
+    return replace(attributes, variability="tunable", setting="TUNABLE") if tuned else attributes

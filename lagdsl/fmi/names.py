@@ -68,7 +68,7 @@ def structured(path: str) -> str:
 
 def quoted(text: str) -> str:
     """A name in quotes; what these cannot hold becomes its number in hexadecimal: `'caf{e9}'`."""
-    return "'" + "".join(_character(character) for character in text or " ") + "'"
+    return "'" + ("".join(_character(character) for character in text) or "{}") + "'"
 
 
 def _character(character: str) -> str:

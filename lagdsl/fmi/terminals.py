@@ -21,6 +21,7 @@ _MEMBERS: dict[Dimension, tuple[tuple[str, ...], str]] = {
     DIMENSIONLESS: (("phi", "w", "a"), "tau"),
     LENGTH: (("s", "v", "a"), "f"),
 }
+_CORNERS = {"x1": -100, "y1": -100, "x2": 100, "y2": 100}
 
 
 @record(kw_only=True)
@@ -38,14 +39,16 @@ class Terminal:
 
 
 def terminals(table: Table) -> str | None:
-    """Text of the file; None where nothing of the model is a port, or where FMI 2 has none."""
-    found = [*_loaded(table.flat), *_prescribed(table.flat)] if table.version == 3 else []
-    if not found:
+    """Text of the file, with the place of the icon; None in FMI 2, which has no such file."""
+    if table.version == 2:
         return None
     variables = {variable.name for variable in table.variables}
     root = element("fmiTerminalsAndIcons", fmiVersion="3.0")
-    every = element("Terminals", root)
-    for terminal in found:
+    picture = element("GraphicalRepresentation", root)
+    element("CoordinateSystem", picture, **_CORNERS, suggestedScalingFactorTo_mm=0.1)
+    element("Icon", picture, **_CORNERS)
+    every = element("Terminals")
+    for terminal in [*_loaded(table.flat), *_prescribed(table.flat)]:
         members = [member for member in terminal.members if member.variable in variables]
         if len(members) < len(terminal.members):  # entries of arrays have no names of their own
             continue
@@ -58,7 +61,9 @@ def terminals(table: Table) -> str | None:
                 memberName=member.name,
                 variableKind=member.kind,
             )
-    return document(root) if len(every) else None
+    if len(every):
+        root.append(every)
+    return document(root)
 
 
 def _loaded(flat: FlatModel) -> list[Terminal]:

@@ -1,0 +1,56 @@
+"""Tables of variables and descriptions of models, without anything compiled."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from xml.etree import ElementTree
+
+from models.corpus import compiled
+
+from lagdsl.backends.c.emit import Start
+from lagdsl.diagnostics import Sink
+from lagdsl.fmi.fmi2_description import fmi2_description
+from lagdsl.fmi.fmi3_description import fmi3_description
+from lagdsl.fmi.variables import KINDS, Kind, Table, Version, table
+from lagdsl.pipeline import Compilation, engine_of, front, middle, with_names
+from lagdsl.simulate.initialize import initial_state
+from lagdsl.source import SourceFile
+
+TOKEN = "{0123}"
+
+
+def of_text(text: str) -> Compilation:
+    sink = Sink()
+    flat = front(SourceFile("text.lag", text), sink)
+    assert flat is not None, sink.diagnostics
+    compilation = middle(flat, sink)
+    assert compilation is not None, sink.diagnostics
+    return compilation
+
+
+def table_of(compilation: Compilation, version: Version, kinds: tuple[Kind, ...] = KINDS) -> Table:
+    engine = engine_of(compilation.program)
+    initial = initial_state(compilation.flat, engine, sink=Sink())
+    start = Start(initial.t, (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist()))
+    return table(replace(compilation, program=with_names(compilation)), version, start, kinds=kinds, engine=engine)
+
+
+@cache
+def table_of_model(name: str, version: Version) -> Table:
+    return table_of(compiled(name).compilation, version)
+
+
+@cache
+def table_of_text(text: str, version: Version) -> Table:
+    return table_of(of_text(text), version)
+
+
+def description(given: Table) -> str:
+    if given.version == 2:
+        return fmi2_description(given, identifier="Model", source_files=["Model.c"], token=TOKEN)
+    return fmi3_description(given, identifier="Model", token=TOKEN)
+
+
+def tree(given: Table) -> ElementTree.Element:
+    return ElementTree.fromstring(description(given))
