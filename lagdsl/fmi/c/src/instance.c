@@ -43,7 +43,7 @@ static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
     return lag_instance_kept(fmu) + 3 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd + fmu->model->ni +
-           lag_fixed_memory(size) + 1;
+           lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
 }
 
 static lag_run_options options_of(const lag_instance *instance)
@@ -97,7 +97,9 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->tangent = lag_take(&memory, size);
     instance->entry = lag_take(&memory, longest(fmu));
     instance->invariant_limits = lag_take(&memory, model->ni);
-    instance->fixed_memory = memory;
+    instance->fixed_memory = lag_take(&memory, lag_fixed_memory(size));
+    instance->slopes = lag_take(&memory, lag_instance_slopes(model));
+    lag_derivatives_place(&instance->derivatives, model, memory);
 }
 
 lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)

@@ -83,6 +83,8 @@ static lag_status find(lag_instance *instance, unsigned what)
         return residuals(instance);
     case LAG_KNOWN_INDICATORS:
         return lag_instance_look(instance);
+    case LAG_KNOWN_DERIVATIVES:
+        return lag_derivatives_look(&instance->derivatives, &motion->at, lag_instance_rate(instance), &motion->coordinate);
     default:
         return LAG_MISSING;
     }

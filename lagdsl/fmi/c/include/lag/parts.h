@@ -5,6 +5,7 @@
 #ifndef LAG_PARTS_H
 #define LAG_PARTS_H
 
+#include "lag/derivatives.h"
 #include "lag/instance.h"
 #include "lag/run.h"
 
@@ -25,7 +26,8 @@ enum {
     LAG_KNOWN_LOCALS = 8,
     LAG_KNOWN_ENERGIES = 16,
     LAG_KNOWN_RESIDUALS = 32,
-    LAG_KNOWN_INDICATORS = 64
+    LAG_KNOWN_INDICATORS = 64,
+    LAG_KNOWN_DERIVATIVES = 128 /* what derivatives need, in `derivatives` */
 };
 
 typedef struct lag_held {
@@ -68,6 +70,8 @@ struct lag_instance {
     double *invariant_limits;   /* (ni) */
     int turning;                /* any output is such an angle */
     double *fixed_memory;   /* lag_fixed_memory() */
+    lag_derivatives derivatives;
+    double *slopes;         /* lag_instance_slopes() */
     char message[LAG_MESSAGE];
 };
 
@@ -111,6 +115,11 @@ lag_status lag_instance_assert(lag_instance *instance, double t, const double *x
 void lag_instance_unwind(const lag_instance *instance, double *y);
 /* The state at t is accepted: angles go on from there. */
 lag_status lag_instance_turn(lag_instance *instance, double t, const double *x);
+
+/* ---- directional.c ---- */
+
+/* Doubles of `slopes`. */
+size_t lag_instance_slopes(const lag_model *model);
 
 /* ---- courses.c ---- */
 

@@ -1,0 +1,243 @@
+/*
+ * Derivatives of variables, exact: a direction of the knowns, and how everything changes along it. Relations and contacts are held. Adjoint
+ * ones are the same, known by known.
+ */
+#include "lag/parts.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/memory.h"
+
+/* What changes along a direction, laid out in `slopes` of the instance. */
+typedef struct changes {
+    double *rates, *y, *local; /* (2 nq + nz) (ny) (nd) */
+    double *energy;            /* (3) */
+    double *residual[2];       /* (nc) of positions, of velocities */
+    double *value[2];          /* (nc) these themselves */
+    double worst[2];           /* how the largest of them change */
+    unsigned known;            /* as in lag_instance */
+} changes;
+
+size_t lag_instance_slopes(const lag_model *model)
+{
+    return lag_motion_size(model) + model->nu + model->ny + model->nd + 3 + 4 * model->nc;
+}
+
+static changes lay_out(const lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    double *memory = instance->slopes;
+    changes to = {.known = 0};
+    to.rates = lag_take(&memory, lag_motion_size(model));
+    to.y = lag_take(&memory, model->ny);
+    to.local = lag_take(&memory, model->nd);
+    to.energy = lag_take(&memory, 3);
+    for (size_t level = 0; level < 2; ++level) {
+        to.residual[level] = lag_take(&memory, model->nc);
+        to.value[level] = lag_take(&memory, model->nc);
+    }
+    return to;
+}
+
+/* ---- the direction ---- */
+
+/* Where a known stands in the direction; null: it is none. */
+static double *place_of(lag_instance *instance, const lag_known *known)
+{
+    const lag_model *model = instance->fmu->model;
+    const lag_variable *variable = &instance->fmu->variables[known->variable];
+    const size_t index = variable->first + known->element;
+    double *x = instance->derivatives.x;
+    switch ((lag_role)variable->role) {
+    case LAG_ROLE_TIME:
+        return &instance->derivatives.time;
+    case LAG_ROLE_STATE:
+        return x + index;
+    case LAG_ROLE_INPUT:
+        return x + lag_motion_size(model) + index;
+    case LAG_ROLE_PARAMETER:
+        return x + lag_motion_size(model) + model->nu + index;
+    default:
+        return NULL;
+    }
+}
+
+static void clear(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_fill(lag_motion_size(model) + model->nu + model->np, 0.0, instance->derivatives.x);
+    instance->derivatives.time = 0.0;
+}
+
+/* Until initialization ends, states and inputs that were not set follow the parameters. */
+static lag_status follow_parameters(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_derivatives *d = &instance->derivatives;
+    const size_t n = model->nq;
+    const size_t size = lag_motion_size(model);
+    double *starts = instance->slopes;
+    if (model->start_tangent == NULL || model->nc + model->ne > 0 || d->time != 0.0) {
+        return lag_instance_fail(instance, LAG_MISSING,
+            "until initialization ends there are no derivatives of models with constraints or initial equations, or in time");
+    }
+    const lag_status status = model->start_tangent(&d->at, starts, starts + n, starts + 2 * n, starts + size);
+    for (size_t i = 0; i < size; ++i) {
+        d->x[i] = instance->given[i] != 0.0 ? d->x[i] : starts[i];
+    }
+    for (size_t i = 0; i < model->nu; ++i) {
+        d->x[size + i] += instance->given_inputs[i] != 0.0 ? 0.0 : starts[size + i];
+    }
+    return lag_instance_judge(instance, status);
+}
+
+/* Everything is ready for what changes along the direction that stands in `derivatives`. */
+static lag_status go(lag_instance *instance)
+{
+    lag_status status = LAG_OK;
+    if (instance->held.phase == LAG_PHASE_START) {
+        status = follow_parameters(instance);
+    }
+    return status == LAG_OK ? lag_instance_judge(instance, lag_derivatives_along(&instance->derivatives)) : status;
+}
+
+/* ---- what changes ---- */
+
+/* The largest residual changes as the row does that has it. */
+static lag_status residuals(lag_instance *instance, changes *to)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_derivatives *d = &instance->derivatives;
+    lag_status status = lag_derivatives_residuals(d, to->residual[0], to->residual[1]);
+    for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
+        double most = 0.0;
+        to->worst[level] = 0.0;
+        status = (level == 0 ? model->position_constraint : model->velocity_constraint)(&d->at, to->value[level], d->unused);
+        for (size_t i = 0; i < model->nc; ++i) {
+            const double part = to->value[level][i] / instance->run->row_sizes[i];
+            if ((level > 0 || model->position_level[i]) && fabs(part) > most) {
+                most = fabs(part);
+                to->worst[level] = (part < 0.0 ? -1.0 : 1.0) * to->residual[level][i] / instance->run->row_sizes[i];
+            }
+        }
+    }
+    return status;
+}
+
+static lag_status find(lag_instance *instance, changes *to, unsigned what)
+{
+    lag_derivatives *d = &instance->derivatives;
+    if ((to->known & what) == what) {
+        return LAG_OK;
+    }
+    to->known |= what;
+    switch (what) {
+    case LAG_KNOWN_RATES:
+        return lag_derivatives_rates(d, to->rates);
+    case LAG_KNOWN_OUTPUTS:
+        return lag_derivatives_outputs(d, to->y);
+    case LAG_KNOWN_LOCALS:
+        return lag_derivatives_definitions(d, to->local);
+    case LAG_KNOWN_ENERGIES:
+        return lag_derivatives_energies(d, to->energy);
+    default:
+        return residuals(instance, to);
+    }
+}
+
+/* How one unknown changes. */
+static lag_status change(lag_instance *instance, changes *to, const lag_known *unknown, double *value)
+{
+    const lag_variable *variable = &instance->fmu->variables[unknown->variable];
+    const size_t index = variable->first + unknown->element;
+    const double *array = NULL;
+    lag_status status = LAG_OK;
+    switch ((lag_role)variable->role) {
+    case LAG_ROLE_STATE:
+        array = instance->derivatives.x;
+        break;
+    case LAG_ROLE_DERIVATIVE:
+        status = find(instance, to, LAG_KNOWN_RATES);
+        array = to->rates;
+        break;
+    case LAG_ROLE_OUTPUT:
+        status = find(instance, to, LAG_KNOWN_OUTPUTS);
+        array = to->y;
+        break;
+    case LAG_ROLE_LOCAL:
+        status = find(instance, to, LAG_KNOWN_LOCALS);
+        array = to->local;
+        break;
+    case LAG_ROLE_MULTIPLIER:
+        array = instance->derivatives.dlam;
+        break;
+    case LAG_ROLE_ENERGY:
+        status = find(instance, to, LAG_KNOWN_ENERGIES);
+        array = to->energy;
+        break;
+    case LAG_ROLE_RESIDUAL:
+        status = find(instance, to, LAG_KNOWN_RESIDUALS);
+        array = to->worst;
+        break;
+    default:
+        return lag_instance_fail(instance, LAG_MISSING, "value reference %zu has no derivatives", unknown->variable);
+    }
+    *value = status == LAG_OK ? array[index] : 0.0;
+    if (status == LAG_OK && !isfinite(*value)) {
+        status = LAG_NOT_FINITE;
+    }
+    return lag_instance_judge(instance, status);
+}
+
+/* ---- what importers ask for ---- */
+
+static lag_status refuse(lag_instance *instance, const lag_known *known)
+{
+    return lag_instance_fail(instance, LAG_MISSING, "there are no derivatives with respect to value reference %zu", known->variable);
+}
+
+lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+    size_t knowns, const double *seed, double *sensitivity)
+{
+    changes to = lay_out(instance);
+    lag_status status = lag_instance_know(instance, LAG_KNOWN_DERIVATIVES);
+    clear(instance);
+    for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
+        double *place = place_of(instance, &known[k]);
+        status = place == NULL ? refuse(instance, &known[k]) : LAG_OK;
+        if (place != NULL) {
+            *place += seed[k];
+        }
+    }
+    if (status == LAG_OK) {
+        status = go(instance);
+    }
+    for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
+        status = change(instance, &to, &unknown[i], &sensitivity[i]);
+    }
+    return status;
+}
+
+lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+    size_t knowns, const double *seed, double *sensitivity)
+{
+    lag_status status = lag_instance_know(instance, LAG_KNOWN_DERIVATIVES);
+    for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
+        changes to = lay_out(instance);
+        double *place = place_of(instance, &known[k]);
+        clear(instance);
+        if (place == NULL) {
+            return refuse(instance, &known[k]);
+        }
+        *place = 1.0;
+        status = go(instance);
+        sensitivity[k] = 0.0;
+        for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
+            double value = 0.0;
+            status = change(instance, &to, &unknown[i], &value);
+            sensitivity[k] += seed[i] * value;
+        }
+    }
+    return status;
+}
