@@ -36,6 +36,12 @@ def fmi_folder() -> Path:
     return _PACKAGE / "fmi" / "c"
 
 
+def license_file() -> Path:
+    """The license of lagdsl, which what it generates with parts of it carries along."""
+    inside = _PACKAGE / "_data" / "LICENSE"
+    return inside if inside.is_file() else _PACKAGE.parent / "LICENSE"
+
+
 def _folder(packed: str, checked_out: str) -> Path:
     """The folder inside the wheel if there is one, else the one of the checkout."""
     inside = _PACKAGE / "_data" / packed

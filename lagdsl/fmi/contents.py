@@ -14,6 +14,7 @@ from lagdsl.fmi.platforms import Platform, platform_of
 from lagdsl.fmi.sources import c_files, model_sources
 from lagdsl.fmi.subject import Subject
 from lagdsl.fmi.table import table_source
+from lagdsl.fmi.terminals import terminals
 from lagdsl.fmi.variables import Version
 
 _FMI2_FOLDERS = {"x86_64-linux": "linux64", "x86_64-windows": "win64", "x86_64-darwin": "darwin64"}
@@ -38,6 +39,12 @@ def source_files(subject: Subject, sources: Mapping[str, str]) -> dict[str, byte
     described = build_description(subject.stem, c_files(sources))
     named = {**sources, "buildDescription.xml": described}
     return {f"sources/{path}": text.encode() for path, text in named.items()}
+
+
+def terminal_files(subject: Subject) -> dict[str, bytes]:
+    """Ports as terminals, which FMI 3 has."""
+    text = terminals(subject.table) if subject.table.version == 3 else None
+    return {} if text is None else {"terminalsAndIcons/terminalsAndIcons.xml": text.encode()}
 
 
 def _description(subject: Subject, files: Sequence[str], token: str) -> str:

@@ -8,8 +8,11 @@ from pathlib import Path
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.archive import write_archive
 from lagdsl.fmi.binary import binaries
-from lagdsl.fmi.contents import library_files, source_files, texts
+from lagdsl.fmi.contents import library_files, source_files, terminal_files, texts
+from lagdsl.fmi.documentation import documentation_files
+from lagdsl.fmi.extra import extra_files
 from lagdsl.fmi.platforms import PLATFORMS, Platform, platform_of, this_machine
+from lagdsl.fmi.reference import reference
 from lagdsl.fmi.refusals import refuse
 from lagdsl.fmi.sources import require_fmpy
 from lagdsl.fmi.subject import subject
@@ -34,6 +37,7 @@ def export(
     parameters: Mapping[str, float] | None = None,
     start: Mapping[str, float] | None = None,
     source: SourceFile | None = None,
+    documented: bool = True,
     sink: Sink | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> None:
@@ -41,9 +45,10 @@ def export(
 
     `platforms` are names of `lagdsl.fmi.platforms.PLATFORMS`; none: that of this machine. `parameters` and `start`, by
     name in SI units, become the defaults. `source` is put into the file with all else that the model was read from.
-    `progress` is called with the part of the work that is done. The file appears when the validator of fmpy found
-    nothing and its own library, if it is for this machine, came through its first steps; the same model gives the same
-    bytes.
+    Without `documented` there is neither documentation nor a picture nor a motion to compare with, which take most of
+    the time. `progress` is called with the part of the work that is done. The file appears when the validator of fmpy
+    found nothing and its own library, if it is for this machine, came through its first steps; the same model gives the
+    same bytes.
 
     Raises CompilationFailed with E09xx, ValueError for a platform that there is not, OSError where `path` cannot be
     written.
@@ -62,7 +67,14 @@ def export(
         "modelDescription.xml": description.encode(),
         **source_files(exported, sources),
         **library_files(libraries, exported.stem, version),
+        **terminal_files(exported),
     }
+    if documented:
+        known = reference(exported)
+        header = sources["fmi2Functions.h" if version == 2 else "fmi3Functions.h"]
+        files |= {**documentation_files(exported, known, header), **extra_files(known, source)}
+    else:
+        files |= extra_files(None, source)
     with whole_file(path) as draft:
         write_archive(draft, files)
         try_out(draft, exported.table.kinds if this_machine() in libraries else ())

@@ -20,9 +20,12 @@ from lagdsl.simulate.initialize import initial_state
 
 @record(kw_only=True)
 class Subject:
-    """`compilation` has the program with every named value and the chosen defaults; `stem` names files and symbols."""
+    """`compilation` has the program with every named value and the chosen defaults, `plain` the same without those
+    values. `chosen` are further start values by name, `stem` names files and symbols."""
 
     compilation: Compilation
+    plain: Program
+    chosen: Mapping[str, float]
     start: Start
     table: Table
     stem: str
@@ -56,8 +59,10 @@ def subject(
     whole = replace(graph, program=_with_defaults(with_names(graph), parameters))
     return Subject(
         compilation=whole,
+        plain=plain,
+        chosen=start,
         start=where,
-        table=table(whole, version, where, kinds=kinds, engine=engine),
+        table=table(whole, version, where, kinds=kinds, engine=engine, redundant=initial.redundant),
         stem=stem_of(whole.program),
     )
 

@@ -1,7 +1,8 @@
-"""Reports as one self-contained HTML page: MathML and a style sheet, no script, nothing from a network."""
+"""Reports as one self-contained HTML page: MathML, a style sheet, a picture; no script, nothing from a network."""
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Sequence
 from html import escape
 from typing import assert_never
@@ -29,14 +30,16 @@ from lagdsl.report.mathml import element, mathml
 _WIDTH = 92
 
 
-def html(document: Document) -> str:
+def html(document: Document, picture: bytes | None = None) -> str:
+    """`picture` is a PNG that stands before everything else."""
+    allowed = "style-src 'unsafe-inline'" + ("" if picture is None else "; img-src data:")
     subtitle = f'\n<p class="subtitle">{escape(document.subtitle)}</p>' if document.subtitle else ""
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; {allowed}">
 <title>{escape(document.title)}: equations of motion</title>
 <style>
 {STYLE}</style>
@@ -47,11 +50,19 @@ def html(document: Document) -> str:
 <p class="kicker">Equations of motion</p>
 <h1>{escape(document.title)}</h1>{subtitle}
 </header>
-{_sections(document.blocks)}
+{_picture(picture, document.title)}{_sections(document.blocks)}
 </main>
 </body>
 </html>
 """
+
+
+def _picture(picture: bytes | None, title: str) -> str:
+    if picture is None:
+        return ""
+    data = f"data:image/png;base64,{b64encode(picture).decode()}"
+    image = f'<img style="max-width: 100%" alt="A motion of {escape(title)}" src="{data}">'
+    return f'<figure style="margin: 1.2rem 0">{image}</figure>\n'
 
 
 def _sections(blocks: Sequence[Block]) -> str:

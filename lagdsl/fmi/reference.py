@@ -1,0 +1,49 @@
+"""A motion of the model by lagdsl itself, for those who want to know whether their importer does the same."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.fmi.subject import Subject
+from lagdsl.pipeline import engine_of
+from lagdsl.record import record
+from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.simulate import simulate
+from lagdsl.simulate.table_io import csv_text, events_text
+from lagdsl.simulate.trajectory import Trajectory
+
+# Of the tolerance of the experiment, so that what an importer finds with that one can be told from what we do.
+_PART, _LEAST = 1e-2, 1e-11
+_MOST_STEPS = 200_000
+
+
+@record()
+class Reference:
+    """`ended` tells why the motion ends before the experiment does."""
+
+    motion: Trajectory
+    tolerance: float
+    ended: str | None
+
+    def files(self) -> dict[str, str]:
+        """Tables as `lag run` writes them, and settings in the form of the FMI cross-check."""
+        time = self.motion.time
+        settings = {"StartTime": time[0], "StopTime": time[-1], "StepSize": 0.0, "RelTol": self.tolerance}
+        tables = {"reference.csv": csv_text(self.motion)}
+        if self.motion.events:
+            tables["reference_events.csv"] = events_text(self.motion)
+        return {**tables, "reference.opt": "".join(f"{name}, {float(value)!r}\n" for name, value in settings.items())}
+
+
+def reference(subject: Subject) -> Reference | None:
+    """The motion of the experiment with the chosen defaults and starts; None where there is not even a beginning."""
+    flat = subject.compilation.flat
+    tolerance = max(_PART * flat.experiment.tolerance, _LEAST)
+    ended = None
+    try:
+        engine = engine_of(subject.plain, "c")
+        motion = simulate(engine, flat, tolerance=tolerance, start=subject.chosen, max_steps=_MOST_STEPS, sink=Sink())
+    except SimulationFailed as failed:
+        motion, ended = failed.trajectory, failed.diagnostics[0].message
+    except CompilationFailed:
+        return None
+    return Reference(motion, tolerance, ended) if len(motion) > 1 else None
