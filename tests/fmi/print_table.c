@@ -1,0 +1,55 @@
+/* Prints a generated lag_fmu, whose model is not there: counts of what it lacks are given. */
+#include "lag/fmu.h"
+
+#include <stdio.h>
+
+extern const lag_fmu lag_exported;
+extern const size_t sizes[5]; /* states, rows, inputs, outputs, invariants */
+
+static void doubles(const char *name, const double *values, size_t count)
+{
+    printf("%s", name);
+    for (size_t i = 0; i < count; i++) {
+        if (values == NULL) printf(" -");
+        else printf(" %a", values[i]);
+    }
+    printf("\n");
+}
+
+static void bytes(const char *name, const unsigned char *values, size_t count)
+{
+    printf("%s", name);
+    for (size_t i = 0; i < count; i++) {
+        if (values == NULL) printf(" -");
+        else printf(" %d", values[i]);
+    }
+    printf("\n");
+}
+
+int main(void)
+{
+    const lag_fmu *fmu = &lag_exported;
+    printf("token %s\n", fmu->token);
+    for (size_t i = 0; i < fmu->nvariable; i++) {
+        const lag_variable *v = &fmu->variables[i];
+        printf("variable %d %d %d %zu %zu", v->role, v->type, v->setting, v->first, v->count);
+        if (v->role == LAG_ROLE_CONSTANT && v->type == LAG_TYPE_STRING) printf(" %s", fmu->texts[v->first]);
+        else if (v->role == LAG_ROLE_CONSTANT) {
+            for (size_t k = 0; k < v->count; k++) printf(" %a", fmu->constants[v->first + k]);
+        }
+        printf("\n");
+    }
+    bytes("fixed", fmu->fixed, sizes[0]);
+    doubles("nominal", fmu->nominal, sizes[0]);
+    doubles("group", fmu->group, sizes[0]);
+    doubles("natural", fmu->natural, sizes[0]);
+    doubles("cap", fmu->cap, sizes[0]);
+    doubles("row_sizes", fmu->row_sizes, sizes[1]);
+    doubles("lasting", fmu->lasting, sizes[1]);
+    bytes("turning", fmu->turning, sizes[3]);
+    doubles("invariant_limits", fmu->invariant_limits, sizes[4]);
+    printf("input_rates");
+    for (size_t i = 0; i < sizes[2] && fmu->input_rates != NULL; i++) printf(" %zu", fmu->input_rates[i]);
+    printf("\nexperiment %a %a %a\ngeneral %zu\nkinds %d\n", fmu->start_time, fmu->stop_time, fmu->tolerance, fmu->general, fmu->kinds);
+    return 0;
+}
