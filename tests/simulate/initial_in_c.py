@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, Structure, byref, c_char, c_double, c_int, c_size_t, c_ubyte, c_void_p
+from ctypes import POINTER, Structure, byref, c_char, c_double, c_int, c_size_t, c_void_p
 from dataclasses import dataclass
 
 import numpy as np

@@ -14,7 +14,7 @@
 #include "lag/descent.h"
 
 /* Points that beginnings lead to: of the origin, of the penalties, of further ones, and beyond bends on either side of each. */
-enum { LAG_NEAREST_OTHERS = 24, LAG_NEAREST_FOUND = 2 * LAG_NEAREST_OTHERS, LAG_NEAREST_REFINED = 6 };
+enum { LAG_NEAREST_OTHERS = 40, LAG_NEAREST_FOUND = 2 * LAG_NEAREST_OTHERS, LAG_NEAREST_REFINED = 6 };
 
 /* A point with residuals and distances from the origin of each part. */
 typedef struct lag_found {
