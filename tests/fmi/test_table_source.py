@@ -1,4 +1,4 @@
-"""The table of variables as C reads it is the one that descriptions are made of, and it covers every array of the model."""
+"""The table of variables as C reads it is the one of descriptions, and it covers every array of the model."""
 
 from __future__ import annotations
 
@@ -35,7 +35,8 @@ def printed(given: Table, folder: Path, token: str = "{1}") -> dict[str, list[li
     files = {
         "Model.h": HEADER,
         "Model_fmu.c": table_source(given, "Model", token),
-        "rest.c": f'#include "Model.h"\nextern const size_t sizes[5];\nconst size_t sizes[5] = {{{str(sizes)[1:-1]}}};\n'
+        "rest.c": '#include "Model.h"\nextern const size_t sizes[5];\n'
+        f"const size_t sizes[5] = {{{str(sizes)[1:-1]}}};\n"
         "const lag_model Model_model = {0};\nconst lag_start Model_start = {0};\n",
     }
     for name, text in files.items():
