@@ -16,6 +16,12 @@ static const double AHEAD = 1000.0;
 /* A communication step longer than fixed steps by this part of one takes no further one. */
 static const double SAME = 1e-9;
 
+/* Up to where the run knows the motion. */
+static double reached(const lag_run *run)
+{
+    return run->half.open ? run->half.t : run->stepper.t;
+}
+
 /* The state at a time that the run has reached. */
 static lag_status deliver(lag_instance *instance, double t)
 {
@@ -55,10 +61,10 @@ static lag_status step(lag_instance *instance, double end, double *far)
     return status;
 }
 
-/* Whether event mode has something to do where the run is, at the end of a step. */
+/* Whether event mode has something to do where the motion is known to. */
 static int is_event(const lag_run *run)
 {
-    return run->half.own || lag_run_due(run, run->stepper.t);
+    return (run->half.open && run->half.own) || lag_run_due(run, reached(run));
 }
 
 /* What the end of the last step has left, and margins where anything happened. */
@@ -70,28 +76,34 @@ static lag_status finish(lag_instance *instance, double far)
     return status == LAG_OK && run->events > before ? lag_instance_latch(instance, run->stepper.t, run->stepper.x) : status;
 }
 
+/* Whether the step has to stop where the motion is known to, for event mode. */
+static int stops_here(const lag_instance *instance, double end, int stops)
+{
+    const double t = reached(instance->run);
+    return (stops & LAG_STOP_EVENTS) != 0 && t > instance->held.t && t <= end && is_event(instance->run);
+}
+
 /* From where the run is to `end`, or to where it has to stop before; *event: event mode has something to do there. */
 static lag_status go(lag_instance *instance, double end, double far, int stops, int *event)
 {
     lag_run *run = instance->run;
-    int going = 1;
-    *event = 0;
-    while (going) {
-        lag_status status = LAG_OK;
-        if (run->stepper.t < end) {
-            status = finish(instance, far);
-            status = status == LAG_OK ? step(instance, end, &far) : status;
+    int going = reached(run) < end;
+    *event = stops_here(instance, end, stops);
+    while (going && !*event) {
+        lag_status status = finish(instance, far);
+        if (status == LAG_OK) {
+            status = step(instance, end, &far);
         }
-        if (status == LAG_OK && run->stepper.t < end) {
-            status = lag_instance_turn(instance, run->stepper.t, run->stepper.x);
+        *event = status == LAG_OK && stops_here(instance, end, stops);
+        if (status == LAG_OK && instance->turning && reached(run) < end) {
+            status = deliver(instance, reached(run));
         }
         if (status != LAG_OK) {
             return status;
         }
-        *event = (stops & LAG_STOP_EVENTS) != 0 && run->stepper.t <= end && is_event(run);
-        going = run->stepper.t < end && !*event && (stops & LAG_STOP_STEPS) == 0;
+        going = reached(run) < end && (stops & LAG_STOP_STEPS) == 0;
     }
-    return deliver(instance, fmin(run->stepper.t, end));
+    return deliver(instance, fmin(reached(run), end));
 }
 
 /* Steps of one length, none longer than the option wants it. */

@@ -13,6 +13,8 @@ static const double PART = 1e-11;
 static const double ROUNDING = 4e-13;
 /* What is so much of its margin behind zero has changed, where an event is carried out anyway. */
 static const double CLEARLY = 0.25;
+/* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
+static const double ROUGH = 100.0;
 /* Length of the last step, where nobody tells. */
 static const double MOMENT = 1e-6;
 
@@ -109,12 +111,16 @@ static lag_status find(lag_instance *instance, const double *located, int *any)
     return status;
 }
 
-/* The run is at the present state, which is moved onto the constraints. */
-static lag_status place(lag_instance *instance)
+/* The run is at the present state, which is moved onto the constraints; where it has located an event it goes back to that. */
+static lag_status place(lag_instance *instance, int located)
 {
     lag_run *run = instance->run;
     int moved = 0;
-    lag_status status = lag_run_move(run, instance->held.t, instance->x, run->stepper.h);
+    lag_status status = located ? lag_run_back(run, instance->held.t) : LAG_OK;
+    if (status == LAG_OK) {
+        const double h = located ? run->half.next : run->stepper.h;
+        status = lag_run_move(run, instance->held.t, located ? run->stepper.x : instance->x, h);
+    }
     if (status == LAG_OK) {
         status = lag_projection_apply(&run->projection, instance->held.t, run->stepper.x, &moved);
     }
@@ -122,6 +128,21 @@ static lag_status place(lag_instance *instance)
         memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
     }
     return status;
+}
+
+/* Bounces that take less than this are none. */
+static double flight(const lag_instance *instance)
+{
+    const lag_alert *alert = &instance->run->alert;
+    const size_t first = instance->fmu->model->nindicator;
+    double late = 0.0;
+    for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
+        const int open = instance->run->motion.w[alert->places.contact + i] == 0.0;
+        if (open && alert->changed[first + i] != 0.0 && alert->speed[i] < 0.0) {
+            late = fmax(late, value(instance, first + i) / alert->speed[i]);
+        }
+    }
+    return fmin(instance->held.span, ROUGH * late);
 }
 
 /* Length of the step that led here: the run's, the importer's. */
@@ -136,17 +157,19 @@ lag_status lag_instance_carry_out(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
-    const int located = run->half.open && run->half.own && run->stepper.t == held->t;
+    const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double h = length_of_step(instance, located);
     int any = 0;
     instance->known = 0;
     held->jumped = 1;
-    lag_status status = place(instance);
+    lag_status status = place(instance, located);
     if (status == LAG_OK) {
         status = find(instance, located ? run->pending : NULL, &any);
     }
     if (status == LAG_OK && any) {
+        run->instants.contacts.flight = located ? 0.0 : flight(instance);
         status = lag_run_event(run, h, run->alert.changed);
+        run->instants.contacts.flight = 0.0;
     }
     if (status == LAG_OK) {
         status = lag_run_ticks(run);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "lag/fixed.h"
+#include "lag/initial.h"
 #include "lag/memory.h"
 
 static const double TOLERANCE = 1e-8;
@@ -19,10 +20,19 @@ static const double LEAST_STEPS = 50.0;
 
 const size_t lag_run_layout[2] = {sizeof(lag_run_options), sizeof(lag_run_report)};
 
+/* A state, and what is done to it: it is found where it may step afterwards. */
+static size_t stepper_numbers(const lag_model *model)
+{
+    const size_t size = lag_motion_size(model);
+    const size_t stepping = lag_stepper_memory(size);
+    const size_t found = 5 * size + lag_initial_memory(model);
+    return stepping > found ? stepping : found;
+}
+
 size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
-    return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
+    return lag_motion_memory(model) + stepper_numbers(model) + lag_projection_memory(model) +
            lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 5 * size + model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
            model->nindicator + model->ncontact + 1;
@@ -93,7 +103,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
     run->motion.inputs = options->inputs;
     run->motion.context = options->context;
-    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
+    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, stepper_numbers(model)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->group = lag_take(&memory, size);
@@ -187,11 +197,10 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
 lag_status lag_run_begin(lag_run *run, double t, const double *x)
 {
     lag_stepper *s = &run->stepper;
-    int moved = 0;
     int happened = 0;
     lag_status status = lag_run_move(run, t, x, run->options.h_first);
     if (status == LAG_OK && x == NULL) {
-        status = lag_projection_apply(&run->projection, t, s->x, &moved);
+        status = lag_initial_find(&run->motion, run->options.start, NULL, t, s->x, s->work, NULL);
     }
     for (size_t i = 0; i < run->options.clocks; ++i) {
         run->clock[i] = lag_clock_of(run->options.first[i], run->options.period[i]);
@@ -368,9 +377,9 @@ lag_status lag_run_step(lag_run *run, double stop)
     if (status == LAG_OK) {
         status = find(run, &own, &other);
     }
+    half->t = fmin(fmin(own, other), s->t);
     if (status == LAG_OK) {
-        const double there = fmin(own, other);
-        status = there < (double)INFINITY ? lag_run_back(run, there) : lag_run_rows(run, s->t, 0);
+        status = lag_run_rows(run, half->t, 0);
     }
     if (status != LAG_OK) {
         return give_back(run, t, status);
@@ -391,7 +400,11 @@ lag_status lag_run_finish(lag_run *run, double stop)
         return LAG_OK;
     }
     half->open = 0;
-    lag_status status = happen(run, stop, half, &happened);
+    lag_status status = half->own || half->other ? lag_run_back(run, half->t) : LAG_OK;
+    if (status != LAG_OK) {
+        return give_back(run, s->t_before, status);
+    }
+    status = happen(run, stop, half, &happened);
     if (status == LAG_OK && happened) {
         s->h = fmin(half->next, s->h_most);
         run->look.rank = 0;

@@ -147,6 +147,7 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->half.open);
     RECORD(run->half.own);
     RECORD(run->half.other);
+    RECORD(run->half.t);
     RECORD(run->half.length);
     RECORD(run->half.next);
     for (size_t i = 0; i < LAG_CHANGES; ++i) {

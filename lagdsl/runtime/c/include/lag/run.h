@@ -99,6 +99,7 @@ enum { LAG_CHANGES = 16 };
 typedef struct lag_half {
     int open;            /* there is one */
     int own, other;      /* something of the model's, of the caller's happens at its end */
+    double t;            /* where that is; the end of the step where nothing happens */
     double length, next; /* of the step, as far as the method went; proposed for the next one */
 } lag_half;
 
@@ -199,8 +200,8 @@ lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
 
 /*
  * lag_run_to in pieces, for those who want to see the states within a step before anything happens at its end, and let steps lead
- * beyond what they want to see: the method starts at the present state, on the way to `stop`; one step, up to the first that happens in it;
- * that, and what else follows. A step that failed is taken back, and may be tried with another `stop`.
+ * beyond what they want to see: the method starts at the present state, on the way to `stop`; one step, of which what is behind
+ * the first that happens in it is of no use (run->half); that, and what else follows. A step that failed is taken back, and may be tried with another `stop`.
  */
 lag_status lag_run_restart(lag_run *run, double stop);
 lag_status lag_run_step(lag_run *run, double stop);

@@ -1,0 +1,38 @@
+/* The machine of the tests of the runtime, exported: a hopping ball, pushed by a sampled controller and thrown back. */
+#ifndef MACHINE_FMU_H
+#define MACHINE_FMU_H
+
+#include "../../c/machine.h"
+#include "lag/fmu.h"
+
+enum { MACH_TIME, MACH_H, MACH_X, MACH_HD, MACH_XD, MACH_A, MACH_PUSH, MACH_CLOSED, MACH_BLOWS, MACH_FORCE, MACH_OFF, MACH_VARIABLES };
+enum { MACH_SIZE = 5 };
+
+static const lag_variable MACH_TABLE[MACH_VARIABLES] = {
+    {LAG_ROLE_TIME, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 1},
+    {LAG_ROLE_STATE, LAG_TYPE_REAL, LAG_SET_START, 0, 1},
+    {LAG_ROLE_STATE, LAG_TYPE_REAL, LAG_SET_START, 1, 1},
+    {LAG_ROLE_STATE, LAG_TYPE_REAL, LAG_SET_START, 2, 1},
+    {LAG_ROLE_STATE, LAG_TYPE_REAL, LAG_SET_START, 3, 1},
+    {LAG_ROLE_STATE, LAG_TYPE_REAL, LAG_SET_START, 4, 1},
+    {LAG_ROLE_DISCRETE, LAG_TYPE_REAL, LAG_SET_NEVER, PUSH, 1},
+    {LAG_ROLE_DISCRETE, LAG_TYPE_BOOLEAN, LAG_SET_NEVER, FLOOR, 1},
+    {LAG_ROLE_DISCRETE, LAG_TYPE_INTEGER, LAG_SET_NEVER, BLOWS, 1},
+    {LAG_ROLE_MULTIPLIER, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 1},
+    {LAG_ROLE_RESIDUAL, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 1},
+};
+static const lag_start MACH_START = {.t = 0.0};
+
+static const lag_fmu MACH_FMU = {
+    .model = &MACHINE,
+    .token = "machine",
+    .nvariable = MACH_VARIABLES,
+    .variables = MACH_TABLE,
+    .start = &MACH_START,
+    .start_time = 0.0,
+    .stop_time = 2.0,
+    .tolerance = 1e-9,
+    .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
+};
+
+#endif
