@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "lag/fixed.h"
+#include "lag/initial.h"
 #include "lag/memory.h"
 
 static const double LEAST_TOLERANCE = 1e-13;
@@ -43,7 +44,7 @@ static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
     return lag_instance_kept(fmu) + 3 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd + fmu->model->ni +
-           lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
+           size + lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
 }
 
 static lag_run_options options_of(const lag_instance *instance)
@@ -97,6 +98,8 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->tangent = lag_take(&memory, size);
     instance->entry = lag_take(&memory, longest(fmu));
     instance->invariant_limits = lag_take(&memory, model->ni);
+    instance->written = (unsigned char *)lag_take(&memory, size);
+    instance->initial_memory = lag_take(&memory, lag_initial_memory(model));
     instance->fixed_memory = lag_take(&memory, lag_fixed_memory(size));
     instance->slopes = lag_take(&memory, lag_instance_slopes(model));
     lag_derivatives_place(&instance->derivatives, model, memory);

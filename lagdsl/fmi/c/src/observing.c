@@ -42,10 +42,13 @@ static lag_status residuals(lag_instance *instance)
     instance->residual[0] = instance->residual[1] = 0.0;
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
         status = (level == 0 ? model->position_constraint : model->velocity_constraint)(at, projection->phi, projection->jacobian);
-        for (size_t i = 0; i < model->nc; ++i) {
+        for (size_t i = 0; i < model->nc && status == LAG_OK; ++i) {
             const double part = fabs(projection->phi[i]) / instance->run->row_sizes[i];
-            if ((level > 0 || model->position_level[i]) && !(part <= instance->residual[level])) {
-                instance->residual[level] = part;
+            if (!isfinite(part)) {
+                return LAG_NOT_FINITE;
+            }
+            if (level > 0 || model->position_level[i]) {
+                instance->residual[level] = fmax(instance->residual[level], part);
             }
         }
     }

@@ -38,6 +38,8 @@ typedef struct lag_held {
     double latched_at;      /* time at which `latched` were taken */
     double about;           /* time at which inputs are `course` */
     double step;            /* LAG_OPTION_STEP */
+    double limit;           /* of residuals; an importer that keeps to it asks for projections now and then, and no more */
+    double since;           /* completed steps since the last projection */
     lag_phase phase;
     int prepared;           /* functions know the parameters */
     int initialized;        /* x follows from what was set */
@@ -68,6 +70,8 @@ struct lag_instance {
     double *entry;          /* as many as the longest variable has */
     double energy[4], residual[2];
     double *invariant_limits;   /* (ni) */
+    unsigned char *written;     /* (2 nq + nz) 1: this start was set */
+    double *initial_memory;     /* lag_initial_memory() */
     int turning;                /* any output is such an angle */
     double *fixed_memory;   /* lag_fixed_memory() */
     lag_derivatives derivatives;
