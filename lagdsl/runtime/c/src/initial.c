@@ -210,6 +210,15 @@ static void find(lag_beginning *b, const unsigned char *set, double *x)
     }
 }
 
+static int differ(size_t count, const double *x, const double *y)
+{
+    size_t i = 0;
+    while (i < count && x[i] == y[i]) {
+        ++i;
+    }
+    return i < count;
+}
+
 lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *memory,
     lag_initial *told)
 {
@@ -224,7 +233,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
         if (status == LAG_OK) {
             find(&b, set, x);
             found = b.told;
-            found.moved = memcmp(b.x, x, lag_motion_size(model) * sizeof(double)) != 0;
+            found.moved = differ(lag_motion_size(model), b.x, x);
             status = found.fault == LAG_INITIAL_NONE ? LAG_OK : found.fault == LAG_INITIAL_NUMBERS ? LAG_NOT_FINITE : LAG_OFF;
         }
         lag_motion_look(motion, t, x);

@@ -208,8 +208,8 @@ static int beyond(const lag_nearest *s, size_t part, double limit, const double 
     const double unit = limit > 0.0 ? limit : 1.0;
     for (size_t j = first; j < first + columns; ++j) {
         const size_t column = (size_t)s->parts->column[j];
-        const double a = rint(x[column] / unit * ROUNDED);
-        const double b = rint(y[column] / unit * ROUNDED);
+        const double a = floor(x[column] / unit * ROUNDED + 0.5);
+        const double b = floor(y[column] / unit * ROUNDED + 0.5);
         if (a != b) {
             return a > b;
         }
