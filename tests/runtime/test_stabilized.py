@@ -2,30 +2,19 @@
 
 from __future__ import annotations
 
-import ctypes
-from functools import cache
 from pathlib import Path
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
-from named_models import compiled
+from derivatives_in_c import GROUPS, MOVED, TIME, Probe, program_of
 
-from lagdsl.backends.c.emit import model_symbol, sources
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
-from lagdsl.pipeline import with_names
 from lagdsl.program.program import Program
-from lagdsl.runtime.build import build
-from lagdsl.runtime.numpy_engine import NumpyEngine
-from lagdsl.simulate.initialize import initial_state
 
 STEP = mpmath.mpf("1e-16")
-TIME = 0.3
-GROUPS = (Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P)
-MOVED = (Group.Q, Group.QD, Group.Z, Group.U, Group.P)
-
 GENERAL = (
     "double_pendulum",
     "four_bar",
@@ -43,21 +32,6 @@ DEPENDENT = (
     "four_bar_spatial",
     "newtons_cradle",
 )
-
-
-@cache
-def program_of(path: Path) -> tuple[Program, dict[Group, np.ndarray]]:
-    """The program, and the state it starts from, with two contacts closed."""
-    compilation = compiled(path)
-    program = with_names(compilation)
-    engine = NumpyEngine(program)
-    start = initial_state(compilation.flat, engine)
-    u = engine.evaluate("start", 0.0, np.array(program.layout.defaults))[3]
-    closed = [index for index, kind in enumerate(program.layout.kinds) if kind == "contact"][:2]
-    w = np.zeros(program.layout.size(Group.W))
-    w[closed] = 1.0
-    at = {Group.Q: start.q, Group.QD: start.qd, Group.Z: start.z, Group.U: u, Group.W: w}
-    return program, {**at, Group.P: np.array(program.layout.defaults)}
 
 
 def at_random(program: Program, start: dict[Group, np.ndarray]) -> dict[Group, np.ndarray]:
@@ -140,35 +114,6 @@ def moved(at: dict[Group, np.ndarray], along: dict[Group, np.ndarray], time: flo
         given[group] = [x + step * mpmath.mpf(float(d)) for x, d in zip(given[group], direction, strict=True)]
     given[Group.TIME] = mpmath.mpf(TIME) + step * time
     return given
-
-
-@cache
-def library(path: Path) -> Any:
-    program, _ = program_of(path)
-    probe = Path(__file__).with_name("derivatives_probe.c").read_text(encoding="utf-8")
-    loaded = ctypes.CDLL(str(build({**sources(program), "probe.c": probe})))
-    loaded.probe.argtypes = [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, *[ctypes.c_void_p] * 6]
-    return loaded
-
-
-class Probe:
-    def __init__(
-        self, path: Path, at: dict[Group, np.ndarray], along: dict[Group, np.ndarray], time: float, rate: float
-    ):
-        program, _ = program_of(path)
-        layout = program.layout
-        n, m = len(layout.coordinates), len(layout.constraints)
-        length = 2 * n + len(layout.states) + len(layout.outputs) + len(layout.definitions) + 3 + 3 * m
-        state = np.concatenate([*(at[group] for group in GROUPS), [0.0]])
-        direction = np.concatenate([*(along[group] for group in MOVED), [time]])
-        values, changes, rows = np.zeros(n + m + 1), np.zeros(length + 1), np.zeros(m + 1)
-        rank = ctypes.c_size_t()
-        model = ctypes.addressof(ctypes.c_char.in_dll(library(path), model_symbol(program)))
-        arrays = (x.ctypes.data for x in (state, direction, values, changes))
-        status = library(path).probe(model, rate, TIME, *arrays, ctypes.addressof(rank), rows.ctypes.data)
-        assert status == 0
-        self.qdd, self.lam, self.changes = values[:n], values[n : n + m], changes[:length]
-        self.rows = [int(row) for row in rows[: rank.value]]
 
 
 def compare(path: Path, at: dict[Group, np.ndarray], along: dict[Group, np.ndarray], time: float, rate: float) -> None:
