@@ -45,7 +45,12 @@ def _about(subject: Subject, known: Reference | None) -> tuple[Block, ...]:
                 f"FMI {table.version}.0, {kinds}, {len(table.variables)} variables; made by lagdsl {version('lagdsl')}."
             ),
         ),
-        (Code("sources"), Text(" holds everything the library is compiled from, "), Code("buildDescription.xml")),
+        (
+            Code("sources"),
+            Text(" holds all that the libraries are compiled from; how, tells "),
+            Code("buildDescription.xml"),
+            Text("."),
+        ),
         (Code("documentation/licenses"), Text(" holds the licenses of what is not the model's own.")),
     ]
     if known is not None:
@@ -59,7 +64,7 @@ def _about(subject: Subject, known: Reference | None) -> tuple[Block, ...]:
 def _licenses(header: str) -> str:
     """The license of lagdsl, then that of the standard's headers as it stands in them."""
     comment = header[header.index("Copyright") : header.index("----*/" if "----*/" in header else "*/")]
-    standard = comment.rstrip("- \n")
+    standard = "\n".join(line.strip() for line in comment.rstrip("- \n").splitlines())
     return (
         "The files of the folder sources/lag are parts of lagdsl, under this license:\n\n"
         f"{license_file().read_text(encoding='utf-8').strip()}\n\n"

@@ -11,6 +11,7 @@ from lagdsl.fmi.binary import binaries
 from lagdsl.fmi.contents import library_files, source_files, terminal_files, texts
 from lagdsl.fmi.documentation import documentation_files
 from lagdsl.fmi.extra import extra_files
+from lagdsl.fmi.model_texts import model_texts
 from lagdsl.fmi.platforms import PLATFORMS, Platform, platform_of, this_machine
 from lagdsl.fmi.reference import reference
 from lagdsl.fmi.refusals import refuse
@@ -69,12 +70,13 @@ def export(
         **library_files(libraries, exported.stem, version),
         **terminal_files(exported),
     }
+    written = {} if source is None else model_texts(compilation.flat, source)
     if documented:
         known = reference(exported)
         header = sources["fmi2Functions.h" if version == 2 else "fmi3Functions.h"]
-        files |= {**documentation_files(exported, known, header), **extra_files(known, source)}
+        files |= {**documentation_files(exported, known, header), **extra_files(known, written)}
     else:
-        files |= extra_files(None, source)
+        files |= extra_files(None, written)
     with whole_file(path) as draft:
         write_archive(draft, files)
         try_out(draft, exported.table.kinds if this_machine() in libraries else ())

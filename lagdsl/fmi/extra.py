@@ -3,12 +3,11 @@ fmi-ls-ref, version 1.0.0-beta.1, so that tools know what each file is."""
 
 from __future__ import annotations
 
-from pathlib import PurePath
+from collections.abc import Mapping
 from xml.sax.saxutils import quoteattr
 
 from lagdsl.fmi.reference import Reference
 from lagdsl.record import record
-from lagdsl.source import SourceFile
 
 _FOLDER = "extra/org.fmi-standard.fmi-ls-ref"
 _NAME = "org.fmi-standard.fmi-ls-ref"
@@ -31,12 +30,13 @@ class _Related:
     text: str
 
 
-def extra_files(known: Reference | None, source: SourceFile | None) -> dict[str, bytes]:
-    """Nothing without both."""
+def extra_files(known: Reference | None, texts: Mapping[str, str]) -> dict[str, bytes]:
+    """`texts` are those of the model; without both there is nothing."""
     related = [_Related(name, *_ROLES[name], text) for name, text in (known.files() if known else {}).items()]
-    if source is not None:
-        name = f"model/{PurePath(source.name).name}" if source.name.endswith(".lag") else "model/model.lag"
-        related.append(_Related(name, "text/x-lag", "model", "The model as it was written", source.text))
+    related += [
+        _Related(f"model/{name}", "text/x-lag", "model", "The model as it was written", text)
+        for name, text in texts.items()
+    ]
     if not related:
         return {}
     files = {f"{_FOLDER}/{each.path}": each.text.encode() for each in related}
