@@ -26,9 +26,8 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-test: $(READY)  ## all tests; those of the floors cover at least 95 % of the branches, the models run untraced
-	$(BIN)/python -m pytest -n auto --ignore=tests/models --cov --cov-report=term
-	$(BIN)/python -m pytest -n auto --dist loadgroup tests/models
+test: $(READY)  ## all tests; those of the floors cover at least 95 % of the branches
+	$(BIN)/python -m pytest -n auto --dist loadgroup --cov --cov-report=term
 
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging

@@ -12,6 +12,14 @@ settings.register_profile("explore", deadline=None)
 settings.load_profile("explore" if os.environ.get("LAGDSL_EXPLORE") else "same")
 
 ROOT = Path(__file__).parents[1]
+# Whole motions and random models execute what the tests of the floors execute, too: untraced, in a third of the time.
+UNTRACED = ("benchmarks", "fuzz", "models", "packaging", "physics")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if item.path.relative_to(ROOT / "tests").parts[0] in UNTRACED:
+            item.add_marker(pytest.mark.no_cover)
 
 
 @pytest.fixture(scope="session")

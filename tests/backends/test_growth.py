@@ -16,6 +16,8 @@ from lagdsl.backends.c.source import source
 from lagdsl.eliminate.count import flops
 from lagdsl.program.program import Program
 
+pytestmark = pytest.mark.no_cover
+
 SIZES = (40, 60, 100)
 CHAINS = ("planar_chain", "spatial_chain")
 

@@ -9,6 +9,7 @@ from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("text", "per_link"), [(PLANAR, 75), (SPATIAL, 400), (SCALARS, 90)])
 def test_cost_per_link_is_bounded(text: str, per_link: int) -> None:
     costs = {n: eliminated(flat_model(text.format(n=n)))[1].flops for n in (20, 40, 60)}

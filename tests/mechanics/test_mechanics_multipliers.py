@@ -121,6 +121,7 @@ def test_loops_leave_nothing_to_run_time(n: int) -> None:
     assert pivot > 1e-3
 
 
+@pytest.mark.no_cover
 def test_cost_of_a_chain_of_loops_is_proportional_to_its_length() -> None:
     costs = {n: _flops(four_bars(n, **GENERAL)) for n in (5, 10, 20)}
     assert costs[20] - costs[10] == 2 * (costs[10] - costs[5])

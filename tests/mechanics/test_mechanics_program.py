@@ -55,6 +55,7 @@ def size(program: Program) -> int:
     return len(program.graph.live(roots))
 
 
+@pytest.mark.no_cover
 def test_chain_grows_slower_than_its_mass_matrix() -> None:
     """64 times the entries of M from 10 to 80 links; size and time stay well below."""
     models = {n: chain(n) for n in (10, 80)}

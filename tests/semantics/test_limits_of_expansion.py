@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import time
 
+import pytest
 from flattening import run, said
 
 from lagdsl.flat import model as fm
@@ -40,6 +41,7 @@ def test_chain_of_eighty_links_is_quick(root) -> None:  # type: ignore[no-untype
     assert time.process_time() - start < 1.0
 
 
+@pytest.mark.no_cover
 def test_functions_that_multiply() -> None:
     doubling = "".join(f"function f{i}(Real x) -> Real = f{i - 1}(x) + f{i - 1}(x);\n" for i in range(1, 30))
     _, sink = run(f"function f0(Real x) -> Real = x;\n{doubling}" + body("  potential f29(x/(1 m))*(1 J);"))

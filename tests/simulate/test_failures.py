@@ -133,6 +133,7 @@ class Walled(FourBar):
         return np.array([-1.0, 0.0])
 
 
+@pytest.mark.no_cover
 def test_mechanism_pulled_apart() -> None:
     flat = four_bar().flat
     free = replace(flat, coordinates=tuple(replace(c, fixed=False) for c in flat.coordinates))

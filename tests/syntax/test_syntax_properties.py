@@ -133,6 +133,7 @@ def extended(inner: st.SearchStrategy[nodes.Expression]) -> st.SearchStrategy[no
 expressions = st.recursive(leaves, extended, max_leaves=12)
 
 
+@pytest.mark.no_cover
 @settings(max_examples=400, deadline=None)
 @given(expressions)
 def test_printed_expressions_read_back(tree):
@@ -182,6 +183,7 @@ pieces = st.sampled_from(
 )
 
 
+@pytest.mark.no_cover
 @settings(max_examples=500, deadline=None)
 @given(st.lists(pieces, max_size=60))
 def test_any_tokens_get_an_answer(words):
@@ -194,6 +196,7 @@ def test_any_tokens_get_an_answer(words):
                 assert 0 <= label.span.start <= label.span.end <= len(wrapped)
 
 
+@pytest.mark.no_cover
 @settings(max_examples=400, deadline=None)
 @given(st.data())
 def test_mutilated_models_get_an_answer(data):
@@ -210,6 +213,7 @@ def test_mutilated_models_get_an_answer(data):
         assert once is not None and format_text(SourceFile("t", once), Sink()) == once
 
 
+@pytest.mark.no_cover
 @settings(max_examples=200, deadline=None)
 @given(st.sampled_from(SOURCES), st.data())
 def test_one_token_left_out_is_told_as_few_faults(text, data):
