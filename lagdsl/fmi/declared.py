@@ -77,8 +77,6 @@ def outputs(flat: FlatModel) -> Iterator[Scalar]:
 
 def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
     """Dependent parameters, then what changes. The coordinates of cut joints are outputs already."""
-    if not program.has("definition"):
-        return
     told = {item.name for item in flat.outputs}
     changeable = tunable(program)
     (block,) = program.function("definition").results

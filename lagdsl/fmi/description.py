@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import TypeAlias
 
 from lagdsl.fmi.scalar import Type, Variable
@@ -123,13 +123,9 @@ def has_events(table: Table) -> bool:
     return bool(table.program.layout.discretes)
 
 
-def dependencies_text(unknown: Unknown, shift: int) -> tuple[str | None, str | None]:
-    """Attributes `dependencies`, indices counted from `shift`, and `dependenciesKind`."""
-    if unknown.dependencies is None:
-        return None, None
-    indices, kinds = zip(*unknown.dependencies, strict=True) if unknown.dependencies else ((), ())
-    return _joined(index + shift for index in indices), _joined(kinds)
-
-
-def _joined(values: Iterable[object]) -> str:
-    return " ".join(str(value) for value in values)
+def dependencies_of(unknown: Unknown, shift: int) -> dict[str, str]:
+    """The attributes that tell them; indices count from `shift`."""
+    return {
+        "dependencies": " ".join(str(index + shift) for index, _ in unknown.dependencies),
+        "dependenciesKind": " ".join(kind for _, kind in unknown.dependencies),
+    }

@@ -10,7 +10,7 @@ from lagdsl.fmi.description import (
     NamedType,
     TypeKey,
     bound,
-    dependencies_text,
+    dependencies_of,
     experiment,
     named_types,
     needs_completed_steps,
@@ -19,7 +19,7 @@ from lagdsl.fmi.description import (
 )
 from lagdsl.fmi.provided import indicator_count
 from lagdsl.fmi.scalar import Variable
-from lagdsl.fmi.structure import Unknown, derivatives, initial_unknowns, outputs
+from lagdsl.fmi.structure import Unknown
 from lagdsl.fmi.variables import Table
 from lagdsl.fmi.xml import Element, document, element, one_line, start_text
 
@@ -122,14 +122,13 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
 def _structure(root: Element, table: Table) -> None:
     structure = element("ModelStructure", root)
     parts: dict[str, tuple[Unknown, ...]] = {
-        "Outputs": outputs(table),
-        "Derivatives": derivatives(table),
-        "InitialUnknowns": initial_unknowns(table),
+        "Outputs": table.structure.outputs,
+        "Derivatives": table.structure.derivatives,
+        "InitialUnknowns": table.structure.initial,
     }
     for tag, unknowns in parts.items():
         if not unknowns:
             continue
         part = element(tag, structure)
         for unknown in unknowns:
-            dependencies, kinds = dependencies_text(unknown, 1)
-            element("Unknown", part, index=unknown.variable + 1, dependencies=dependencies, dependenciesKind=kinds)
+            element("Unknown", part, index=unknown.variable + 1, **dependencies_of(unknown, 1))

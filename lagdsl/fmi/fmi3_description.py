@@ -10,7 +10,7 @@ from lagdsl.fmi.description import (
     NamedType,
     TypeKey,
     bound,
-    dependencies_text,
+    dependencies_of,
     experiment,
     has_events,
     named_types,
@@ -19,7 +19,7 @@ from lagdsl.fmi.description import (
     unit_elements,
 )
 from lagdsl.fmi.scalar import Role, Variable
-from lagdsl.fmi.structure import Unknown, derivatives, indicators, initial_unknowns, outputs
+from lagdsl.fmi.structure import Unknown
 from lagdsl.fmi.variables import Table
 from lagdsl.fmi.xml import Element, document, element, one_line, start_text
 
@@ -83,6 +83,7 @@ def _interfaces(root: Element, table: Table, identifier: str) -> None:
             canSerializeFMUState=True,
             providesDirectionalDerivatives=True,
             providesAdjointDerivatives=True,
+            providesPerElementDependencies=True,
             **own[kind],
         )
 
@@ -119,18 +120,11 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
 def _structure(root: Element, table: Table) -> None:
     structure = element("ModelStructure", root)
     parts: dict[str, tuple[Unknown, ...]] = {
-        "Output": outputs(table),
-        "ContinuousStateDerivative": derivatives(table),
-        "InitialUnknown": initial_unknowns(table),
-        "EventIndicator": indicators(table),
+        "Output": table.structure.outputs,
+        "ContinuousStateDerivative": table.structure.derivatives,
+        "InitialUnknown": table.structure.initial,
+        "EventIndicator": table.structure.indicators,
     }
     for tag, unknowns in parts.items():
         for unknown in unknowns:
-            dependencies, kinds = dependencies_text(unknown, 0)
-            element(
-                tag,
-                structure,
-                valueReference=unknown.variable,
-                dependencies=dependencies,
-                dependenciesKind=kinds,
-            )
+            element(tag, structure, valueReference=unknown.variable, **dependencies_of(unknown, 0))

@@ -31,6 +31,8 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "input_rates": ("size_t", _input_rates(flat)),
         "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
     }
+    if table.version == 3:
+        tables |= _dependencies(table)
     experiment = flat.experiment
     members = [
         f".model = &{stem}_model",
@@ -63,6 +65,18 @@ def _row(variable: Variable, version: Version) -> str:
         f"{{LAG_ROLE_{attributes.role}, LAG_TYPE_{kind}, LAG_SET_{attributes.setting}, "
         f"{variable.first}, {variable.count}}}"
     )
+
+
+def _dependencies(table: Table) -> dict[str, tuple[str, list[str]]]:
+    firsts, rows = [0], []
+    for own in table.structure.elements:
+        rows += [f"{{{d.element}, {d.other}, {d.other_element}, LAG_DEPENDENCE_{d.kind.upper()}}}" for d in own]
+        firsts.append(len(rows))
+    return {"dependency_first": ("size_t", _counts(firsts)), "dependencies": ("lag_dependency", rows)}
+
+
+def _counts(values: Sequence[int]) -> list[str]:
+    return [str(value) for value in values]
 
 
 def _input_rates(flat: FlatModel) -> list[str]:

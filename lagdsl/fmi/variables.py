@@ -11,9 +11,11 @@ from lagdsl.backends.c.emit import Start
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi import declared, moving, provided
 from lagdsl.fmi.arrays import grouped
+from lagdsl.fmi.dependencies import dependencies
 from lagdsl.fmi.names import apart
 from lagdsl.fmi.scalar import Role, Scalar, Variable
 from lagdsl.fmi.settings import Settings, settings
+from lagdsl.fmi.structure import Structure, structure
 from lagdsl.pipeline import Compilation
 from lagdsl.program.program import Program
 from lagdsl.record import record
@@ -34,6 +36,7 @@ class Table:
     program: Program
     settings: Settings
     variables: tuple[Variable, ...]
+    structure: Structure
 
     def of(self, role: Role) -> Iterator[tuple[int, Variable]]:
         """Variables of one role with their value references."""
@@ -49,17 +52,20 @@ def table(
     engine: Engine | None = None,
     redundant: Sequence[bool] | None = None,
 ) -> Table:
-    """`start` is the consistent state for the default parameters, `redundant` flags rows of constraints near it."""
+    """Of a program with all its named values. `start` is the consistent state for the default parameters, `redundant`
+    flags rows of constraints near it."""
     flat, program = compilation.flat, compilation.program
     known = settings(compilation, start, engine, redundant)
     scalars = _scalars(flat, program, known, version, kinds)
+    variables = grouped(scalars, arrays=version == 3)
     return Table(
         version=version,
         kinds=tuple(kind for kind in KINDS if kind in kinds),
         flat=flat,
         program=program,
         settings=known,
-        variables=grouped(scalars, arrays=version == 3),
+        variables=variables,
+        structure=structure(variables, dependencies(program), program.layout.kinds),
     )
 
 
