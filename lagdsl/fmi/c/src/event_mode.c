@@ -199,7 +199,7 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     if (status == LAG_OK) {
         status = lag_instance_ready(instance);
     }
-    if (status == LAG_OK && held->entered) {
+    if (status == LAG_OK && (held->entered || held->jumped)) {
         held->entered = 0;
         memcpy(instance->point, instance->x, lag_instance_order(instance) * sizeof(double));
         status = lag_instance_carry_out(instance);

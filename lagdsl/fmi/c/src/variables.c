@@ -4,6 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+/* What FMI has room for. */
+static const double MOST_INTEGER = 2147483647.0;
+
 /* The array that a variable is in, as it is known now; null: its role has none. */
 static const double *array_of(const lag_instance *instance, lag_role role)
 {
@@ -76,6 +79,23 @@ static int is_motion(lag_role role)
     return role == LAG_ROLE_STATE || role == LAG_ROLE_DERIVATIVE || role == LAG_ROLE_INPUT || role == LAG_ROLE_MULTIPLIER;
 }
 
+/* LAG_NOT_FINITE: a value of the motion that is none, or a whole number that an importer has no room for. */
+static lag_status check_found(lag_instance *instance, const lag_variable *variable, const double *values)
+{
+    const lag_model *model = instance->fmu->model;
+    const int motion = is_motion((lag_role)variable->role);
+    for (size_t i = 0; i < variable->count; ++i) {
+        if (motion && !isfinite(values[i])) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: a value is infinite or not a number", instance->held.t);
+        }
+        if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= MOST_INTEGER)) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: %s is %.10g, which an Integer cannot be", instance->held.t,
+                variable->role == LAG_ROLE_DISCRETE ? model->discretes[variable->first + i].name : "a variable", values[i]);
+        }
+    }
+    return LAG_OK;
+}
+
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values)
 {
     const lag_variable *which = &instance->fmu->variables[variable];
@@ -92,11 +112,9 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
         lag_instance_inputs_at(instance, instance->held.t, instance->run->motion.u);
     }
     const double *array = array_of(instance, role) + which->first;
-    for (size_t i = 0; i < which->count && status == LAG_OK; ++i) {
-        values[i] = array[i];
-        if (is_motion(role) && !isfinite(values[i])) {
-            status = lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: a value is infinite or not a number", instance->held.t);
-        }
+    if (status == LAG_OK) {
+        memcpy(values, array, which->count * sizeof(double));
+        status = check_found(instance, which, values);
     }
     return status;
 }
