@@ -152,6 +152,15 @@ static void tell(lag_beginning *b, const joint *all, const double *residual)
     }
 }
 
+static double length_of(size_t count, const double *y)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        sum += y[i] * y[i];
+    }
+    return sqrt(sum);
+}
+
 void lag_beginning_find_all(lag_beginning *b, double *x)
 {
     const lag_model *model = b->motion->model;
@@ -180,15 +189,20 @@ void lag_beginning_find_all(lag_beginning *b, double *x)
     lag_fill(all.count, 0.0, best);
     lag_descend(&descent, &equations, &parts, TARGET, DESCENTS, best);
     double smallest = lag_descent_size(&descent, &equations);
-    for (size_t k = 0; k < TRIES && !(smallest <= LAG_HOLDS); ++k) {
+    double nearest = (double)INFINITY;
+    const size_t tries = smallest <= LAG_HOLDS ? 0 : TRIES; /* of which the nearest is taken */
+    for (size_t k = 0; k < tries; ++k) {
         lag_beginning_point(b, &seed, k, b->x, point);
         for (size_t i = 0; i < all.count; ++i) {
             const size_t j = (size_t)all.free[i];
             trial[i] = j < model->nq ? (point[j] - b->x[j]) / b->widths[j] : 0.0;
         }
         lag_descend(&descent, &equations, &parts, TARGET, DESCENTS, trial);
-        if (lag_descent_size(&descent, &equations) < smallest) {
-            smallest = lag_descent_size(&descent, &equations);
+        const double size = lag_descent_size(&descent, &equations);
+        const double distance = length_of(all.count, trial);
+        if (fmax(size, LAG_HOLDS) < fmax(smallest, LAG_HOLDS) || (size <= LAG_HOLDS && distance < nearest)) {
+            smallest = size;
+            nearest = distance;
             memcpy(best, trial, all.count * sizeof(double));
         }
     }
