@@ -18,7 +18,7 @@ def main(folder: str, state: str, begin: str, step: str, count: str, *names: str
     with slave(fmu) as again:
         again.initialize()
         again.restore(Path(state).read_bytes())
-        times = float(begin) + float(step) * np.arange(int(count) + 1)
+        times = float.fromhex(begin) + float.fromhex(step) * np.arange(int(count) + 1)
         for row in again.rows(names, times):
             print(*(value.hex() for value in row))
 

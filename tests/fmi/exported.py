@@ -15,8 +15,9 @@ from typing import Any
 import fmpy
 import numpy as np
 from fmpy.model_description import ModelDescription, ScalarVariable, read_model_description
-from lagdsl.fmi.export import export
 from models.corpus import MODELS, compiled
+
+from lagdsl.fmi.export import export
 
 VERSIONS = (2, 3)
 # One of each kind, where all of models/ would take too long.
@@ -90,6 +91,6 @@ def place() -> Path:
 def exported(name: str, version: int, platforms: tuple[str, ...] = ()) -> Exported:
     folder = place() / "-".join((name.replace("/", "-"), str(version), *platforms))
     path = folder.with_suffix(".fmu")
-    export(compiled(name).compilation, path, version=version, platforms=platforms)
+    export(compiled(name).compilation, path, version=version, platforms=platforms, documented=False)
     fmpy.extract(str(path), str(folder))
     return Exported(path, folder)

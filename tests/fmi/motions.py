@@ -99,7 +99,7 @@ def deviation(
 
 
 def _scales(reference: lagdsl.Trajectory) -> Floats:
-    """Ranges of the signals; at least a thousandth of the largest value of the same kind and unit, and of rates at least
+    """Ranges of the signals; at least a thousandth of the largest value of the same kind and unit, of rates at least
     of that of their coordinate over the time of the experiment: what is at rest but for rounding has no range."""
     largest: dict[tuple[str, str], float] = {}
     sizes = {column.name: _size(column.values) for column in reference.columns}
@@ -132,12 +132,15 @@ def horizon(name: str, tolerance: float = TOLERANCE) -> float:
     return span(name)[1]
 
 
-def assert_same(name: str, reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Any]) -> None:
-    """Within 1e-6 of the range of each signal up to the horizon, 1e-4 beside events; rows over the whole of it."""
+def difference(name: str, reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Any]) -> str:
+    """What is off by more than 1e-6 of the range of its signal up to the horizon, 1e-4 beside events; nothing is: same.
+
+    There must be rows over the whole of it, and it must be worth the name.
+    """
     start, _, interval = span(name)
     end = horizon(name)
     assert end > start + 20 * interval, f"known up to {end} s only"
     rows = np.flatnonzero(np.asarray(time) <= end + 1e-9 * (end - start))
     known = deviation(reference, np.asarray(time)[rows], {n: np.asarray(c)[rows] for n, c in columns.items()})
     assert len(known.time) >= 0.9 * (end - start) / interval
-    assert not known.first(SAME, SAME_NEAR_EVENTS), known.first(SAME, SAME_NEAR_EVENTS)
+    return known.first(SAME, SAME_NEAR_EVENTS)

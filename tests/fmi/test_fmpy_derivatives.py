@@ -14,7 +14,7 @@ BOTH = pytest.mark.parametrize("version", VERSIONS)
 MODELS = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in EVERY])
 # Central differences of tenth order: truncation (0.3 h)^10, rounding 2^-52 / h.
 WEIGHTS = np.array([5 / 6, -5 / 21, 5 / 84, -5 / 504, 1 / 1260])
-STEPS = (3e-2, 1e-2, 3e-3, 1e-3)
+STEPS = (3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4)
 CLOSE = 1e-9
 
 

@@ -14,7 +14,7 @@ from fmpy import simulate_fmu
 from fmpy.validation import validate_fmu
 
 from fmi.exported import EVERY, VERSIONS, Exported, exported
-from fmi.motions import assert_same, motion, signals, span
+from fmi.motions import difference, motion, signals, span
 
 MODELS = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in EVERY])
 BOTH = pytest.mark.parametrize("version", VERSIONS)
@@ -58,15 +58,23 @@ def test_fmpy_finds_nothing_wrong(name: str, version: int) -> None:
 def test_co_simulation_is_the_same_motion(name: str, version: int) -> None:
     fmu = exported(name, version)
     rows = simulated(fmu, name, "CoSimulation", 1e-8)
-    assert_same(name, motion(name), rows["time"], fmu.columns(rows, signals(motion(name))))
+    assert not difference(name, motion(name), rows["time"], fmu.columns(rows, signals(motion(name))))
 
 
 @MODELS
 @BOTH
 def test_model_exchange_under_cvode_is_the_same_motion(name: str, version: int) -> None:
-    fmu = exported(name, version)
+    """At 1e-10; where CVODE's own error is larger than what is asked for, it has to vanish with its tolerance."""
+    off = [far_off(name, version, 1e-10)]
+    if off[0]:
+        off.append(far_off(name, version, 1e-12))
+    assert not off[-1], off
+
+
+def far_off(name: str, version: int, tolerance: float) -> str:
+    fmu, reference = exported(name, version), motion(name, 1e-10)
     with patient_cvode():
-        rows = simulated(fmu, name, "ModelExchange", 1e-10)
+        rows = simulated(fmu, name, "ModelExchange", tolerance)
     last = np.append(np.diff(rows["time"]) > 0, True)  # of several rows at an instant the last: after the event
-    columns = fmu.columns(rows, signals(motion(name)))
-    assert_same(name, motion(name, 1e-10), rows["time"][last], {n: c[last] for n, c in columns.items()})
+    columns = fmu.columns(rows, signals(reference))
+    return difference(name, reference, rows["time"][last], {n: c[last] for n, c in columns.items()})

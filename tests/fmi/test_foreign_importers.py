@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -68,10 +70,10 @@ def has(package: str) -> bool:
     return subprocess.run([PEERS, "-c", f"import {package}"], capture_output=True, check=False).returncode == 0
 
 
-def ask(client: str, package: str, folder: Path, **request: Any) -> dict[str, Any]:
+def ask(client: str, package: str, scratch: Path, **request: Any) -> dict[str, Any]:
     if not has(package):
         pytest.skip(f"{package} is not installed in {PEERS.parents[1]}")
-    asked, told = folder / "asked.json", folder / "told.json"
+    asked, told = scratch / "asked.json", scratch / "told.json"
     asked.write_text(json.dumps(request))
     done = subprocess.run(
         [PEERS, CLIENTS / f"{client}_client.py", asked, told], capture_output=True, text=True, check=False, timeout=300
@@ -199,7 +201,7 @@ def fmi_sim(fmu: Exported, folder: Path, step: float, count: int, *kind: str) ->
     """Time, and the outputs that it writes."""
     table = folder / "out.csv"
     arguments = ["--step", repr(step), "--output-interval", repr(step), "-f", repr(step * count), "--tolerance", "1e-8"]
-    run([program("fmi-sim"), "--model", fmu.path, "-o", table, *kind, *arguments])
+    run([program("fmi-sim"), "--model", readable(fmu, folder), "-o", table, *kind, *arguments])
     header = table.read_text().splitlines()[0].split(",")
     rows = np.loadtxt(table, delimiter=",", skiprows=1)
     return rows[:, 0], dict(zip(header[1:], rows[:, 1:].T, strict=True))
@@ -214,7 +216,7 @@ def test_fmi_sim(name: str, version: int, mode: tuple[str, ...], tmp_path: Path)
     time, columns = fmi_sim(exported(name, version), tmp_path, step_of(name), ROWS, "cs", *mode)
     assert columns
     error = assert_close(name, time.tolist(), columns)
-    importer = run([program("fmi-sim"), "--version"]).split()[-1]
+    importer = version_of_fmi_sim()
     record(importer="fmi-sim", version=importer, fmi=version, kind="cs", model=name, mode=bool(mode), error=error)
 
 
@@ -231,8 +233,34 @@ def test_fmi_sim_by_eulers_method(name: str, version: int, tmp_path: Path) -> No
         errors.append(max(float(np.abs(c[-1] - reference[n][-1]) / _size(reference[n])) for n, c in columns.items()))
     assert errors[0] < 1e-2
     assert 0.9 <= np.log2(errors[0] / errors[1]) <= 1.1
-    importer = run([program("fmi-sim"), "--version"]).split()[-1]
+    importer = version_of_fmi_sim()
     record(importer="fmi-sim", version=importer, fmi=version, kind="me", model=name, error=errors[1])
+
+
+@cache
+def version_of_fmi_sim() -> str:
+    """It ends with status 1 when it has told its version."""
+    done = subprocess.run([program("fmi-sim"), "--version"], capture_output=True, text=True, check=False)
+    return (done.stdout + done.stderr).splitlines()[0].split()[-1]
+
+
+def readable(fmu: Exported, folder: Path) -> Path:
+    """For FMI 3 a copy without attributes of the standard that the parser of fmi-sim does not know."""
+    if fmu.version == 2:
+        return fmu.path
+    copy = folder / fmu.path.name
+    with zipfile.ZipFile(fmu.path) as given, zipfile.ZipFile(copy, "w") as taken:
+        for item in given.infolist():
+            data = given.read(item)
+            if item.filename == "modelDescription.xml":
+                text = re.sub(r"<ModelVariables>.*</ModelVariables>", _known, data.decode(), flags=re.DOTALL)
+                data = text.encode()
+            taken.writestr(item, data)
+    return copy
+
+
+def _known(variables: re.Match[str]) -> str:
+    return re.sub(r' (unit|displayUnit|quantity|nominal|unbounded)="[^"]*"', "", variables[0])
 
 
 def _size(values: Floats) -> float:
@@ -291,7 +319,7 @@ def printed(platform: str, fmu: Exported, name: str, folder: Path) -> Floats:
 
 
 @pytest.mark.parametrize("platform", ["linux-aarch64", "windows-x86_64"])
-@pytest.mark.parametrize("name", ["double_pendulum", "four_bar", "newtons_cradle", "clutch", "van_der_pol"])
+@pytest.mark.parametrize("name", ["double_pendulum", "four_bar", "ball_on_moving_table", "clutch", "van_der_pol"])
 @BOTH
 def test_other_platforms(platform: str, name: str, version: int, tmp_path_factory: pytest.TempPathFactory) -> None:
     """The same to 1e-9 of the size of each signal as on this machine."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import cache
 
 import fmpy
-from lagdsl.fmi.export import export
 
 from fmi.exported import Exported, place
 from lagdsl.diagnostics import Sink
+from lagdsl.fmi.export import export
 from lagdsl.pipeline import front, middle
 from lagdsl.source import SourceFile
 
@@ -22,6 +22,6 @@ def exported_text(text: str, version: int) -> Exported:
     assert compilation is not None, sink.diagnostics
     folder = place() / f"{flat.name}-{version}"
     path = folder.with_suffix(".fmu")
-    export(compilation, path, version=version)
+    export(compilation, path, version=version, documented=False)
     fmpy.extract(str(path), str(folder))
     return Exported(path, folder)

@@ -85,7 +85,7 @@ static void run2(void *from, const course *as)
     fmi2CallbackFunctions callbacks = {tell2, calloc, free, NULL, NULL};
     fmi2Component one = fmi2Instantiate("one", fmi2CoSimulation, as->token, as->resources, &callbacks, fmi2False, fmi2False);
     if (one == NULL) exit(4);
-    require(fmi2SetupExperiment(one, fmi2True, 1e-8, 0.0, fmi2True, as->stop), "setup");
+    require(fmi2SetupExperiment(one, fmi2True, 1e-10, 0.0, fmi2True, as->stop), "setup");
     require(fmi2EnterInitializationMode(one), "initialization");
     require(fmi2ExitInitializationMode(one), "end of initialization");
     double values[MOST];
@@ -112,7 +112,7 @@ static void run3(void *from, const course *as)
     fmi3Instance one = fmi3InstantiateCoSimulation(
         "one", as->token, as->resources, fmi3False, fmi3False, fmi3False, fmi3False, NULL, 0, NULL, tell3, NULL);
     if (one == NULL) exit(4);
-    require(fmi3EnterInitializationMode(one, fmi3True, 1e-8, 0.0, fmi3True, as->stop), "initialization");
+    require(fmi3EnterInitializationMode(one, fmi3True, 1e-10, 0.0, fmi3True, as->stop), "initialization");
     require(fmi3ExitInitializationMode(one), "end of initialization");
     double values[MOST];
     for (int i = 0;; i++) {
