@@ -46,6 +46,19 @@ static inline lag_status osc_rates(const lag_arguments *at, double *rates)
     return LAG_OK;
 }
 
+static inline lag_status osc_residual_tangent(const lag_arguments *at, double *motion, double *rows)
+{
+    (void)rows;
+    motion[0] = at->workspace[0] * at->dq[0] + at->q[0] * at->dp[0] - at->du[0];
+    return LAG_OK;
+}
+
+static inline lag_status osc_rates_tangent(const lag_arguments *at, double *rates)
+{
+    rates[0] = -at->dz[0];
+    return LAG_OK;
+}
+
 static inline lag_status osc_output(const lag_arguments *at, double *y)
 {
     y[0] = at->q[0];
@@ -96,7 +109,9 @@ static const lag_model OSC = {
     .start = osc_start,
     .mass_matrix = osc_mass,
     .dynamics = osc_dynamics,
+    .residual_tangent = osc_residual_tangent,
     .state_derivative = osc_rates,
+    .state_derivative_tangent = osc_rates_tangent,
     .output = osc_output,
     .energies = osc_energies,
     .monitor = osc_monitor,

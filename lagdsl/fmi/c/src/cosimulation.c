@@ -13,6 +13,8 @@
 
 /* Where nobody tells when the simulation ends, steps lead beyond a communication point by at most so many communication steps. */
 static const double AHEAD = 1000.0;
+/* The classical Runge-Kutta method wants h |lambda| to be less. */
+static const double STABLE = 2.5;
 /* A communication step longer than fixed steps by this part of one takes no further one. */
 static const double SAME = 1e-9;
 
@@ -106,6 +108,17 @@ static lag_status go(lag_instance *instance, double end, double far, int stops, 
     return deliver(instance, fmin(reached(run), end));
 }
 
+/* Whether steps of length h would be too long for the explicit method: told once, by the exact Jacobian, so that all steps cost the same. */
+static int needs_implicit(lag_instance *instance, double h)
+{
+    lag_run *run = instance->run;
+    int decays = 0;
+    if (run->motion.ode.jacobian(&run->motion, run->stepper.t, run->stepper.x, run->stiffness.matrix) != LAG_OK) {
+        return 0;
+    }
+    return h * lag_stiffness_fastest(&run->stiffness, &run->stepper, &decays) > STABLE;
+}
+
 /* Steps of one length, none longer than the option wants it. */
 static lag_status go_fixed(lag_instance *instance, double end)
 {
@@ -113,9 +126,13 @@ static lag_status go_fixed(lag_instance *instance, double end)
     const double begun = instance->held.t;
     const double count = fmax(1.0, ceil((end - begun) / instance->held.step - SAME));
     lag_status status = LAG_OK;
+    if (instance->held.implicit < 0) {
+        instance->held.implicit = needs_implicit(instance, instance->held.step);
+    }
+    lag_fixed_step *const method = instance->held.implicit ? lag_ros2 : lag_rk4;
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
         const size_t before = run->events;
-        status = lag_run_fixed(run, (end - begun) / count, lag_rk4, instance->fixed_memory);
+        status = lag_run_fixed(run, (end - begun) / count, method, instance->fixed_memory);
         run->stepper.t = k + 1.0 < count ? run->stepper.t : end;
         if (status == LAG_OK && !lag_finite(lag_instance_order(instance), run->stepper.x)) {
             status = LAG_NOT_FINITE;
@@ -141,7 +158,7 @@ static lag_status begin(lag_instance *instance, double far)
         memset(instance->latched, 0, lag_instance_indicator_count(instance->fmu) * sizeof(double));
     }
     lag_status status = lag_instance_carry_out(instance);
-    if (status == LAG_OK && !held->stopped && held->step == 0.0) {
+    if (status == LAG_OK && !held->stopped) {
         status = lag_run_restart(instance->run, far);
     }
     held->jumped = status != LAG_OK;

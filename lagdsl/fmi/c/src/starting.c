@@ -114,6 +114,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
     held->stopped = 0;
+    held->implicit = -1;
     run->begun = held->t;
     lag_status status = find(instance);
     if (status != LAG_OK) {

@@ -189,6 +189,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
             return lag_instance_fail(instance, LAG_NOT_FINITE, "the length of steps cannot be %g s", values[0]);
         }
         changed = put(1, values, &held->step);
+        held->implicit = -1;
         break;
     case LAG_ROLE_TIME:
     case LAG_ROLE_CONSTANT:

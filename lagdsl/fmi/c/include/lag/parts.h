@@ -38,6 +38,7 @@ typedef struct lag_held {
     double latched_at;      /* time at which `latched` were taken */
     double about;           /* time at which inputs are `course` */
     double step;            /* LAG_OPTION_STEP */
+    int implicit;           /* fixed steps are those of an implicit method; -1: not decided yet */
     double limit;           /* of residuals; an importer that keeps to it asks for projections now and then, and no more */
     double since;           /* completed steps since the last projection */
     lag_phase phase;
