@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item
@@ -14,14 +14,13 @@ _PACKAGE = "package.lag"
 
 
 def model_texts(flat: FlatModel, source: SourceFile) -> dict[str, str]:
-    """By paths that lie to each other as the files do: the model, the packages that it needs beside it."""
+    """By path: the model, and beside it the packages of which something stands in it, where an import finds them."""
     path = Path(source.name)
     texts = {path.name if path.suffix == ".lag" else "model.lag": source.text}
     for file in _files(flat):
         if file is not source and file.name != source.name and not file.name.startswith(_OURS):
-            inside = PurePosixPath(*(part for part in Path(file.name).parts if part not in ("/", "..")))
-            texts |= _packages(path.parent, inside)
-            texts[str(inside)] = file.text
+            texts |= _packages(Path(file.name))
+            texts[_inside(Path(file.name))] = file.text
     return texts
 
 
@@ -32,11 +31,18 @@ def _files(flat: FlatModel) -> list[SourceFile]:
     return list({id(span.file): span.file for item in items for span in item.spans}.values())
 
 
-def _packages(folder: Path, inside: PurePosixPath) -> dict[str, str]:
-    """The files `package.lag` around a file of a package that lies in this folder."""
-    found = {}
-    for parent in reversed(inside.parents[:-1]):
-        file = folder / parent / _PACKAGE
-        if file.is_file():
-            found[str(parent / _PACKAGE)] = file.read_text(encoding="utf-8")
-    return found
+def _inside(file: Path) -> str:
+    """The path of a file in the folder that holds its outermost package."""
+    return file.relative_to(_root(file)).as_posix()
+
+
+def _root(file: Path) -> Path:
+    """The nearest folder around it that is no package."""
+    return next(folder for folder in file.parents if not (folder / _PACKAGE).is_file())
+
+
+def _packages(file: Path) -> dict[str, str]:
+    """What the packages around a file say of themselves."""
+    root = _root(file)
+    around = [folder / _PACKAGE for folder in reversed(file.parents) if root in folder.parents]
+    return {_inside(each): each.read_text(encoding="utf-8") for each in around}

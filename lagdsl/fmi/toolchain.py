@@ -12,8 +12,9 @@ from lagdsl.record import record
 from lagdsl.runtime.compiler import FLAGS, failure, find_compiler
 
 _LONGEST_NOTE = 2000
-# Only what the headers of the standard export is seen from outside, and what nobody calls is left out.
-_COMPILE = (*FLAGS, "-g0", "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", "-I.")
+# Only what the headers of the standard export is seen from outside, what nobody calls is left out, and all processors
+# round alike.
+_COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", "-I.")
 # Calls within a library stay within it where two are loaded; its only identity is its content; nothing is missing.
 _LINK = {
     "linux": (

@@ -21,8 +21,8 @@ typedef struct lag_step {
     int kernel, laps, head, value;
 } lag_step;
 
-/* x*y + z, rounded once where the machine does that as fast as a product. */
-#if defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+/* x*y + z, rounded once where the machine does that as fast as a product; with LAG_ALIKE as all machines can. */
+#if !defined(LAG_ALIKE) && (defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA))
 #define LAG_FUSES 1
 #else
 #define LAG_FUSES 0
