@@ -171,7 +171,8 @@ def test_the_same_model_gives_the_same_bytes_in_another_process(whole, tmp_path)
     if version == 2:
         pytest.skip("one of the versions will do")
     script = (
-        "import sys\nfrom pathlib import Path\nfrom lagdsl.diagnostics import Sink\nfrom lagdsl.fmi.export import export\n"
+        "import sys\nfrom pathlib import Path\n"
+        "from lagdsl.diagnostics import Sink\nfrom lagdsl.fmi.export import export\n"
         "from lagdsl.pipeline import front, middle\nfrom lagdsl.source import SourceFile\n"
         "text = SourceFile('spring.lag', sys.argv[1])\n"
         "export(middle(front(text, Sink()), Sink()), Path(sys.argv[2]), version=3, source=text)\n"
