@@ -48,7 +48,7 @@ class Initial:
         self._layout = program.layout
         self.size = 2 * len(flat.coordinates) + len(flat.states)
         told = start_of(flat, flat.experiment.start_time, [0.0] * self.size)
-        self._kept = [
+        self._kept: list[np.ndarray] = [
             np.array(told.fixed, dtype=np.uint8),
             np.array(told.written, dtype=np.uint8),
             *(np.array(values, dtype=np.float64) for values in (told.nominal, told.minimum, told.maximum)),
