@@ -15,7 +15,9 @@ from lagdsl.program.program import Program
 from lagdsl.record import record
 
 _POINTS = 2
-_ROUNDING = 1e-11
+# Sizes are bounds, and may be too large by far: what is zero must be nothing beside its neighbors, too.
+_ROUNDING = 1e-14
+_NOTHING = 1e-9
 _KINKS = STEPS | {Op.SELECT, Op.ABS, Op.MIN, Op.MAX, Op.MOD}
 # Directions at once, and the numbers that a search may take; where there are more, what stands there counts.
 _TOGETHER = 64
@@ -68,15 +70,24 @@ class _Search:
         columns = [(group, index) for group in DIRECTION_OF for index in range(layout.size(group))]
         if len(graph.live(tangents)) * len(columns) * _POINTS > _MOST:
             return set()
-        found = set[tuple[int, int]]()
+        zero = self._zero_slopes(tangents, columns)
+        return {
+            (value, graph.symbol(*columns[column]))
+            for value, tangent, moved in triples
+            for column in np.flatnonzero(zero[tangent])
+            if DIRECTION_OF[columns[column][0]] in moved
+        }
+
+    def _zero_slopes(self, tangents: list[int], columns: list[tuple[Group, int]]) -> dict[int, np.ndarray]:
+        """For each of `tangents` the columns along which it is zero."""
+        values, sizes = (np.zeros((len(tangents), _POINTS, len(columns))) for _ in range(2))
         for first in range(0, len(columns), _TOGETHER):
             part = columns[first : first + _TOGETHER]
-            sized = dict(zip(tangents, evaluate_with_size(graph, tangents, self._given(part)), strict=True))
-            for value, tangent, moved in triples:
-                zero = np.all(np.broadcast_to(_is_zero(*sized[tangent]), (_POINTS, len(part))), axis=0)
-                symbols = [part[column] for column in np.flatnonzero(zero) if DIRECTION_OF[part[column][0]] in moved]
-                found |= {(value, graph.symbol(*symbol)) for symbol in symbols}
-        return found
+            there = slice(first, first + len(part))
+            for row, (value, size) in enumerate(evaluate_with_size(self._graph, tangents, self._given(part))):
+                values[row, :, there], sizes[row, :, there] = value, size
+        largest = np.max(np.abs(values), axis=2, keepdims=True, initial=0.0)
+        return dict(zip(tangents, np.all(_is_zero(values, sizes, largest), axis=1), strict=True))
 
     def in_time(self) -> set[tuple[int, int]]:
         program, time = self._program, self._graph.symbol(Group.TIME)
@@ -95,9 +106,12 @@ class _Search:
         return found
 
     def zero_nodes(self, nodes: tuple[int, ...]) -> set[int]:
+        """Those of `nodes`, results of one function, that are identically zero."""
         wanted = [node for node in dict.fromkeys(nodes) if not self._kinked[node]]
-        values = evaluate_with_size(self._graph, wanted, self._given([]))
-        return {node for node, sized in zip(wanted, values, strict=True) if bool(np.all(_is_zero(*sized)))}
+        sized = evaluate_with_size(self._graph, wanted, self._given([]))
+        largest = max((np.max(np.abs(value)) for value, _ in sized), default=0.0)
+        zero = (bool(np.all(_is_zero(value, size, largest))) for value, size in sized)
+        return {node for node, is_zero in zip(wanted, zero, strict=True) if is_zero}
 
     def _smooth_values(self) -> list[tuple[int, int, tuple[Group, ...]]]:
         """Values, their derivatives, and the directions that these know."""
@@ -122,8 +136,9 @@ class _Search:
         return given
 
 
-def _is_zero(value: np.ndarray, size: np.ndarray) -> np.ndarray:
-    return np.asarray(np.isfinite(size) & (np.abs(value) <= _ROUNDING * size))
+def _is_zero(value: np.ndarray, size: np.ndarray, largest: np.ndarray | float) -> np.ndarray:
+    zero = np.isfinite(size) & np.isfinite(largest)
+    return np.asarray(zero & (np.abs(value) <= _ROUNDING * size) & (np.abs(value) <= _NOTHING * largest))
 
 
 def _kinked(graph: Graph) -> bytearray:

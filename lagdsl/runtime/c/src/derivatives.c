@@ -39,6 +39,7 @@ static void place_system(lag_derivatives *d, const lag_model *model, double **me
     d->residual = lag_take(memory, m);
     d->unused = lag_take(memory, m * n);
     lag_system_place(&d->system, n, m, lag_take(memory, lag_system_memory(n, m)));
+    d->system.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
 }
 
 void lag_derivatives_place(lag_derivatives *d, const lag_model *model, double *memory)

@@ -10,6 +10,8 @@ static const double RANK_TOLERANCE = 1e-8;
 static const double ZERO_TOLERANCE = 1e-14;
 static const double SHORT_ROW = 1e-3;
 static const double LIGHTEST = 1e3;
+/* Rows that are to be taken last are as short as this. */
+static const double LATE = 1e-4;
 static const double SINGULAR_TOLERANCE = 2e-15;
 static const double LARGEST = 1e140;
 enum { REFINEMENTS = 1 };
@@ -32,6 +34,7 @@ void lag_system_place(lag_system *s, size_t n, size_t m, double *memory)
     s->indefinite = 0;
     s->mass = NULL;
     s->jacobian = NULL;
+    s->late = NULL;
     s->column_scale = lag_take(&memory, n);
     s->row_scale = lag_take(&memory, m);
     s->rows = lag_take(&memory, m * n);
@@ -101,6 +104,7 @@ static void scale_rows(lag_system *s)
         }
         const double part = fmin(1.0, judged / (SHORT_ROW * longest));
         s->row_scale[i] = judged > ZERO_TOLERANCE * longest ? part / sqrt(sum) : 0.0;
+        s->row_scale[i] *= s->late != NULL && s->late[i] ? LATE : 1.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] *= s->row_scale[i];
         }
