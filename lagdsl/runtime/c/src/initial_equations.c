@@ -198,10 +198,10 @@ void lag_beginning_find_all(lag_beginning *b, double *x)
             trial[i] = j < model->nq ? (point[j] - b->x[j]) / b->widths[j] : 0.0;
         }
         lag_descend(&descent, &equations, &parts, TARGET, DESCENTS, trial);
-        const double size = lag_descent_size(&descent, &equations);
+        const double left = lag_descent_size(&descent, &equations);
         const double distance = length_of(all.count, trial);
-        if (fmax(size, LAG_HOLDS) < fmax(smallest, LAG_HOLDS) || (size <= LAG_HOLDS && distance < nearest)) {
-            smallest = size;
+        if (fmax(left, LAG_HOLDS) < fmax(smallest, LAG_HOLDS) || (left <= LAG_HOLDS && distance < nearest)) {
+            smallest = left;
             nearest = distance;
             memcpy(best, trial, all.count * sizeof(double));
         }
