@@ -10,6 +10,7 @@ from lagdsl.flat.evaluate import Values, evaluate
 from lagdsl.flat.events import Discrete
 from lagdsl.flat.model import FlatModel, Input, Parameter
 from lagdsl.flat.spans import around, place
+from lagdsl.fmi.names import named
 
 # Integer of FMI 2 has 32 bits. Int64 of FMI 3 has more than a double has digits: beyond 2**53 neighbors are one number.
 _INTEGERS = {2: (-(2**31), 2**31 - 1), 3: (-(2**53), 2**53)}
@@ -36,8 +37,8 @@ def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sin
                 )
     for driven in flat.inputs:
         if driven.smooth:
-            derivatives = ", ".join(f"`{name}`" for name in _derivatives(flat, driven))
-            sink.report("N0903", place(driven), *around(driven), name=driven.name, derivatives=derivatives)
+            derivatives = ", ".join(f"`{named(name).text}`" for name in _derivatives(flat, driven))
+            sink.report("N0903", place(driven), *around(driven), name=named(driven.name).text, derivatives=derivatives)
 
 
 def _integers(flat: FlatModel, item: Parameter | Discrete, values: Mapping[str, float]) -> Iterator[tuple[str, float]]:

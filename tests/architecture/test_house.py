@@ -117,6 +117,7 @@ def test_links_between_documents_lead_somewhere(root: Path) -> None:
         "CONTRIBUTING.md",
         "docs/language.md",
         "docs/events.md",
+        "docs/fmi.md",
         "docs/mechanics.md",
     )
     pages = [root / name for name in names]
