@@ -1,0 +1,149 @@
+"""What an FMU says of each of its variables is what the functions of the model say, by name."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+import pytest
+from models.corpus import MODELS, compiled
+
+from fmi.exported import VERSIONS, Exported, exported
+from fmi.importing import exchanged
+from lagdsl.fmi.names import belonging, named
+from lagdsl.mechanics.structure_functions import ProgramFunctions
+from lagdsl.pipeline import Compilation, engine_of, with_names
+from lagdsl.program.program import Slot
+from lagdsl.simulate.initialize import initial_state
+
+Floats = np.ndarray
+BOTH = pytest.mark.parametrize("version", VERSIONS)
+# Without constraints, any state is one; with them the accelerations of an FMU pull towards them.
+FREE = ("cart_double_pendulum", "chain", "van_der_pol", "double_pendulum")
+TIED = ("andrews_squeezer", "four_bar", "rolling_coin")
+if os.environ.get("LAGDSL_EXPLORE"):
+    SMOOTH = [name for name in MODELS if not compiled(name).graph.layout.discretes]
+    FREE = tuple(name for name in SMOOTH if not compiled(name).graph.layout.constraints)
+    TIED = tuple(name for name in SMOOTH if name not in FREE)
+
+
+def together(names: tuple[str, ...]) -> pytest.MarkDecorator:
+    return pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in names])
+
+
+@dataclass
+class Meaning:
+    """The functions of a model, by the interpreter of its graph."""
+
+    compilation: Compilation
+
+    def __post_init__(self) -> None:
+        self.functions = ProgramFunctions(with_names(self.compilation))
+        self.layout = self.functions.layout
+
+    def values(self, t: float, x: Floats, u: Floats, p: Floats) -> dict[str, float]:
+        n, nc = len(self.layout.coordinates), len(self.layout.constraints)
+        q, qd, z = x[:n], x[n : 2 * n], x[2 * n :]
+        state = (t, q, qd, z, u, np.zeros(0), p)
+        mass, force, jacobian, gamma = self.functions.evaluate("dynamics", *state)
+        matrix = np.block([[mass, -jacobian.T], [jacobian, np.zeros((nc, nc))]])
+        # The smallest multipliers where rows depend on each other.
+        solution = np.linalg.lstsq(matrix, np.concatenate([force, gamma]), rcond=1e-12)[0]
+        solved = (*state, solution[:n], solution[n:])
+        evaluate = self.functions.evaluate
+        found: dict[str, float] = {"time": t}
+        self._tell(found, self.layout.coordinates, q)
+        self._tell(found, self.layout.coordinates, qd, 1)
+        self._tell(found, self.layout.coordinates, solution[:n], 2)
+        self._tell(found, self.layout.states, z)
+        self._tell(found, self.layout.states, evaluate("state_derivative", *solved)[0], 1)
+        self._tell(found, self.layout.inputs, u)
+        self._tell(found, self.layout.parameters, p)
+        self._tell(found, self.layout.definitions, evaluate("definition", *solved)[0])
+        self._tell(found, self.layout.outputs, evaluate("output", *solved)[0])
+        for slot, value in zip(self.layout.constraints, solution[n:].tolist(), strict=True):
+            found[belonging(slot.name, "multiplier").text] = value
+        energies = evaluate("energies", *state)
+        found |= {f"energy.{word}": float(e) for word, e in zip(("total", "kinetic", "potential"), energies)}  # noqa: B905
+        return found
+
+    @staticmethod
+    def _tell(found: dict[str, float], slots: tuple[Slot, ...], values: Floats, order: int = 0) -> None:
+        for slot, value in zip(slots, np.asarray(values).tolist(), strict=True):
+            found[named(slot.name, order).text] = value
+
+
+@cache
+def meaning(name: str) -> Meaning:
+    return Meaning(compiled(name).compilation)
+
+
+def close(fmu: Exported, given: dict[str, float], expected: dict[str, float], tolerance: float) -> list[str]:
+    """Names of the variables that say something else; sizes are those of values of the same unit, or of multipliers,
+    which come from one system of equations."""
+    largest: dict[str | None, float] = {}
+    units = {name: "multiplier" if ".multiplier" in name else fmu.entry(name)[0].unit for name in expected}
+    for name, value in expected.items():
+        largest[units[name]] = max(abs(value), largest.get(units[name], 0.0))
+    return [
+        f"{name}: {given[name]} instead of {value}"
+        for name, value in expected.items()
+        if not abs(given[name] - value) <= tolerance * (1e-3 + largest[units[name]])
+    ]
+
+
+@together(TIED + FREE)
+@BOTH
+def test_at_the_start(name: str, version: int) -> None:
+    told = meaning(name)
+    compilation = compiled(name).compilation
+    engine = engine_of(compilation.program)
+    initial = initial_state(compilation.flat, engine)
+    p = np.array(told.layout.defaults)
+    u = engine.evaluate("start", initial.t, p)[3]
+    expected = told.values(initial.t, np.concatenate([initial.q, initial.qd, initial.z]), u, p)
+    fmu = exported(name, version)
+    with exchanged(fmu) as instance:
+        instance.initialize(start=initial.t)
+        given = dict(zip(expected, instance.get(*expected).tolist(), strict=True))
+        assert close(fmu, given, expected, 1e-9) == []
+        for word in ("position", "velocity") if told.layout.constraints else ():
+            assert 0.0 <= instance.get(f"residual.{word}")[0] <= 1e-9
+    constants = [parameter for parameter in compilation.flat.parameters if parameter.structural]
+    assert all(fmu.entry(named(constant.name).text)[0].variability == "constant" for constant in constants)
+
+
+@together(FREE)
+@BOTH
+def test_at_random_states_inputs_and_parameters(name: str, version: int) -> None:
+    told, random = meaning(name), np.random.default_rng(7)
+    fmu = exported(name, version)
+    p = np.array(told.layout.defaults) * random.uniform(0.9, 1.1, len(told.layout.parameters))
+    parameters = {named(slot.name).text: value for slot, value in zip(told.layout.parameters, p.tolist(), strict=True)}
+    with exchanged(fmu) as instance:
+        instance.initialize(together_by_variable(fmu, parameters))
+        instance.update()
+        for t in (0.3, 1.7):
+            x = random.uniform(-1.0, 1.0, instance.nx)
+            u = random.uniform(-1.0, 1.0, len(told.layout.inputs))
+            instance.move(t, x)
+            inputs = {named(s.name).text: value for s, value in zip(told.layout.inputs, u.tolist(), strict=True)}
+            instance.set(together_by_variable(fmu, inputs))
+            expected = told.values(t, x, u, p)
+            given = dict(zip(expected, instance.get(*expected).tolist(), strict=True))
+            assert close(fmu, given, expected, 1e-10) == []
+            assert instance.derivatives.tolist() == [
+                *(given[named(c.name, order).text] for order in (1, 2) for c in told.layout.coordinates),
+                *(given[named(state.name, 1).text] for state in told.layout.states),
+            ]
+
+
+def together_by_variable(fmu: Exported, scalars: dict[str, float]) -> dict[str, list[float]]:
+    """Values by variable, in the order of their entries."""
+    found: dict[str, list[float]] = {}
+    for name, value in scalars.items():
+        variable, _ = fmu.entry(name)
+        found.setdefault(variable.name, []).append(value)
+    return found
