@@ -155,7 +155,8 @@ def test_an_importer_compiles_the_sources_and_simulates(whole, tmp_path):
     folder = tmp_path / "unpacked"
     fmpy.extract(str(path), str(folder))
     shutil.rmtree(folder / "binaries")
-    build_platform_binary(folder, all_warnings=True)
+    (tmp_path / "build").mkdir()
+    build_platform_binary(folder, tmp_path / "build", all_warnings=True)
     for kind in ("CoSimulation", "ModelExchange"):
         found = fmpy.simulate_fmu(
             str(folder), fmi_type=kind, stop_time=1.0, output_interval=0.5, relative_tolerance=1e-8
