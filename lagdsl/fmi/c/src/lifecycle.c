@@ -7,10 +7,23 @@
 /* More passes in a row mean that events never settle. */
 enum { MOST_PASSES = 10000 };
 
+/* Times beyond this are no simulation: neighbouring numbers are 0.1 ms apart. */
+static const double LATEST = 1e12;
+
+int lag_shell_is_time(lag_shell *shell, double t, const char *what)
+{
+    if (!isfinite(t)) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is infinite or not a number", what);
+    } else if (fabs(t) > LATEST) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is %g s: beyond %g s times cannot be told apart", what, t, LATEST);
+    }
+    return fabs(t) <= LATEST;
+}
+
 lag_answer lag_shell_set_experiment(lag_shell *shell, int tolerance_defined, double tolerance, double start, int stop_defined, double stop)
 {
-    if (!isfinite(start)) {
-        return lag_shell_say(shell, LAG_ANSWER_ERROR, "the start time is infinite or not a number");
+    if (!lag_shell_is_time(shell, start, "the start time")) {
+        return LAG_ANSWER_ERROR;
     }
     if (stop_defined && !(stop >= start)) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the stop time %.17g is before the start time %.17g", stop, start);

@@ -21,8 +21,8 @@ static int fits(lag_shell *shell, const double *values, size_t n, size_t expecte
 
 lag_answer lag_shell_set_time(lag_shell *shell, double time)
 {
-    if (!isfinite(time)) {
-        return lag_shell_say(shell, LAG_ANSWER_ERROR, "the time is infinite or not a number");
+    if (!lag_shell_is_time(shell, time, "the time")) {
+        return LAG_ANSWER_ERROR;
     }
     const lag_status status = lag_instance_set_time(shell->instance, time);
     if (status != LAG_OK) {

@@ -16,9 +16,10 @@ static int beyond(double t, double bound, double h)
 static int acceptable(lag_shell *shell, double t, double h)
 {
     const lag_course_of_calls *now = &shell->now;
-    if (!isfinite(t) || !isfinite(h)) {
-        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the communication point or the step is infinite or not a number");
-    } else if (!(h > 0.0)) {
+    if (!lag_shell_is_time(shell, t, "the communication point") || !lag_shell_is_time(shell, t + h, "the end of the step")) {
+        return 0;
+    }
+    if (!(h > 0.0)) {
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the step is %.17g s, and must be longer than zero", h);
     } else if (beyond(t, now->time, h) || beyond(now->time, t, h)) {
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the communication point %.17g s is not where the last step ended, at %.17g s", t, now->time);

@@ -160,6 +160,8 @@ lag_answer lag_shell_slopes(lag_shell *shell, lag_slope *slope, const uint32_t *
 
 /* ---- lifecycle.c ---- */
 
+/* Whether t can be one; told if not, as `what`. */
+int lag_shell_is_time(lag_shell *shell, double t, const char *what);
 lag_answer lag_shell_set_experiment(lag_shell *shell, int tolerance_defined, double tolerance, double start, int stop_defined, double stop);
 lag_answer lag_shell_enter_initialization(lag_shell *shell);
 lag_answer lag_shell_exit_initialization(lag_shell *shell);
