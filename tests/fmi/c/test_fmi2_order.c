@@ -1,7 +1,7 @@
 /* FMI 2: which function may be called in which mode, by the tables of calling sequences of FMI 2.0.4, sections 3.2.3 and 4.2.4. */
 #include "host2.h"
 
-static fmi2ValueReference u = V_U, k = V_K, qdd = V_QDD, q = V_Q, fault_of = V_FAULT, closed = V_CLOSED, label = V_LABEL;
+static fmi2ValueReference u = V_U, k = V_K, qdd = V_QDD, q = V_Q, fault_of = V_FAULT, closed = V_CLOSED, label = V_LABEL, period = V_PERIOD;
 static double value[2];
 static const double zeros[2] = {0.0, 0.0};
 static int number;
@@ -19,7 +19,8 @@ static fmi2Status get_boolean(fmi2Component c) { return fmi2GetBoolean(c, &close
 static fmi2Status get_string(fmi2Component c) { return fmi2GetString(c, &label, 1, &text); }
 static fmi2Status set_input(fmi2Component c) { return fmi2SetReal(c, &u, 1, zeros); }
 static fmi2Status set_tunable(fmi2Component c) { return fmi2SetReal(c, &k, 1, (const double[]){5.0}); }
-static fmi2Status set_start(fmi2Component c) { return fmi2SetReal(c, &q, 1, zeros); }
+static fmi2Status set_state(fmi2Component c) { return fmi2SetReal(c, &q, 1, zeros); }
+static fmi2Status set_fixed(fmi2Component c) { return fmi2SetReal(c, &period, 1, zeros); }
 static fmi2Status set_integer(fmi2Component c) { return fmi2SetInteger(c, &fault_of, 1, &number); }
 static fmi2Status slope(fmi2Component c) { return fmi2GetDirectionalDerivative(c, &qdd, 1, &q, 1, zeros, value); }
 static fmi2Status update(fmi2Component c) { return fmi2NewDiscreteStates(c, &info); }
@@ -56,8 +57,9 @@ static const struct {
     {"fmi2GetBoolean", get_boolean, "IECTF", "ISDTF"},
     {"fmi2GetString", get_string, "NIECTF", "NISDTF"},
     {"fmi2SetReal of an input", set_input, "NIEC", "NIS"},
-    {"fmi2SetReal of a tunable parameter", set_tunable, "NIE", "NIS"},
-    {"fmi2SetReal of a start value", set_start, "NI", "NI"},
+    {"fmi2SetReal of a tunable parameter", set_tunable, "NIEC", "NIS"}, /* C: more than the standard, for importers that evaluate only */
+    {"fmi2SetReal of a state", set_state, "NIEC", "NI"}, /* E, C: likewise */
+    {"fmi2SetReal of a parameter that is not tunable", set_fixed, "NI", "NI"},
     {"fmi2SetInteger", set_integer, "NIE", "NIS"},
     {"fmi2GetDirectionalDerivative", slope, "IECTF", "ISDTF"},
     {"fmi2GetFMUstate", save, "NIECTF", "NISDTF"},

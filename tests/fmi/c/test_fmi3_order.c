@@ -1,7 +1,7 @@
 /* FMI 3: which function may be called in which mode, by the state machines of FMI 3.0, sections 2.3, 3.2 and 4.2. */
 #include "host3.h"
 
-static const fmi3ValueReference u = V_U, k = V_K, qdd = V_QDD, q = V_Q, fault_of = V_FAULT, closed = V_CLOSED, label = V_LABEL, choice = V_KIND;
+static const fmi3ValueReference u = V_U, k = V_K, qdd = V_QDD, q = V_Q, fault_of = V_FAULT, closed = V_CLOSED, label = V_LABEL, choice = V_KIND, period = V_PERIOD;
 static double value[3];
 static const double zeros[3] = {0.0, 0.0, 0.0};
 static fmi3Int32 number;
@@ -23,7 +23,8 @@ static fmi3Status get_boolean(fmi3Instance i) { return fmi3GetBoolean(i, &closed
 static fmi3Status get_string(fmi3Instance i) { return fmi3GetString(i, &label, 1, &text, 1); }
 static fmi3Status set_input(fmi3Instance i) { return fmi3SetFloat64(i, &u, 1, zeros, 1); }
 static fmi3Status set_tunable(fmi3Instance i) { return fmi3SetFloat64(i, &k, 1, (const double[]){5.0}, 1); }
-static fmi3Status set_start(fmi3Instance i) { return fmi3SetFloat64(i, &q, 1, zeros, 1); }
+static fmi3Status set_state(fmi3Instance i) { return fmi3SetFloat64(i, &q, 1, zeros, 1); }
+static fmi3Status set_fixed(fmi3Instance i) { return fmi3SetFloat64(i, &period, 1, zeros, 1); }
 static fmi3Status set_integer(fmi3Instance i) { return fmi3SetInt32(i, &fault_of, 1, &number, 1); }
 static fmi3Status set_choice(fmi3Instance i) { return fmi3SetInt64(i, &choice, 1, &chosen, 1); }
 static fmi3Status directional(fmi3Instance i) { return fmi3GetDirectionalDerivative(i, &qdd, 1, &q, 1, zeros, 1, value, 1); }
@@ -67,8 +68,9 @@ static const struct {
     {"fmi3GetBoolean", get_boolean, {"IECTF", "ISDTF", "IESDTF"}},
     {"fmi3GetString", get_string, {"NIECTF", "NISDTF", "NIESDTF"}},
     {"fmi3SetFloat64 of an input", set_input, {"NIEC", "NIS", "NIES"}},
-    {"fmi3SetFloat64 of a tunable parameter", set_tunable, {"NIE", "NIS", "NIE"}},
-    {"fmi3SetFloat64 of a start value", set_start, {"NI", "NI", "NI"}},
+    {"fmi3SetFloat64 of a tunable parameter", set_tunable, {"NIEC", "NIS", "NIE"}}, /* C: more than the standard, for importers that evaluate only */
+    {"fmi3SetFloat64 of a state", set_state, {"NIEC", "NI", "NI"}}, /* E, C: likewise */
+    {"fmi3SetFloat64 of a parameter that is not tunable", set_fixed, {"NI", "NI", "NI"}},
     {"fmi3SetInt32", set_integer, {"NIE", "NIS", "NIE"}},
     {"fmi3SetInt64", set_choice, {"NI", "NI", "NI"}},
     {"fmi3GetDirectionalDerivative", directional, {"IECTF", "ISDTF", "IESDTF"}},

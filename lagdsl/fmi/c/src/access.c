@@ -82,7 +82,7 @@ lag_answer lag_shell_get(lag_shell *shell, lag_type type, const uint32_t *refere
         }
         double *found = store == NULL ? (double *)values + place : shell->scratch;
         const lag_status status = lag_instance_get(shell->instance, references[i], found);
-        answer = status == LAG_OK ? LAG_ANSWER_OK : lag_shell_judge(shell, status);
+        answer = type == LAG_TYPE_REAL ? lag_shell_judge(shell, status) : lag_shell_refused(shell, status);
         if (answer != LAG_ANSWER_OK) {
             return answer;
         }
@@ -95,19 +95,24 @@ lag_answer lag_shell_get(lag_shell *shell, lag_type type, const uint32_t *refere
     return LAG_ANSWER_OK;
 }
 
+/*
+ * In model exchange more than the standards ask for: importers that look at a model as a function (CasADi) set states and tunable
+ * parameters of instances that are long in continuous-time mode.
+ */
 static int settable(const lag_shell *shell, const lag_variable *variable)
 {
     const int tunable = variable->setting == LAG_SET_TUNABLE || variable->setting == LAG_SET_ALWAYS;
+    const int state = variable->role == LAG_ROLE_STATE && variable->setting != LAG_SET_NEVER;
     switch ((lag_mode)shell->now.mode) {
     case LAG_MODE_INSTANTIATED:
     case LAG_MODE_INITIALIZATION:
         return variable->setting != LAG_SET_NEVER;
     case LAG_MODE_EVENT:
-        return tunable;
+        return tunable || (state && shell->now.kind == LAG_MODEL_EXCHANGE);
+    case LAG_MODE_CONTINUOUS:
+        return (tunable || state) && variable->type == LAG_TYPE_REAL;
     case LAG_MODE_STEP:
         return variable->setting == LAG_SET_ALWAYS || (tunable && !shell->now.event_mode);
-    case LAG_MODE_CONTINUOUS:
-        return variable->setting == LAG_SET_ALWAYS && variable->type == LAG_TYPE_REAL;
     default:
         return 0;
     }
