@@ -13,6 +13,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from made_modules import Made
 from sample_programs import chain, closed_chain, pendulum, quaternion_body
 
 from lagdsl.backends.backend import Artifact
@@ -85,16 +86,15 @@ def test_artifacts_cannot_be_changed() -> None:
 
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
 @pytest.mark.parametrize("make", [pendulum, lambda: closed_chain(2), quaternion_body, _hostile, lambda: chain(6)])
-def test_c_builds_with_its_own_makefile_without_a_warning(tmp_path: Path, compiler: str, make: object) -> None:
+def test_c_builds_with_its_own_makefile_without_a_warning(
+    tmp_path: Path, made: Made, compiler: str, make: object
+) -> None:
     if shutil.which(compiler) is None:
         pytest.skip(f"{compiler} is not installed")
     artifact = BACKENDS["c"].emit(make())  # type: ignore[operator]
     _write(artifact, tmp_path)
-    done = subprocess.run(
-        ["make", "-j2", f"CC={compiler}", "CFLAGS=-O1"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ""
+    done = made(tmp_path, "-j2", f"CC={compiler}", "CFLAGS=-O1")
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")
@@ -116,9 +116,9 @@ def test_the_runtime_needs_no_operating_system(tmp_path: Path) -> None:
     assert {line.split()[-1] for line in listed.splitlines()} <= known
 
 
-def test_the_example_prints_accelerations_and_motion(tmp_path: Path) -> None:
+def test_the_example_prints_accelerations_and_motion(tmp_path: Path, made: Made) -> None:
     _write(BACKENDS["c"].emit(pendulum()), tmp_path)
-    subprocess.run(["make", "-s"], cwd=tmp_path, check=True, capture_output=True)
+    assert made(tmp_path).returncode == 0
     program = str(tmp_path / "Pendulum")
     printed = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     m, length, torque = 1.5, 0.7, 1.0
@@ -145,9 +145,9 @@ def test_the_example_prints_accelerations_and_motion(tmp_path: Path) -> None:
     np.testing.assert_allclose(outputs, [rates(0.0, state)[1], length * np.cos(state[0])], rtol=1e-14)
 
 
-def test_the_loop_for_real_time_ends_where_the_motion_does(tmp_path: Path) -> None:
+def test_the_loop_for_real_time_ends_where_the_motion_does(tmp_path: Path, made: Made) -> None:
     _write(BACKENDS["c"].emit(pendulum()), tmp_path)
-    subprocess.run(["make", "-s"], cwd=tmp_path, check=True, capture_output=True)
+    assert made(tmp_path).returncode == 0
     table = subprocess.run([str(tmp_path / "Pendulum"), "1", "1"], capture_output=True, text=True, check=True).stdout
     theta = float(table.splitlines()[-1].split(",")[1])
     for method, tolerance in (("rk4", 1e-9), ("leapfrog", 1e-5), ("ros2", 1e-5)):
@@ -157,10 +157,10 @@ def test_the_loop_for_real_time_ends_where_the_motion_does(tmp_path: Path) -> No
         assert float(end.split()[2]) == pytest.approx(theta, abs=tolerance)
 
 
-def test_the_example_is_clean_under_sanitizers(tmp_path: Path) -> None:
+def test_the_example_is_clean_under_sanitizers(tmp_path: Path, made: Made) -> None:
     _write(BACKENDS["c"].emit(quaternion_body("Body")), tmp_path)
     flags = "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
-    subprocess.run(["make", "-s", flags], cwd=tmp_path, check=True, capture_output=True)
+    assert made(tmp_path, flags).returncode == 0
     done = subprocess.run([str(tmp_path / "Body"), "0.01", "1e-3"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert len(done.stdout.splitlines()) == 12

@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from made_modules import Made
 from sample_programs import chain, closed_chain
 
 from lagdsl.backends.c.emit import CBackend
@@ -15,7 +16,7 @@ _PROGRAM = Path(__file__).with_name("many_states.c")
 
 
 @pytest.mark.parametrize("program", [chain(3), closed_chain(2)], ids=lambda program: program.name)
-def test_the_files_of_the_batch_build_and_agree(tmp_path: Path, program: Program) -> None:
+def test_the_files_of_the_batch_build_and_agree(tmp_path: Path, made: Made, program: Program) -> None:
     files = CBackend(batch=True).emit(program).files
     (stem,) = (name.removesuffix("_states.c") for name in files if name.endswith("_states.c"))
     more = {f"{stem}_states.c", f"{stem}_tangents.c", f"{stem}_parameter_tangents.c"}
@@ -24,6 +25,6 @@ def test_the_files_of_the_batch_build_and_agree(tmp_path: Path, program: Program
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")
     (tmp_path / "main.c").write_text(_PROGRAM.read_text(encoding="utf-8").replace("STEM", stem), encoding="utf-8")
-    made = subprocess.run(["make", "-s", stem], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert (made.returncode, made.stderr) == (0, "")
+    done = made(tmp_path, stem)
+    assert (done.returncode, done.stderr) == (0, "")
     assert subprocess.run([str(tmp_path / stem)], check=False).returncode == 0

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from made_modules import Made
 
 import lagdsl
 from lagdsl.cli.main import lag
@@ -97,20 +98,16 @@ Build = Callable[..., Module]
 
 
 @pytest.fixture(scope="module")
-def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
-    """Exports a model text and makes it; the runtime is compiled once for all."""
-    compiled: dict[str, Path] = {}
+def build(tmp_path_factory: pytest.TempPathFactory, made: Made) -> Build:
+    """Exports a model text and makes it."""
 
     def built(text: str, flags: str = "-O1") -> Module:
         folder = tmp_path_factory.mktemp("module")
         (folder / "model.lag").write_text(text, encoding="utf-8")
         done = CliRunner().invoke(lag, ["build", str(folder / "model.lag"), "--target", "c", "-o", str(folder)])
         assert done.exit_code == 0, done.output
-        for object_file in sorted((compiled.setdefault(flags, folder) / "lag").glob("*.o")):
-            shutil.copy(object_file, folder / "lag")
-        command = ["make", "-s", f"CFLAGS={flags}"]
-        made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-        assert (made.returncode, made.stderr) == (0, "")
+        ready = made(folder, f"CFLAGS={flags}")
+        assert (ready.returncode, ready.stderr) == (0, "")
         (header,) = folder.glob("*.h")
         return Module(folder, header.stem)
 

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
+from made_modules import Made
 from sample_programs import closed_chain, pendulum, quaternion_body
 
 import lagdsl
@@ -68,7 +69,7 @@ def _declared(folder: Path) -> set[str]:
 @pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("make", [pendulum, lambda: closed_chain(2), quaternion_body, _bouncing])
-def test_the_library_builds_without_a_c_library(tmp_path: Path, compiler: str, make: object) -> None:
+def test_the_library_builds_without_a_c_library(tmp_path: Path, made: Made, compiler: str, make: object) -> None:
     if _missing(compiler):
         pytest.skip(f"{compiler} is not installed")
     artifact = BACKENDS["c"].emit(make())  # type: ignore[operator]
@@ -76,10 +77,8 @@ def test_the_library_builds_without_a_c_library(tmp_path: Path, compiler: str, m
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")
     (stem,) = (path.stem for path in tmp_path.glob("*.h"))
-    command = ["make", "-s", "-j2", f"lib{stem}.a", f"CC={COMPILERS[compiler]}", f"CFLAGS={FLAGS}"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    assert done.stderr == ""
+    done = made(tmp_path, "-j2", f"lib{stem}.a", f"CC={COMPILERS[compiler]}", f"CFLAGS={FLAGS}")
+    assert (done.returncode, done.stderr) == (0, "")
     symbols = _symbols(tmp_path / f"lib{stem}.a")
     defined = {name for kind, name in symbols if kind not in "Uw"}
     undefined = {name for kind, name in symbols if kind == "U"} - defined
