@@ -216,6 +216,9 @@ static void refused(void)
     }
     CHECK(lag_instance_set(one, OSC_STEP, &values[2]) != LAG_OK);
     CHECK(lag_instance_set(one, OSC_YQ, &value) == LAG_MISSING);
+    set(one, OSC_STEP, 1e-9);
+    CHECK(lag_instance_step(one, 0.1, 0, &told) == LAG_TOO_LONG && told.t == 0.5);
+    set(one, OSC_STEP, 0.0);
     set(one, OSC_U, 20.0); /* towards q = 5 */
     CHECK(lag_instance_step(one, 3.0, 0, &told) == LAG_VIOLATED);
     CHECK(strstr(lag_instance_message(one), "q is too large") != NULL);

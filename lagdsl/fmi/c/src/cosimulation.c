@@ -13,6 +13,8 @@
 
 /* Where nobody tells when the simulation ends, steps lead beyond a communication point by at most so many communication steps. */
 static const double AHEAD = 1000.0;
+/* Nobody waits for more steps than these. */
+static const double MOST_STEPS = 1e6;
 /* The classical Runge-Kutta method wants h |lambda| to be less. */
 static const double STABLE = 2.5;
 /* A communication step longer than fixed steps by this part of one takes no further one. */
@@ -125,7 +127,7 @@ static lag_status go_fixed(lag_instance *instance, double end)
     lag_run *run = instance->run;
     const double begun = instance->held.t;
     const double count = fmax(1.0, ceil((end - begun) / instance->held.step - SAME));
-    lag_status status = LAG_OK;
+    lag_status status = count <= MOST_STEPS ? LAG_OK : LAG_TOO_LONG;
     if (instance->held.implicit < 0) {
         instance->held.implicit = needs_implicit(instance, instance->held.step);
     }
@@ -187,7 +189,7 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     if (status != LAG_OK) {
         const lag_status at = instance->run->stepper.t <= end ? deliver(instance, instance->run->stepper.t) : LAG_OK;
         held->jumped = 1;
-        held->stopped = held->stopped || status == LAG_STOPPED;
+        lag_instance_note_stop(instance, status);
         status = status == LAG_STOPPED ? at : status;
     }
     told->t = held->t;

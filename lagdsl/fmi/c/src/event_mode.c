@@ -10,9 +10,9 @@
 
 /* The margin, as a part of the magnitudes seen, and of the size of the state: more than round-off. */
 static const double PART = 1e-11;
-static const double ROUNDING = 4e-13;
+static const double ROUNDING = 2e-13;
 /* What is so much of its margin behind zero has changed, where an event is carried out anyway. */
-static const double CLEARLY = 0.25;
+static const double CLEARLY = 0.6;
 /* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
 static const double ROUGH = 100.0;
 /* Length of the last step, where nobody tells. */
@@ -138,8 +138,9 @@ static double flight(const lag_instance *instance)
     double late = 0.0;
     for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
         const int open = instance->run->motion.w[alert->places.contact + i] == 0.0;
+        const double behind = -value(instance, first + i) - instance->latched[first + i] - 2.0 * margin(instance, first + i, instance->x);
         if (open && alert->changed[first + i] != 0.0 && alert->speed[i] < 0.0) {
-            late = fmax(late, value(instance, first + i) / alert->speed[i]);
+            late = fmax(late, -behind / alert->speed[i]);
         }
     }
     return fmin(instance->held.span, ROUGH * late);
@@ -176,7 +177,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     }
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
-        held->stopped = held->stopped || status == LAG_STOPPED;
+        lag_instance_note_stop(instance, status);
         status = lag_instance_latch(instance, held->t, instance->x);
     }
     if (status == LAG_OK) {
@@ -207,9 +208,6 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     }
     told->next = instance->fmu->model->event != NULL ? lag_instants_next(&instance->run->instants) : (double)INFINITY;
     told->terminate = held->stopped;
-    if (held->stopped) {
-        (void)lag_instance_fail(instance, LAG_STOPPED, "t = %.10g s: the model ends the simulation", held->t);
-    }
     return status;
 }
 

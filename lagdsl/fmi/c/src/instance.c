@@ -47,7 +47,18 @@ static size_t doubles(const lag_fmu *fmu)
            size + lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
 }
 
-static lag_run_options options_of(const lag_instance *instance)
+/* Which `terminate` it was. */
+static lag_status hear(void *context, lag_run *run, const lag_happening *happening)
+{
+    lag_instance *instance = context;
+    (void)run;
+    if (happening->what == LAG_TERMINATE) {
+        instance->held.ending = happening->which;
+    }
+    return LAG_OK;
+}
+
+static lag_run_options options_of(lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_held *held = &instance->held;
@@ -56,6 +67,8 @@ static lag_run_options options_of(const lag_instance *instance)
     return (lag_run_options){
         .tolerance = held->tolerance,
         .p = instance->p,
+        .context = instance,
+        .tell = hear,
         .group = fmu->group,
         .natural = fmu->natural,
         .cap = fmu->cap,
@@ -180,6 +193,18 @@ lag_status lag_instance_fail(lag_instance *instance, lag_status status, const ch
     return status;
 }
 
+void lag_instance_note_stop(lag_instance *instance, lag_status status)
+{
+    const lag_model *model = instance->fmu->model;
+    const size_t i = instance->held.ending;
+    if (status != LAG_STOPPED) {
+        return;
+    }
+    instance->held.stopped = 1;
+    (void)lag_instance_fail(instance, status, "t = %.10g s: %s", instance->run->stepper.t,
+        i < model->nstop ? model->stops[i] : "the model ends the simulation");
+}
+
 static const char *name_of(size_t count, const lag_slot *slots, size_t which)
 {
     return which < count ? slots[which].name : "the model";
@@ -243,6 +268,8 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
         return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative at the start", t, guilty(instance));
     case LAG_TORN:
         return lag_instance_fail(instance, status, "t = %.10g s: a constraint that is switched on asks for other positions", t);
+    case LAG_TOO_LONG:
+        return lag_instance_fail(instance, status, "t = %.10g s: this takes too many steps", t);
     default:
         break;
     }

@@ -122,7 +122,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     }
     status = lag_run_enter(run);
     memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
-    held->stopped = status == LAG_STOPPED;
+    lag_instance_note_stop(instance, status);
     if (status == LAG_OK || status == LAG_STOPPED) {
         status = lag_instance_latch(instance, held->t, instance->x);
     }

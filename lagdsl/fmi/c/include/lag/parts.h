@@ -47,7 +47,8 @@ typedef struct lag_held {
     int jumped;             /* something was set since the motion went on: rates are others */
     int polynomial;         /* inputs have derivatives */
     int entered;            /* event mode: nothing has been looked at yet */
-    int stopped;            /* the model has ended the simulation */
+    int stopped;            /* the model has ended the simulation, */
+    size_t ending;          /* by this `terminate` */
 } lag_held;
 
 struct lag_instance {
@@ -95,6 +96,8 @@ size_t lag_instance_kept(const lag_fmu *fmu);
 lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
 /* The same in the words of the runtime; LAG_OK stays. */
 lag_status lag_instance_judge(lag_instance *instance, lag_status status);
+/* Where the status of an event is that of a `terminate`: the simulation ends, in its words. */
+void lag_instance_note_stop(lag_instance *instance, lag_status status);
 /* How fast accelerations bring residuals of constraints to rest [1/s]: within a fiftieth of the experiment of the FMU. */
 double lag_instance_rate(const lag_instance *instance);
 /* The run anew, with the tolerance and the length of the experiment. */
