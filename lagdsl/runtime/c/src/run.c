@@ -29,13 +29,19 @@ static size_t stepper_numbers(const lag_model *model)
     return stepping > found ? stepping : found;
 }
 
+/* Whether it goes across singular positions by itself. */
+static int crosses(const lag_model *model, const lag_run_options *options)
+{
+    return options->careful == 2 && model->nc > 0;
+}
+
 size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + stepper_numbers(model) + lag_projection_memory(model) +
            lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 5 * size + model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
-           model->nindicator + model->ncontact + 1;
+           model->nindicator + model->ncontact + 1 + (crosses(model, options) ? lag_singular_memory(model) : 0);
 }
 
 static size_t padded(size_t bytes)
@@ -113,6 +119,9 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model->nc, model->nq)));
     run->look.lasting = options->lasting;
     run->look.most = options->lasting != NULL ? options->general : model->rank;
+    if (crosses(model, options)) {
+        lag_singular_place(&run->singular, run, options->lasting, lag_take(&memory, lag_singular_memory(model)));
+    }
     place_instants(run, model, &memory);
     run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&memory, size), 0.0};
     run->point = lag_take(&memory, size);
@@ -167,6 +176,9 @@ static double least_length(const lag_run *run, double stop)
 static lag_status restart(lag_run *run, const lag_method *method, double span)
 {
     lag_stepper *s = &run->stepper;
+    if (method == &lag_fitted) {
+        method = run->behind;
+    }
     run->accuracy.relative = method->factor * run->options.tolerance;
     lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
     return lag_stepper_begin(s, method, span);
@@ -276,11 +288,53 @@ static lag_status settle(lag_run *run)
     return status == LAG_OK ? LAG_OK : LAG_OFF;
 }
 
+/* The present state is what the next one is compared with. */
+static lag_status see(lag_run *run)
+{
+    run->look.rank = 0;
+    lag_motion_look(&run->motion, run->stepper.t, run->stepper.x);
+    const lag_status status = run->motion.model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
+    return status == LAG_OK ? lag_look_at(&run->look, run->projection.jacobian) : status;
+}
+
+/* Rank after a step that ended on the constraints. LAG_TOO_LONG: it is to be tried with the length *shorter. */
+static lag_status look_around(lag_run *run, double limit, double *shorter)
+{
+    lag_stepper *s = &run->stepper;
+    lag_status status = lag_look_at(&run->look, run->projection.jacobian);
+    if (status != LAG_ATTENTION || !crosses(run->motion.model, &run->options)) {
+        return status;
+    }
+    status = lag_singular_after(&run->singular, limit, shorter);
+    if (status == LAG_ATTENTION && *shorter > s->h_least) {
+        lag_stepper_undo(s, *shorter);
+        status = LAG_TOO_LONG;
+    }
+    const lag_status seen = see(run);
+    return status == LAG_OK && seen != LAG_ATTENTION ? seen : status;
+}
+
+/* What is known of a singular position ahead comes first. */
+static lag_status look_ahead(lag_run *run, double limit, int *done)
+{
+    lag_stepper *s = &run->stepper;
+    lag_status status = s->method == &lag_fitted ? restart(run, run->behind, limit - s->t) : LAG_OK;
+    if (status == LAG_OK) {
+        status = lag_singular_ahead(&run->singular, limit, done);
+    }
+    if (status == LAG_OK && *done) {
+        status = see(run);
+        status = status == LAG_ATTENTION ? LAG_OK : status;
+    }
+    return status;
+}
+
 /* One step that ends on the constraints; where that looks dangerous it is taken back. */
-static lag_status advance(lag_run *run, double limit)
+static lag_status step_once(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
     for (;;) {
+        double shorter = 0.0;
         lag_status status = lag_stepper_step(s, limit);
         if (status != LAG_OK) {
             return status == LAG_STUCK && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
@@ -292,23 +346,42 @@ static lag_status advance(lag_run *run, double limit)
             continue;
         }
         if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
-            status = lag_look_at(&run->look, run->projection.jacobian);
+            status = look_around(run, limit, &shorter);
         }
-        if (status == LAG_OK) {
-            status = lag_watch_look(&run->watch, s->t, s->x);
-        }
-        if (status != LAG_OK) {
-            lag_stepper_undo(s, h);
+        if (status == LAG_TOO_LONG) {
+            continue;
         }
         return status;
     }
+}
+
+/* The same, with what must stay true. */
+static lag_status advance(lag_run *run, double limit)
+{
+    lag_stepper *s = &run->stepper;
+    const double t = s->t;
+    int done = 0;
+    lag_status status = crosses(run->motion.model, &run->options) ? look_ahead(run, limit, &done) : LAG_OK;
+    if (status == LAG_OK && !done) {
+        status = step_once(run, limit);
+    }
+    if (status == LAG_OK) {
+        status = lag_watch_look(&run->watch, s->t, s->x);
+    }
+    if (status != LAG_OK && s->t > t) {
+        lag_stepper_undo(s, s->t - s->t_before);
+    }
+    return status;
 }
 
 /* After a step without event: the tolerances follow the motion, the method may change. */
 static lag_status follow(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
-    const lag_method *method = run->options.method == NULL ? lag_stiffness_method(&run->stiffness, s) : s->method;
+    if (s->method == &lag_fitted && s->t < stop) {
+        return restart(run, run->behind, stop - s->t);
+    }
+    const lag_method *method = run->options.method == NULL && s->method != &lag_fitted ? lag_stiffness_method(&run->stiffness, s) : s->method;
     if (method == s->method || s->t >= stop) {
         lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
         return LAG_OK;
@@ -440,10 +513,11 @@ lag_status lag_run_restart(lag_run *run, double stop)
         status = restart(run, s->method, stop - s->t);
     }
     if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
-        lag_motion_look(&run->motion, s->t, s->x);
-        status = run->motion.model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
-        run->look.rank = 0;
-        status = status == LAG_OK ? lag_look_at(&run->look, run->projection.jacobian) : status;
+        status = see(run);
+        if (crosses(run->motion.model, &run->options) && (status == LAG_OK || status == LAG_ATTENTION)) {
+            lag_singular_begin(&run->singular, status == LAG_ATTENTION);
+            status = LAG_OK;
+        }
     }
     return status;
 }

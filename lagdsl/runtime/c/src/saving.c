@@ -39,14 +39,15 @@ static size_t place_of(const lag_method *const *methods, size_t count, const lag
     return i;
 }
 
-static void record_method(lag_run *run, lag_record *record)
+static void record_method(const lag_run *run, const lag_method **method, lag_record *record)
 {
-    const lag_method *const methods[] = {run->options.method, &lag_dop853, &lag_radau, &lag_radau5, &lag_radau9, &lag_radau13};
+    const lag_method *const methods[] = {
+        NULL, run->options.method, &lag_dop853, &lag_radau, &lag_radau5, &lag_radau9, &lag_radau13, &lag_fitted};
     const size_t count = sizeof methods / sizeof *methods;
-    size_t which = place_of(methods, count, run->stepper.method);
+    size_t which = place_of(methods, count, *method);
     RECORD(which);
     if (record->saved != NULL) {
-        run->stepper.method = methods[which < count ? which : 1];
+        *method = methods[which < count ? which : 0];
     }
 }
 
@@ -159,7 +160,8 @@ static void record_rest(lag_run *run, lag_record *record)
 /* All but what there are several of; `searched` relations and contacts. */
 static void record_members(lag_run *run, size_t searched, lag_record *record)
 {
-    record_method(run, record);
+    record_method(run, &run->stepper.method, record);
+    record_method(run, &run->behind, record);
     record_turn(&run->alert, searched, record);
     record_parameters(run, record);
     record_stepper(&run->stepper, record);

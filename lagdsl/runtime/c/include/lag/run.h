@@ -20,6 +20,7 @@
 #include "lag/motion.h"
 #include "lag/projection.h"
 #include "lag/rank.h"
+#include "lag/singular.h"
 #include "lag/stepper.h"
 #include "lag/stiffness.h"
 #include "lag/watch.h"
@@ -110,6 +111,8 @@ struct lag_run {
     lag_projection projection;
     lag_accuracy accuracy;
     lag_look look;
+    lag_singular singular;    /* where it goes across singular positions */
+    const lag_method *behind; /* the method behind one */
     lag_watch watch;
     lag_alert alert;
     lag_instants instants;
