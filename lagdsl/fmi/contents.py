@@ -11,7 +11,7 @@ from lagdsl.fmi.fmi2_description import fmi2_description
 from lagdsl.fmi.fmi3_description import fmi3_description
 from lagdsl.fmi.libraries import universal
 from lagdsl.fmi.platforms import Platform, platform_of
-from lagdsl.fmi.sources import c_files, model_sources
+from lagdsl.fmi.sources import c_files, is_standard, model_sources
 from lagdsl.fmi.subject import Subject
 from lagdsl.fmi.table import table_source
 from lagdsl.fmi.terminals import terminals
@@ -35,9 +35,12 @@ def texts(subject: Subject) -> tuple[str, dict[str, str]]:
 
 
 def source_files(subject: Subject, sources: Mapping[str, str]) -> dict[str, bytes]:
-    """The folder `sources`, with what tells importers how to compile it."""
-    described = build_description(subject.stem, c_files(sources))
-    named = {**sources, "buildDescription.xml": described}
+    """The folder `sources`, with what tells importers how to compile it.
+
+    Headers of the standard are not in it: importers have their own (FMI 2.0.5, section 2.3; FMI 3.0, section 2.5.1).
+    """
+    own = {path: text for path, text in sources.items() if not is_standard(path)}
+    named = {**own, "buildDescription.xml": build_description(subject.stem, c_files(sources))}
     return {f"sources/{path}": text.encode() for path, text in named.items()}
 
 

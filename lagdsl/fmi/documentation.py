@@ -70,6 +70,6 @@ def _licenses(header: str) -> str:
         f"{license_file().read_text(encoding='utf-8').strip()}\n\n"
         "The other C files were generated from the model, which is its author's; the libraries in the folder binaries "
         "are compiled from all of them.\n\n"
-        "The headers fmi2*.h and fmi3*.h are those of the Functional Mock-up Interface, under this license:\n\n"
+        "They were compiled with the headers of the Functional Mock-up Interface, which are under this license:\n\n"
         f"{standard}\n"
     )

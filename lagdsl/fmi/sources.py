@@ -31,6 +31,11 @@ def c_files(sources: Mapping[str, str]) -> tuple[str, ...]:
     return tuple(sorted(path for path in sources if path.endswith(".c")))
 
 
+def is_standard(path: str) -> bool:
+    """Whether this is a header of the standard."""
+    return any(path in names for names in _HEADERS.values())
+
+
 def require_fmpy() -> Path:
     """The folder of the package fmpy, which brings the headers of the standard and its validator. Raises E0904."""
     package = importlib.util.find_spec("fmpy")

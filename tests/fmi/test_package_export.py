@@ -12,6 +12,7 @@ import sys
 import zipfile
 from base64 import b64decode
 from pathlib import Path
+from xml.etree import ElementTree
 
 import fmpy
 import pytest
@@ -81,7 +82,7 @@ def test_the_folders_are_those_of_the_standards(whole):
         {2: "model.png", 3: "terminalsAndIcons/icon.png"}[version],
         "sources/buildDescription.xml",
         "sources/Spring_fmu.c",
-        f"sources/fmi{version}Functions.h",
+        f"sources/lag/fmi{version}.c",
         "extra/org.fmi-standard.fmi-ls-ref/fmi-ls-manifest.xml",
         "extra/org.fmi-standard.fmi-ls-ref/reference.csv",
         "extra/org.fmi-standard.fmi-ls-ref/reference.opt",
@@ -139,11 +140,16 @@ def test_the_build_description_names_every_c_file(whole):
         assert part.language == "C11"
     other = 5 - version
     assert not [name for name in own if f"fmi{other}" in name]
-    text = files["sources/buildDescription.xml"].decode()
-    assert text.count("platform=") == len(configurations) == text.count('fmiVersion="3.0"') * len(configurations)
-    assert text.count('<Library name="m"') == sum(
-        "windows" not in line for line in text.splitlines() if "platform=" in line
-    )
+    assert not [
+        name for name in files if name.endswith(("Functions.h", "FunctionTypes.h", "Platform.h", "PlatformTypes.h"))
+    ]
+    root = ElementTree.fromstring(files["sources/buildDescription.xml"])
+    platforms = [each.get("platform") for each in root]
+    assert len(set(platforms)) == len(platforms) == len(configurations)
+    assert None in platforms
+    for each in root:
+        wanted = (each.get("platform") or "").endswith(("-linux", "-darwin"))
+        assert [library.get("name") for library in each.findall("Library")] == (["m"] if wanted else [])
 
 
 @pytest.mark.skipif(shutil.which("cmake") is None, reason="cmake is not installed")
@@ -196,6 +202,7 @@ def test_entries_have_an_order_and_no_time(tmp_path):
     assert [entry.filename for entry in entries] == ["modelDescription.xml", "a.txt", "b.so"]
     assert {entry.date_time for entry in entries} == {(1980, 1, 1, 0, 0, 0)}
     assert {entry.compress_type for entry in entries} == {zipfile.ZIP_DEFLATED}
+    assert {(entry.extract_version, entry.flag_bits) for entry in entries} == {(20, 0)}  # FMI 3.0, section 2.5
     assert [entry.external_attr >> 16 & 0o777 for entry in entries] == [0o644, 0o644, 0o755]
 
 
