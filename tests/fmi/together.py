@@ -1,4 +1,4 @@
-"""Co-simulation of several FMUs, step by step in turn, in this process; what comes out, bit by bit, on the standard output.
+"""Co-simulation of several FMUs, step by step in turn, in this process; on the standard output what they did, to the bit.
 
 Their libraries are loaded first with all their symbols visible to all: the hardest case for those that share names.
 """
