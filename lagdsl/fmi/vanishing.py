@@ -21,7 +21,7 @@ _NOTHING = 1e-9
 _KINKS = STEPS | {Op.SELECT, Op.ABS, Op.MIN, Op.MAX, Op.MOD}
 # Directions at once, and the numbers that a search may take; where there are more, what stands there counts.
 _TOGETHER = 64
-_MOST = 2e8
+_MOST = 3e7
 
 # The values and, beside them, their derivatives along directions: function and number of the result.
 _PAIRS = (

@@ -73,6 +73,9 @@ static void stabilize(const lag_model *model, double rate, double factor, const 
 static lag_status form(lag_derivatives *d)
 {
     const lag_model *model = d->model;
+    if (model->dynamics == NULL || model->position_constraint == NULL || model->velocity_constraint == NULL) {
+        return LAG_MISSING;
+    }
     lag_status status = model->dynamics(&d->at, d->mass, d->force, d->jacobian, d->gamma);
     if (status == LAG_OK && d->rate > 0.0 && model->nc > 0) {
         status = model->position_constraint(&d->at, d->phi, d->unused);
@@ -178,6 +181,9 @@ static lag_status add_time(lag_derivatives *d, size_t first, size_t count, doubl
 lag_status lag_derivatives_residuals(lag_derivatives *d, double *phi, double *residual)
 {
     const size_t first = d->model->nq + d->model->nc;
+    if (d->model->constraint_tangent == NULL) {
+        return LAG_MISSING;
+    }
     lag_status status = d->model->constraint_tangent(&d->at, phi, residual);
     if (status == LAG_OK) {
         status = add_time(d, first, d->model->nc, phi);
@@ -241,6 +247,9 @@ lag_status lag_derivatives_along(lag_derivatives *d)
     const lag_model *model = d->model;
     const size_t n = model->nq;
     const size_t m = model->nc;
+    if (model->residual_tangent == NULL) {
+        return LAG_MISSING;
+    }
     lag_status status = model->residual_tangent(&d->at, d->motion, d->rows);
     if (status == LAG_OK) {
         status = add_time(d, 0, n, d->motion);
@@ -270,6 +279,9 @@ lag_status lag_derivatives_rates(lag_derivatives *d, double *rates)
 {
     const lag_model *model = d->model;
     const size_t n = model->nq;
+    if (model->nz > 0 && model->state_derivative_tangent == NULL) {
+        return LAG_MISSING;
+    }
     memcpy(rates, d->at.dqd, n * sizeof(double));
     memcpy(rates + n, d->dqdd, n * sizeof(double));
     const lag_status status = model->nz > 0 ? model->state_derivative_tangent(&d->at, rates + 2 * n) : LAG_OK;
@@ -279,6 +291,9 @@ lag_status lag_derivatives_rates(lag_derivatives *d, double *rates)
 lag_status lag_derivatives_outputs(lag_derivatives *d, double *y)
 {
     const lag_model *model = d->model;
+    if (model->ny > 0 && model->output_tangent == NULL) {
+        return LAG_MISSING;
+    }
     const lag_status status = model->ny > 0 ? model->output_tangent(&d->at, y) : LAG_OK;
     return status == LAG_OK ? add_time(d, model->nq + 3 * model->nc + model->nz, model->ny, y) : status;
 }
