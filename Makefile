@@ -40,7 +40,7 @@ c-test: $(READY)  ## the same, with the sanitizer of threads and ten thousand ru
 	$(MAKE) --directory=lagdsl/runtime/c test
 
 fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (an hour)
-	LAGDSL_EXPLORE=1 $(BIN)/python -m pytest -n auto --dist loadgroup tests/fmi
+	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest -n auto --dist loadgroup tests/fmi
 
 update: $(READY)  ## regenerate what is generated: parser tables, unit table, list of the library, expectations of the corpus
 	$(BIN)/python -m lagdsl.syntax.generate
@@ -50,9 +50,9 @@ update: $(READY)  ## regenerate what is generated: parser tables, unit table, li
 bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed
 	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py
 
-peers:  ## an environment of their own for the libraries that the benchmarks compare with
+peers:  ## an environment of their own for the libraries that the benchmarks compare with, and for importers of FMUs
 	test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
-	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae
+	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae libcosimpy ecospy
 
 docs: $(READY)  ## figures of the documents
 	$(BIN)/lag run models/double_pendulum.lag --plot docs/double_pendulum.png -o /dev/null
