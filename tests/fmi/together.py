@@ -1,4 +1,4 @@
-"""Co-simulation of several FMUs, step by step in turn, in this process; on the standard output what they did, to the bit.
+"""Co-simulation of several FMUs, step by step in turn, in this process; it prints what they did, to the bit.
 
 Their libraries are loaded first with all their symbols visible to all: the hardest case for those that share names.
 """
