@@ -72,6 +72,11 @@ static void clocks_seek(void)
     CHECK(clock.next == 3);
     lag_clock_seek(&clock, 1e6);
     CHECK(lag_clock_instant(&clock, clock.next) == 1e6);
+    const double far[] = {1e17, 1e200, -1e200, (double)INFINITY};
+    for (size_t i = 0; i < 4; ++i) { /* where ticks cannot be counted any more there are none */
+        lag_clock_seek(&clock, far[i]);
+        CHECK(lag_clock_instant(&clock, clock.next) >= far[i]);
+    }
 }
 
 int main(void)

@@ -154,7 +154,7 @@ static void nearest_points(void)
 {
     const lag_model model = model_of(0, 0);
     double x[SIZE];
-    lag_initial told;
+    lag_initial told = {.dependent = NULL};
     CHECK(find(&model, NULL, P, NULL, NULL, x, &told) == LAG_OK);
     CHECK_NEAR(x[0], 0.6, 1e-14); /* along the ray from the center; the other point is where it was, to the bit */
     CHECK_NEAR(x[1], 0.8, 1e-14);
@@ -240,7 +240,7 @@ static void equations(void)
     const unsigned char set[SIZE] = {0, 0, 0, 0, 0, 0, 0, 0, 1};
     double changed[SIZE] = {0.0};
     double x[SIZE];
-    lag_initial told;
+    lag_initial told = {.dependent = NULL};
     CHECK(find(&model, NULL, P, NULL, NULL, x, &told) == LAG_OK);
     CHECK_NEAR(x[A], x[0], 1e-11);
     CHECK_NEAR(hypot(x[0], x[1]), 1.0, 1e-11);
@@ -264,7 +264,7 @@ static void faults(void)
     const unsigned char of_rate[SIZE] = {0, 0, 0, 0, 0, 0, 1, 0, 0};
     double changed[SIZE] = {1.5};
     double x[SIZE];
-    lag_initial told;
+    lag_initial told = {.dependent = NULL};
     CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_OFF); /* beyond the circle */
     CHECK(told.fault == LAG_INITIAL_POSITIONS && told.which == 0);
     CHECK_NEAR(told.residual, 1.25, 1e-6);
@@ -284,9 +284,11 @@ static void other_ranks(void)
     const double changed[SIZE] = {0.0, 0.0, -0.7};
     const double apart[2] = {1.0, 1.3};
     double x[SIZE];
-    lag_initial told;
+    unsigned char dependent[3] = {7, 7, 7};
+    lag_initial told = {.dependent = dependent};
     CHECK(find(&model, NULL, P, changed, set, x, &told) == LAG_OK);
     CHECK(told.rank == 2);
+    CHECK(!dependent[0] && !dependent[1] && dependent[2]);
     CHECK_NEAR(x[0], 0.6, 1e-12);
     CHECK(find(&model, NULL, apart, changed, set, x, &told) == LAG_OFF);
     CHECK(told.fault == LAG_INITIAL_POSITIONS);

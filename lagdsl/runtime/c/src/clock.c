@@ -57,6 +57,9 @@ lag_clock lag_clock_of(double first, double period)
 
 double lag_clock_instant(const lag_clock *clock, unsigned long long k)
 {
+    if ((double)k >= LARGEST_WHOLE) {
+        return (double)INFINITY;
+    }
     const double whole = clock->first_part + (double)k * clock->period_part;
     if (clock->denominator > 0.0 && fabs(whole) < LARGEST_WHOLE) {
         return whole / clock->denominator;
@@ -67,7 +70,7 @@ double lag_clock_instant(const lag_clock *clock, unsigned long long k)
 void lag_clock_seek(lag_clock *clock, double t)
 {
     const double about = floor((t - clock->first) / clock->period) - 1.0;
-    clock->next = about > 0.0 ? (unsigned long long)about : 0;
+    clock->next = about > 0.0 ? (unsigned long long)fmin(about, LARGEST_WHOLE) : 0;
     while (lag_clock_instant(clock, clock->next) < t) {
         ++clock->next;
     }

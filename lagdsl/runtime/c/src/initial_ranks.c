@@ -19,6 +19,9 @@ static const double EXACT = 1e-10;
 static const double KNOWN = 1e3;
 /* A part whose largest singular value is below this has no content but round-off. */
 static const double CONTENT = 1e-3;
+/* Rows are told apart by what is left of them: lowered between these until there are enough. Below a length there is no row. */
+static const double LEAST = 1e-13;
+static const double NOTHING = 1e-12;
 static const double SHORTER = 0.6;
 static const double TARGET = 1e-13;
 enum { WANTED = 3, TRIES = 24, DESCENTS = 100 };
@@ -33,6 +36,8 @@ typedef struct walk {
     double *block, *part, *inner;   /* (nc, nq) (nq) (nq) */
     double *ranks;                  /* (nc + nq) of each part, the largest so far, */
     double *rough;                  /* (nc + nq) and of points where the rows hold by and large */
+    double *best;                   /* (nc, nq) J where the rank of a part was largest */
+    double *basis;                  /* (nq, nq) */
     double *svd;
 } walk;
 
@@ -40,7 +45,7 @@ size_t lag_beginning_rank_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    return lag_descent_memory(m, n) + 2 * lag_parts_memory(m, n) + 3 * n + m + 3 * m * n + 2 * n + 2 * (m + n) + lag_svd_memory(m, n);
+    return lag_descent_memory(m, n) + 2 * lag_parts_memory(m, n) + 3 * n + m + 4 * m * n + n * n + 2 * n + 2 * (m + n) + lag_svd_memory(m, n);
 }
 
 static void at_point(void *context, const double *y, double *residual, double *jacobian)
@@ -84,7 +89,10 @@ static void place(walk *w, lag_beginning *b)
     w->inner = lag_take(&memory, n);
     w->ranks = lag_take(&memory, m + n);
     w->rough = lag_take(&memory, m + n);
+    w->best = lag_take(&memory, m * n);
+    w->basis = lag_take(&memory, n * n);
     w->svd = memory;
+    lag_fill(m * n, 0.0, w->best);
     lag_fill(m + n, 0.0, w->ranks);
     lag_fill(m + n, 0.0, w->rough);
     lag_beginning_pattern(b, w->jacobian);
@@ -127,6 +135,83 @@ static void keep_tangent(walk *w)
     }
 }
 
+/* The rows of a part as they are now. */
+static void keep(walk *w, size_t which)
+{
+    const size_t n = w->b->motion->model->nq;
+    size_t first = 0;
+    const size_t rows = lag_parts_rows(&w->all, which, &first);
+    for (size_t i = first; i < first + rows; ++i) {
+        const size_t row = (size_t)w->all.row[i];
+        memcpy(w->best + row * n, w->jacobian + row * n, n * sizeof(double));
+    }
+}
+
+static double product(size_t n, const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+/* What is left of a row beside the orthonormal ones, into w->part, as a part of its length. */
+static double left_of(walk *w, const double *row, size_t count)
+{
+    const size_t n = w->b->motion->model->nq;
+    const double length = sqrt(product(n, row, row));
+    memcpy(w->part, row, n * sizeof(double));
+    for (int again = 0; again < 2; ++again) {
+        for (size_t k = 0; k < count; ++k) {
+            const double along = product(n, w->basis + k * n, w->part);
+            for (size_t j = 0; j < n; ++j) {
+                w->part[j] -= along * w->basis[k * n + j];
+            }
+        }
+    }
+    return length > NOTHING ? sqrt(product(n, w->part, w->part)) / length : 0.0;
+}
+
+/*
+ * Rows of a part in turn, those of position level first, each if it depends on none of those before, until there are as many as the rank:
+ * with that known no tolerance of its own decides. The others are flagged.
+ */
+static void flag_dependent(walk *w, size_t which, size_t rank)
+{
+    const lag_model *model = w->b->motion->model;
+    unsigned char *flags = w->b->told.dependent;
+    size_t first = 0;
+    size_t count = 0;
+    const size_t rows = lag_parts_rows(&w->all, which, &first);
+    for (double least = LOOSE; count < rank && least > LEAST; least *= 0.1) {
+        count = 0;
+        for (int velocities = 0; velocities < 2; ++velocities) {
+            for (size_t i = first; i < first + rows; ++i) {
+                const size_t row = (size_t)w->all.row[i];
+                if ((model->position_level[row] == 0) != velocities) {
+                    continue;
+                }
+                const double left = left_of(w, w->best + row * model->nq, count);
+                flags[row] = !(count < rank && left > least);
+                for (size_t j = 0; j < model->nq && !flags[row]; ++j) {
+                    w->basis[count * model->nq + j] = w->part[j];
+                }
+                if (!flags[row]) {
+                    const double length = sqrt(product(model->nq, w->part, w->part));
+                    for (size_t j = 0; j < model->nq; ++j) {
+                        w->basis[count * model->nq + j] /= length;
+                    }
+                    ++count;
+                }
+            }
+        }
+    }
+    for (size_t i = first; i < first + rows && rank == 0; ++i) {
+        flags[(size_t)w->all.row[i]] = 1;
+    }
+}
+
 /* Ranks of all parts at `point`, which is on the constraints up to the residual; 0: a function is not finite there. */
 static int look(walk *w, double residual)
 {
@@ -155,7 +240,10 @@ static int look(walk *w, double residual)
             while (rank < svd.k && svd.value[rank] > least) {
                 ++rank;
             }
-            ranks[which] = fmax(ranks[which], (double)rank);
+            if ((double)rank > ranks[which]) {
+                ranks[which] = (double)rank;
+                keep(w, which);
+            }
         }
     }
     return finite;
@@ -203,7 +291,11 @@ void lag_beginning_find_rank(lag_beginning *b, const double *x)
         }
     }
     for (size_t which = 0; which < w.all.count; ++which) {
-        rank += (size_t)(found > 0 ? w.ranks : w.rough)[which];
+        const size_t part = (size_t)(found > 0 ? w.ranks : w.rough)[which];
+        rank += part;
+        if (b->told.dependent != NULL) {
+            flag_dependent(&w, which, part);
+        }
     }
     b->told.rank = rank;
     if (rank > model->rank) {

@@ -15,7 +15,7 @@ typedef struct lag_clock {
 /* A clock before its first instant. */
 lag_clock lag_clock_of(double first, double period);
 
-/* The time of instant k. */
+/* The time of instant k; infinite where k cannot be counted any more (from 2^53 on). */
 double lag_clock_instant(const lag_clock *clock, unsigned long long k);
 
 /* Lets the next instant be the first that is not before t. */

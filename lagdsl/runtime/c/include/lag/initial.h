@@ -28,6 +28,7 @@ typedef struct lag_initial {
     double residual; /* in its SI unit */
     size_t rank;     /* independent rows near the state that was found */
     int moved;       /* whether start values were changed */
+    unsigned char *dependent; /* (nc) room that the caller gives, or null: 1 for rows that depend on others near that state */
 } lag_initial;
 
 /* Doubles for the search. */
@@ -36,7 +37,8 @@ size_t lag_initial_memory(const lag_model *model);
 /*
  * x (q, qd, z) at time t, from the start values in it: those of the model, changed where `set` (2 nq + nz; null: nowhere), which then
  * count as written. `start` (null: nothing) is what the model says of them. Parameters and inputs are those of the motion; its discretes
- * become those of the start, contacts open. `told` may be null. LAG_OFF: there is no such state, x is the best that was found.
+ * become those of the start, contacts open. `told` may be null; `dependent` is all that is
+ * read of it. LAG_OFF: there is no such state, x is the best that was found.
  */
 lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *memory,
     lag_initial *told);
