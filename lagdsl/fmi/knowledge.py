@@ -5,11 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from lagdsl.graph.operation import Group, Op
-from lagdsl.program.functions import OPTIONAL
-from lagdsl.program.program import Program
+from lagdsl.program.program import Function, Program
 
-# What is evaluated once, when a motion begins.
-_ONCE = ("start", "start_tangent", "discrete_start", "clock", "initial_equation", "initial_equation_tangent")
+# What is evaluated when a motion begins, and what only tells values.
+_BESIDE = (
+    "start",
+    "start_tangent",
+    "discrete_start",
+    "clock",
+    "initial_equation",
+    "initial_equation_tangent",
+    "definition",
+    "definition_tangent",
+)
 
 
 def parameters_of(program: Program, nodes: Iterable[int]) -> frozenset[int]:
@@ -28,10 +36,9 @@ def start_parameters(program: Program) -> tuple[frozenset[int], ...]:
 
 def tunable(program: Program) -> frozenset[int]:
     """Indices of the parameters that have an effect after the start; periods of clocks stay as they began."""
-    named = {*OPTIONAL} & {"definition", "definition_tangent"}
-    lasting = [function for function in program.functions if function.name not in (*_ONCE, *named)]
-    read = parameters_of(program, [n for function in lasting for block in function.results for n in block.elements])
-    clocks = [f for f in program.functions if f.name == "clock"]
-    return read - parameters_of(
-        program, [n for function in clocks for block in function.results for n in block.elements]
-    )
+    lasting = _read(program, [function for function in program.functions if function.name not in _BESIDE])
+    return lasting - _read(program, [function for function in program.functions if function.name == "clock"])
+
+
+def _read(program: Program, functions: Iterable[Function]) -> frozenset[int]:
+    return parameters_of(program, [n for function in functions for block in function.results for n in block.elements])

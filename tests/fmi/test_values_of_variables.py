@@ -49,8 +49,10 @@ class Meaning:
         state = (t, q, qd, z, u, np.zeros(0), p)
         mass, force, jacobian, gamma = self.functions.evaluate("dynamics", *state)
         matrix = np.block([[mass, -jacobian.T], [jacobian, np.zeros((nc, nc))]])
-        # The smallest multipliers where rows depend on each other.
-        solution = np.linalg.lstsq(matrix, np.concatenate([force, gamma]), rcond=1e-12)[0]
+        # The smallest multipliers where rows depend on each other; twice, for the digits of the small ones.
+        right = np.concatenate([force, gamma])
+        solution = np.linalg.lstsq(matrix, right, rcond=1e-12)[0]
+        solution += np.linalg.lstsq(matrix, right - matrix @ solution, rcond=1e-12)[0]
         solved = (*state, solution[:n], solution[n:])
         evaluate = self.functions.evaluate
         found: dict[str, float] = {"time": t}
