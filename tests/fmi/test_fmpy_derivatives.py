@@ -14,7 +14,7 @@ BOTH = pytest.mark.parametrize("version", VERSIONS)
 MODELS = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in EVERY])
 # Central differences of tenth order: truncation (0.3 h)^10, rounding 2^-52 / h.
 WEIGHTS = np.array([5 / 6, -5 / 21, 5 / 84, -5 / 504, 1 / 1260])
-STEPS = (3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4)
+STEPS = (3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5)
 CLOSE = 1e-9
 
 
@@ -57,6 +57,7 @@ def test_directional_derivatives_are_those_of_the_functions(name: str, version: 
         unknowns = unknowns_of(one)
         x, u = one.states, np.concatenate([np.zeros(0), *(one.array(i) for i in inputs)])
         sizes = np.maximum(np.abs(x), 0.1 * max(1.0, np.max(np.abs(x), initial=0.0)))
+        checked = np.zeros(one.length(unknowns), dtype=bool)
         for _ in range(3):
             at = x + 0.01 * sizes * random.normal(size=len(x))
             direction = np.concatenate([sizes * random.normal(size=len(x)), random.normal(size=len(u))])
@@ -75,9 +76,10 @@ def test_directional_derivatives_are_those_of_the_functions(name: str, version: 
             found = one.directional(unknowns, [*states, *inputs], direction)
             scale = np.maximum(np.abs(expected), 1e-3 * np.max(np.abs(expected)))
             certain = known_to <= CLOSE * scale  # beside a kink or a singular position differences know nothing
-            assert np.mean(certain) > 0.5
-            error = np.abs(found - expected)[certain] / scale[certain]
-            assert np.max(error) <= 3 * CLOSE, [unknowns[k] for k in np.flatnonzero(certain)[error > 3 * CLOSE][:5]]
+            checked |= certain
+            off = np.flatnonzero(certain & (np.abs(found - expected) > 3 * CLOSE * scale))
+            assert not len(off), [(unknowns, off, found[off], expected[off])]
+        assert np.mean(checked) > 0.9
 
 
 @MODELS

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
 from pathlib import Path
 
 import numpy as np
@@ -96,15 +97,12 @@ def test_reset_is_a_new_instance(name: str, version: int) -> None:
 @marked(SAMPLE)
 @BOTH
 def test_instances_in_threads_do_not_know_of_each_other(name: str, version: int) -> None:
+    """fmpy loads libraries in one thread only: it changes the folder of the process meanwhile."""
     fmu = exported(name, version)
-
-    def alone(_: int) -> Floats:
-        with slave(fmu) as one:
-            return one.rows(*begun(one, name))
-
-    expected = alone(0)
-    with ThreadPoolExecutor(4) as pool:
-        for rows in pool.map(alone, range(4)):
+    with ExitStack() as opened, ThreadPoolExecutor(4) as pool:
+        alone, *others = (opened.enter_context(slave(fmu)) for _ in range(5))
+        expected = alone.rows(*begun(alone, name))
+        for rows in pool.map(lambda one: one.rows(*begun(one, name)), others):
             np.testing.assert_array_equal(rows, expected)
 
 

@@ -25,7 +25,8 @@ def client(asked: dict[str, Any]) -> dict[str, Any]:
     time = [asked["step"] * k for k in range(1, asked["count"] + 1)]
     options = {"reltol": 1e-11, "abstol": 1e-12, "max_num_steps": 100000}
     integrator = ca.integrator("motion", "cvodes", dae.create("dae"), 0, time, options)
-    rows = np.array(integrator(x0=asked["points"][0][1], u=ca.DM(asked["points"][0][2]))["xf"]).T.tolist()
+    begin, inputs, parameters = asked["points"][0][1], ca.DM(asked["points"][0][2]), ca.DM(dae.start(dae.p()))
+    rows = np.array(integrator(x0=begin, u=inputs, p=parameters)["xf"]).T.tolist()
     return {
         "version": ca.__version__,
         "ode": ode,
