@@ -70,6 +70,49 @@ static void clear(lag_instance *instance)
     instance->derivatives.time = 0.0;
 }
 
+/* Whether the start values are where the motion begins: nothing had to be moved onto the constraints. */
+static lag_status unmoved(lag_instance *instance, int *same)
+{
+    const lag_model *model = instance->fmu->model;
+    const size_t n = model->nq;
+    double *starts = instance->slopes;
+    const lag_status status = model->start(&instance->derivatives.at, starts, starts + n, starts + 2 * n, starts + lag_motion_size(model));
+    for (size_t i = 0; i < lag_motion_size(model) && *same; ++i) {
+        *same = instance->x[i] == (instance->given[i] != 0.0 ? instance->begin[i] : starts[i]);
+    }
+    return status;
+}
+
+/*
+ * Whether the start stays although constraints decide about it: nothing that they read, and no start value, changes; parameters may also
+ * change how near a state is to another.
+ */
+static lag_status stays(lag_instance *instance, const double *starts, int *still)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_derivatives *d = &instance->derivatives;
+    const size_t size = lag_motion_size(model);
+    *still = model->ne == 0;
+    for (size_t i = 0; i < size && *still; ++i) {
+        *still = d->x[i] == 0.0 && (instance->given[i] != 0.0 || starts[i] == 0.0);
+    }
+    int same = 1;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < model->np && same; ++i) {
+        same = d->at.dp[i] == 0.0;
+    }
+    if (!same && *still) {
+        status = unmoved(instance, still);
+    }
+    if (status == LAG_OK) {
+        status = lag_derivatives_residuals(d, d->phi, d->residual);
+    }
+    for (size_t i = 0; i < model->nc && *still; ++i) {
+        *still = d->phi[i] == 0.0 && d->residual[i] == 0.0;
+    }
+    return status;
+}
+
 /* Until initialization ends, states and inputs that were not set follow the parameters. */
 static lag_status follow_parameters(lag_instance *instance)
 {
@@ -78,16 +121,24 @@ static lag_status follow_parameters(lag_instance *instance)
     const size_t n = model->nq;
     const size_t size = lag_motion_size(model);
     double *starts = instance->slopes;
-    if (model->start_tangent == NULL || model->nc + model->ne > 0 || d->time != 0.0) {
-        return lag_instance_fail(instance, LAG_MISSING,
-            "until initialization ends there are no derivatives of models with constraints or initial equations, or in time");
+    int still = 1;
+    if (model->start_tangent == NULL || d->time != 0.0) {
+        return lag_instance_fail(instance, LAG_MISSING, "until initialization ends there are no derivatives with respect to time");
     }
-    const lag_status status = model->start_tangent(&d->at, starts, starts + n, starts + 2 * n, starts + size);
-    for (size_t i = 0; i < size; ++i) {
-        d->x[i] = instance->given[i] != 0.0 ? d->x[i] : starts[i];
-    }
+    lag_status status = model->start_tangent(&d->at, starts, starts + n, starts + 2 * n, starts + size);
     for (size_t i = 0; i < model->nu; ++i) {
         d->x[size + i] += instance->given_inputs[i] != 0.0 ? 0.0 : starts[size + i];
+    }
+    if (status == LAG_OK && model->nc + model->ne > 0) {
+        status = stays(instance, starts, &still);
+    } else {
+        for (size_t i = 0; i < size; ++i) {
+            d->x[i] += instance->given[i] != 0.0 ? 0.0 : starts[i];
+        }
+    }
+    if (status == LAG_OK && !still) {
+        return lag_instance_fail(instance, LAG_MISSING,
+            "until initialization ends there are no derivatives with respect to what moves a start that constraints or initial equations decide about");
     }
     return lag_instance_judge(instance, status);
 }
