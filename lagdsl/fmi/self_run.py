@@ -1,4 +1,4 @@
-"""An FMU tried out by itself, in a process of its own: `python -m lagdsl.fmi.self_run F.fmu me cs`.
+"""An FMU tried out by itself, in a process of its own: `python -P self_run.py F.fmu me cs`.
 
 Writes one line of JSON: {"problems": what the validator found}, and then {"ran": kind} for each kind that came through
 its first steps. What fails is told on standard error by the exception, or by the death of the process.

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from lagdsl.runtime.compiler import failure
 
+# By its path, and without its folder among those that are searched: it imports FMPy only, wherever it is run.
+_SCRIPT = Path(__file__).with_name("self_run.py")
 _LONGEST_NOTE = 2000
 _MOST_PROBLEMS = 10
 _PATIENCE = 300.0  # seconds
@@ -19,7 +21,7 @@ _PATIENCE = 300.0  # seconds
 def try_out(fmu: Path, kinds: Sequence[str]) -> None:
     """Raises CompilationFailed: E0907 where the validator of fmpy has objections, E0908 where the start or the first
     steps of one of `kinds` fail."""
-    command = [sys.executable, "-W", "ignore", "-m", "lagdsl.fmi.self_run", str(fmu), *kinds]
+    command = [sys.executable, "-P", "-W", "ignore", str(_SCRIPT), str(fmu), *kinds]
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=_PATIENCE, check=False)
     except subprocess.TimeoutExpired:
