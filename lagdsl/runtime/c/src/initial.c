@@ -225,8 +225,8 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
     const lag_model *model = motion->model;
     lag_beginning b;
     lag_initial found = {LAG_INITIAL_NONE, 0, 0.0, model->rank, 0, told != NULL ? told->dependent : NULL};
-    if (found.dependent != NULL) {
-        memcpy(found.dependent, model->redundant, model->nc);
+    for (size_t i = 0; found.dependent != NULL && i < model->nc; ++i) {
+        found.dependent[i] = model->redundant != NULL && model->redundant[i];
     }
     lag_status status = LAG_OK;
     if (model->nc + model->ne > 0) {

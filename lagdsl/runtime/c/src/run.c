@@ -40,7 +40,7 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + stepper_numbers(model) + lag_projection_memory(model) +
            lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
-           lag_stiffness_memory(size) + 5 * size + model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
+           lag_stiffness_memory(size) + 5 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
            model->nindicator + model->ncontact + 1 + (crosses(model, options) ? lag_singular_memory(model) : 0);
 }
 
@@ -91,6 +91,22 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
                                                           : 0.0;
 }
 
+void lag_run_depend(lag_run *run, const unsigned char *dependent)
+{
+    const lag_model *model = run->motion.model;
+    const double *lasting = run->options.lasting;
+    run->look.most = lasting != NULL ? run->options.general : model->rank;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const int lasts = lasting == NULL || lasting[i] != 0.0;
+        const int lost = dependent != NULL && dependent[i] && !(model->redundant != NULL && model->redundant[i]);
+        run->lasting[i] = lasts && !lost;
+        run->look.most -= lasts && lost && run->look.most > 0;
+    }
+    if (crosses(model, &run->options)) {
+        lag_singular_count(&run->singular, run->lasting);
+    }
+}
+
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
@@ -117,11 +133,13 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->cap = lag_take(&memory, size);
     run->row_sizes = lag_take(&memory, model->nc);
     lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model->nc, model->nq)));
-    run->look.lasting = options->lasting;
-    run->look.most = options->lasting != NULL ? options->general : model->rank;
+    run->lasting = lag_take(&memory, model->nc);
+    run->dependent = (unsigned char *)(void *)lag_take(&memory, model->nc);
+    run->look.lasting = run->lasting;
     if (crosses(model, options)) {
-        lag_singular_place(&run->singular, run, options->lasting, lag_take(&memory, lag_singular_memory(model)));
+        lag_singular_place(&run->singular, run, lag_take(&memory, lag_singular_memory(model)));
     }
+    lag_run_depend(run, model->redundant);
     place_instants(run, model, &memory);
     run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&memory, size), 0.0};
     run->point = lag_take(&memory, size);
@@ -212,7 +230,9 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
     int happened = 0;
     lag_status status = lag_run_move(run, t, x, run->options.h_first);
     if (status == LAG_OK && x == NULL) {
-        status = lag_initial_find(&run->motion, run->options.start, NULL, t, s->x, s->work, NULL);
+        lag_initial told = {.dependent = run->dependent};
+        status = lag_initial_find(&run->motion, run->options.start, NULL, t, s->x, s->work, &told);
+        lag_run_depend(run, run->dependent);
     }
     for (size_t i = 0; i < run->options.clocks; ++i) {
         run->clock[i] = lag_clock_of(run->options.first[i], run->options.period[i]);

@@ -133,6 +133,7 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->accuracy.relative);
     RECORD(run->look.most);
     RECORD(run->look.rank);
+    RECORD(run->singular.general);
     RECORD(run->watch.begun);
     RECORD(run->begun);
     RECORD(run->stiffness.signs);

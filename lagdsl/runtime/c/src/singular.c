@@ -38,7 +38,7 @@ size_t lag_singular_memory(const lag_model *model)
            LAG_VANISHING * (n + 1) + n + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) + larger(svd, lag_eigenvalues_memory(k));
 }
 
-void lag_singular_place(lag_singular *s, lag_run *run, const double *lasting, double *memory)
+void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
 {
     const lag_model *model = run->motion.model;
     const size_t m = model->nc;
@@ -83,14 +83,20 @@ void lag_singular_place(lag_singular *s, lag_run *run, const double *lasting, do
     }
     s->parts = lag_parts_of(m, n, s->now, for_parts);
     lag_fill(n, 0.0, s->still);
-    lag_fill(m + n, 0.0, s->counts);
-    for (size_t i = 0; i < m; ++i) {
-        if (!model->redundant[i] && (lasting == NULL || lasting[i] != 0.0)) {
+    *s->margin = (double)INFINITY;
+}
+
+void lag_singular_count(lag_singular *s, const double *lasting)
+{
+    const lag_model *model = s->run->motion.model;
+    lag_fill(model->nc + model->nq, 0.0, s->counts);
+    s->general = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        if (!(model->redundant != NULL && model->redundant[i]) && lasting[i] != 0.0) {
             s->counts[(size_t)s->parts.row_part[i]] += 1.0;
             ++s->general;
         }
     }
-    *s->margin = (double)INFINITY;
 }
 
 /* ---- looks ---- */

@@ -121,6 +121,8 @@ struct lag_run {
     lag_stiffness stiffness;
     int sized;                /* natural sizes are known */
     double *group, *natural, *cap, *row_sizes;
+    double *lasting;          /* (nc) rows that come and go, or depend on others, are 0 */
+    unsigned char *dependent; /* (nc) */
     double *point;            /* (2 nq + nz) */
     double *sign, *value, *crossed, *other; /* (indicators) */
     double *ticked;           /* (clocks) */
@@ -188,6 +190,9 @@ int lag_run_due(const lag_run *run, double t);
 
 /* What happens at the end, once, where nothing more is to follow: ticks that are due, then `terminal()`. */
 lag_status lag_run_end(lag_run *run);
+
+/* Flags (nc) of rows that depend on others with these parameters and starts (lag/initial.h), beside those that do so in any case. */
+void lag_run_depend(lag_run *run, const unsigned char *dependent);
 
 /* Rows before number `row` are somebody else's business. */
 void lag_run_skip(lag_run *run, size_t row);

@@ -51,8 +51,10 @@ enum { LAG_VANISHING = 6 };
 /* Doubles for it. */
 size_t lag_singular_memory(const lag_model *model);
 
-/* Rows with a zero in `lasting` (null: none) come and go. */
-void lag_singular_place(lag_singular *singular, struct lag_run *run, const double *lasting, double *memory);
+void lag_singular_place(lag_singular *singular, struct lag_run *run, double *memory);
+
+/* Rows with a zero in `lasting` (nc) come and go, or depend on others. */
+void lag_singular_count(lag_singular *singular, const double *lasting);
 
 /* The motion begins at the present state, which may be singular if `attention` is asked for. */
 void lag_singular_begin(lag_singular *singular, int attention);
