@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from shutil import copyfile
+from tempfile import TemporaryDirectory
 
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.archive import write_archive
@@ -77,9 +79,12 @@ def export(
         files |= {**documentation_files(exported, known, header), **extra_files(known, written)}
     else:
         files |= extra_files(None, written)
-    with whole_file(path) as draft:
-        write_archive(draft, files)
-        try_out(draft, exported.table.kinds if this_machine() in libraries else ())
+    with TemporaryDirectory(prefix="lagdsl-") as folder:
+        made = Path(folder) / f"{exported.stem}.fmu"
+        write_archive(made, files)
+        try_out(made, exported.table.kinds if this_machine() in libraries else ())
+        with whole_file(path) as draft:
+            copyfile(made, draft)
     told(1.0)
 
 
