@@ -165,6 +165,7 @@ def test_exception_shows_rendered_text():
 _TEXT = st.text(st.characters(codec="utf-8") | st.sampled_from("\n\t ab質\u0301\x00"), max_size=80)
 
 
+@pytest.mark.no_cover
 @given(_TEXT, st.lists(st.tuples(st.integers(-5, 90), st.integers(-5, 90), _TEXT), max_size=5), _TEXT, st.booleans())
 def test_any_text_and_any_spans(text, places, message, color):
     file = SourceFile("\x1bname", text)

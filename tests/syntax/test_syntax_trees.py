@@ -203,6 +203,7 @@ def test_same_tree_whatever_the_layout():
     assert tree(one) == tree(other)
 
 
+@pytest.mark.no_cover
 def test_lexer_and_tree_agree_with_lark():
     """Lark, which made the tables, reads every text of the corpus into the same tokens."""
     from lark import Lark
