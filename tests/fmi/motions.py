@@ -17,8 +17,9 @@ SAME = 1e-6  # of the range of a signal
 SAME_NEAR_EVENTS = 1e-4
 PREDICTABLE = 1e-7  # agreement of the same engine with itself at a tenth of the tolerance
 ROWS = 500
-# Of the span: closer to an event than this a row may be before or after it.
-NEAR = 1e-6
+# Of the span: closer to an event than this a row may be before or after it, and closer than that it is beside it: the
+# indicators of importers change their sign a little late, by a margin against round-off.
+SAME_INSTANT, BESIDE = 1e-6, 4e-4
 Floats = np.ndarray
 
 
@@ -80,7 +81,9 @@ def deviation(
     expected = np.stack([reference[name] for name in names], axis=-1).astype(float)
     found = np.stack([np.asarray(columns[name], dtype=float) for name in names], axis=-1)
     scale = _scales(reference)[[signals(reference).index(name) for name in names]]
-    margin = NEAR * (reference.time[-1] - reference.time[0])
+    length = reference.time[-1] - reference.time[0]
+    margin = SAME_INSTANT * length
+    events = np.array([event.time for event in reference.events])
     rows, errors, near, worst = [], [], [], []
     for row, t in enumerate(time):
         low, high = np.searchsorted(reference.time, [t - margin, t + margin])
@@ -93,14 +96,15 @@ def deviation(
         error = np.where(both_undefined, 0.0, error)
         rows.append(t)
         errors.append(np.max(error))
-        near.append(high - low > 1)
+        near.append(high - low > 1 or bool(np.any(np.abs(events - t) <= BESIDE * length)))
         worst.append(names[int(np.argmax(error))])
     return Deviation(np.array(rows), np.array(errors), np.array(near, dtype=bool), tuple(worst))
 
 
 def _scales(reference: lagdsl.Trajectory) -> Floats:
     """Ranges of the signals; at least a thousandth of the largest value of the same kind and unit, of rates at least
-    of that of their coordinate over the time of the experiment: what is at rest but for rounding has no range."""
+    of that of their coordinate over the time of the experiment: what rests but for rounding has no range. What keeps
+    its value, as an energy may, has its value for a range."""
     largest: dict[tuple[str, str], float] = {}
     sizes = {column.name: _size(column.values) for column in reference.columns}
     for column in reference.columns[1:]:
@@ -112,7 +116,9 @@ def _scales(reference: lagdsl.Trajectory) -> Floats:
         coordinate = sizes.get(column.name.removeprefix("der(")[:-1], 0.0) if column.kind == "rate" else 0.0
         span = float(reference.time[-1] - reference.time[0])
         floor = 1e-3 * max(largest[column.kind, column.unit], coordinate / span)
-        scales.append(max(float(np.ptp(known)) if len(known) else 0.0, floor, 1e-9))
+        spread = float(np.ptp(known)) if len(known) else 0.0
+        conserved = sizes[column.name] if spread <= 1e-6 * sizes[column.name] else 0.0
+        scales.append(max(spread, conserved, floor, 1e-9))
     return np.array(scales)
 
 
