@@ -23,7 +23,14 @@ class _Start(Structure):
 
 
 class _Initial(Structure):
-    _fields_ = [("fault", c_int), ("which", c_size_t), ("residual", c_double), ("rank", c_size_t), ("moved", c_int)]
+    _fields_ = [
+        ("fault", c_int),
+        ("which", c_size_t),
+        ("residual", c_double),
+        ("rank", c_size_t),
+        ("moved", c_int),
+        ("dependent", c_void_p),
+    ]
 
 
 @dataclass(frozen=True)
