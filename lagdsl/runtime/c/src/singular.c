@@ -175,7 +175,7 @@ static double turn_since(lag_singular *s, const double *jacobian)
             const size_t kept = seen_before(s, which, jacobian);
             const double part = lag_least_real_part(kept, s->turned, s->memory);
             if (!(part >= least)) {
-                least = isnan(part) ? -(double)INFINITY : part;
+                least = part < least ? part : -(double)INFINITY;
             }
         }
     }
