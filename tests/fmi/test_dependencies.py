@@ -115,7 +115,8 @@ def path_of(root: Path, name: str) -> Path:
     return root / "models" / f"{name}.lag"
 
 
-ALL = [str(path.relative_to("models").with_suffix("")) for path in sorted(Path("models").rglob("*.lag"))]
+FOLDER = Path(__file__).parents[2] / "models"
+ALL = [str(path.relative_to(FOLDER).with_suffix("")) for path in sorted(FOLDER.rglob("*.lag"))]
 
 
 @pytest.mark.parametrize("name", ALL if os.environ.get("LAGDSL_EXPLORE") else (*EXACT, *OTHERS))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -150,3 +151,27 @@ def test_rows_that_depend_on_each_other(root: Path, name: str, rate: float) -> N
     rng = np.random.default_rng(5)
     along = {group: rng.uniform(-1.0, 1.0, program.layout.size(group)) for group in MOVED}
     compare(path, start, along, 0.0, rate)
+
+
+# A start where rows coincide, and parameters whose default is where a branch of the model changes.
+BRANCHING = ("parallelogram", "library/forces_gas_spring", "library/forces_zero_length_spring")
+FOLDER = Path(__file__).parents[2] / "models"
+EVERY = [str(path.relative_to(FOLDER).with_suffix("")) for path in sorted(FOLDER.rglob("*.lag"))]
+SOME = ("slider_crank", "gyroscope_in_gimbals", "clutch", "library/tank_circuit", "library/spatial_differential")
+CHOSEN = [name for name in EVERY if name not in BRANCHING] if os.environ.get("LAGDSL_EXPLORE") else SOME
+
+
+@pytest.mark.parametrize("name", CHOSEN)
+def test_near_the_start(root: Path, name: str) -> None:
+    path = root / "models" / f"{name}.lag"
+    program, start = program_of(path)
+    dependent = any(program.layout.redundant)
+    rng = np.random.default_rng(5)
+    along, at = {}, dict(start)
+    for group in MOVED:
+        sizes = np.where(start[group] != 0.0, np.maximum(np.abs(start[group]), 1e-3), 1.0)
+        along[group] = sizes * rng.uniform(-1.0, 1.0, len(sizes))
+    if not dependent:
+        at[Group.Q] = start[Group.Q] * (1.0 + 0.01 * rng.uniform(-1.0, 1.0, len(start[Group.Q]))) + 0.001
+        at[Group.QD] = start[Group.QD] + rng.uniform(-0.3, 0.3, len(start[Group.QD]))
+    compare(path, at, along, 0.0 if dependent else 0.7, 7.0)
