@@ -2,6 +2,8 @@
 #ifndef MACHINE_FMU_H
 #define MACHINE_FMU_H
 
+#include <math.h>
+
 #include "../../c/machine.h"
 #include "lag/fmu.h"
 
@@ -21,6 +23,11 @@ static const lag_variable MACH_TABLE[MACH_VARIABLES] = {
     {LAG_ROLE_MULTIPLIER, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 1},
     {LAG_ROLE_RESIDUAL, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 1},
 };
+static const double MACH_SIZES[MACH_SIZE] = {1.0, 1.0, 1.0, 1.0, 1.0};
+static const double MACH_GROUP[MACH_SIZE] = {0.0, 0.0, 1.0, 1.0, 2.0};
+static const double MACH_CAPS[MACH_SIZE] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+static const double MACH_ROWS[1] = {1.0};
+static const double MACH_LASTING[1] = {0.0}; /* the contact comes and goes */
 static const lag_start MACH_START = {.t = 0.0};
 
 static const lag_fmu MACH_FMU = {
@@ -32,6 +39,11 @@ static const lag_fmu MACH_FMU = {
     .start_time = 0.0,
     .stop_time = 2.0,
     .tolerance = 1e-9,
+    .group = MACH_GROUP,
+    .natural = MACH_SIZES,
+    .cap = MACH_CAPS,
+    .row_sizes = MACH_ROWS,
+    .lasting = MACH_LASTING,
     .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
 };
 

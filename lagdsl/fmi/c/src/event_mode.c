@@ -111,18 +111,22 @@ static lag_status find(lag_instance *instance, const double *located, int *any)
     return status;
 }
 
-/* The run is at the present state, which is moved onto the constraints; where it has located an event it goes back to that. */
+/*
+ * The run is at the present state, which is moved onto the constraints down to round-off: what is left of a rate would be an impact, what
+ * is left of a gap would not be zero when its contact opens. Where it has located an event it goes back to that.
+ */
 static lag_status place(lag_instance *instance, int located)
 {
     lag_run *run = instance->run;
+    const double t = instance->held.t;
     int moved = 0;
-    lag_status status = located ? lag_run_back(run, instance->held.t) : LAG_OK;
+    lag_status status = located ? lag_run_back(run, t) : LAG_OK;
     if (status == LAG_OK) {
         const double h = located ? run->half.next : run->stepper.h;
-        status = lag_run_move(run, instance->held.t, located ? run->stepper.x : instance->x, h);
+        status = lag_run_move(run, t, located ? run->stepper.x : instance->x, h);
     }
-    if (status == LAG_OK) {
-        status = lag_projection_apply(&run->projection, instance->held.t, run->stepper.x, &moved);
+    if (status == LAG_OK && lag_projection_exact(&run->projection, t, run->stepper.x, &moved) != LAG_OK) {
+        status = lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
     }
     if (status == LAG_OK) {
         memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));

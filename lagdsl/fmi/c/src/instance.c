@@ -64,25 +64,25 @@ static lag_run_options options_of(lag_instance *instance)
     const lag_held *held = &instance->held;
     const double stop = held->stop < (double)INFINITY ? held->stop : fmu->stop_time;
     const double length = stop - held->start;
-    return (lag_run_options){
-        .tolerance = held->tolerance,
-        .p = instance->p,
-        .context = instance,
-        .tell = hear,
-        .group = fmu->group,
-        .natural = fmu->natural,
-        .cap = fmu->cap,
-        .row_sizes = fmu->row_sizes,
-        .lasting = fmu->lasting,
-        .general = fmu->general,
-        .length = length > 0.0 && length < (double)INFINITY ? length : LENGTH,
-        .invariant_tolerance = instance->invariant_limits,
-    };
+    lag_run_options options = lag_instance_plan();
+    options.tolerance = held->tolerance;
+    options.p = instance->p;
+    options.context = instance;
+    options.tell = hear;
+    options.group = fmu->group;
+    options.natural = fmu->natural;
+    options.cap = fmu->cap;
+    options.row_sizes = fmu->row_sizes;
+    options.lasting = fmu->lasting;
+    options.general = fmu->general;
+    options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
+    options.invariant_tolerance = instance->invariant_limits;
+    return options;
 }
 
 size_t lag_instance_size(const lag_fmu *fmu)
 {
-    const lag_run_options options = {.count = 0};
+    const lag_run_options options = lag_instance_plan();
     return padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
 }
 
@@ -254,6 +254,8 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
         return lag_instance_fail(instance, status, "t = %.10g s: the constraints are about to lose rank", t);
     case LAG_VIOLATED:
         return lag_instance_fail(instance, status, "t = %.10g s: %s", t, broken(instance));
+    case LAG_FORKED:
+        return lag_instance_fail(instance, status, "t = %.10g s: branches of the motion meet, which one it takes cannot be told", t);
     case LAG_CHATTER:
         return lag_instance_fail(instance, status, "t = %.10g s: events of %s follow each other without end", t, guilty(instance));
     case LAG_UNSETTLED:

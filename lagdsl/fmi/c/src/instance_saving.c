@@ -41,7 +41,7 @@ static size_t own_size(size_t kept_count)
 
 size_t lag_instance_saved_size(const lag_fmu *fmu)
 {
-    const lag_run_options options = {.count = 0};
+    const lag_run_options options = lag_instance_plan();
     return sizeof(lag_instance_head) + own_size(lag_instance_kept(fmu)) + lag_run_saved_size(fmu->model, &options);
 }
 

@@ -9,6 +9,8 @@ static const double CLOSE = 1e3;
 /* Rates are on the constraints if residuals, rows of size one, are below this part of what they were before. */
 static const double REACHED = 1e-8;
 
+static const double LIGHT = 1e-6;
+
 static size_t position_rows(const lag_model *model)
 {
     size_t rows = 0;
@@ -88,7 +90,24 @@ static double largest(const lag_projection *projection, int every)
     return most;
 }
 
-/* The change that makes the residuals vanish in the first order. */
+/* A little inertia for what has none, as a part of the largest there is, all in natural sizes. */
+static void fill_mass(lag_projection *projection)
+{
+    const size_t n = projection->motion->model->nq;
+    const double *sizes = projection->sizes;
+    double most = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        most = fmax(most, projection->mass[i * n + i] * sizes[i] * sizes[i]);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        projection->mass[i * n + i] += (most > 0.0 ? LIGHT * most : 1.0) / (sizes[i] * sizes[i]);
+    }
+}
+
+/*
+ * The change that makes the residuals vanish in the first order. Coordinates without inertia that other rows hold (charges, by the sums
+ * of currents) may be free as far as positions go: then as little changes as can.
+ */
 static lag_status smallest(lag_projection *projection, int every)
 {
     const lag_model *model = projection->motion->model;
@@ -103,7 +122,11 @@ static lag_status smallest(lag_projection *projection, int every)
     }
     lag_system_place(&system, n, rows, projection->system);
     const size_t most = rows < model->rank ? rows : model->rank;
-    const lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    if (status == LAG_SINGULAR) {
+        fill_mass(projection);
+        status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    }
     if (status == LAG_OK) {
         lag_system_solve(&system, projection->force, projection->right, projection->change, projection->lam);
     }

@@ -87,6 +87,12 @@ static inline size_t lag_instance_order(const lag_instance *instance)
     return lag_motion_size(instance->fmu->model);
 }
 
+/* What the size of a run depends on. */
+static inline lag_run_options lag_instance_plan(void)
+{
+    return (lag_run_options){.careful = 2};
+}
+
 /* ---- instance.c ---- */
 
 /* Doubles of `kept`. */
