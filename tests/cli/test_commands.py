@@ -14,11 +14,11 @@ class TestGroup:
     def test_help_lists_every_command(self, invoke: Invoke) -> None:
         result = invoke("--help")
         assert result.exit_code == 0
-        for name in ("check", "run", "derive", "build", "flat", "fmt", "explain", "new"):
+        for name in ("check", "run", "derive", "build", "fmu", "flat", "fmt", "explain", "new"):
             assert name in result.stdout
 
     def test_every_command_has_help(self, invoke: Invoke) -> None:
-        for name in ("check", "run", "derive", "build", "flat", "fmt", "explain", "new"):
+        for name in ("check", "run", "derive", "build", "fmu", "flat", "fmt", "explain", "new"):
             result = invoke(name, "--help")
             assert result.exit_code == 0
             assert "Usage" in result.stdout

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import tarfile
@@ -17,6 +18,9 @@ CARRIED = {
     "docs/diagnostics/E0401.md": "lagdsl/_data/diagnostics/E0401.md",
     "lagdsl/runtime/c/include/lag/model.h": "lagdsl/runtime/c/include/lag/model.h",
     "lagdsl/runtime/c/src/dynamics.c": "lagdsl/runtime/c/src/dynamics.c",
+    "lagdsl/fmi/c/include/lag/instance.h": "lagdsl/fmi/c/include/lag/instance.h",
+    "lagdsl/fmi/c/src/fmi2.c": "lagdsl/fmi/c/src/fmi2.c",
+    "lagdsl/fmi/c/src/fmi3.c": "lagdsl/fmi/c/src/fmi3.c",
 }
 
 
@@ -64,7 +68,7 @@ def test_the_wheel_runs_a_model(packages: tuple[Path, Path], root: Path, tmp_pat
         archive.extractall(site)
     model = tmp_path / "pendulum.lag"
     model.write_text((root / "models" / "pendulum.lag").read_text())
-    environment = {"PYTHONPATH": str(site), "PATH": __import__("os").environ["PATH"], "HOME": str(tmp_path)}
+    environment = {"PYTHONPATH": str(site), "PATH": os.environ["PATH"], "HOME": str(tmp_path)}
     where = _run([sys.executable, "-c", "import lagdsl; print(lagdsl.__file__)"], tmp_path, **environment)
     assert str(site) in where
     lag = [sys.executable, "-m", "lagdsl"]
@@ -77,5 +81,10 @@ def test_the_wheel_runs_a_model(packages: tuple[Path, Path], root: Path, tmp_pat
         [*lag, "run", str(model), "--stop", "0.2", "--engine", "c", "-o", "/dev/stdout"], tmp_path, **environment
     )
     assert out.startswith("time,theta,der(theta)")
+    compiled = os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache"))
+    fmu = tmp_path / "pendulum.fmu"
+    _run([*lag, "fmu", str(model), "-o", str(fmu)], tmp_path, **environment, XDG_CACHE_HOME=compiled)
+    with zipfile.ZipFile(fmu) as archive:
+        assert {"modelDescription.xml", "sources/Pendulum_fmu.c"} <= set(archive.namelist())
     paths = "from lagdsl import resources as r; print(r.grammar_file().is_file(), r.library_folder().is_dir())"
     assert _run([sys.executable, "-c", paths], tmp_path, **environment).split() == ["True", "True"]
