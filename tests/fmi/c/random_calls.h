@@ -36,7 +36,7 @@ static unsigned pick(lag_visit *visit, unsigned count)
 /* Mostly plain numbers. */
 static double number(lag_visit *visit)
 {
-    static const double strange[] = {0.0, -0.0, 1.0, -1.0, 1e-300, 1e300, -1e300, 1e-9, 1e9, (double)INFINITY, -(double)INFINITY, (double)NAN};
+    static const double strange[] = {0.0, -0.0, 1.0, -1.0, 1e-300, 1e300, -1e300, 1e-9, 1e3, (double)INFINITY, -(double)INFINITY, (double)NAN};
     return pick(visit, 4) > 0 ? 2.0 * draw(&visit->seed) : strange[pick(visit, sizeof strange / sizeof strange[0])];
 }
 
