@@ -13,6 +13,8 @@ static const double PART = 1e-11;
 static const double ROUNDING = 2e-13;
 /* What is so much of its margin behind zero has changed, where an event is carried out anyway. */
 static const double CLEARLY = 0.6;
+/* Where an event does nothing, as what an importer's errors let a resting contact do, the next one is so many times farther from zero. */
+static const double FARTHER = 4.0;
 /* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
 static const double ROUGH = 100.0;
 /* Length of the last step, where nobody tells. */
@@ -158,16 +160,25 @@ static double length_of_step(const lag_instance *instance, int located)
     return span > 0.0 ? span : MOMENT * fmax(run->instants.contacts.length, fabs(instance->held.t));
 }
 
+static void step_back(lag_instance *instance, int idle)
+{
+    for (size_t i = 0; idle && i < lag_instance_indicator_count(instance->fmu); ++i) {
+        instance->latched[i] *= FARTHER;
+    }
+}
+
 lag_status lag_instance_carry_out(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
     const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double h = length_of_step(instance, located);
+    const size_t size = lag_instance_order(instance) * sizeof(double);
     int any = 0;
     instance->known = 0;
     held->jumped = 1;
     lag_status status = place(instance, located);
+    memcpy(instance->tangent, instance->x, size);
     if (status == LAG_OK) {
         status = find(instance, located ? run->pending : NULL, &any);
     }
@@ -180,9 +191,11 @@ lag_status lag_instance_carry_out(lag_instance *instance)
         status = lag_run_ticks(run);
     }
     if (status == LAG_OK || status == LAG_STOPPED) {
-        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->x, run->stepper.x, size);
         lag_instance_note_stop(instance, status);
+        const int idle = any && memcmp(instance->tangent, instance->x, size) == 0;
         status = lag_instance_latch(instance, held->t, instance->x);
+        step_back(instance, idle);
     }
     if (status == LAG_OK) {
         status = lag_instance_turn(instance, held->t, instance->x);
