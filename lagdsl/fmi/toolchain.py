@@ -23,7 +23,7 @@ _LINK = {
         *("-Wl," + word for word in ("-Bsymbolic", "--build-id=none", "-z,defs", "--gc-sections")),
     ),
     "windows": ("-shared", "-s", "-Wl,--gc-sections"),
-    "macos": ("-dynamiclib", "-Wl,-dead_strip"),
+    "macos": ("-dynamiclib", "-Wl,-dead_strip", "-Wl,-x"),
 }
 
 
