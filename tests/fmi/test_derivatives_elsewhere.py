@@ -44,7 +44,7 @@ def test_parameters_and_starts_until_initialization_ends(version: int) -> None:
 
 @BOTH
 def test_an_input_of_a_closed_loop_until_initialization_ends(version: int) -> None:
-    """The start does not follow it, the accelerations do. What moves the start is refused."""
+    """The start does not follow it, the accelerations do."""
     with exchanged(exported("four_bar", version)) as one:
         enter(one)
         (name,) = (v.name for v in one.fmu.variables.values() if v.causality == "input")
@@ -58,8 +58,44 @@ def test_an_input_of_a_closed_loop_until_initialization_ends(version: int) -> No
         found = one.directional(rates_of(one), [name], np.ones(1))
         np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-10 * np.max(np.abs(expected)))
         assert np.any(expected != 0.0)
-        with pytest.raises(Exception, match="Derivative"):
-            one.directional(rates_of(one), [one.fmu.description.derivatives[0].variable.derivative.name], np.ones(1))
+
+
+@BOTH
+def test_a_start_that_a_constraint_decides_about(version: int) -> None:
+    """A bead on y = A cos(k x), k = 2 pi/wavelength, with x fixed: y and its rate follow x, A and the wavelength."""
+    with exchanged(exported("bead_on_cosine_wire", version)) as one:
+        enter(one)
+        one.set({"x": 0.03, "der(x)": 0.4})
+        knowns, direction = ["x", "der(x)", "A", "wavelength"], np.array([0.3, -0.2, 0.5, 0.7])
+        x, v, A, length = one.get(*knowns)
+        dx, dv, dA, dlength = direction
+        k, dk = 2 * np.pi / length, -2 * np.pi / length**2 * dlength
+        phase, dphase = k * x, dk * x + k * dx
+        dy = dA * np.cos(phase) - A * np.sin(phase) * dphase
+        slope, dslope = -A * k * np.sin(phase), -(dA * k + A * dk) * np.sin(phase) - A * k * np.cos(phase) * dphase
+        drate = slope * dv + dslope * v
+        np.testing.assert_allclose(one.get("y", "der(y)"), [A * np.cos(phase), slope * v], rtol=1e-12)
+        found = one.directional(["x", "y", "der(x)", "der(y)"], knowns, direction)
+        np.testing.assert_allclose(found, [dx, dy, dv, drate], rtol=1e-9)
+        np.testing.assert_allclose(one.get("y", "der(y)"), [A * np.cos(phase), slope * v], rtol=1e-12)
+
+
+@BOTH
+def test_a_loop_whose_start_follows_its_lengths(version: int) -> None:
+    """Accelerations and multipliers along all parameters, against differences of the starts that importers get."""
+    with exchanged(exported("four_bar", version)) as one:
+        enter(one)
+        knowns = ["crank.l", "coupler.m", "rocker.l"]
+        at, direction = one.get(*knowns), np.array([0.1, 0.5, -0.1])
+
+        def values(s: float) -> Floats:
+            one.set(dict(zip(knowns, at + s * direction, strict=True)))
+            return np.concatenate([one.array(rate) for rate in rates_of(one)])
+
+        expected, _ = difference(values)
+        values(0.0)
+        found = one.directional(rates_of(one), knowns, direction)
+        np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-10 * np.max(np.abs(expected)))
 
 
 @pytest.mark.parametrize("name", ["kapitza_pendulum", "ball_on_moving_table"])

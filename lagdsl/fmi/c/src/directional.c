@@ -1,6 +1,6 @@
 /*
  * Derivatives of variables, exact: a direction of the knowns, and how everything changes along it. Relations and contacts are held. Adjoint
- * ones are the same, known by known.
+ * ones are the same, known by known. Only where constraints decide about the start it takes differences (start_slopes.c).
  */
 #include "lag/parts.h"
 
@@ -21,7 +21,9 @@ typedef struct changes {
 
 size_t lag_instance_slopes(const lag_model *model)
 {
-    return lag_motion_size(model) + model->nu + model->ny + model->nd + 3 + 4 * model->nc;
+    const size_t after = lag_motion_size(model) + model->nu + model->ny + model->nd + 3 + 4 * model->nc;
+    const size_t starts = lag_instance_start_slopes_memory(model);
+    return after > starts ? after : starts;
 }
 
 static changes lay_out(const lag_instance *instance)
@@ -113,7 +115,7 @@ static lag_status stays(lag_instance *instance, const double *starts, int *still
     return status;
 }
 
-/* Until initialization ends, states and inputs that were not set follow the parameters. */
+/* Until initialization ends, states and inputs that were not set follow the parameters, as far as constraints let them. */
 static lag_status follow_parameters(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
@@ -121,24 +123,23 @@ static lag_status follow_parameters(lag_instance *instance)
     const size_t n = model->nq;
     const size_t size = lag_motion_size(model);
     double *starts = instance->slopes;
-    int still = 1;
-    if (model->start_tangent == NULL || d->time != 0.0) {
-        return lag_instance_fail(instance, LAG_MISSING, "until initialization ends there are no derivatives with respect to time");
+    int still = d->time == 0.0;
+    if (model->start_tangent == NULL) {
+        return lag_instance_judge(instance, LAG_MISSING);
     }
     lag_status status = model->start_tangent(&d->at, starts, starts + n, starts + 2 * n, starts + size);
     for (size_t i = 0; i < model->nu; ++i) {
         d->x[size + i] += instance->given_inputs[i] != 0.0 ? 0.0 : starts[size + i];
     }
-    if (status == LAG_OK && model->nc + model->ne > 0) {
+    if (status == LAG_OK && still && model->nc + model->ne > 0) {
         status = stays(instance, starts, &still);
-    } else {
+    } else if (still) {
         for (size_t i = 0; i < size; ++i) {
             d->x[i] += instance->given[i] != 0.0 ? 0.0 : starts[i];
         }
     }
     if (status == LAG_OK && !still) {
-        return lag_instance_fail(instance, LAG_MISSING,
-            "until initialization ends there are no derivatives with respect to what moves a start that constraints or initial equations decide about");
+        status = lag_instance_start_slopes(instance);
     }
     return lag_instance_judge(instance, status);
 }

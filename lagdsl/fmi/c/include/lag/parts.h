@@ -135,6 +135,12 @@ lag_status lag_instance_turn(lag_instance *instance, double t, const double *x);
 /* Doubles of `slopes`. */
 size_t lag_instance_slopes(const lag_model *model);
 
+/* ---- start_slopes.c ---- */
+
+/* How the start changes along the direction in `derivatives`, into the states of it; and the doubles of `slopes` that it takes. */
+lag_status lag_instance_start_slopes(lag_instance *instance);
+size_t lag_instance_start_slopes_memory(const lag_model *model);
+
 /* ---- courses.c ---- */
 
 /* The inputs at time t, into u. */
