@@ -20,15 +20,6 @@ static const double LEAST_STEPS = 50.0;
 
 const size_t lag_run_layout[2] = {sizeof(lag_run_options), sizeof(lag_run_report)};
 
-/* A state, and what is done to it: it is found where it may step afterwards. */
-static size_t stepper_numbers(const lag_model *model)
-{
-    const size_t size = lag_motion_size(model);
-    const size_t stepping = lag_stepper_memory(size);
-    const size_t found = 5 * size + lag_initial_memory(model);
-    return stepping > found ? stepping : found;
-}
-
 /* Whether it goes across singular positions by itself. */
 static int crosses(const lag_model *model, const lag_run_options *options)
 {
@@ -38,10 +29,16 @@ static int crosses(const lag_model *model, const lag_run_options *options)
 size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
-    return lag_motion_memory(model) + stepper_numbers(model) + lag_projection_memory(model) +
+    return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 5 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
-           model->nindicator + model->ncontact + 1 + (crosses(model, options) ? lag_singular_memory(model) : 0);
+           model->nindicator + model->ncontact + 1;
+}
+
+/* Doubles of which nothing is remembered. */
+static size_t scratch(const lag_model *model, const lag_run_options *options)
+{
+    return lag_initial_memory(model) + (crosses(model, options) ? lag_singular_memory(model) : 0);
 }
 
 static size_t padded(size_t bytes)
@@ -51,7 +48,8 @@ static size_t padded(size_t bytes)
 
 size_t lag_run_size(const lag_model *model, const lag_run_options *options)
 {
-    return padded(sizeof(lag_run)) + padded((options->clocks + model->nclock) * sizeof(lag_clock)) + lag_run_numbers(model, options) * sizeof(double);
+    return padded(sizeof(lag_run)) + padded((options->clocks + model->nclock) * sizeof(lag_clock)) +
+           (lag_run_numbers(model, options) + scratch(model, options)) * sizeof(double);
 }
 
 static void place_watch(lag_run *run, const lag_model *model, double **memory)
@@ -125,7 +123,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
     run->motion.inputs = options->inputs;
     run->motion.context = options->context;
-    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, stepper_numbers(model)));
+    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->group = lag_take(&memory, size);
@@ -136,8 +134,9 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->lasting = lag_take(&memory, model->nc);
     run->dependent = (unsigned char *)(void *)lag_take(&memory, model->nc);
     run->look.lasting = run->lasting;
+    run->initial = run->memory + run->numbers;
     if (crosses(model, options)) {
-        lag_singular_place(&run->singular, run, lag_take(&memory, lag_singular_memory(model)));
+        lag_singular_place(&run->singular, run, run->initial + lag_initial_memory(model));
     }
     lag_run_depend(run, model->redundant);
     place_instants(run, model, &memory);
@@ -231,7 +230,7 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
     lag_status status = lag_run_move(run, t, x, run->options.h_first);
     if (status == LAG_OK && x == NULL) {
         lag_initial told = {.dependent = run->dependent};
-        status = lag_initial_find(&run->motion, run->options.start, NULL, t, s->x, s->work, &told);
+        status = lag_initial_find(&run->motion, run->options.start, NULL, t, s->x, run->initial, &told);
         lag_run_depend(run, run->dependent);
     }
     for (size_t i = 0; i < run->options.clocks; ++i) {

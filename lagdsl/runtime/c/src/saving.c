@@ -133,7 +133,9 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->accuracy.relative);
     RECORD(run->look.most);
     RECORD(run->look.rank);
-    RECORD(run->singular.general);
+    RECORD(run->singular.leave);
+    RECORD(run->singular.distance);
+    RECORD(run->singular.margin);
     RECORD(run->watch.begun);
     RECORD(run->begun);
     RECORD(run->stiffness.signs);
@@ -184,6 +186,9 @@ void lag_run_record(lag_run *run, lag_record *record)
         record_clock(&run->clock[i], record);
     }
     lag_record_doubles(record, run->numbers, run->memory);
+    if (record->saved != NULL && run->singular.run != NULL) {
+        lag_singular_count(&run->singular, run->lasting);
+    }
 }
 
 /* ---- around it ---- */

@@ -33,7 +33,7 @@ size_t lag_singular_memory(const lag_model *model)
     const size_t k = m < n ? m : n;
     const size_t lines = m + LAG_VANISHING * (n + 1);
     const size_t svd = larger(lag_svd_memory(lines, n + 1), lag_svd_memory(n + 1, m));
-    return lag_parts_memory(m, n) + (m + n) + 3 + 4 * m * n + k * k + 2 * m * (n + 1) + (n + 1) + m + LAG_VANISHING * m +
+    return lag_parts_memory(m, n) + (m + n) + 4 * m * n + k * k + 2 * m * (n + 1) + (n + 1) + m + LAG_VANISHING * m +
            (n + 1) * (n + 1) + m * m + (n + 1) * (n + 1) * LAG_VANISHING + lines * (n + 1) + lines + (n + 1) + m +
            LAG_VANISHING * (n + 1) + n + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) + larger(svd, lag_eigenvalues_memory(k));
 }
@@ -50,9 +50,6 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
     s->run = run;
     double *for_parts = lag_take(&memory, lag_parts_memory(m, n));
     s->counts = lag_take(&memory, m + n);
-    s->leave = lag_take(&memory, 1);
-    s->distance = lag_take(&memory, 1);
-    s->margin = lag_take(&memory, 1);
     s->before = lag_take(&memory, m * n);
     s->now = lag_take(&memory, m * n);
     s->block = lag_take(&memory, m * n);
@@ -83,7 +80,7 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
     }
     s->parts = lag_parts_of(m, n, s->now, for_parts);
     lag_fill(n, 0.0, s->still);
-    *s->margin = (double)INFINITY;
+    s->margin = (double)INFINITY;
 }
 
 void lag_singular_count(lag_singular *s, const double *lasting)
@@ -254,8 +251,9 @@ static lag_status take(lag_singular *s, double t, const double *x, double length
     stepper->dense_ready = 1;
     ++stepper->steps;
     run->look.rank = 0;
-    *s->leave = *s->distance = 0.0;
-    *s->margin = (double)INFINITY;
+    s->leave = 0;
+    s->distance = 0.0;
+    s->margin = (double)INFINITY;
     return lag_stepper_correct(stepper);
 }
 
@@ -290,20 +288,21 @@ static int decided(lag_singular *s, double margin, double t, const double *x, do
 void lag_singular_begin(lag_singular *s, int attention)
 {
     const lag_stepper *stepper = &s->run->stepper;
-    *s->distance = 0.0;
-    *s->margin = (double)INFINITY;
-    *s->leave = attention && lag_singular_margin(s, stepper->t, stepper->x, s->now) <= LOST;
+    s->distance = 0.0;
+    s->margin = (double)INFINITY;
+    s->leave = attention && lag_singular_margin(s, stepper->t, stepper->x, s->now) <= LOST;
 }
 
 lag_status lag_singular_ahead(lag_singular *s, double limit, int *done)
 {
     const lag_stepper *stepper = &s->run->stepper;
     double length = 0.0;
-    const double distance = *s->distance;
-    const double margin = *s->margin;
-    const int leave = *s->leave != 0.0;
-    *s->leave = *s->distance = 0.0;
-    *s->margin = (double)INFINITY;
+    const double distance = s->distance;
+    const double margin = s->margin;
+    const int leave = s->leave;
+    s->leave = 0;
+    s->distance = 0.0;
+    s->margin = (double)INFINITY;
     *done = leave ? lag_fit_out(s, stepper->t, stepper->x, limit, &length)
                   : goes_across(s, stepper->t, stepper->x, distance, limit, &length);
     if (*done) {
@@ -339,7 +338,7 @@ lag_status lag_singular_after(lag_singular *s, double limit, double *shorter)
         return decided(s, before, t, run->point, *shorter) ? LAG_ATTENTION : LAG_FORKED;
     }
     const double now = lag_singular_margin(s, stepper->t, stepper->x, s->now);
-    *s->distance = now < fmin(NEAR, before) && before < (double)INFINITY ? now * step / (before - now) : 0.0;
-    *s->margin = now;
+    s->distance = now < fmin(NEAR, before) && before < (double)INFINITY ? now * step / (before - now) : 0.0;
+    s->margin = now;
     return LAG_OK;
 }

@@ -138,6 +138,7 @@ struct lag_run {
     size_t changes;           /* all; the first LAG_CHANGES are kept */
     double *memory;           /* (numbers) all arrays of it, one after the other */
     size_t numbers;
+    double *initial;          /* lag_initial_memory(), of which nothing is remembered */
 };
 
 /* Where a run is and what it took. */
@@ -162,7 +163,7 @@ extern const size_t lag_run_layout[2];
 
 /* Bytes of the block for a run, and its layout; the block is aligned as malloc does. */
 size_t lag_run_size(const lag_model *model, const lag_run_options *options);
-/* Of these, the doubles that its arrays take. */
+/* Of these, the doubles that its arrays take, without those of which nothing is remembered. */
 size_t lag_run_numbers(const lag_model *model, const lag_run_options *options);
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options);
 

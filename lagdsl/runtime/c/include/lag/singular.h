@@ -27,10 +27,10 @@ typedef struct lag_singular {
     lag_parts parts;             /* of J */
     double *counts;              /* (nc + nq) independent rows of each part in general */
     size_t general;              /* all of them */
-    /* what is to be done before the next step, as numbers that are saved */
-    double *leave;               /* 1: rank is lost here */
-    double *distance;            /* [s] to a singular position ahead; 0: none is known */
-    double *margin;              /* smallest singular value at the present state; infinite: not looked at */
+    /* what is to be done before the next step */
+    int leave;                   /* 1: rank is lost here */
+    double distance;             /* [s] to a singular position ahead; 0: none is known */
+    double margin;               /* smallest singular value at the present state; infinite: not looked at */
     double *before, *now;        /* (nc, nq) J, scaled, at the beginning of a step and at another state */
     double *block, *other, *turned; /* (nc, nq) (nc, nq) (k, k), k: the smaller of both */
     double *wide, *tall;         /* (nc, nq + 1) (nq + 1, nc) */
