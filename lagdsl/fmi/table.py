@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from lagdsl.backends.c.literal import number, string
@@ -28,6 +29,7 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "row_sizes": ("double", _numbers(settings.row_sizes)),
         "lasting": ("double", _numbers([float(flag) for flag in settings.lasting])),
         "turning": ("unsigned char", _flags([output.turning for output in flat.outputs])),
+        "parameter_range": ("lag_range", _ranges(table)),
         "input_rates": ("size_t", _input_rates(flat)),
         "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
     }
@@ -77,6 +79,20 @@ def _dependencies(table: Table) -> dict[str, tuple[str, list[str]]]:
 
 def _counts(values: Sequence[int]) -> list[str]:
     return [str(value) for value in values]
+
+
+def _ranges(table: Table) -> list[str]:
+    """Of all parameters, where one of them has bounds."""
+    ranges = [(-math.inf, math.inf)] * len(table.program.layout.parameters)
+    for _, variable in table.of(Role.PARAMETER):
+        attributes = variable.attributes
+        low, high = attributes.minimum, attributes.maximum
+        if attributes.literals:
+            low, high = 1.0, float(len(attributes.literals))
+        for entry in variable.entries:
+            ranges[entry] = (-math.inf if low is None else low, math.inf if high is None else high)
+    bounded = any(math.isfinite(bound) for both in ranges for bound in both)
+    return [f"{{{number(low)}, {number(high)}}}" for low, high in ranges] if bounded else []
 
 
 def _input_rates(flat: FlatModel) -> list[str]:

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 extern const lag_fmu lag_exported;
-extern const size_t sizes[5]; /* states, rows, inputs, outputs, invariants */
+extern const size_t sizes[6]; /* states, rows, inputs, outputs, invariants, parameters */
 
 static void doubles(const char *name, const double *values, size_t count)
 {
@@ -48,6 +48,9 @@ int main(void)
     doubles("lasting", fmu->lasting, sizes[1]);
     bytes("turning", fmu->turning, sizes[3]);
     doubles("invariant_limits", fmu->invariant_limits, sizes[4]);
+    for (size_t i = 0; i < sizes[5] && fmu->parameter_range != NULL; i++) {
+        printf("range %a %a\n", fmu->parameter_range[i].least, fmu->parameter_range[i].most);
+    }
     printf("input_rates");
     for (size_t i = 0; i < sizes[2] && fmu->input_rates != NULL; i++) printf(" %zu", fmu->input_rates[i]);
     printf("\nexperiment %a %a %a\ngeneral %zu\nkinds %d\n", fmu->start_time, fmu->stop_time, fmu->tolerance, fmu->general, fmu->kinds);

@@ -31,12 +31,15 @@ def printed(given: Table, folder: Path, token: str = "{1}") -> dict[str, list[li
     """Lines of the program by their first word."""
     layout = given.program.layout
     states = 2 * len(layout.coordinates) + len(layout.states)
-    sizes = [states, *map(len, (layout.constraints, layout.inputs, layout.outputs, layout.invariants))]
+    sizes = [
+        states,
+        *map(len, (layout.constraints, layout.inputs, layout.outputs, layout.invariants, layout.parameters)),
+    ]
     files = {
         "Model.h": HEADER,
         "Model_fmu.c": table_source(given, "Model", token),
-        "rest.c": '#include "Model.h"\nextern const size_t sizes[5];\n'
-        f"const size_t sizes[5] = {{{str(sizes)[1:-1]}}};\n"
+        "rest.c": '#include "Model.h"\nextern const size_t sizes[6];\n'
+        f"const size_t sizes[6] = {{{str(sizes)[1:-1]}}};\n"
         "const lag_model Model_model = {0};\nconst lag_start Model_start = {0};\n",
     }
     for name, text in files.items():
@@ -84,6 +87,9 @@ def test_the_table_is_that_of_the_description(version: Version, tmp_path: Path) 
     ):
         assert numbers(found[name][0]) == [float(value) for value in values]
     # road, its rate and its second rate are the inputs 1, 2 and 3 of 4
+    names = [slot.name for slot in given.program.layout.parameters]
+    ranges = {name: numbers(line) for name, line in zip(names, found["range"], strict=True)}
+    assert ranges["teeth"] == [1, 99] and ranges["gears[2]"] == [1, 2] and ranges["l"] == [-np.inf, np.inf]
     assert found["input_rates"] == [["4", "2", "3", "4"]]
     assert numbers(found["experiment"][0]) == [0.0, 10.0, 1e-8]
     assert found["general"] == [["2"]] and found["kinds"] == [["3"]]

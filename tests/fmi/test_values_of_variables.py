@@ -12,6 +12,8 @@ from models.corpus import MODELS, compiled
 
 from fmi.exported import VERSIONS, Exported, exported
 from fmi.importing import exchanged
+from fmi.test_descriptions import EVERYTHING
+from fmi.texts import exported_text
 from lagdsl.fmi.names import belonging, named
 from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.pipeline import Compilation, engine_of, with_names
@@ -140,6 +142,35 @@ def test_at_random_states_inputs_and_parameters(name: str, version: int) -> None
                 *(given[named(c.name, order).text] for order in (1, 2) for c in told.layout.coordinates),
                 *(given[named(state.name, 1).text] for state in told.layout.states),
             ]
+
+
+@BOTH
+def test_values_of_every_type(version: int) -> None:
+    """Enumerations, whole numbers, truths and constants; what depends on parameters follows them."""
+    fmu = exported_text(EVERYTHING, version)
+    with exchanged(fmu) as instance:
+        instance.initialize({"gear": 1, "teeth": 20, "on": 0, "l": 3.0, "start": 2.0})
+        instance.update()
+        names = ("gear", "gears[1]", "gears[2]", "built", "n", "pair[2]", "teeth", "on", "twice", "most")
+        assert instance.get(*names).tolist() == [1, 1, 2, 1, 2, 2.0, 20, 0, 6.0, np.inf]
+        # x starts beyond a meter, which is no crossing
+        names = ("x", "up", "hits", "many", "now", "shown", "xi", "energy", "solver")
+        assert instance.get(*names).tolist() == [2.0, 1, 0, 1, 1, 1, 3.0, 3.0, 1.0]
+        x = instance.states
+        x[[0, 4]] = 0.5, 0.2
+        instance.move(0.1, x)
+        instance.raw.enterEventMode()
+        instance.update()
+        x[0] = 1.5
+        instance.move(0.2, x)
+        instance.raw.enterEventMode()
+        instance.update()
+        assert instance.get("hits", "many", "now", "shown", "xi").tolist() == [1, 2, 2, 2, 0.0]
+        assert instance.get("speed", "road", "der(road,2)")[0] == instance.states[4]
+    with pytest.raises(Exception), exchanged(fmu) as instance:  # noqa: B017 what fmpy raises
+        instance.set({"gear": 3})
+    with pytest.raises(Exception), exchanged(fmu) as instance:  # noqa: B017
+        instance.set({"teeth": 100})
 
 
 def together_by_variable(fmu: Exported, scalars: dict[str, float]) -> dict[str, list[float]]:

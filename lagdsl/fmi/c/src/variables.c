@@ -128,6 +128,14 @@ static lag_status check(lag_instance *instance, const lag_variable *variable, co
         if (isnan(value) || (isinf(value) && variable->role != LAG_ROLE_PARAMETER)) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "a value to be set is infinite or not a number");
         }
+        if (variable->role == LAG_ROLE_PARAMETER && instance->fmu->parameter_range != NULL) {
+            const size_t which = variable->first + i;
+            const lag_range *range = &instance->fmu->parameter_range[which];
+            if (value < range->least || value > range->most) {
+                const char *name = instance->fmu->model->parameters[which].name;
+                return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is from %g to %g, not %g", name, range->least, range->most, value);
+            }
+        }
         if (variable->type == LAG_TYPE_BOOLEAN && value != 0.0 && value != 1.0) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "%g is neither true nor false", value);
         }

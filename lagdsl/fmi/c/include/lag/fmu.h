@@ -66,6 +66,11 @@ typedef struct lag_dependency {
     unsigned char kind;
 } lag_dependency;
 
+/* Smallest and largest value that may be set; both may be infinite. */
+typedef struct lag_range {
+    double least, most;
+} lag_range;
+
 typedef enum lag_kinds { LAG_NO_KIND = 0, LAG_MODEL_EXCHANGE = 1, LAG_CO_SIMULATION = 2 } lag_kinds;
 
 typedef struct lag_fmu {
@@ -90,6 +95,7 @@ typedef struct lag_fmu {
     const size_t *dependency_first; /* (nvariable + 1) */
     const lag_dependency *dependencies;
     const size_t *input_rates; /* (nu) the input that is the time derivative of this one; nu: none. Null: none at all */
+    const lag_range *parameter_range; /* (np) null: any */
 } lag_fmu;
 
 #endif
