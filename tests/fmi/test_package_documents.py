@@ -1,0 +1,92 @@
+"""What an FMU tells people: pictures where they can be drawn, a motion as far as there is one, licenses."""
+
+from __future__ import annotations
+
+import struct
+
+import pytest
+
+from lagdsl.diagnostics import Sink
+from lagdsl.fmi import documentation
+from lagdsl.fmi.documentation import documentation_files
+from lagdsl.fmi.extra import extra_files
+from lagdsl.fmi.reference import reference
+from lagdsl.fmi.subject import subject
+from lagdsl.pipeline import front, middle
+from lagdsl.plot.icon import icon
+from lagdsl.source import SourceFile
+
+HEADER = "/* Copyright (C) them.\n   Do\n     what you like.\n*/"
+FALL = """model Fall
+  parameter Length h = 4.9 m;
+  coordinate Length x(start = h);
+  gravity = 0;
+  mass 1 kg at {x, 0};
+  force -10 N on x;
+equation
+  assert(x > 0 m, "it has arrived");
+  annotation(experiment(StopTime = 3, Interval = 0.25, Tolerance = 1e-6));
+end Fall;
+"""
+
+
+def made(text, **start):
+    sink = Sink()
+    flat = front(SourceFile("text.lag", text), sink)
+    compilation = middle(flat, sink)
+    assert compilation is not None, sink.diagnostics
+    return subject(compilation, 2, ("cs",), {}, start, sink)
+
+
+@pytest.fixture(scope="module")
+def fall():
+    return made(FALL)
+
+
+@pytest.fixture(scope="module")
+def known(fall):
+    return reference(fall)
+
+
+def test_a_motion_that_ends_early_is_told_as_far_as_it_goes(fall, known):
+    times = known.motion.time
+    assert known.ended is not None
+    assert "it has arrived" in known.ended
+    assert times[-1] == 1.0  # the first row after x = 4.9 - 5 t^2 is zero
+    assert known.motion["x"] == pytest.approx(4.9 - 5.0 * times**2, abs=1e-6)
+    page = documentation_files(fall, known, HEADER)["documentation/index.html"].decode()
+    assert "It ends early: " in page
+
+
+def test_where_nothing_begins_there_is_nothing_to_compare_with():
+    stuck = made(FALL.replace("x > 0 m", "x > 6 m"))
+    assert reference(stuck) is None
+    files = documentation_files(stuck, None, HEADER)
+    assert set(files) == {"documentation/index.html", "documentation/licenses/license.txt"}
+    assert b"reference.csv" not in files["documentation/index.html"]
+    assert extra_files(None, {}) == {}
+
+
+def test_without_matplotlib_there_are_no_pictures(fall, known, monkeypatch):
+    monkeypatch.setattr(documentation, "find_spec", lambda name: None)
+    files = documentation_files(fall, known, HEADER)
+    assert "model.png" not in files
+    assert b"<img" not in files["documentation/index.html"]
+    assert b"reference.csv" in files["documentation/index.html"]
+
+
+def test_the_license_of_the_headers_is_theirs(fall):
+    words = documentation_files(fall, None, HEADER)["documentation/licenses/license.txt"].decode()
+    assert words.endswith("\n\nCopyright (C) them.\nDo\nwhat you like.\n")
+
+
+def test_an_icon_is_square_and_the_same_every_time(known):
+    first = icon(known.motion)
+    assert first == icon(known.motion)
+    assert struct.unpack(">II", first[16:24]) == (256, 256)
+
+
+def test_tolerances_of_the_motion_are_below_those_of_the_experiment_but_possible(fall):
+    tight = made(FALL.replace("1e-6", "1e-12"))
+    assert reference(tight).tolerance == 1e-11
+    assert reference(fall).tolerance == 1e-8
