@@ -74,15 +74,17 @@ static lag_status explain(lag_instance *instance, lag_status status, const lag_i
 static lag_status nearest(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
-    lag_initial told = {.fault = LAG_INITIAL_NONE};
+    lag_run *run = instance->run;
+    lag_initial told = {.dependent = run->dependent};
     if (model->nc + model->ne == 0) {
         return LAG_OK;
     }
     for (size_t i = 0; i < lag_instance_order(instance); ++i) {
         instance->written[i] = instance->given[i] != 0.0;
     }
-    const lag_status status = lag_initial_find(&instance->run->motion, instance->fmu->start, instance->written, instance->held.t,
-        instance->x, instance->initial_memory, &told);
+    const lag_status status = lag_initial_find(
+        &run->motion, instance->fmu->start, instance->written, instance->held.t, instance->x, instance->initial_memory, &told);
+    lag_run_depend(run, run->dependent);
     return status == LAG_OK ? status : explain(instance, status, &told);
 }
 
