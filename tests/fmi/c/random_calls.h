@@ -12,7 +12,7 @@
 #include "fmi3Functions.h"
 #include "lag/shell.h"
 
-enum { ROOM = 64, SNAPSHOTS = 3, BYTES = 1 << 16 };
+enum { ROOM = 64, SNAPSHOTS = 3, BYTES = 1 << 22 };
 
 typedef struct lag_visit {
     unsigned long long seed;
@@ -166,10 +166,10 @@ static fmi2Status call2(lag_visit *visit)
         return fmi2FreeFMUstate(c, MAYBE(snapshot));
     case 18:
         status = fmi2SerializedFMUstateSize(c, *snapshot, &visit->size);
-        CHECK(visit->size <= BYTES);
+        CHECK(visit->size < BYTES);
         return status == fmi2OK ? fmi2SerializeFMUstate(c, *snapshot, (fmi2Byte *)visit->bytes, visit->size) : status;
     case 19:
-        visit->bytes[pick(visit, BYTES)] ^= (unsigned char)rarely(visit);
+        visit->bytes[pick(visit, (unsigned)visit->size + 1)] ^= (unsigned char)rarely(visit);
         return fmi2DeSerializeFMUstate(c, (const fmi2Byte *)visit->bytes, visit->size, MAYBE(snapshot));
     case 20:
         return fmi2GetDirectionalDerivative(c, visit->references, n, visit->references + 8, n, MAYBE(visit->values), MAYBE(visit->more));
@@ -302,10 +302,10 @@ static fmi3Status call3(lag_visit *visit)
         return fmi3FreeFMUState(i, MAYBE(snapshot));
     case 17:
         status = fmi3SerializedFMUStateSize(i, *snapshot, &visit->size);
-        CHECK(visit->size <= BYTES);
+        CHECK(visit->size < BYTES);
         return status == fmi3OK ? fmi3SerializeFMUState(i, *snapshot, visit->bytes, visit->size) : status;
     case 18:
-        visit->bytes[pick(visit, BYTES)] ^= (unsigned char)rarely(visit);
+        visit->bytes[pick(visit, (unsigned)visit->size + 1)] ^= (unsigned char)rarely(visit);
         return fmi3DeserializeFMUState(i, visit->bytes, visit->size, MAYBE(snapshot));
     case 19:
         return fmi3GetDirectionalDerivative(i, visit->references, n, visit->references + 8, n, MAYBE(visit->values), wide, visit->more, wide);
