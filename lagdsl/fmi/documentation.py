@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from importlib.metadata import version
 from importlib.util import find_spec
 
+import lagdsl
 from lagdsl.fmi.reference import Reference
 from lagdsl.fmi.subject import Subject
 from lagdsl.report.derivation import document
@@ -42,7 +42,7 @@ def _about(subject: Subject, known: Reference | None) -> tuple[Block, ...]:
     items: list[Inline] = [
         (
             Text(
-                f"FMI {table.version}.0, {kinds}, {len(table.variables)} variables; made by lagdsl {version('lagdsl')}."
+                f"FMI {table.version}.0, {kinds}, {len(table.variables)} variables; made by lagdsl {lagdsl.__version__}."
             ),
         ),
         (
