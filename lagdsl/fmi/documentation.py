@@ -39,12 +39,9 @@ def documentation_files(subject: Subject, known: Reference | None, headers: str)
 def _about(subject: Subject, known: Reference | None) -> tuple[Block, ...]:
     table = subject.table
     kinds = " and ".join(_KINDS[kind] for kind in table.kinds)
+    by = f"made by lagdsl {lagdsl.__version__}"
     items: list[Inline] = [
-        (
-            Text(
-                f"FMI {table.version}.0, {kinds}, {len(table.variables)} variables; made by lagdsl {lagdsl.__version__}."
-            ),
-        ),
+        (Text(f"FMI {table.version}.0, {kinds}, {len(table.variables)} variables; {by}."),),
         (
             Code("sources"),
             Text(" holds all that the libraries are compiled from; how, tells "),
