@@ -18,6 +18,7 @@ _POINTS = 2
 # Sizes are bounds, and may be too large by far: what is zero must be nothing beside its neighbors, too.
 _ROUNDING = 1e-14
 _NOTHING = 1e-9
+_CLOSER = 0.25
 _KINKS = STEPS | {Op.SELECT, Op.ABS, Op.MIN, Op.MAX, Op.MOD}
 # Directions at once, and the numbers that a search may take; where there are more, what stands there counts.
 _TOGETHER = 64
@@ -150,7 +151,8 @@ def _kinked(graph: Graph) -> bytearray:
 
 
 def _random_points(program: Program) -> dict[Group, np.ndarray]:
-    """Near the start, where the model is meant, with parameters none of which is zero; the same in every run."""
+    """Near the start, where the model is meant; the same in every run. Parameters are not zero, and of magnitudes that
+    are nearer to each other than those of the model: beside the speed of light, what is slow must not vanish."""
     layout, graph, random = program.layout, program.graph, np.random.default_rng(20)
     defaults = np.array(layout.defaults)
     starts = program.function("start").results[0].elements
@@ -162,5 +164,6 @@ def _random_points(program: Program) -> dict[Group, np.ndarray]:
     given[Group.W] = random.uniform(0.2, 1.0, (_POINTS, layout.size(Group.W)))
     given[Group.Q] = centre * (1.0 + 0.3 * spread[0]) + 0.7 * spread[1]
     scale = np.where((defaults != 0.0) & np.isfinite(defaults), defaults, 1.0)
+    scale = np.sign(scale) * np.abs(scale) ** _CLOSER
     given[Group.P] = scale * random.uniform(0.6, 1.4, (_POINTS, len(defaults)))
     return given

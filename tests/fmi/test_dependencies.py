@@ -138,6 +138,14 @@ def test_nothing_is_said_beyond_what_there_is(root: Path, name: str) -> None:
     assert [(unknowns_of(program)[i], knowns[j]) for i, j in surplus] == []
 
 
+def test_small_effects_of_large_parameters_count(root: Path) -> None:
+    """Accelerations follow the speed of light, far below the rounding of the rest energy."""
+    program, _ = program_of(path_of(root, "relativistic_particle"))
+    moving, n = dependencies(program).moving, len(program.layout.coordinates)
+    light = (Role.PARAMETER, [slot.name for slot in program.layout.parameters].index("c"))
+    assert any(light in dict(moving[Role.DERIVATIVE, n + i]) for i in range(n))
+
+
 KINDS = """
 model Kinds
   parameter Real a = 2;
