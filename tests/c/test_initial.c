@@ -7,6 +7,7 @@
 #include "check.h"
 #include "lag/initial.h"
 #include "lag/memory.h"
+#include "lag/run.h"
 
 enum { SIZE = 9, N = 4, A = 8 };
 
@@ -297,8 +298,28 @@ static void other_ranks(void)
     CHECK(told.fault == LAG_INITIAL_RANK && told.which == 1);
 }
 
+/* A run without a given state begins there, and row 2, which repeats row 0, does not count in it. */
+static void of_a_run(void)
+{
+    const lag_model model = model_of(1, 0);
+    const unsigned char written[SIZE] = {0, 1, 0, 0, 0, 0, 0, 0, 0};
+    const lag_start said = {.written = written};
+    const double larger[2] = {2.0, 2.0};
+    const lag_run_options options = {.p = larger, .start = &said, .careful = 2};
+    double x[SIZE];
+    CHECK(find(&model, &said, larger, NULL, NULL, x, NULL) == LAG_OK);
+    lag_run *run = lag_run_place(malloc(lag_run_size(&model, &options)), &model, &options);
+    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    for (size_t i = 0; i < SIZE; ++i) {
+        CHECK(run->stepper.x[i] == x[i]);
+    }
+    CHECK(run->dependent[2] && run->lasting[2] == 0.0 && run->lasting[0] == 1.0);
+    free(run);
+}
+
 int main(void)
 {
+    of_a_run();
     nearest_points();
     fixed_and_written();
     weights();

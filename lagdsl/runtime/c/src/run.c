@@ -38,7 +38,8 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
 /* Doubles of which nothing is remembered. */
 static size_t scratch(const lag_model *model, const lag_run_options *options)
 {
-    return lag_initial_memory(model) + (crosses(model, options) ? lag_singular_memory(model) : 0);
+    const size_t initial = options->start != NULL ? lag_initial_memory(model) : 0;
+    return initial + (crosses(model, options) ? lag_singular_memory(model) : 0);
 }
 
 static size_t padded(size_t bytes)
@@ -136,7 +137,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->look.lasting = run->lasting;
     run->initial = run->memory + run->numbers;
     if (crosses(model, options)) {
-        lag_singular_place(&run->singular, run, run->initial + lag_initial_memory(model));
+        lag_singular_place(&run->singular, run, run->initial + (options->start != NULL ? lag_initial_memory(model) : 0));
     }
     lag_run_depend(run, model->redundant);
     place_instants(run, model, &memory);
@@ -223,15 +224,26 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
     return status == LAG_OK && !run->sized ? find_sizes(run, t, s->x) : status;
 }
 
+/* From the start values of the model to a state that is one. */
+static lag_status find_start(lag_run *run, double t)
+{
+    lag_initial told = {.dependent = run->dependent};
+    int moved = 0;
+    if (run->options.start == NULL) {
+        return lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
+    }
+    const lag_status status = lag_initial_find(&run->motion, run->options.start, NULL, t, run->stepper.x, run->initial, &told);
+    lag_run_depend(run, run->dependent);
+    return status;
+}
+
 lag_status lag_run_begin(lag_run *run, double t, const double *x)
 {
     lag_stepper *s = &run->stepper;
     int happened = 0;
     lag_status status = lag_run_move(run, t, x, run->options.h_first);
     if (status == LAG_OK && x == NULL) {
-        lag_initial told = {.dependent = run->dependent};
-        status = lag_initial_find(&run->motion, run->options.start, NULL, t, s->x, run->initial, &told);
-        lag_run_depend(run, run->dependent);
+        status = find_start(run, t);
     }
     for (size_t i = 0; i < run->options.clocks; ++i) {
         run->clock[i] = lag_clock_of(run->options.first[i], run->options.period[i]);

@@ -84,7 +84,7 @@ typedef struct lag_run_options {
     double *invariant_start, *invariant_size, *invariant_drift; /* (ni), as an earlier run left them where `continued` */
     int continued;
 
-    /* What the model says of the start, for lag_run_begin() without a state; null: nothing but its start values. */
+    /* What the model says of the start, for lag_run_begin() without a state; null: start values are moved onto the constraints, that is all. */
     const lag_start *start;
 } lag_run_options;
 
@@ -138,7 +138,7 @@ struct lag_run {
     size_t changes;           /* all; the first LAG_CHANGES are kept */
     double *memory;           /* (numbers) all arrays of it, one after the other */
     size_t numbers;
-    double *initial;          /* lag_initial_memory(), of which nothing is remembered */
+    double *initial;          /* lag_initial_memory(), where there is a `start`; nothing of it is remembered */
 };
 
 /* Where a run is and what it took. */
@@ -168,7 +168,7 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options);
 lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options);
 
 /*
- * Starts at time t from x (2 nq + nz), or, where x is null, from the state that lag/initial.h finds for the parameters. Clocks strike
+ * Starts at time t from x (2 nq + nz), or, where x is null, from the state that lag/initial.h finds from options.start. Clocks strike
  * if it is their instant; the row of this time is recorded. LAG_OFF: there is no such state.
  */
 lag_status lag_run_begin(lag_run *run, double t, const double *x);
