@@ -21,7 +21,7 @@ from lagdsl.resources import fmi_folder
 RUNTIME = Path(__file__).parents[2] / "lagdsl" / "runtime" / "c" / "include"
 SHELLS = fmi_folder()
 ARCHIVE = "build/sanitized/all.a"
-FLAGS = ("-std=c11", "-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+FLAGS = ("-std=c11", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))
 MODELS = EVERY if EXPLORE else ("newtons_cradle",)
 LIVES = 60 if EXPLORE else 10
