@@ -27,7 +27,8 @@ lint: $(READY)
 	$(BIN)/lint-imports
 
 test: $(READY)  ## all tests; those of the floors cover at least 95 % of the branches
-	$(BIN)/python -m pytest -n auto --dist loadgroup --cov --cov-report=term
+	$(BIN)/python -m pytest -n auto --dist loadgroup -m 'not no_cover' --cov --cov-report=term
+	$(BIN)/python -m pytest -n auto --dist loadgroup -m no_cover
 
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
