@@ -1,9 +1,7 @@
-/* One instance: its block, its experiment, what it says. */
+/* One instance: its block, its experiment. */
 #include "lag/parts.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "lag/fixed.h"
@@ -43,8 +41,9 @@ size_t lag_instance_kept(const lag_fmu *fmu)
 static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
-    return lag_instance_kept(fmu) + 3 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd + fmu->model->ni +
-           size + lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
+    return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd +
+           fmu->model->ni + lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) +
+           lag_derivatives_memory(fmu->model) + 1;
 }
 
 /* Which `terminate` it was. */
@@ -175,105 +174,4 @@ lag_status lag_instance_setup(lag_instance *instance, double start, double stop,
     lag_instance_inputs_about(instance, start);
     lag_instance_renew(instance);
     return LAG_OK;
-}
-
-/* ---- what it says ---- */
-
-const char *lag_instance_message(const lag_instance *instance)
-{
-    return instance->message;
-}
-
-lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    (void)vsnprintf(instance->message, LAG_MESSAGE, format, arguments);
-    va_end(arguments);
-    return status;
-}
-
-void lag_instance_note_stop(lag_instance *instance, lag_status status)
-{
-    const lag_model *model = instance->fmu->model;
-    const size_t i = instance->held.ending;
-    if (status != LAG_STOPPED) {
-        return;
-    }
-    instance->held.stopped = 1;
-    (void)lag_instance_fail(instance, status, "t = %.10g s: %s", instance->run->stepper.t,
-        i < model->nstop ? model->stops[i] : "the model ends the simulation");
-}
-
-static const char *name_of(size_t count, const lag_slot *slots, size_t which)
-{
-    return which < count ? slots[which].name : "the model";
-}
-
-/* The first discrete that an event could not settle. */
-static const char *guilty(const lag_instance *instance)
-{
-    const lag_model *model = instance->fmu->model;
-    size_t i = 0;
-    while (i < model->nw && instance->run->instants.passes.guilty[i] == 0.0) {
-        ++i;
-    }
-    return name_of(model->nw, model->discretes, i);
-}
-
-/* The first assertion that does not hold where the run looked last. */
-static const char *broken(const lag_instance *instance)
-{
-    const lag_model *model = instance->fmu->model;
-    size_t i = 0;
-    while (i < model->na && instance->run->watch.held[i] != 0.0) {
-        ++i;
-    }
-    return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
-}
-
-lag_status lag_instance_judge(lag_instance *instance, lag_status status)
-{
-    const lag_model *model = instance->fmu->model;
-    const lag_run *run = instance->run;
-    const double t = instance->held.t;
-    switch (status) {
-    case LAG_OK:
-    case LAG_STOPPED:
-        return status;
-    case LAG_SINGULAR:
-        return lag_instance_fail(instance, status, "t = %.10g s: the acceleration of %s is not determined", t,
-            name_of(model->nq, model->coordinates, run->motion.coordinate));
-    case LAG_NOT_FINITE:
-        return lag_instance_fail(instance, status, "t = %.10g s: a value is infinite or not a number", t);
-    case LAG_STUCK:
-        return lag_instance_fail(instance, status, "t = %.10g s: steps became as short as the round-off of time", t);
-    case LAG_OFF:
-        return lag_instance_fail(instance, status, "t = %.10g s: the constraints cannot be reached from here", t);
-    case LAG_ATTENTION:
-        return lag_instance_fail(instance, status, "t = %.10g s: the constraints are about to lose rank", t);
-    case LAG_VIOLATED:
-        return lag_instance_fail(instance, status, "t = %.10g s: %s", t, broken(instance));
-    case LAG_FORKED:
-        return lag_instance_fail(instance, status, "t = %.10g s: branches of the motion meet, which one it takes cannot be told", t);
-    case LAG_CHATTER:
-        return lag_instance_fail(instance, status, "t = %.10g s: events of %s follow each other without end", t, guilty(instance));
-    case LAG_UNSETTLED:
-        return lag_instance_fail(instance, status, "t = %.10g s: clauses trigger each other without end, with %s", t, guilty(instance));
-    case LAG_CONFLICT:
-        return lag_instance_fail(instance, status, "t = %.10g s: two clauses reset %s to different values", t,
-            run->instants.passes.fault < model->nreset ? model->resets[run->instants.passes.fault] : "a state");
-    case LAG_REFUSED:
-        return lag_instance_fail(instance, status, "t = %.10g s: %s", t,
-            run->instants.passes.fault < model->nfail ? model->failures[run->instants.passes.fault] : "an assertion failed");
-    case LAG_PIERCED:
-        return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative at the start", t, guilty(instance));
-    case LAG_TORN:
-        return lag_instance_fail(instance, status, "t = %.10g s: a constraint that is switched on asks for other positions", t);
-    case LAG_TOO_LONG:
-        return lag_instance_fail(instance, status, "t = %.10g s: this takes too many steps", t);
-    default:
-        break;
-    }
-    return lag_instance_fail(instance, status, "t = %.10g s: status %d", t, (int)status);
 }

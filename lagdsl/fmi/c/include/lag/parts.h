@@ -97,6 +97,12 @@ static inline lag_run_options lag_instance_plan(void)
 
 /* Doubles of `kept`. */
 size_t lag_instance_kept(const lag_fmu *fmu);
+/* How fast accelerations bring residuals of constraints to rest [1/s]: within a fiftieth of the experiment of the FMU. */
+double lag_instance_rate(const lag_instance *instance);
+/* The run anew, with the tolerance and the length of the experiment. */
+void lag_instance_renew(lag_instance *instance);
+
+/* ---- faults.c ---- */
 
 /* Says what went wrong and returns it. `format` as that of printf. */
 lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
@@ -104,10 +110,6 @@ lag_status lag_instance_fail(lag_instance *instance, lag_status status, const ch
 lag_status lag_instance_judge(lag_instance *instance, lag_status status);
 /* Where the status of an event is that of a `terminate`: the simulation ends, in its words. */
 void lag_instance_note_stop(lag_instance *instance, lag_status status);
-/* How fast accelerations bring residuals of constraints to rest [1/s]: within a fiftieth of the experiment of the FMU. */
-double lag_instance_rate(const lag_instance *instance);
-/* The run anew, with the tolerance and the length of the experiment. */
-void lag_instance_renew(lag_instance *instance);
 
 /* ---- starting.c ---- */
 
