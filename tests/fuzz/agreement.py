@@ -101,7 +101,7 @@ def _judged(a: tuple[Run, Run], b: tuple[Run, Run]) -> Report:
     hinges = [_parting(*own) for own in (a, b)]
     horizon = min(_horizon(*a), _horizon(*b), *(t for t, _ in hinges))
     parting, what = _parting(a[0], b[0])
-    if parting < horizon:
+    if parting < horizon - INSTANT:  # nearer to each other they hinge on the same event
         return Report("differs", f"events at t = {parting:.9g}: {what}")
     wrong = _states(a, b, horizon)
     if wrong:
