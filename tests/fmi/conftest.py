@@ -7,7 +7,14 @@ from pathlib import Path
 import pytest
 
 HERE = Path(__file__).parent
-RUNNING = ("test_coupled_fmus", "test_fmpy_", "test_fmus_together", "test_foreign_importers", "test_page_on_fmus")
+RUNNING = (
+    "test_coupled_fmus",
+    "test_fmpy_",
+    "test_fmus_together",
+    "test_foreign_importers",
+    "test_many_instances",
+    "test_page_on_fmus",
+)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
