@@ -228,6 +228,9 @@ void lag_run_tell(const lag_run *run, lag_run_report *report);
 
 /* For the parts of a run. */
 
+/* Whether it goes across singular positions by itself. */
+int lag_run_crosses(const lag_model *model, const lag_run_options *options);
+
 /* Records the rows before time t, or up to it, from the last step. */
 lag_status lag_run_rows(lag_run *run, double t, int up_to);
 /* Takes the signs of the indicators at the present state. */

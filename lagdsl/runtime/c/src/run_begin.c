@@ -1,0 +1,108 @@
+/* A run begins: at the start values of its model, at a state that is given. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/initial.h"
+#include "lag/run.h"
+
+/* Natural sizes, from the options or from the state x. */
+static lag_status find_sizes(lag_run *run, double t, const double *x)
+{
+    const lag_model *model = run->motion.model;
+    const lag_run_options *options = &run->options;
+    const size_t size = lag_motion_size(model);
+    lag_status status = LAG_OK;
+    lag_accuracy_groups(model, x, run->group, run->natural, run->cap);
+    if (options->group != NULL) {
+        memcpy(run->group, options->group, size * sizeof(double));
+        memcpy(run->natural, options->natural, size * sizeof(double));
+        memcpy(run->cap, options->cap, size * sizeof(double));
+    }
+    if (model->nc > 0 && options->row_sizes == NULL) {
+        lag_motion_look(&run->motion, t, x);
+        status = model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        double sum = 0.0;
+        for (size_t j = 0; j < model->nq; ++j) {
+            const double entry = run->projection.jacobian[i * model->nq + j] * run->natural[j];
+            sum += entry * entry;
+        }
+        run->row_sizes[i] = options->row_sizes != NULL ? options->row_sizes[i] : sum > 0.0 ? sqrt(sum) : 1.0;
+    }
+    memcpy(run->projection.sizes, run->natural, model->nq * sizeof(double));
+    lag_projection_limits(&run->projection, options->part * options->tolerance, run->row_sizes);
+    run->sized = 1;
+    return status;
+}
+
+lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
+{
+    const lag_model *model = run->motion.model;
+    lag_stepper *s = &run->stepper;
+    lag_status status = LAG_OK;
+    if (run->motion.at.p == NULL) {
+        status = lag_motion_parameters(&run->motion, run->options.p != NULL ? run->options.p : model->defaults);
+        if (status == LAG_OK) {
+            status = lag_motion_start(&run->motion, t, run->point);
+        }
+        if (run->options.u != NULL) {
+            memcpy(run->motion.u, run->options.u, model->nu * sizeof(double));
+        }
+    }
+    memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
+    s->t = s->t_before = run->event_time = t;
+    s->h = h;
+    run->half.open = 0;
+    run->look.rank = 0;
+    return status == LAG_OK && !run->sized ? find_sizes(run, t, s->x) : status;
+}
+
+/* From the start values of the model to a state that is one. */
+static lag_status find_start(lag_run *run, double t)
+{
+    lag_initial told = {.dependent = run->dependent};
+    int moved = 0;
+    if (run->options.start == NULL) {
+        return lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
+    }
+    const lag_status status = lag_initial_find(&run->motion, run->options.start, NULL, t, run->stepper.x, run->initial, &told);
+    lag_run_depend(run, run->dependent);
+    return status;
+}
+
+lag_status lag_run_begin(lag_run *run, double t, const double *x)
+{
+    lag_stepper *s = &run->stepper;
+    int happened = 0;
+    lag_status status = lag_run_move(run, t, x, run->options.h_first);
+    if (status == LAG_OK && x == NULL) {
+        status = find_start(run, t);
+    }
+    for (size_t i = 0; i < run->options.clocks; ++i) {
+        run->clock[i] = lag_clock_of(run->options.first[i], run->options.period[i]);
+        lag_clock_seek(&run->clock[i], t);
+    }
+    while (run->row < run->options.count && run->options.times[run->row] < t) {
+        ++run->row;
+    }
+    run->begun = t;
+    if (status == LAG_OK) {
+        status = lag_run_enter(run);
+    }
+    const int stopped = status == LAG_STOPPED;
+    status = stopped ? LAG_OK : status;
+    if (status == LAG_OK) {
+        status = lag_run_signs(run);
+    }
+    if (status == LAG_OK) {
+        status = lag_run_fire(run, 0, &happened);
+    }
+    if (status == LAG_OK) {
+        status = lag_watch_look(&run->watch, t, s->x);
+    }
+    if (status == LAG_OK) {
+        status = lag_run_rows(run, t, 1);
+    }
+    return status == LAG_OK && stopped ? LAG_STOPPED : status;
+}

@@ -1,0 +1,51 @@
+/* Steps of fixed length, at a bounded cost. */
+#include "lag/fixed.h"
+#include "lag/run.h"
+
+/* What happened during a step of fixed length happens at its end. */
+static lag_status follow_fixed(lag_run *run, double h)
+{
+    lag_status status = LAG_OK;
+    if (run->motion.model->event == NULL) {
+        return status;
+    }
+    lag_instants_after(&run->instants, h);
+    run->instants.contacts.flight = h;
+    status = lag_alert_look(&run->alert, run->stepper.t, run->stepper.x);
+    if (status == LAG_HAPPENS) {
+        status = lag_run_event(run, h, run->alert.changed);
+    }
+    run->instants.contacts.flight = 0.0;
+    return status == LAG_OK ? lag_run_ticks(run) : status;
+}
+
+/* The end of a step of length h from t; of one after the other, as a whole number of steps from the first. */
+static double end_of_step(lag_clock *pace, double t, double h)
+{
+    if (pace->period != h || lag_clock_instant(pace, pace->next) != t) {
+        *pace = lag_clock_of(t, h);
+    }
+    ++pace->next;
+    return lag_clock_instant(pace, pace->next);
+}
+
+lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
+    double *memory)
+{
+    lag_stepper *s = &run->stepper;
+    const unsigned iterations = run->projection.iterations;
+    int moved = 0;
+    lag_status status = lag_alert_begin(&run->alert, s->t, s->x);
+    if (status != LAG_OK) {
+        return status;
+    }
+    status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
+    if (status == LAG_OK) {
+        s->t_before = s->t;
+        s->t = end_of_step(&run->pace, s->t, h);
+        run->projection.iterations = 2;
+        (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
+        run->projection.iterations = iterations;
+    }
+    return status == LAG_OK ? follow_fixed(run, h) : status;
+}

@@ -1,0 +1,296 @@
+/* Steps of a run, one after the other: onto the constraints, up to what happens, with what must stay true. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/run.h"
+
+/* Steps are at least so many units in the last place of time. */
+static const double ULPS = 16.0;
+/* A step from which the constraints are out of reach is tried again with this part of its length. */
+static const double SHORTER = 0.25;
+/* So many steps a run has at least where relations or contacts are looked for. */
+static const double LEAST_STEPS = 50.0;
+
+static double least_length(const lag_run *run, double stop)
+{
+    return ULPS * DBL_EPSILON * fmax(fmax(fabs(run->stepper.t), fabs(stop)), DBL_MIN);
+}
+
+/* The method starts (again) at the present state; h is what the stepper proposes. */
+static lag_status restart(lag_run *run, const lag_method *method, double span)
+{
+    lag_stepper *s = &run->stepper;
+    if (method == &lag_fitted) {
+        method = run->behind;
+    }
+    run->accuracy.relative = method->factor * run->options.tolerance;
+    lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
+    return lag_stepper_begin(s, method, span);
+}
+
+/* Back onto the constraints after a step. LAG_OFF: it was too long. */
+static lag_status settle(lag_run *run)
+{
+    lag_stepper *s = &run->stepper;
+    int moved = 0;
+    lag_status status = lag_projection_apply(&run->projection, s->t, s->x, &moved);
+    if (status == LAG_OK && moved) {
+        status = lag_stepper_correct(s);
+    }
+    return status == LAG_OK ? LAG_OK : LAG_OFF;
+}
+
+/* The present state is what the next one is compared with. */
+static lag_status see(lag_run *run)
+{
+    run->look.rank = 0;
+    lag_motion_look(&run->motion, run->stepper.t, run->stepper.x);
+    const lag_status status = run->motion.model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
+    return status == LAG_OK ? lag_look_at(&run->look, run->projection.jacobian) : status;
+}
+
+/* Rank after a step that ended on the constraints. LAG_TOO_LONG: it is to be tried with the length *shorter. */
+static lag_status look_around(lag_run *run, double limit, double *shorter)
+{
+    lag_stepper *s = &run->stepper;
+    lag_status status = lag_look_at(&run->look, run->projection.jacobian);
+    if (status != LAG_ATTENTION || !lag_run_crosses(run->motion.model, &run->options)) {
+        return status;
+    }
+    status = lag_singular_after(&run->singular, limit, shorter);
+    if (status == LAG_ATTENTION && *shorter > s->h_least) {
+        lag_stepper_undo(s, *shorter);
+        status = LAG_TOO_LONG;
+    }
+    const lag_status seen = see(run);
+    return status == LAG_OK && seen != LAG_ATTENTION ? seen : status;
+}
+
+/* What is known of a singular position ahead comes first. */
+static lag_status look_ahead(lag_run *run, double limit, int *done)
+{
+    lag_stepper *s = &run->stepper;
+    lag_status status = s->method == &lag_fitted ? restart(run, run->behind, limit - s->t) : LAG_OK;
+    if (status == LAG_OK) {
+        status = lag_singular_ahead(&run->singular, limit, done);
+    }
+    if (status == LAG_OK && *done) {
+        status = see(run);
+        status = status == LAG_ATTENTION ? LAG_OK : status;
+    }
+    return status;
+}
+
+/* One step that ends on the constraints; where that looks dangerous it is taken back. */
+static lag_status step_once(lag_run *run, double limit)
+{
+    lag_stepper *s = &run->stepper;
+    for (;;) {
+        double shorter = 0.0;
+        lag_status status = lag_stepper_step(s, limit);
+        if (status != LAG_OK) {
+            return status == LAG_STUCK && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
+        }
+        const double h = s->t - s->t_before;
+        status = settle(run);
+        if (status == LAG_OFF && SHORTER * h > s->h_least) {
+            lag_stepper_undo(s, SHORTER * h);
+            continue;
+        }
+        if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
+            status = look_around(run, limit, &shorter);
+        }
+        if (status == LAG_TOO_LONG) {
+            continue;
+        }
+        return status;
+    }
+}
+
+/* The same, with what must stay true. */
+static lag_status advance(lag_run *run, double limit)
+{
+    lag_stepper *s = &run->stepper;
+    const double t = s->t;
+    int done = 0;
+    lag_status status = lag_run_crosses(run->motion.model, &run->options) ? look_ahead(run, limit, &done) : LAG_OK;
+    if (status == LAG_OK && !done) {
+        status = step_once(run, limit);
+    }
+    if (status == LAG_OK) {
+        status = lag_watch_look(&run->watch, s->t, s->x);
+    }
+    if (status != LAG_OK && s->t > t) {
+        lag_stepper_undo(s, s->t - s->t_before);
+    }
+    return status;
+}
+
+/* After a step without event: the tolerances follow the motion, the method may change. */
+static lag_status follow(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    if (s->method == &lag_fitted && s->t < stop) {
+        return restart(run, run->behind, stop - s->t);
+    }
+    const lag_method *method = run->options.method == NULL && s->method != &lag_fitted ? lag_stiffness_method(&run->stiffness, s) : s->method;
+    if (method == s->method || s->t >= stop) {
+        lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
+        return LAG_OK;
+    }
+    if (run->changes < LAG_CHANGES) {
+        run->change[run->changes] = (lag_change){s->t, method->implicit};
+    }
+    ++run->changes;
+    return restart(run, method, stop - s->t);
+}
+
+/* A step from time t that cannot be made use of is taken back, if there was one. */
+static lag_status give_back(lag_run *run, double t, lag_status status)
+{
+    if (run->stepper.t > t) {
+        lag_stepper_undo(&run->stepper, 0.5 * (run->stepper.t - t));
+    }
+    return status;
+}
+
+/* Where in the last step something happens first, the model's at *own, the caller's at *other; infinite: nowhere. */
+static lag_status find(lag_run *run, double *own, double *other)
+{
+    *own = *other = (double)INFINITY;
+    lag_status status = lag_run_happening(run, own);
+    status = status == LAG_HAPPENS ? LAG_OK : status;
+    if (status == LAG_OK && run->options.indicators > 0) {
+        status = lag_run_crossing(run, other);
+    }
+    if (status == LAG_OK && *other < *own) {
+        *own = (double)INFINITY;
+    } else if (*own < (double)INFINITY) {
+        *other = (double)INFINITY;
+    }
+    return status;
+}
+
+/* What happens at the end of a step: the model's, the caller's; clocks before `stop`. */
+static lag_status happen(lag_run *run, double stop, const lag_half *half, int *happened)
+{
+    int fired = 0;
+    *happened = half->own;
+    lag_instants_after(&run->instants, half->length);
+    lag_status status = half->own ? lag_run_event(run, half->length, run->pending) : LAG_OK;
+    if (status == LAG_OK && run->stepper.t < stop && lag_run_due(run, run->stepper.t)) {
+        *happened = 1;
+        status = lag_run_ticks(run);
+    }
+    if (status == LAG_OK) {
+        status = lag_run_fire(run, half->other, &fired);
+    }
+    *happened = *happened || fired;
+    return status == LAG_OK && *happened ? lag_watch_look(&run->watch, run->stepper.t, run->stepper.x) : status;
+}
+
+lag_status lag_run_step(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    lag_half *half = &run->half;
+    const double t = s->t;
+    double own = (double)INFINITY;
+    double other = (double)INFINITY;
+    lag_status status = advance(run, fmin(stop, lag_run_instant(run)));
+    half->next = s->h;
+    half->length = s->t - t;
+    if (status == LAG_OK) {
+        status = find(run, &own, &other);
+    }
+    half->t = fmin(fmin(own, other), s->t);
+    if (status == LAG_OK) {
+        status = lag_run_rows(run, half->t, 0);
+    }
+    if (status != LAG_OK) {
+        return give_back(run, t, status);
+    }
+    half->own = own < (double)INFINITY;
+    half->other = other < (double)INFINITY;
+    half->open = 1;
+    memcpy(run->pending, run->alert.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+    return LAG_OK;
+}
+
+lag_status lag_run_finish(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    lag_half *half = &run->half;
+    int happened = 0;
+    if (!half->open) {
+        return LAG_OK;
+    }
+    half->open = 0;
+    lag_status status = half->own || half->other ? lag_run_back(run, half->t) : LAG_OK;
+    if (status != LAG_OK) {
+        return give_back(run, s->t_before, status);
+    }
+    status = happen(run, stop, half, &happened);
+    if (status == LAG_OK && happened) {
+        s->h = fmin(half->next, s->h_most);
+        run->look.rank = 0;
+        status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
+    } else if (status == LAG_OK) {
+        status = follow(run, stop);
+    }
+    return status == LAG_OK ? lag_run_rows(run, s->t, 1) : status;
+}
+
+/* What happens at instants is looked for at a few places of a step: none is so long that much would be missed between them. */
+static double most_length(const lag_run *run)
+{
+    const lag_model *model = run->motion.model;
+    const double length = run->instants.contacts.length;
+    if (run->options.h_most > 0.0) {
+        return run->options.h_most;
+    }
+    return model->nindicator + model->ncontact > 0 && length > 0.0 ? length / LEAST_STEPS : (double)INFINITY;
+}
+
+lag_status lag_run_restart(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    s->h_least = least_length(run, stop);
+    if (!(run->options.length > 0.0) && run->options.count < 2) {
+        run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
+    }
+    s->h_most = most_length(run);
+    run->half.open = 0;
+    lag_status status = lag_run_ticks(run);
+    if (status == LAG_OK) {
+        status = restart(run, s->method, stop - s->t);
+    }
+    if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
+        status = see(run);
+        if (lag_run_crosses(run->motion.model, &run->options) && (status == LAG_OK || status == LAG_ATTENTION)) {
+            lag_singular_begin(&run->singular, status == LAG_ATTENTION);
+            status = LAG_OK;
+        }
+    }
+    return status;
+}
+
+lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
+{
+    run->steps = 0;
+    if (!(stop > run->stepper.t)) {
+        return LAG_OK;
+    }
+    lag_status status = lag_run_restart(run, stop);
+    while (status == LAG_OK && run->stepper.t < stop) {
+        if (most_steps > 0 && run->steps >= most_steps) {
+            return LAG_TOO_LONG;
+        }
+        ++run->steps;
+        status = lag_run_step(run, stop);
+        if (status == LAG_OK) {
+            status = lag_run_finish(run, stop);
+        }
+    }
+    return status;
+}
