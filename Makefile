@@ -6,7 +6,7 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test test-fast update c-check c-test fmu-check bench peers docs
+.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check bench peers docs
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
@@ -16,7 +16,7 @@ $(READY): pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	touch $@
 
-check: $(READY)  ## everything that must hold: style, types, floors, C tests, all tests with coverage
+check: $(READY)  ## everything that must hold: style, types, floors, C tests, all tests
 	$(MAKE) --jobs=2 lint c-check
 	$(MAKE) test
 
@@ -26,9 +26,11 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-test: $(READY)  ## all tests; those of the floors cover at least 95 % of the branches
+test: $(READY)  ## all tests
+	$(BIN)/python -m pytest -n auto --dist loadgroup
+
+coverage: $(READY)  ## the tests of the floors, which cover at least 95 % of the branches; tracing takes three times as long
 	$(BIN)/python -m pytest -n auto --dist loadgroup -m 'not no_cover' --cov --cov-report=term
-	$(BIN)/python -m pytest -n auto --dist loadgroup -m no_cover
 
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging

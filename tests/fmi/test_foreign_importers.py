@@ -1,4 +1,4 @@
-"""Exported models in importers of others; skipped, with a message, where one is not installed.
+"""Exported models in importers of others (`make fmu-check`); skipped, with a message, where one is not installed.
 
 Python packages stand in an environment of their own (`make peers`, or PEERS=folder of a virtual environment), programs
 on the path or in the folders of FMI_CLIENTS.
@@ -28,6 +28,7 @@ from fmi.motions import SAME, SAME_NEAR_EVENTS, Floats, deviation, model, motion
 
 CLIENTS = Path(__file__).parent / "clients"
 PEERS = Path(os.environ.get("PEERS", ".peers")) / "bin" / "python"
+pytestmark = pytest.mark.skipif(not os.environ.get("LAGDSL_EXPLORE"), reason="takes minutes: make fmu-check")
 BOTH = pytest.mark.parametrize("version", VERSIONS)
 NAMES = (
     "double_pendulum",
