@@ -5,13 +5,15 @@ from __future__ import annotations
 import hashlib
 import re
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from pathlib import Path
 
 from lagdsl.fmi.libraries import timeless
-from lagdsl.fmi.platforms import Platform
+from lagdsl.fmi.platforms import Platform, this_machine
 from lagdsl.fmi.toolchain import Toolchain, toolchain
+from lagdsl.record import record
 from lagdsl.runtime.build import cache_folder
 from lagdsl.runtime.compiler import failure
 from lagdsl.runtime.cores import cores
@@ -19,26 +21,66 @@ from lagdsl.runtime.cores import cores
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 
 
-def binaries(
+@record()
+class Objects:
+    """What was compiled: paths of object files by platform, in the order of the sources."""
+
+    stem: str
+    tools: tuple[Toolchain, ...]
+    paths: Mapping[str, list[str]]
+
+    def libraries(self) -> dict[str, bytes]:
+        """The libraries `stem`.so and so on by the name of their platform. Raises CompilationFailed: E0906, E0913."""
+        with _folder() as folder:
+            return {tool.platform.name: self._linked(tool, folder) for tool in self.tools}
+
+    @contextmanager
+    def open_library(self) -> Iterator[Path | None]:
+        """The library for this machine with all functions to be seen, if that can be made of the objects: it is there
+        for as long as it takes to load it.
+
+        Raises CompilationFailed: E0906, E0913.
+        """
+        own = next((tool for tool in self.tools if tool.opens and tool.platform.name == this_machine()), None)
+        if own is None:
+            yield None
+            return
+        with _folder() as folder:
+            own.link(folder, self.paths[own.platform.name], self.stem, opened=True)
+            yield folder / self.stem
+
+    def _linked(self, tool: Toolchain, folder: Path) -> bytes:
+        target = self.stem + tool.platform.suffix
+        tool.link(folder, self.paths[tool.platform.name], target)
+        library = folder / target
+        content = timeless(library.read_bytes())
+        library.unlink()
+        return content
+
+
+def objects_of(
     sources: Mapping[str, str],
     stem: str,
     platforms: Sequence[Platform],
     progress: Callable[[float], None] | None = None,
-) -> dict[str, bytes]:
-    """The libraries `stem`.so and so on by the name of their platform.
+) -> Objects:
+    """The same sources, the same bytes, in any folder. `progress` is called with the part of the work that is done.
 
-    The same sources, the same bytes, in any folder. `progress` is called with the part of the work that is done.
     Raises CompilationFailed: E0905, E0906, E0911, E0913.
     """
-    tools = [toolchain(platform) for platform in platforms]
-    kept = cache_folder()
+    tools = tuple(toolchain(platform) for platform in platforms)
+    jobs = [(tool, path) for tool in tools for path in sorted(sources) if path.endswith(".c")]
+    with _folder() as folder:
+        _write(sources, folder)
+        return Objects(stem, tools, _objects(jobs, sources, folder, folder.parent, progress))
+
+
+@contextmanager
+def _folder() -> Iterator[Path]:
+    """A folder beside what is kept. Raises CompilationFailed: E0913."""
     try:
-        with tempfile.TemporaryDirectory(dir=kept, prefix="fmu-") as name:
-            folder = Path(name)
-            _write(sources, folder)
-            jobs = [(tool, path) for tool in tools for path in sorted(sources) if path.endswith(".c")]
-            objects = _objects(jobs, sources, folder, kept, progress)
-            return {tool.platform.name: _linked(tool, stem, objects, folder) for tool in tools}
+        with tempfile.TemporaryDirectory(dir=cache_folder(), prefix="fmu-") as name:
+            yield Path(name)
     except OSError as problem:
         raise failure("E0913", reason=str(problem)) from None
 
@@ -83,15 +125,6 @@ def _read(path: str, sources: Mapping[str, str]) -> list[str]:
         included = (each for each in _INCLUDE.findall(sources[name]) if each in sources)
         names += [each for each in dict.fromkeys(included) if each not in names]
     return [part for name in names for part in (name, sources[name])]
-
-
-def _linked(tool: Toolchain, stem: str, objects: Mapping[str, list[str]], folder: Path) -> bytes:
-    target = stem + tool.platform.suffix
-    tool.link(folder, objects[tool.platform.name], target)
-    library = folder / target
-    content = timeless(library.read_bytes())
-    library.unlink()
-    return content
 
 
 def _digest(*parts: str) -> str:

@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.archive import write_archive
-from lagdsl.fmi.binary import binaries
+from lagdsl.fmi.binary import objects_of
 from lagdsl.fmi.contents import library_files, source_files, terminal_files, texts
 from lagdsl.fmi.documentation import documentation_files
 from lagdsl.fmi.extra import extra_files
@@ -65,7 +65,8 @@ def export(
     exported = subject(compilation, version, kinds, parameters or {}, start or {}, own)
     description, sources = texts(exported)
     told(_WRITTEN)
-    libraries = binaries(sources, exported.stem, machines, lambda part: told(_WRITTEN + (_COMPILED - _WRITTEN) * part))
+    objects = objects_of(sources, exported.stem, machines, lambda part: told(_WRITTEN + (_COMPILED - _WRITTEN) * part))
+    libraries = objects.libraries()
     files = {
         "modelDescription.xml": description.encode(),
         **source_files(exported, sources),
@@ -74,7 +75,7 @@ def export(
     }
     written = {} if source is None else model_texts(compilation.flat, source)
     if documented:
-        known = reference(exported)
+        known = reference(exported, objects)
         header = sources["fmi2Functions.h" if version == 2 else "fmi3Functions.h"]
         files |= {**documentation_files(exported, known, header), **extra_files(known, written)}
     else:

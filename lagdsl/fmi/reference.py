@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.fmi.binary import Objects
 from lagdsl.fmi.subject import Subject
 from lagdsl.pipeline import engine_of
 from lagdsl.record import record
+from lagdsl.runtime.c_engine import CEngine
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.simulate import simulate
 from lagdsl.simulate.table_io import csv_text, events_text
@@ -34,13 +36,17 @@ class Reference:
         return {**tables, "reference.opt": "".join(f"{name}, {float(value)!r}\n" for name, value in settings.items())}
 
 
-def reference(subject: Subject) -> Reference | None:
-    """The motion of the experiment with the chosen defaults and starts; None where there is not even a beginning."""
+def reference(subject: Subject, objects: Objects) -> Reference | None:
+    """The motion of the experiment with the chosen defaults and starts; None where there is not even a beginning.
+
+    It comes from the same `objects` as the library for this machine, if there is one: nothing is compiled twice.
+    """
     flat = subject.compilation.flat
     tolerance = max(_PART * flat.experiment.tolerance, _LEAST)
     ended = None
+    with objects.open_library() as library:
+        engine = engine_of(subject.plain, "c") if library is None else CEngine(subject.program, library)
     try:
-        engine = engine_of(subject.plain, "c")
         motion = simulate(engine, flat, tolerance=tolerance, start=subject.chosen, max_steps=_MOST_STEPS, sink=Sink())
     except SimulationFailed as failed:
         motion, ended = failed.trajectory, failed.diagnostics[0].message

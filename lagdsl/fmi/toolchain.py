@@ -12,9 +12,13 @@ from lagdsl.record import record
 from lagdsl.runtime.compiler import FLAGS, failure, find_compiler
 
 _LONGEST_NOTE = 2000
-# Only what the headers of the standard export is seen from outside, what nobody calls is left out, and all processors
-# round alike.
-_COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", "-I.")
+# What nobody calls is left out, and all processors round alike.
+_COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-ffunction-sections", "-fdata-sections", "-I.")
+# Only what the headers of the standard export is seen from outside: in ELF it is the linker that hides the rest, so
+# that an engine can be linked from the same objects.
+_HIDING = {"linux": "-fno-semantic-interposition", "windows": "-fvisibility=hidden", "macos": "-fvisibility=hidden"}
+_EXPORTED = "exported.map"
+_EXPORTS = "{ global: fmi2*; fmi3*; local: *; };\n"
 # Calls within a library stay within it where two are loaded; its only identity is its content; nothing is missing.
 _LINK = {
     "linux": (
@@ -25,30 +29,49 @@ _LINK = {
     "windows": ("-shared", "-s", "-Wl,--gc-sections"),
     "macos": ("-dynamiclib", "-Wl,-dead_strip", "-Wl,-x"),
 }
+_LIBRARIES = {"linux": ("-lm",), "windows": (), "macos": ("-lm",)}
+# The package ziglang compiles a library of its own for what processors lack, of which nothing is needed, for as long as
+# everything else together takes.
+_BARE = {"linux": ("-nostdlib", "-lc"), "windows": (), "macos": ("-nostdlib", "-lc")}
 
 
 @record()
 class Toolchain:
-    """`command` takes the arguments of a C compiler; `identity` changes when it is replaced by another version."""
+    """`command` takes the arguments of a C compiler; `identity` changes when it is replaced by another version.
+    `libraries` are linked beside those that it takes by itself."""
 
     platform: Platform
     command: tuple[str, ...]
     identity: str
+    libraries: tuple[str, ...]
 
     def compile(self, folder: Path, source: str, target: str) -> None:
         """The C file `source` into the object file `target`, both in `folder`. Raises CompilationFailed (E0906)."""
-        self._run(folder, [*_COMPILE, "-c", "-o", target, source])
+        self._run(folder, [*self._flags, "-c", "-o", target, source])
 
-    def link(self, folder: Path, objects: list[str], target: str) -> None:
-        """Object files into the library `target`, which depends on C's own libraries only. Raises CompilationFailed."""
+    def link(self, folder: Path, objects: list[str], target: str, *, opened: bool = False) -> None:
+        """Object files into the library `target`, which depends on C's own libraries only, and shows what the headers
+        of the standard export, or all its functions if it is `opened`. Raises CompilationFailed."""
         system = self.platform.system
-        name = [f"-Wl,-install_name,@rpath/{target}"] if system == "macos" else []
-        self._run(folder, [*_LINK[system], *name, "-o", target, *objects, *([] if system == "windows" else ["-lm"])])
+        more = [f"-Wl,-install_name,@rpath/{target}"] if system == "macos" else []
+        if self.opens and not opened:
+            (folder / _EXPORTED).write_text(_EXPORTS, encoding="ascii")
+            more.append(f"-Wl,--version-script={_EXPORTED}")
+        self._run(folder, [*_LINK[system], *more, "-o", target, *objects, *self.libraries, *_LIBRARIES[system]])
+
+    @property
+    def opens(self) -> bool:
+        """Whether the linker decides what is seen from outside."""
+        return self.platform.system == "linux"
+
+    @property
+    def _flags(self) -> tuple[str, ...]:
+        return (*_COMPILE, _HIDING[self.platform.system])
 
     @property
     def flags(self) -> tuple[str, ...]:
         """All that objects depend on beside the text."""
-        return (*self.command, self.identity, *_COMPILE)
+        return (*self.command, self.identity, *self._flags)
 
     def _run(self, folder: Path, arguments: list[str]) -> None:
         command = [*self.command, *arguments]
@@ -67,11 +90,12 @@ def toolchain(platform: Platform) -> Toolchain:
     """Raises CompilationFailed: E0905 where nothing here compiles for the platform, E0911 without any compiler."""
     zig = _zig()
     if zig is not None:
-        return Toolchain(platform, (str(zig), "cc", "-target", platform.target), _identity(zig))
+        command = (str(zig), "cc", "-target", platform.target)
+        return Toolchain(platform, command, _identity(zig), _BARE[platform.system])
     if platform.name != this_machine():
         raise failure("E0905", platform=platform.name)
     compiler = find_compiler()
-    return Toolchain(platform, compiler.command, compiler.identity)
+    return Toolchain(platform, compiler.command, compiler.identity, ())
 
 
 @cache

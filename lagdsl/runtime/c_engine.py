@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from ctypes import byref, c_size_t
 from math import prod
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -40,14 +41,15 @@ class CEngine:
 
     Beside the functions of the protocol, those named `..._many` broadcast over leading axes, in one call of C.
     The functions of several states, or of several directions of derivatives, at once are compiled when first needed.
+    `library` was compiled from all C files of the program; without one, that is done here.
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, library: Path | None = None) -> None:
         self.layout = program.layout
         self._program, self._sizes = program, motion_sizes(program)
         self._parts: dict[str, Library] = {}
-        self._library = _loaded(program)
+        self._library = _loaded(program) if library is None else load(library, model_symbol(program))
         self._buffers = Buffers(self._library)
         self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
         self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import os
 from pathlib import Path
 
 import pytest
@@ -10,13 +12,15 @@ from made_modules import Done, Made, make
 
 @pytest.fixture(scope="session")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
-    """Builds a module in its folder; the runtime is compiled once for each compiler and its flags."""
-    kept: dict[tuple[str, ...], Path] = {}
+    """Builds a module in its folder; the runtime is compiled once for each compiler and its flags, by all processes of
+    this run."""
+    own = tmp_path_factory.getbasetemp()
+    kept = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "objects"
 
     def built(folder: Path, *arguments: str) -> Done:
-        variables = tuple(argument for argument in arguments if "=" in argument)
-        if variables not in kept:
-            kept[variables] = tmp_path_factory.mktemp("objects")
-        return make(folder, kept[variables], *arguments)
+        variables = "\n".join(argument for argument in arguments if "=" in argument)
+        objects = kept / hashlib.sha256(variables.encode()).hexdigest()
+        objects.mkdir(parents=True, exist_ok=True)
+        return make(folder, objects, *arguments)
 
     return built

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from made_modules import Made
+from made_modules import SANITIZED, Made
 
 import lagdsl
 from lagdsl.cli.main import lag
@@ -182,7 +182,7 @@ def test_steps_of_fixed_length_have_events_at_their_ends(build: Build, method: s
 
 
 def test_events_are_clean_under_sanitizers(build: Build) -> None:
-    module = build(MACHINE, flags="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all")
+    module = build(MACHINE, flags=SANITIZED)
     ran = module.run(5.0, 0.05, 1e-6)
     assert ran.code == 0, ran.errors
     assert ran.errors == ""

@@ -10,13 +10,23 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from fmpy.simulation import FMICallException
 
 from fmi.exported import EVERY, SAMPLE, VERSIONS, exported
 from fmi.importing import Slave, exchanged, slave
 from fmi.motions import SAME, Floats, deviation, model, motion, signals, span
+from fmi.texts import exported_text
 
 BOTH = pytest.mark.parametrize("version", VERSIONS)
 STEPS = 12
+DISCARD = 2  # fmi2Discard, fmi3Discard
+BUZZ = """model Buzz
+  coordinate Length x(start = 1 mm);
+  gravity = 0;
+  mass 1 kg at {x, 0};
+  potential 1/2*(1e12 N/m)*x^2;
+end Buzz;
+"""
 
 
 def marked(names: tuple[str, ...]) -> pytest.MarkDecorator:
@@ -163,3 +173,14 @@ def test_parameters_and_starts_that_are_set_are_those_of_a_run(version: int) -> 
         rows = one.rows(signals(reference), times)
     off = deviation(reference, times, dict(zip(signals(reference), rows.T, strict=True)))
     assert not off.first(SAME, 1e-4), off.first(SAME, 1e-4)
+
+
+@BOTH
+def test_a_step_of_too_many_steps_is_given_up(version: int) -> None:
+    """An oscillation of 160 kHz, for a second."""
+    with slave(exported_text(BUZZ, version)) as one:
+        one.initialize(tolerance=1e-6)
+        one.step(0.0, 1e-6)
+        with pytest.raises(FMICallException) as failed:
+            one.step(1e-6, 1.0)
+    assert failed.value.status == DISCARD

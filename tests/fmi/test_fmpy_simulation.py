@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from enum import IntEnum
 from functools import partial
 from typing import Any
 
@@ -36,15 +37,22 @@ def simulated(fmu: Exported, name: str, kind: str, tolerance: float) -> Any:
     )
 
 
+class Method(IntEnum):
+    """Of CVODE (sundials/cvode.h): fmpy knows the second only."""
+
+    ADAMS = 1
+    BDF = 2
+
+
 @contextmanager
-def patient_cvode() -> Iterator[None]:
-    """fmpy allows CVODE 500 steps between two rows."""
+def cvode(method: Method) -> Iterator[None]:
+    """fmpy takes BDF, and allows 500 steps between two rows."""
     original = fmpy.sundials.CVodeSolver
-    fmpy.sundials.CVodeSolver = partial(original, maxNumSteps=100_000)
+    fmpy.sundials.CVodeSolver, fmpy.sundials.CV_BDF = partial(original, maxNumSteps=100_000), method
     try:
         yield
     finally:
-        fmpy.sundials.CVodeSolver = original
+        fmpy.sundials.CVodeSolver, fmpy.sundials.CV_BDF = original, Method.BDF
 
 
 @MODELS
@@ -64,16 +72,20 @@ def test_co_simulation_is_the_same_motion(name: str, version: int) -> None:
 @MODELS
 @BOTH
 def test_model_exchange_under_cvode_is_the_same_motion(name: str, version: int) -> None:
-    """At 1e-10; where CVODE's own error is larger than what is asked for, it has to vanish with its tolerance."""
-    off = [far_off(name, version, 1e-10)]
-    if off[0]:
-        off.append(far_off(name, version, 1e-12))
-    assert not off[-1], off
+    """At 1e-10, by one of CVODE's two methods; where the errors of both are larger than what is asked for, they have to
+    vanish with the tolerance."""
+    attempts = [(Method.BDF, 1e-10), (Method.ADAMS, 1e-10), (Method.ADAMS, 1e-12)]
+    off: dict[tuple[Method, float], str] = {}
+    for attempt in attempts:
+        off[attempt] = far_off(name, version, *attempt)
+        if not off[attempt]:
+            return
+    pytest.fail(str(off))
 
 
-def far_off(name: str, version: int, tolerance: float) -> str:
+def far_off(name: str, version: int, method: Method, tolerance: float) -> str:
     fmu, reference = exported(name, version), motion(name, 1e-10)
-    with patient_cvode():
+    with cvode(method):
         rows = simulated(fmu, name, "ModelExchange", tolerance)
     start, _, interval = span(name)
     steps = (rows["time"] - start) / interval

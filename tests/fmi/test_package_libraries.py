@@ -19,7 +19,7 @@ from models.corpus import compiled
 from fmi.libraries import library
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.fmi import toolchain as toolchains
-from lagdsl.fmi.binary import binaries
+from lagdsl.fmi.binary import objects_of
 from lagdsl.fmi.contents import library_files, texts
 from lagdsl.fmi.libraries import timeless, universal
 from lagdsl.fmi.platforms import PLATFORMS, platform_of, this_machine
@@ -48,7 +48,7 @@ def sources(version):
 
 @cache
 def made(version, platform):
-    return binaries(sources(version), "Pendulum", [platform_of(platform)])[platform]
+    return objects_of(sources(version), "Pendulum", [platform_of(platform)]).libraries()[platform]
 
 
 def functions(version):
@@ -80,11 +80,11 @@ def test_nothing_tells_where_a_library_was_made(platform):
 
 SINE = """#include <math.h>
 #if defined(_WIN32)
-__declspec(dllexport) double sine(double);
+__declspec(dllexport) double fmi2Sine(double);
 #else
-__attribute__((visibility("default"))) double sine(double);
+__attribute__((visibility("default"))) double fmi2Sine(double);
 #endif
-double sine(double x) { return sin(x); }
+double fmi2Sine(double x) { return sin(x); }
 """
 
 
@@ -100,7 +100,7 @@ def test_libraries_do_not_depend_on_folders_nor_on_names_of_objects(platform, tm
         tool.link(tmp_path, [f"{folder / name}.o"], "sine")
         found.append(timeless((tmp_path / "sine").read_bytes()))
     assert found[0] == found[1]
-    assert library(found[0]).exported - OF_THE_LINKER == {"sine"}
+    assert library(found[0]).exported - OF_THE_LINKER == {"fmi2Sine"}
 
 
 @pytest.mark.skipif(not EXPLORING, reason="compiles the runtime anew: with LAGDSL_EXPLORE=1")
@@ -110,7 +110,7 @@ def test_another_cache_gives_the_same_bytes(platform, monkeypatch, tmp_path):
     tmp_path.chmod(0o700)
     monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", str(Path.home() / ".cache" / "zig"))
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    assert binaries(sources(2), "Pendulum", [platform_of(platform)])[platform] == before
+    assert objects_of(sources(2), "Pendulum", [platform_of(platform)]).libraries()[platform] == before
 
 
 def test_another_model_finds_the_runtime_compiled(monkeypatch):
@@ -123,13 +123,13 @@ def test_another_model_finds_the_runtime_compiled(monkeypatch):
 
     monkeypatch.setattr(toolchains.Toolchain, "compile", counting)
     own = {name: f"{text}\n/* another model */\n" for name, text in sources(2).items() if name.startswith("Pendulum")}
-    binaries({**sources(2), **own}, "Pendulum", [platform_of(this_machine())])
+    objects_of({**sources(2), **own}, "Pendulum", [platform_of(this_machine())])
     assert set(asked) <= {"Pendulum.c", "Pendulum_fmu.c", "Pendulum_start.c"}
 
 
 def test_progress_goes_up_to_one():
     parts = []
-    binaries(sources(2), "Pendulum", [platform_of(this_machine())], parts.append)
+    objects_of(sources(2), "Pendulum", [platform_of(this_machine())], parts.append)
     assert parts == sorted(parts)
     assert parts[-1] == 1.0
 
@@ -151,7 +151,7 @@ def test_without_the_cross_compiler_there_is_this_machine_alone(monkeypatch):
 )
 def test_without_the_cross_compiler_this_machine_s_own_does_the_same(monkeypatch):
     monkeypatch.setattr(toolchains, "_zig", lambda: None)
-    content = binaries(sources(2), "Pendulum", [platform_of(this_machine())])[this_machine()]
+    content = objects_of(sources(2), "Pendulum", [platform_of(this_machine())]).libraries()[this_machine()]
     found = library(content)
     assert found.exported - OF_THE_LINKER == functions(2)
     assert found.needed <= SYSTEMS[this_machine().split("-")[0]]
@@ -160,7 +160,7 @@ def test_without_the_cross_compiler_this_machine_s_own_does_the_same(monkeypatch
 def test_what_the_compiler_says_is_told():
     broken = {**sources(2), "Pendulum_start.c": "this is not C\n"}
     with pytest.raises(CompilationFailed) as failed:
-        binaries(broken, "Pendulum", [platform_of(this_machine())])
+        objects_of(broken, "Pendulum", [platform_of(this_machine())])
     (diagnostic,) = failed.value.diagnostics
     assert diagnostic.code == "E0906"
     assert "Pendulum_start.c" in diagnostic.notes[0]
@@ -169,7 +169,7 @@ def test_what_the_compiler_says_is_told():
 def test_a_missing_function_is_found_when_it_is_linked():
     lacking = {name: text for name, text in sources(2).items() if name != "lag/motion.c"}
     with pytest.raises(CompilationFailed) as failed:
-        binaries(lacking, "Pendulum", [platform_of(this_machine())])
+        objects_of(lacking, "Pendulum", [platform_of(this_machine())]).libraries()
     assert "lag_motion_" in failed.value.diagnostics[0].notes[0]
 
 

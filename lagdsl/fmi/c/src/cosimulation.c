@@ -13,7 +13,7 @@
 
 /* Where nobody tells when the simulation ends, steps lead beyond a communication point by at most so many communication steps. */
 static const double AHEAD = 1000.0;
-/* Nobody waits for more steps than these. */
+/* Nobody waits for more steps than these from one communication point to the next. */
 static const double MOST_STEPS = 1e6;
 /* The classical Runge-Kutta method wants h |lambda| to be less. */
 static const double STABLE = 2.5;
@@ -93,8 +93,8 @@ static lag_status go(lag_instance *instance, double end, double far, int stops, 
     lag_run *run = instance->run;
     int going = reached(run) < end;
     *event = stops_here(instance, end, stops);
-    while (going && !*event) {
-        lag_status status = finish(instance, far);
+    for (double k = 0.0; going && !*event; k += 1.0) {
+        lag_status status = k < MOST_STEPS ? finish(instance, far) : LAG_TOO_LONG;
         if (status == LAG_OK) {
             status = step(instance, end, &far);
         }
