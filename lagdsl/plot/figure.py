@@ -144,12 +144,12 @@ def _draw_energy(panel: Axes, trajectory: Trajectory) -> None:
     if conserved:
         panel.ticklabel_format(axis="y", style="sci", scilimits=(0, 0))
         panel.text(
-            0.995,
-            0.94,
+            1.0,
+            1.02,
             f"of {trajectory.energy[0]:.5g} J",
             transform=panel.transAxes,
             ha="right",
-            va="top",
+            va="bottom",
             color="#666666",
             fontsize=8,
         )
