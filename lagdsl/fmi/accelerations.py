@@ -14,13 +14,16 @@ from lagdsl.program.program import Program
 class Accelerations:
     """The influence of known symbols on each unknown: qdd, then lam.
 
-    Equations are r, then s of the function `residual`, with the pull towards the constraints in s. Rows that depend on
-    others, or that events switch, may or may not decide: what they touch depends on all that any choice would give.
+    Equations are r, then s of the function `residual`, with the pull towards the constraints in s if they are `pulled`.
+    Rows that depend on others, or that events switch, may or may not decide: what they touch depends on all that any
+    choice would give.
     """
 
-    def __init__(self, program: Program, influences: Influences, first: int, zeros: frozenset[int]) -> None:
+    def __init__(
+        self, program: Program, influences: Influences, first: int, zeros: frozenset[int], *, pulled: bool
+    ) -> None:
         """`first` is the bit of the first unknown; the others follow. `zeros` are elements of M and J that vanish."""
-        self._program, self._found, self._first = program, influences, first
+        self._program, self._found, self._first, self._pulled = program, influences, first, pulled
         self._zeros = zeros | {program.graph.zero}
         layout = program.layout
         self.n, self.m = len(layout.coordinates), len(layout.constraints)
@@ -46,7 +49,7 @@ class Accelerations:
         if program.has("dynamics"):
             other = self._formed(number)
             own = (own[0] & other[0], own[1] & other[1], own[2] & other[2], own[3] & other[3])
-        if number >= self.n:
+        if number >= self.n and self._pulled:
             for function in ("position_constraint", "velocity_constraint"):
                 own = union(own, found[program.function(function).results[0].elements[number - self.n]])
         return own

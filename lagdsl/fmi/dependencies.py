@@ -1,7 +1,8 @@
 """What depends on what in an exported model, as its equations are built: never less, no more than their structure.
 
 Outputs, named values and rates of states are functions of the graph; accelerations and multipliers are solutions of
-the equations of motion, whose blocks say which of them a force reaches. Discretes are held.
+the equations of motion, whose blocks say which of them a force reaches. Derivatives of rates are pulled towards the
+constraints, everything else follows from the accelerations of the model. Discretes are held.
 """
 
 from __future__ import annotations
@@ -55,7 +56,10 @@ class _Search:
         self._influences = Influences(graph, roots, bits, absent.derivatives)
         self._bit = {entry: 1 << position for position, entry in enumerate(self._entries)}
         first = len(self._entries) - program.layout.size(Group.QDD) - program.layout.size(Group.LAMBDA)
-        self._solution = Accelerations(program, self._influences, first, absent.factors)
+        self._solution = Accelerations(program, self._influences, first, absent.factors, pulled=False)
+        self._pulled = self._solution
+        if program.layout.constraints:
+            self._pulled = Accelerations(program, self._influences, first, absent.factors, pulled=True)
 
     def _entry(self, group: Group, index: int) -> Entry:
         n = len(self._program.layout.coordinates)
@@ -100,7 +104,7 @@ class _Search:
     def _unknowns(self) -> dict[Entry, Influence]:
         n, solution = len(self._program.layout.coordinates), self._solution
         found = {(Role.DERIVATIVE, i): self._own((Role.STATE, n + i)) for i in range(n)}
-        found |= {(Role.DERIVATIVE, n + i): solution.solved[i] for i in range(n)}
+        found |= {(Role.DERIVATIVE, n + i): self._pulled.solved[i] for i in range(n)}
         found |= self._values(Role.DERIVATIVE, "state_derivative", 0, 2 * n)
         found |= self._values(Role.OUTPUT, "output", 0)
         found |= self._values(Role.LOCAL, "definition", 0)

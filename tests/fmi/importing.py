@@ -58,7 +58,9 @@ class Instance:
         for name, value in values.items():
             variable = self.fmu.variables[name]
             setter = getattr(self.raw, "set" + self._kind(variable.type))
-            setter([variable.valueReference], np.atleast_1d(value).tolist())
+            numbers = np.atleast_1d(value)
+            whole = variable.type not in ("Real", "Float64")
+            setter([variable.valueReference], (numbers.astype(int) if whole else numbers).tolist())
 
     def _kind(self, kind: str) -> str:
         return "Int64" if kind == "Enumeration" and self.fmu.version == 3 else _GETTERS[kind]

@@ -67,15 +67,16 @@ def knowns_of(program: Program) -> list[Entry]:
 
 
 def jacobian(path: Path, at: dict[Group, np.ndarray]) -> np.ndarray:
-    """Of all unknowns with respect to all knowns, by the C runtime."""
+    """Of all unknowns with respect to all knowns, by the C runtime; accelerations are those that are pulled."""
     program, _ = program_of(path)
-    unknowns, count = unknowns_of(program), len(knowns_of(program))
+    unknowns, count, n = unknowns_of(program), len(knowns_of(program)), len(program.layout.coordinates)
     multipliers = sum(role is Role.MULTIPLIER for role, _ in unknowns)
     columns = []
     for unit in np.eye(count):
         ends = np.cumsum([program.layout.size(group) for group in MOVED])
         along = dict(zip(MOVED, np.split(unit[:-1], ends[:-1]), strict=True))
-        changes = Probe(path, at, along, unit[-1], 3.0).changes
+        changes, pulled = (Probe(path, at, along, unit[-1], rate).changes for rate in (0.0, 3.0))
+        changes[n : 2 * n] = pulled[n : 2 * n]
         first = len(unknowns) - multipliers
         columns.append(np.concatenate([changes[:first], changes[len(changes) - multipliers :]]))
     return np.array(columns).T

@@ -6,6 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from fmpy.simulation import FMICallException
+from models.corpus import compiled
 
 from fmi.exported import EVERY, VERSIONS, exported
 from fmi.importing import Floats, Model, exchanged
@@ -19,12 +21,13 @@ CLOSE = 1e-9
 
 
 def difference(function: Callable[[float], Floats]) -> tuple[Floats, Floats]:
-    """d function(s) / ds at zero, and how well it is known: two steps that agree best, entry by entry."""
+    """d function(s) / ds at zero, and how well it is known: two steps that agree best, entry by entry. A step may lead
+    to where there are no values."""
     slopes = []
     for h in STEPS:
         pairs = [function(k * h) - function(-k * h) for k in range(1, 6)]
         slopes.append(np.tensordot(WEIGHTS, np.array(pairs), axes=1) / h)
-    gaps = np.abs(np.diff(slopes, axis=0))
+    gaps = np.nan_to_num(np.abs(np.diff(slopes, axis=0)), nan=np.inf)
     best = np.argmin(gaps, axis=0)
     return np.take_along_axis(np.array(slopes[1:]), best[None], axis=0)[0], np.min(gaps, axis=0)
 
@@ -45,6 +48,15 @@ def knowns_of(one: Model) -> tuple[list[str], list[str]]:
     return states, inputs
 
 
+def sizes_of(x: Floats, rates: Floats, n: int) -> Floats:
+    """Of states, or of the largest one of their kind: of n coordinates, n rates, and the rest, which may be in units
+    that make them large: those go as far in a millisecond."""
+    kinds = np.split(x, [n, 2 * n])
+    sizes = np.concatenate([np.maximum(np.abs(each), 0.1 * np.max(np.abs(each), initial=1.0)) for each in kinds])
+    sizes[2 * n :] = np.maximum(sizes[2 * n :], 1e-3 * np.abs(rates[2 * n :]))
+    return sizes
+
+
 @MODELS
 @BOTH
 def test_directional_derivatives_are_those_of_the_functions(name: str, version: int) -> None:
@@ -56,7 +68,7 @@ def test_directional_derivatives_are_those_of_the_functions(name: str, version: 
         states, inputs = knowns_of(one)
         unknowns = unknowns_of(one)
         x, u = one.states, np.concatenate([np.zeros(0), *(one.array(i) for i in inputs)])
-        sizes = np.maximum(np.abs(x), 0.1 * max(1.0, np.max(np.abs(x), initial=0.0)))
+        sizes = sizes_of(x, one.derivatives, len(compiled(name).graph.layout.coordinates))
         checked = np.zeros(one.length(unknowns), dtype=bool)
         for _ in range(3):
             at = x + 0.01 * sizes * random.normal(size=len(x))
@@ -69,7 +81,10 @@ def test_directional_derivatives_are_those_of_the_functions(name: str, version: 
                     count = one.length([i])
                     one.set({i: u[place : place + count] + s * direction[len(x) + place : len(x) + place + count]})
                     place += count
-                return np.concatenate([one.array(unknown) for unknown in unknowns])
+                try:
+                    return np.concatenate([one.array(unknown) for unknown in unknowns])
+                except FMICallException:
+                    return np.full(one.length(unknowns), np.nan)
 
             expected, known_to = difference(values)
             values(0.0)

@@ -244,29 +244,73 @@ static lag_status change(lag_instance *instance, changes *to, const lag_known *u
 
 /* ---- what importers ask for ---- */
 
-static lag_status refuse(lag_instance *instance, const lag_known *known)
+/* Whether this is an acceleration that constraints pull: all else follows from those of the model. */
+static int is_pulled(const lag_instance *instance, const lag_known *unknown)
 {
-    return lag_instance_fail(instance, LAG_MISSING, "there are no derivatives with respect to value reference %zu", known->variable);
+    const lag_model *model = instance->fmu->model;
+    const lag_variable *variable = &instance->fmu->variables[unknown->variable];
+    const size_t index = variable->first + unknown->element;
+    return variable->role == LAG_ROLE_DERIVATIVE && model->nc > 0 && index >= model->nq && index < 2 * model->nq;
+}
+
+/* Whether any of these is, or is not. */
+static int has(const lag_instance *instance, int pulled, const lag_known *unknown, size_t unknowns)
+{
+    size_t i = 0;
+    while (i < unknowns && is_pulled(instance, &unknown[i]) != pulled) {
+        ++i;
+    }
+    return i < unknowns;
+}
+
+/* Everything is ready for what changes along a direction, of one kind. */
+static lag_status aim(lag_instance *instance, int pulled, const lag_known *known, size_t knowns, const double *seed)
+{
+    lag_status status = lag_instance_know(instance, pulled ? LAG_KNOWN_PULLED : LAG_KNOWN_DERIVATIVES);
+    clear(instance);
+    for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
+        double *place = place_of(instance, &known[k]);
+        if (place == NULL) {
+            return lag_instance_fail(
+                instance, LAG_MISSING, "there are no derivatives with respect to value reference %zu", known[k].variable);
+        }
+        *place += seed[k];
+    }
+    return status == LAG_OK ? go(instance) : status;
 }
 
 lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity)
 {
-    changes to = lay_out(instance);
-    lag_status status = lag_instance_know(instance, LAG_KNOWN_DERIVATIVES);
-    clear(instance);
-    for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
-        double *place = place_of(instance, &known[k]);
-        status = place == NULL ? refuse(instance, &known[k]) : LAG_OK;
-        if (place != NULL) {
-            *place += seed[k];
+    lag_status status = LAG_OK;
+    for (int pulled = 0; pulled < 2 && status == LAG_OK; ++pulled) {
+        changes to = lay_out(instance);
+        if (!has(instance, pulled, unknown, unknowns)) {
+            continue;
+        }
+        status = aim(instance, pulled, known, knowns, seed);
+        for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
+            if (is_pulled(instance, &unknown[i]) == pulled) {
+                status = change(instance, &to, &unknown[i], &sensitivity[i]);
+            }
         }
     }
-    if (status == LAG_OK) {
-        status = go(instance);
-    }
+    return status;
+}
+
+/* Adds how all unknowns of one kind change with one known, times their seeds. */
+static lag_status add_changes(lag_instance *instance, int pulled, const lag_known *unknown, size_t unknowns, const lag_known *known,
+    const double *seed, double *sensitivity)
+{
+    static const double one = 1.0;
+    changes to = lay_out(instance);
+    lag_status status = aim(instance, pulled, known, 1, &one);
     for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
-        status = change(instance, &to, &unknown[i], &sensitivity[i]);
+        double value = 0.0;
+        if (is_pulled(instance, &unknown[i]) == pulled) {
+            status = change(instance, &to, &unknown[i], &value);
+            *sensitivity += seed[i] * value;
+        }
     }
     return status;
 }
@@ -274,21 +318,12 @@ lag_status lag_instance_directional(lag_instance *instance, const lag_known *unk
 lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity)
 {
-    lag_status status = lag_instance_know(instance, LAG_KNOWN_DERIVATIVES);
-    for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
-        changes to = lay_out(instance);
-        double *place = place_of(instance, &known[k]);
-        clear(instance);
-        if (place == NULL) {
-            return refuse(instance, &known[k]);
-        }
-        *place = 1.0;
-        status = go(instance);
-        sensitivity[k] = 0.0;
-        for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
-            double value = 0.0;
-            status = change(instance, &to, &unknown[i], &value);
-            sensitivity[k] += seed[i] * value;
+    lag_status status = LAG_OK;
+    lag_fill(knowns, 0.0, sensitivity);
+    for (int pulled = 0; pulled < 2; ++pulled) {
+        const int any = has(instance, pulled, unknown, unknowns);
+        for (size_t k = 0; any && k < knowns && status == LAG_OK; ++k) {
+            status = add_changes(instance, pulled, unknown, unknowns, &known[k], seed, &sensitivity[k]);
         }
     }
     return status;

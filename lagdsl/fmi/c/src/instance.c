@@ -42,7 +42,7 @@ static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
     return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd +
-           fmu->model->ni + lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) +
+           fmu->model->nc + fmu->model->ni + lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) +
            lag_derivatives_memory(fmu->model) + 1;
 }
 
@@ -106,6 +106,7 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->xd = lag_take(&memory, size);
     instance->y = lag_take(&memory, model->ny);
     instance->local = lag_take(&memory, fmu->model->nd);
+    instance->unasked = lag_take(&memory, model->nc);
     instance->point = lag_take(&memory, size);
     instance->tangent = lag_take(&memory, size);
     instance->entry = lag_take(&memory, longest(fmu));

@@ -20,15 +20,33 @@ lag_status lag_instance_ready(lag_instance *instance)
     return LAG_OK;
 }
 
+/* Those of the model, off its constraints, too. */
+static lag_status accelerations(lag_instance *instance)
+{
+    lag_motion *motion = &instance->run->motion;
+    if (instance->fmu->model->nc == 0) {
+        return lag_motion_solve(motion, instance->held.t, instance->x);
+    }
+    return lag_motion_pulled(motion, 0.0, instance->held.t, instance->x, motion->qdd, motion->lam);
+}
+
 /* dx/dt; not finite values are an error here. */
 static lag_status rates(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
-    const lag_motion *motion = &instance->run->motion;
+    lag_motion *motion = &instance->run->motion;
     const size_t n = model->nq;
-    memcpy(instance->xd, instance->x + n, n * sizeof(double));
-    memcpy(instance->xd + n, motion->qdd, n * sizeof(double));
-    const lag_status status = model->nz > 0 ? model->state_derivative(&motion->at, instance->xd + 2 * n) : LAG_OK;
+    double *xd = instance->xd;
+    lag_status status = LAG_OK;
+    memcpy(xd, instance->x + n, n * sizeof(double));
+    if (model->nc > 0) {
+        status = lag_motion_pulled(motion, lag_instance_rate(instance), instance->held.t, instance->x, xd + n, instance->unasked);
+    } else {
+        memcpy(xd + n, motion->qdd, n * sizeof(double));
+    }
+    if (status == LAG_OK && model->nz > 0) {
+        status = model->state_derivative(&motion->at, xd + 2 * n);
+    }
     return status == LAG_OK && !lag_finite(lag_motion_size(model), instance->xd) ? LAG_NOT_FINITE : status;
 }
 
@@ -73,7 +91,7 @@ static lag_status find(lag_instance *instance, unsigned what)
     double *energy = instance->energy;
     switch (what) {
     case LAG_KNOWN_MOTION:
-        return lag_motion_solve_stabilized(motion, lag_instance_rate(instance), instance->held.t, instance->x);
+        return accelerations(instance);
     case LAG_KNOWN_RATES:
         return rates(instance);
     case LAG_KNOWN_OUTPUTS:
@@ -87,21 +105,45 @@ static lag_status find(lag_instance *instance, unsigned what)
     case LAG_KNOWN_INDICATORS:
         return lag_instance_look(instance);
     case LAG_KNOWN_DERIVATIVES:
+        return lag_derivatives_look(&instance->derivatives, &motion->at, 0.0, &motion->coordinate);
+    case LAG_KNOWN_PULLED:
         return lag_derivatives_look(&instance->derivatives, &motion->at, lag_instance_rate(instance), &motion->coordinate);
     default:
         return LAG_MISSING;
     }
 }
 
+/* What is to be found for `what`: pulled accelerations need no others. */
+static unsigned needed(const lag_instance *instance, unsigned what)
+{
+    const lag_model *model = instance->fmu->model;
+    return what == LAG_KNOWN_RATES && model->nc > 0 && model->nz == 0 ? what : what | LAG_KNOWN_MOTION;
+}
+
+/* What is known no longer where this is: indicators want accelerations of their own, and derivatives are of one kind. */
+static unsigned lost(unsigned what)
+{
+    switch (what) {
+    case LAG_KNOWN_INDICATORS:
+        return LAG_KNOWN_MOTION;
+    case LAG_KNOWN_DERIVATIVES:
+        return LAG_KNOWN_PULLED;
+    case LAG_KNOWN_PULLED:
+        return LAG_KNOWN_DERIVATIVES;
+    default:
+        return 0;
+    }
+}
+
 lag_status lag_instance_know(lag_instance *instance, unsigned what)
 {
     lag_status status = lag_instance_ready(instance);
-    unsigned missing = (what | LAG_KNOWN_MOTION) & ~instance->known;
+    unsigned missing = needed(instance, what) & ~instance->known;
     for (unsigned bit = LAG_KNOWN_MOTION; missing != 0 && status == LAG_OK; bit <<= 1) {
         if ((missing & bit) != 0) {
             status = lag_instance_judge(instance, find(instance, bit));
             instance->known |= status == LAG_OK ? bit : 0;
-            instance->known &= bit == LAG_KNOWN_INDICATORS ? ~(unsigned)LAG_KNOWN_MOTION : ~0U; /* they want accelerations of their own */
+            instance->known &= ~lost(bit);
             missing &= ~bit;
         }
     }

@@ -112,7 +112,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     memcpy(motion->u, s.u, model->nu * sizeof(double));
     memcpy(motion->w, s.w, model->nw * sizeof(double));
     memcpy(instance->derivatives.x, s.sum, size * sizeof(double));
-    instance->known &= LAG_KNOWN_DERIVATIVES;
+    instance->known &= LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
     const lag_status restored = lag_motion_parameters(motion, instance->p);
     return status == LAG_OK ? restored : status;
 }

@@ -130,18 +130,15 @@ lag_status lag_derivatives_look(lag_derivatives *d, const lag_arguments *at, dou
     return status;
 }
 
-lag_status lag_motion_solve_stabilized(lag_motion *motion, double rate, double t, const double *x)
+lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const double *x, double *qdd, double *lam)
 {
     lag_derivatives d;
     double *memory = motion->memory;
-    if (!(rate > 0.0) || motion->model->nc == 0) {
-        return lag_motion_solve(motion, t, x);
-    }
     lag_motion_look(motion, t, x);
     place_system(&d, motion->model, &memory);
     d.rate = rate;
     d.at = motion->at;
-    return solve(&d, motion->qdd, motion->lam, &motion->coordinate);
+    return solve(&d, qdd, lam, &motion->coordinate);
 }
 
 /* `alone`, in the order of lag/model.h; filled once for a state. */

@@ -20,14 +20,15 @@ typedef enum lag_phase {
 
 /* What is known at the present state; as long as a bit is not set, it is not. */
 enum {
-    LAG_KNOWN_MOTION = 1,    /* accelerations and multipliers, in run->motion */
-    LAG_KNOWN_RATES = 2,     /* derivatives */
+    LAG_KNOWN_MOTION = 1,    /* accelerations and multipliers of the model, in run->motion */
+    LAG_KNOWN_RATES = 2,     /* derivatives, those of rates pulled towards the constraints */
     LAG_KNOWN_OUTPUTS = 4,
     LAG_KNOWN_LOCALS = 8,
     LAG_KNOWN_ENERGIES = 16,
     LAG_KNOWN_RESIDUALS = 32,
     LAG_KNOWN_INDICATORS = 64,
-    LAG_KNOWN_DERIVATIVES = 128 /* what derivatives need, in `derivatives` */
+    LAG_KNOWN_DERIVATIVES = 128, /* what derivatives need, in `derivatives`, */
+    LAG_KNOWN_PULLED = 256       /* or what those of pulled accelerations do */
 };
 
 typedef struct lag_held {
@@ -68,6 +69,7 @@ struct lag_instance {
     /* what follows from these */
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
+    double *unasked;        /* (nc) multipliers of accelerations that are pulled */
     double *point, *tangent; /* (2 nq + nz) */
     double *entry;          /* as many as the longest variable has */
     double energy[4], residual[2];
@@ -97,7 +99,7 @@ static inline lag_run_options lag_instance_plan(void)
 
 /* Doubles of `kept`. */
 size_t lag_instance_kept(const lag_fmu *fmu);
-/* How fast accelerations bring residuals of constraints to rest [1/s]: within a fiftieth of the experiment of the FMU. */
+/* How fast derivatives of states bring residuals of constraints to rest [1/s]: within a fiftieth of the experiment of the FMU. */
 double lag_instance_rate(const lag_instance *instance);
 /* The run anew, with the tolerance and the length of the experiment. */
 void lag_instance_renew(lag_instance *instance);

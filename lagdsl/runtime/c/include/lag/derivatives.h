@@ -54,7 +54,10 @@ lag_status lag_derivatives_definitions(lag_derivatives *derivatives, double *d);
 lag_status lag_derivatives_energies(lag_derivatives *derivatives, double *energies);
 lag_status lag_derivatives_residuals(lag_derivatives *derivatives, double *phi, double *residual);
 
-/* The same accelerations for a motion, into its qdd and lam; at rate zero, or without constraints, as lag_motion_solve(). */
-lag_status lag_motion_solve_stabilized(lag_motion *motion, double rate, double t, const double *x);
+/*
+ * The same accelerations (nq) and multipliers (nc) for a motion, which is there then. Other than lag_motion_solve() it takes the whole
+ * system, and has an answer off the constraints, too, where rows depend on each other.
+ */
+lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const double *x, double *qdd, double *lam);
 
 #endif
