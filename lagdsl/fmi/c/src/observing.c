@@ -114,7 +114,7 @@ static lag_status find(lag_instance *instance, unsigned what)
 }
 
 /* What is to be found for `what`: pulled accelerations need no others. */
-static unsigned needed(const lag_instance *instance, unsigned what)
+static unsigned with_accelerations(const lag_instance *instance, unsigned what)
 {
     const lag_model *model = instance->fmu->model;
     return what == LAG_KNOWN_RATES && model->nc > 0 && model->nz == 0 ? what : what | LAG_KNOWN_MOTION;
@@ -138,7 +138,7 @@ static unsigned lost(unsigned what)
 lag_status lag_instance_know(lag_instance *instance, unsigned what)
 {
     lag_status status = lag_instance_ready(instance);
-    unsigned missing = needed(instance, what) & ~instance->known;
+    unsigned missing = with_accelerations(instance, what) & ~instance->known;
     for (unsigned bit = LAG_KNOWN_MOTION; missing != 0 && status == LAG_OK; bit <<= 1) {
         if ((missing & bit) != 0) {
             status = lag_instance_judge(instance, find(instance, bit));
