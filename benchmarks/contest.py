@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import peers
 
+from lagdsl.fmi.sources import require_fmpy
 from lagdsl.runtime.build import cache_folder
 
 NATIVE = Path(__file__).parent / "native"
@@ -156,6 +157,7 @@ def _mujoco() -> tuple[list[str], list[str]]:
 _BUILD: dict[str, Callable[[], tuple[list[str], list[str]]]] = {
     "contest": lambda: (["-O2"], ["-ldl"]),
     "run": lambda: (["-O2", f"-I{RUNTIME}"], ["-ldl"]),
+    "communicate": lambda: (["-O2", f"-I{require_fmpy() / 'c-code'}"], ["-ldl"]),
     "lagdsl": lambda: ([*_SHARED, "-O2", f"-I{RUNTIME}"], ["-ldl"]),
     "casadi": lambda: ([*_SHARED, "-O2"], ["-ldl"]),
     "mujoco": _mujoco,

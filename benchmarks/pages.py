@@ -50,6 +50,7 @@ def page(found: dict[str, Results]) -> str:
         ("accuracy", _accuracy),
         ("start", _start),
         ("runtime", _runtime),
+        ("fmus", _fmus),
     ):
         if key in found:
             lines += ["", *section(found[key])]
@@ -272,6 +273,21 @@ def _runtime(found: Results) -> list[str]:
                     f"| {row['jacobians']} | {row['steps']} |"
                 )
     return lines
+
+
+def _fmus(found: Results) -> list[str]:
+    return [
+        "## FMUs",
+        "",
+        "`lag fmu` for the machine it runs on: whole processes, compilers included; what all models share is there. A",
+        "communication step: the difference of two runs whose integrator makes the same steps, with many and with few.",
+        "",
+        "| | |",
+        "|---|---|",
+        f"| the seven-axis arm, new [CPU s] | {found['new']:.2f} |",
+        f"| the same once more [CPU s] | {found['again']:.2f} |",
+        f"| a communication step of the double pendulum [ns] | {found['step']:.0f} |",
+    ]
 
 
 def _times(problem: Results) -> str:

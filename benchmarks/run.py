@@ -16,6 +16,7 @@ import accuracy
 import arm
 import chains
 import figures
+import fmus
 import growth
 import machine
 import motion
@@ -35,6 +36,7 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "growth": growth.measure,
     "start": start.measure,
     "runtime": motion.measure,
+    "fmus": fmus.measure,
 }
 
 

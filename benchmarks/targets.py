@@ -1,4 +1,4 @@
-"""The targets of elimination and of the C that is generated, and what was measured."""
+"""The targets of elimination, of the C that is generated and of what runs it, and what was measured."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -145,6 +145,21 @@ def targets(found: Results) -> list[Target]:
             "growth",
         ),
         *_motions(found),
+        Target(
+            "7-axis arm as an FMU of one platform, when it is new [CPU s]",
+            (10,),
+            (5,),
+            (found.get("fmus", {}).get("new"),),
+            "fmus",
+        ),
+        Target(
+            "communication step of an FMU beyond the integrator, from C [ns]",
+            (200,),
+            (50,),
+            (found.get("fmus", {}).get("step"),),
+            "fmus",
+            "{:.0f}",
+        ),
     ]
 
 

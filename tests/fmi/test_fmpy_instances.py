@@ -19,6 +19,17 @@ from fmi.texts import exported_text
 
 BOTH = pytest.mark.parametrize("version", VERSIONS)
 STEPS = 12
+TICKS = """model Ticks
+  parameter Time T = 0.1 s, T0 = 0;
+  discrete Integer n(start = 0);
+  state Real z;
+equation
+  der(z) = 1/(1 s);
+  when sample(T0, T) then
+    n = pre(n) + 1;
+  end when;
+end Ticks;
+"""
 DISCARD = 2  # fmi2Discard, fmi3Discard
 BUZZ = """model Buzz
   coordinate Length x(start = 1 mm);
@@ -184,3 +195,15 @@ def test_a_step_of_too_many_steps_is_given_up(version: int) -> None:
         with pytest.raises(FMICallException) as failed:
             one.step(1e-6, 1.0)
     assert failed.value.status == DISCARD
+
+
+@BOTH
+@pytest.mark.parametrize("strange", [{"T": 0.0}, {"T": -1.0}, {"T": -1e-300, "T0": -1.0}])
+def test_a_clock_without_a_period_is_refused(version: int, strange: dict[str, float]) -> None:
+    """Nothing waits for ticks that never come."""
+    with slave(exported_text(TICKS, version)) as one, pytest.raises(FMICallException):
+        one.initialize(strange)
+    with slave(exported_text(TICKS, version)) as one:
+        one.initialize({"T": 0.25, "T0": -0.1})
+        one.step(0.0, 1.0)
+        assert one.get("n")[0] == 4  # at 0.15 s, 0.4 s, 0.65 s, 0.9 s

@@ -24,7 +24,7 @@ ARCHIVE = "build/sanitized/all.a"
 FLAGS = ("-std=c11", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))
 MODELS = EVERY if EXPLORE else ("newtons_cradle",)
-LIVES = 60 if EXPLORE else 10
+LIVES = 20 if EXPLORE else 10
 
 pytestmark = pytest.mark.skipif(
     shutil.which("make") is None or shutil.which("cc") is None, reason="neither make nor cc is installed"

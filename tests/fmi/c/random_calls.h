@@ -40,6 +40,13 @@ static double number(lag_visit *visit)
     return pick(visit, 4) > 0 ? 2.0 * draw(&visit->seed) : strange[pick(visit, sizeof strange / sizeof strange[0])];
 }
 
+/* Of the experiment, at most a second: what moves fast has a short one. */
+static double length(void)
+{
+    const double whole = lag_exported.stop_time - lag_exported.start_time;
+    return whole > 0.0 ? fmin(whole, 1.0) : 1.0;
+}
+
 /* Mostly one variable that exists, and room that fits. */
 static void draw_arguments(lag_visit *visit)
 {
@@ -50,7 +57,7 @@ static void draw_arguments(lag_visit *visit)
         visit->values[i] = visit->more[i] = number(visit);
     }
     const double odd = number(visit);
-    visit->h = pick(visit, 6) > 0 ? 0.05 * (1.0 + draw(&visit->seed)) : isfinite(odd) ? fmin(odd, 0.5) : odd;
+    visit->h = pick(visit, 6) > 0 ? 0.05 * length() * (1.0 + draw(&visit->seed)) : isfinite(odd) ? fmin(odd, 0.5 * length()) : odd;
 }
 
 static int rarely(lag_visit *visit)

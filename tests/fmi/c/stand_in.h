@@ -268,6 +268,11 @@ static void stand_in_move(lag_instance *instance, double t)
     held->t = t;
 }
 
+lag_status lag_instance_give_up(lag_instance *instance)
+{
+    return stand_in_fail(instance, LAG_TOO_LONG);
+}
+
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
 {
     lag_held_values *held = &instance->held;

@@ -13,8 +13,6 @@
 
 /* Where nobody tells when the simulation ends, steps lead beyond a communication point by at most so many communication steps. */
 static const double AHEAD = 1000.0;
-/* Nobody waits for more steps than these from one communication point to the next. */
-static const double MOST_STEPS = 1e6;
 /* The classical Runge-Kutta method wants h |lambda| to be less. */
 static const double STABLE = 2.5;
 /* A communication step longer than fixed steps by this part of one takes no further one. */
@@ -94,7 +92,7 @@ static lag_status go(lag_instance *instance, double end, double far, int stops, 
     int going = reached(run) < end;
     *event = stops_here(instance, end, stops);
     for (double k = 0.0; going && !*event; k += 1.0) {
-        lag_status status = k < MOST_STEPS ? finish(instance, far) : LAG_TOO_LONG;
+        lag_status status = k < LAG_MOST_STEPS ? finish(instance, far) : LAG_TOO_LONG;
         if (status == LAG_OK) {
             status = step(instance, end, &far);
         }
@@ -127,7 +125,7 @@ static lag_status go_fixed(lag_instance *instance, double end)
     lag_run *run = instance->run;
     const double begun = instance->held.t;
     const double count = fmax(1.0, ceil((end - begun) / instance->held.step - SAME));
-    lag_status status = count <= MOST_STEPS ? LAG_OK : LAG_TOO_LONG;
+    lag_status status = count <= LAG_MOST_STEPS ? LAG_OK : LAG_TOO_LONG;
     if (instance->held.implicit < 0) {
         instance->held.implicit = needs_implicit(instance, instance->held.step);
     }

@@ -95,10 +95,17 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
         return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative at the start", t, guilty(instance));
     case LAG_TORN:
         return lag_instance_fail(instance, status, "t = %.10g s: a constraint that is switched on asks for other positions", t);
+    case LAG_TIMELESS:
+        return lag_instance_fail(instance, status, "t = %.10g s: a clock has no positive period, or no first instant", t);
     case LAG_TOO_LONG:
         return lag_instance_fail(instance, status, "t = %.10g s: this takes too many steps", t);
     default:
         break;
     }
     return lag_instance_fail(instance, status, "t = %.10g s: status %d", t, (int)status);
+}
+
+lag_status lag_instance_give_up(lag_instance *instance)
+{
+    return lag_instance_judge(instance, LAG_TOO_LONG);
 }

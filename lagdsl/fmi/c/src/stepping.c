@@ -52,7 +52,7 @@ static lag_status proceed(lag_shell *shell, double end, lag_between *between, la
 {
     const int stops = (shell->now.event_mode && shell->now.early_return ? LAG_STOP_EVENTS : 0) | (between != NULL ? LAG_STOP_STEPS : 0);
     double until = end;
-    for (;;) {
+    for (double k = 0.0; k < LAG_MOST_STEPS; k += 1.0) {
         lag_progress told = {.t = shell->now.reached};
         const lag_status status = lag_instance_step(shell->instance, until - shell->now.reached, stops, &told);
         shell->now.reached = told.t;
@@ -68,6 +68,7 @@ static lag_status proceed(lag_shell *shell, double end, lag_between *between, la
         }
         until = fmin(until, end);
     }
+    return lag_instance_give_up(shell->instance);
 }
 
 lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *between, lag_outcome *outcome)

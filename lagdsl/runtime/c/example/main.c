@@ -159,6 +159,8 @@ static const char *reason(lag_status status)
         return "a contact is pierced at the start";
     case LAG_TORN:
         return "a constraint that an event switches on does not hold at the positions there";
+    case LAG_TIMELESS:
+        return "a clock has no positive period";
     default:
         return "the motion cannot go on";
     }

@@ -69,6 +69,9 @@ static lag_status start_clocks(lag_instants *instants, double t)
     const lag_status status =
         model->nclock > 0 ? model->clock(&instants->motion->at, instants->first, instants->period) : LAG_OK;
     for (size_t i = 0; i < model->nclock && status == LAG_OK; ++i) {
+        if (!(instants->period[i] > 0.0) || !isfinite(instants->first[i])) {
+            return LAG_TIMELESS;
+        }
         instants->clock[i] = lag_clock_of(instants->first[i], instants->period[i]);
         lag_clock_seek(&instants->clock[i], t - SAME_TICK * instants->period[i]);
     }

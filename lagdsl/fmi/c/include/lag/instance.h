@@ -11,6 +11,11 @@
 #include "lag/fmu.h"
 #include "lag/status.h"
 
+/* Nobody waits for more steps of the integrator than these from one communication point to the next. */
+#ifndef LAG_MOST_STEPS
+#define LAG_MOST_STEPS 1e6
+#endif
+
 typedef struct lag_instance lag_instance;
 
 /* What newDiscreteStates tells. */
@@ -86,6 +91,8 @@ enum {
 
 /* From the present time over `h`; `stops`: a sum of these. */
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told);
+/* LAG_TOO_LONG, and says so. */
+lag_status lag_instance_give_up(lag_instance *instance);
 
 /* ---- derivatives ---- */
 

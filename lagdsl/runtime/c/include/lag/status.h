@@ -23,7 +23,8 @@ typedef enum lag_status {
     LAG_PIERCED = 15,    /* a gap is negative at the start */
     LAG_TORN = 16,       /* a constraint that discretes switch asks for other positions than there are */
     LAG_FORKED = 17,     /* branches of the motion meet here, and which one it takes cannot be told */
-    LAG_FOREIGN = 18     /* bytes that were not saved by this, or were changed since */
+    LAG_FOREIGN = 18,    /* bytes that were not saved by this, or were changed since */
+    LAG_TIMELESS = 19    /* a clock has no positive period, or no first instant */
 } lag_status;
 
 #endif
