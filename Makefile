@@ -42,7 +42,7 @@ c-check: $(READY)  ## tests of the C runtime and of the shells of FMUs under san
 c-test: $(READY)  ## the same, with the sanitizer of threads and ten thousand runs under valgrind
 	$(MAKE) --directory=lagdsl/runtime/c test
 
-fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (an hour)
+fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (half an hour)
 	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest -n auto --dist loadgroup tests/fmi
 
 update: $(READY)  ## regenerate what is generated: parser tables, unit table, list of the library, expectations of the corpus
