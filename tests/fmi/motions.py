@@ -80,7 +80,7 @@ def deviation(
     assert not missing, missing
     expected = np.stack([reference[name] for name in names], axis=-1).astype(float)
     found = np.stack([np.asarray(columns[name], dtype=float) for name in names], axis=-1)
-    scale = _scales(reference)[[signals(reference).index(name) for name in names]]
+    scale = scales(reference)[[signals(reference).index(name) for name in names]]
     length = reference.time[-1] - reference.time[0]
     margin = SAME_INSTANT * length
     events = np.array([event.time for event in reference.events])
@@ -101,7 +101,7 @@ def deviation(
     return Deviation(np.array(rows), np.array(errors), np.array(near, dtype=bool), tuple(worst))
 
 
-def _scales(reference: lagdsl.Trajectory) -> Floats:
+def scales(reference: lagdsl.Trajectory) -> Floats:
     """Ranges of the signals; at least a thousandth of the largest value of the same kind and unit, of rates at least
     of that of their coordinate over the time of the experiment: what rests but for rounding has no range. What keeps
     its value, as an energy may, has its value for a range."""
@@ -110,7 +110,7 @@ def _scales(reference: lagdsl.Trajectory) -> Floats:
     for column in reference.columns[1:]:
         key = (column.kind, column.unit)
         largest[key] = max(largest.get(key, 0.0), sizes[column.name])
-    scales = []
+    found = []
     for column in reference.columns[1:]:
         known = column.values[np.isfinite(column.values)]
         coordinate = sizes.get(column.name.removeprefix("der(")[:-1], 0.0) if column.kind == "rate" else 0.0
@@ -118,8 +118,8 @@ def _scales(reference: lagdsl.Trajectory) -> Floats:
         floor = 1e-3 * max(largest[column.kind, column.unit], coordinate / span)
         spread = float(np.ptp(known)) if len(known) else 0.0
         conserved = sizes[column.name] if spread <= 1e-6 * sizes[column.name] else 0.0
-        scales.append(max(spread, conserved, floor, 1e-9))
-    return np.array(scales)
+        found.append(max(spread, conserved, floor, 1e-9))
+    return np.array(found)
 
 
 def _size(values: Floats) -> float:
@@ -138,13 +138,16 @@ def horizon(name: str, tolerance: float = TOLERANCE) -> float:
     return span(name)[1]
 
 
-def difference(name: str, reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Any]) -> str:
-    """What is off by more than 1e-6 of the range of its signal up to the horizon, 1e-4 beside events; nothing is: same.
+def difference(
+    name: str, reference: lagdsl.Trajectory, time: Floats, columns: Mapping[str, Any], until: float = np.inf
+) -> str:
+    """What is off by more than 1e-6 of the range of its signal up to the horizon, or `until` an earlier time, 1e-4
+    beside events; nothing is: same.
 
     There must be rows over the whole of it, and it must be worth the name.
     """
     start, _, interval = span(name)
-    end = horizon(name)
+    end = min(horizon(name), until)
     assert end > start + 20 * interval, f"known up to {end} s only"
     rows = np.flatnonzero(np.asarray(time) <= end + 1e-9 * (end - start))
     known = deviation(reference, np.asarray(time)[rows], {n: np.asarray(c)[rows] for n, c in columns.items()})
