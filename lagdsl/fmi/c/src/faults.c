@@ -57,6 +57,31 @@ static const char *broken(const lag_instance *instance)
     return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
 }
 
+/* What needs no names; null: the others do. */
+static const char *plain_words(lag_status status)
+{
+    switch (status) {
+    case LAG_NOT_FINITE:
+        return "a value is infinite or not a number";
+    case LAG_STUCK:
+        return "steps became as short as the round-off of time";
+    case LAG_OFF:
+        return "the constraints cannot be reached from here";
+    case LAG_ATTENTION:
+        return "the constraints are about to lose rank";
+    case LAG_FORKED:
+        return "branches of the motion meet, which one it takes cannot be told";
+    case LAG_TORN:
+        return "a constraint that is switched on asks for other positions";
+    case LAG_TIMELESS:
+        return "a clock has no positive period, or no first instant";
+    case LAG_TOO_LONG:
+        return "this takes too many steps";
+    default:
+        return NULL;
+    }
+}
+
 lag_status lag_instance_judge(lag_instance *instance, lag_status status)
 {
     const lag_model *model = instance->fmu->model;
@@ -69,18 +94,8 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
     case LAG_SINGULAR:
         return lag_instance_fail(instance, status, "t = %.10g s: the acceleration of %s is not determined", t,
             name_of(model->nq, model->coordinates, run->motion.coordinate));
-    case LAG_NOT_FINITE:
-        return lag_instance_fail(instance, status, "t = %.10g s: a value is infinite or not a number", t);
-    case LAG_STUCK:
-        return lag_instance_fail(instance, status, "t = %.10g s: steps became as short as the round-off of time", t);
-    case LAG_OFF:
-        return lag_instance_fail(instance, status, "t = %.10g s: the constraints cannot be reached from here", t);
-    case LAG_ATTENTION:
-        return lag_instance_fail(instance, status, "t = %.10g s: the constraints are about to lose rank", t);
     case LAG_VIOLATED:
         return lag_instance_fail(instance, status, "t = %.10g s: %s", t, broken(instance));
-    case LAG_FORKED:
-        return lag_instance_fail(instance, status, "t = %.10g s: branches of the motion meet, which one it takes cannot be told", t);
     case LAG_CHATTER:
         return lag_instance_fail(instance, status, "t = %.10g s: events of %s follow each other without end", t, guilty(instance));
     case LAG_UNSETTLED:
@@ -93,14 +108,12 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
             run->instants.passes.fault < model->nfail ? model->failures[run->instants.passes.fault] : "an assertion failed");
     case LAG_PIERCED:
         return lag_instance_fail(instance, status, "t = %.10g s: the gap of %s is negative at the start", t, guilty(instance));
-    case LAG_TORN:
-        return lag_instance_fail(instance, status, "t = %.10g s: a constraint that is switched on asks for other positions", t);
-    case LAG_TIMELESS:
-        return lag_instance_fail(instance, status, "t = %.10g s: a clock has no positive period, or no first instant", t);
-    case LAG_TOO_LONG:
-        return lag_instance_fail(instance, status, "t = %.10g s: this takes too many steps", t);
     default:
         break;
+    }
+    const char *words = plain_words(status);
+    if (words != NULL) {
+        return lag_instance_fail(instance, status, "t = %.10g s: %s", t, words);
     }
     return lag_instance_fail(instance, status, "t = %.10g s: status %d", t, (int)status);
 }
