@@ -76,7 +76,7 @@ BASES = [
     ),
     Attack(
         "arm_on_a_base",
-        # pendulum without gravity, across the motion of its pivot: the mass stays, so the angle takes -r'/l, and keeps it
+        # pendulum without gravity across the motion of its pivot: the mass stays, the angle takes -r'/l and keeps it
         model("coordinate Real a; gravity = 0; mass 2 at {max(0, 3*(time - 1)) + 0.5*sin(a), 0.5*cos(a)};"),
         2.0,
         {"a": -6.0, "der(a)": -6.0},
@@ -110,7 +110,7 @@ end Driven;
     ),
     Attack(
         "drive_of_a_pin",
-        # arm of 1 m on an arm that starts to turn at 2 rad/s, both straight: the second keeps its place to the first order
+        # arm of 1 m on an arm that starts to turn at 2 rad/s, both straight
         """model Driven
   import Lag.Planar.*;
   import Lag.Blocks.Ramp;
@@ -125,7 +125,7 @@ end Driven;
 """,
         1.0000001,
         # momentum about the pin: 1*(1 + 1)*2 + v = 0 for the speed 2 + (2 + v) of the block
-        {"der(pin.phi)": -4.0},
+        {"der(pin.q)": -4.0},
         near=1e-6,
     ),
     Attack(

@@ -162,7 +162,8 @@ INITIAL = [
         # masses 1, 2, 4 of a sum of 7: in the ratio of 1/m
         "model Attacked coordinate Real a, b, c, x(start = 1); "
         "kinetic 1/2*der(a)^2 + 1/2*2*der(b)^2 + 1/2*4*der(c)^2 + 1/2*der(x)^2; potential 1/2*x^2;"
-        'constraint sum: der(a) + der(b) + der(c) = 7; annotation(units = "none"); initial equation der(x) = 0; end Attacked;',
+        'constraint sum: der(a) + der(b) + der(c) = 7; annotation(units = "none");'
+        "initial equation der(x) = 0; end Attacked;",
         1.0,
         {"der(a)": 4.0, "der(b)": 2.0, "der(c)": 1.0},
     ),
