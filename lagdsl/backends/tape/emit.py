@@ -40,7 +40,7 @@ _COUNTED: Final = {
 
 
 def tape(program: Program, start: Start | None = None) -> bytes:
-    """The tape of `program`; the same program gives the same bytes. `start` is where its motion begins, if that is known."""
+    """The tape of `program`; the same program gives the same bytes. `start` tells where its motion begins."""
     nodes = nodes_of(program.graph)
     functions = [program.function(name) if program.has(name) else None for name in FUNCTIONS]
     settled, constants, hoisted = _settled(program, nodes, [f for f in functions if f is not None])
@@ -76,9 +76,7 @@ def tape(program: Program, start: Start | None = None) -> bytes:
 # ---- functions -------------------------------------------------------------------------------------------------------
 
 
-def _settled(
-    program: Program, nodes: Nodes, functions: Sequence[Function]
-) -> tuple[Settled, Sequence[float], Ints]:
+def _settled(program: Program, nodes: Nodes, functions: Sequence[Function]) -> tuple[Settled, Sequence[float], Ints]:
     """What stands in the row before a function starts: constants, parameters, what follows from these alone."""
     graph = program.graph
     roots = np.unique([node for f in functions for block in f.results for node in block.elements]).astype(np.int64)
@@ -92,9 +90,7 @@ def _settled(
     place[symbols] = len(constants) + nodes.operands[1, symbols]
     parameters = len(program.layout.parameters)
     place[hoisted] = len(constants) + parameters + np.arange(len(hoisted))
-    settled = Settled(
-        place, frozenset(hoisted.tolist()), len(constants), len(constants) + parameters + len(hoisted)
-    )
+    settled = Settled(place, frozenset(hoisted.tolist()), len(constants), len(constants) + parameters + len(hoisted))
     return settled, [graph.value[node] for node in constants.tolist()], hoisted
 
 
@@ -224,4 +220,3 @@ def _written(sections: Sequence[bytes]) -> bytes:
     body = b"".join([lengths, *(section + bytes(-len(section) % 8) for section in sections)])
     head = np.array([VERSION, zlib.crc32(body)], dtype="<u4").tobytes()
     return _MAGIC + head + np.array([len(body)], dtype="<u8").tobytes() + body
-

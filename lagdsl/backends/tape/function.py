@@ -113,15 +113,19 @@ def _body(selection: Selection, known: Ints, loaded: Ints, first: int) -> tuple[
     spare = int(any((turn.sines < 0).any() or (turn.cosines < 0).any() for turn in selection.turns))
     padded = np.append(place, top)  # what nothing reads goes to the last place
     turns = [
-        np.concatenate([[CODE["SINCOS"], len(turn.angles)], padded[turn.angles], padded[turn.sines], padded[turn.cosines]])
+        np.concatenate(
+            [[CODE["SINCOS"], len(turn.angles)], padded[turn.angles], padded[turn.sines], padded[turn.cosines]]
+        )
         for turn in selection.turns
     ]
-    return _assembled(code, np.where(stores, place[selection.made], -1), padded, operands, step, at_turn, turns), place, top + spare
+    return (
+        _assembled(code, np.where(stores, place[selection.made], -1), padded, operands, step, at_turn, turns),
+        place,
+        top + spare,
+    )
 
 
-def _reads(
-    selection: Selection, operands: Ints, step: Ints, at_turn: Sequence[int], end: int
-) -> tuple[Ints, Ints]:
+def _reads(selection: Selection, operands: Ints, step: Ints, at_turn: Sequence[int], end: int) -> tuple[Ints, Ints]:
     """Values and the steps that read them, ascending; results are read at the end."""
     read = operands >= 0
     values = [operands[read], *(turn.angles for turn in selection.turns), selection.results]
@@ -148,9 +152,7 @@ def _forwarded(selection: Selection) -> tuple[Ints, Ints]:
     before[1:] = np.where(selection.phase[1:] == selection.phase[:-1], selection.made[:-1], -2)
     taken = np.zeros(len(code), dtype=np.bool_)
     for which in range(operands.shape[1]):
-        rows = np.flatnonzero(
-            (selection.operands[:, which] == before) & ~taken & (ON_V[selection.form, which] >= 0)
-        )
+        rows = np.flatnonzero((selection.operands[:, which] == before) & ~taken & (ON_V[selection.form, which] >= 0))
         taken[rows] = True
         remaining = REMAINING[selection.form[rows], which]
         operands[rows] = np.where(

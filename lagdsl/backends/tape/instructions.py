@@ -1,4 +1,4 @@
-"""The instructions of a tape by number, as lag/tape_code.h lists them, and which of them take the value before as `v`."""
+"""The instructions of a tape by number, as lag/tape_code.h lists them, and how the value before is taken as `v`."""
 
 from __future__ import annotations
 
@@ -27,9 +27,7 @@ UNARY: Final = (
     *(Op.TAN, Op.ASIN, Op.ACOS, Op.ATAN, Op.SINH, Op.COSH, Op.TANH, Op.EXP, Op.LOG, Op.SQRT),
     *(Op.ABS, Op.SIGN, Op.FLOOR, Op.CEIL, Op.NOT),
 )
-BINARY: Final = (
-    *(Op.POWER, Op.ATAN2, Op.MOD, Op.MIN, Op.MAX, Op.LESS, Op.LESS_EQUAL, Op.EQUAL, Op.AND, Op.OR),
-)
+BINARY: Final = (*(Op.POWER, Op.ATAN2, Op.MOD, Op.MIN, Op.MAX, Op.LESS, Op.LESS_EQUAL, Op.EQUAL, Op.AND, Op.OR),)
 
 _number = count()
 CODE: Final[dict[str, int]] = {
@@ -54,7 +52,7 @@ class Form(IntEnum):
     MUL_SUB_MUL = CODE["MUL_SUB_MUL"]
 
 
-# What an instruction becomes where the operand of this number is the value before, and which operands remain, in order.
+# What an instruction becomes where the operand of this number is the value before; the operands that remain, in order.
 _ON_V: dict[tuple[Form, int], tuple[str, tuple[int, ...]]] = {
     (Form.NEGATE, 0): ("V_NEGATE", ()),
     (Form.ADD, 0): ("V_ADD", (1,)),
@@ -96,7 +94,7 @@ def _tables() -> tuple[Table, Table]:
     return code, left
 
 
-# By instruction and operand: the instruction with `v` for it (-1: there is none), and the operands that remain (-1: none).
+# By instruction and operand: the instruction that takes it as `v` (-1: none), and the operands that remain (-1: none).
 ON_V, REMAINING = _tables()
 
 # By operation of the graph: the instruction that does it alone.

@@ -15,8 +15,8 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True)
 class Nodes:
-    """`op`, `groups` and operands `a`, `b`, `c` (-1: none) by node, as in the graph; `a` and `b` of symbols are group and
-    index."""
+    """`op`, `groups` (nodes) and `operands` (3, nodes; -1: none), as in the graph: the first two of a symbol are its
+    group and its index."""
 
     graph: Graph
     op: Ints

@@ -13,7 +13,7 @@ def places(known: Ints, writes: Sequence[Sequence[int]], values: Ints, steps: In
     """The place of every value, and the first one beyond all of them.
 
     `known` are the places that are settled, -1 for others; `writes` the values that are stored, step by step; `values`
-    are read at `steps`, which ascend. The values of step 0 stand in a row from `top` on; one that is negative is nobody's.
+    are read at `steps`, which ascend. The values of step 0 stand in a row from `top` on; a negative one is no value.
     """
     last = np.zeros(len(known), dtype=np.int64)
     last[values] = steps  # of several the last one counts

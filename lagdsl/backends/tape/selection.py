@@ -1,4 +1,4 @@
-"""Which instructions a function takes: products join the sums that they are terms of, nodes follow one another in trees."""
+"""The instructions of a function: products join the sums that they are terms of, nodes follow one another in trees."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ class Selection:
     """The instructions of a function in order, by the local number of the node that each computes.
 
     Local numbers count the nodes that the function needs. `form` and `operands` (instructions, MOST_OPERANDS), local
-    numbers or -1, are by instruction. `uses` counts, by local number, how often a value is read; `results` are read last.
+    numbers or -1, are by instruction. `uses` counts, by local number, how often a value is read,
+    `results` last.
     `phase` is that of every instruction, ascending; those of `turns` come between the phases.
     """
 
@@ -44,7 +45,7 @@ class Selection:
 
 
 def select(nodes: Nodes, live: Ints, at_hand: Flags, results: Ints) -> Selection:
-    """Instructions for the nodes `live` that are not `at_hand`; `results` are those, by local number, that are asked for."""
+    """Instructions for the nodes `live` that are not `at_hand`; `results` are asked for, by local number."""
     op = nodes.op[live]
     local = np.zeros(int(live[-1]) + 1 if len(live) else 0, dtype=np.int64)
     local[live] = np.arange(len(live))
@@ -75,8 +76,8 @@ def _joined(op: Ints, operands: Ints, computed: Flags, results: Ints) -> Flags:
         product[other[other >= 0]] = False
     product[results] = False
     terms = operands[:2, summing].ravel()
-    few: Flags = np.bincount(terms, minlength=len(op)) <= _MOST_SUMS
-    return product & few
+    joined: Flags = product & (np.bincount(terms, minlength=len(op)) <= _MOST_SUMS)
+    return joined
 
 
 def _forms(op: Ints, operands: Ints, joined: Flags, made: Ints) -> tuple[Ints, Ints]:
