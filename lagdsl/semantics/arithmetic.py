@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from lagdsl.flat import expression as flat
@@ -49,7 +49,7 @@ class Operand:
 def negated(value: Numeric) -> Numeric:
     match value:
         case Scalar():
-            return Scalar(negative(value.expression), value.dimension, value.variability, value.order, value.kind)
+            return replace(value, expression=negative(value.expression))
         case Vector():
             return Vector(flat.Unary("-", value.expression), value.dimension, value.variability, value.order)
         case Array():
@@ -185,8 +185,10 @@ def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Va
     """Product of numbers, scaling, scalar product of vectors, matrix product."""
     dimension, variability, order = product(one.dimension, two.dimension), latest(one, two), highest(one, two)
     match one, two:
+        case Scalar(), Scalar() if one.is_nothing or two.is_nothing:
+            return one if one.is_nothing else two
         case Scalar(), Scalar() if is_zero(one) or is_zero(two):
-            return one if is_zero(one) else two  # of any dimension still, as a sum over nothing is
+            return Scalar(flat.ZERO, dimension, kind=joint_kind(one, two))
         case Scalar(), Scalar():
             expression = _integer("*", one, two) or flat.Binary("*", one.expression, two.expression)
             return Scalar(expression, dimension, variability, order, joint_kind(one, two))
@@ -235,13 +237,13 @@ def _matrix_product(ctx: Context, node: nodes.Node, one: Array, two: Array) -> V
         ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
         return POISON
     if len(one.shape) == len(two.shape) == 1:
-        return Scalar(dot(one.elements, two.elements), dimension, variability, order)
+        return Scalar(dot(one.elements, two.elements), dimension, variability, order, joint_kind(one, two))
     inner = one.shape[-1]
     rows = [one.elements[k * inner : (k + 1) * inner] for k in range(len(one.elements) // inner)]
     width = two.shape[1] if len(two.shape) == 2 else 1
     columns = [two.elements[k::width] for k in range(width)]
     parts = tuple(dot(row, column) for row in rows for column in columns)
-    return Array(parts, one.shape[:-1] + two.shape[1:], dimension, variability, order)
+    return Array(parts, one.shape[:-1] + two.shape[1:], dimension, variability, order, joint_kind(one, two))
 
 
 def divided(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Value:
@@ -253,6 +255,8 @@ def divided(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Value
         return POISON
     dimension, variability, order = quotient(one.dimension, two.dimension), latest(one, two), highest(one, two)
     match one:
+        case Scalar(is_nothing=True):
+            return one
         case Scalar():
             return Scalar(flat.Binary("/", one.expression, two.expression), dimension, variability, order)
         case Vector():
@@ -269,7 +273,8 @@ def _elementwise(ctx: Context, node: nodes.Binary, one: Numeric, two: Numeric) -
         variability, order = latest(one, two), highest(one, two)
         if node.operator == ".*":
             parts = tuple(times(a, b) for a, b in pairs)
-            return Array(parts, one.shape, product(one.dimension, two.dimension), variability, order)
+            dimension = product(one.dimension, two.dimension)
+            return Array(parts, one.shape, dimension, variability, order, joint_kind(one, two))
         quotients = tuple(flat.Binary("/", a, b) for a, b in pairs)
         return Array(quotients, one.shape, quotient(one.dimension, two.dimension), variability, order)
     if isinstance(one, Scalar) or isinstance(two, Scalar):
