@@ -32,6 +32,7 @@ The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
 | standing | t q qd z u w p qdd lam | w (nw) with relations as they stand |
 | contact | t q qd z u w p | gap, speed (ni), dgap/dq (ni, nq) of contacts, then of `impact`; restitution, stick, rest |
 | clock | t p | first instant, period (both one entry per clock) |
+| time_event | t w p | what time alone changes: value, told (nt); distance, rate, affine, entry, change (ng) |
 | event | t q qd z u w p qdd lam | a pass over the `when` clauses: w; reset, value; impact, restitution; stop; fail |
 | definition | t q qd z u w p qdd lam | d (nd): every named value, first those that depend on p only |
 | definition_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dd (nd) |
@@ -102,6 +103,7 @@ OPTIONAL: dict[str, tuple[Group, ...]] = {
     "energies_tangent": (*STATE, *DIRECTIONS),
     "initial_equation_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
     "time_tangent": SOLVED,
+    "time_event": (Group.TIME, Group.W, Group.P),
     "acceleration_tangent": (*SOLVED, *DIRECTIONS),
 }
 

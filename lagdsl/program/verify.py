@@ -39,6 +39,7 @@ RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
     "contact": (None,) * 6,
     "clock": (None,) * 2,
     "event": (("nw",), *(None,) * 6),
+    "time_event": (None,) * 7,
     "definition": (("nd",),),
     "definition_tangent": (("nd",),),
     "start_tangent": ((_N,), (_N,), ("nz",), ("nu",)),

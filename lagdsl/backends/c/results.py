@@ -42,6 +42,7 @@ RESULTS: dict[str, tuple[str, ...]] = {
     "contact": ("gap", "speed", "jacobian", "restitution", "stick", "rest"),
     "clock": ("first", "period"),
     "event": ("next", "reset", "value", "collision", "restitution", "stop", "fail"),
+    "time_event": ("value", "told", "distance", "rate", "affine", "entry", "change"),
     "definition": ("d",),
     "definition_tangent": ("d",),
     "start_tangent": ("q", "qd", "z", "u"),

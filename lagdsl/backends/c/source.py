@@ -110,6 +110,8 @@ _COUNTED = {
     "ncollision": ("event", 3),
     "nstop": ("event", 5),
     "nfail": ("event", 6),
+    "ntimed": ("time_event", 0),
+    "ndistance": ("time_event", 2),
 }
 
 

@@ -35,6 +35,14 @@ static lag_status evaluate_event(const lag_model *model, lag_function which, con
     }
 }
 
+static lag_status evaluate_time_event(const lag_model *model, const lag_arguments *at, double *r)
+{
+    const size_t n = model->ntimed;
+    const size_t m = model->ndistance;
+    double *distance = r + 2 * n;
+    return model->time_event(at, r, r + n, distance, distance + m, distance + 2 * m, distance + 3 * m, distance + 4 * m);
+}
+
 static lag_status eliminate(const lag_model *model, const lag_arguments *at, double *r)
 {
     double *response = r + model->nq + model->nc;
@@ -120,6 +128,11 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
             return LAG_MISSING;
         }
         return eliminate(model, at, r);
+    case LAG_TIME_EVENT:
+        if (model->time_event == NULL) {
+            return LAG_MISSING;
+        }
+        return evaluate_time_event(model, at, r);
     case LAG_DISCRETE_START:
     case LAG_INDICATOR:
     case LAG_STANDING:

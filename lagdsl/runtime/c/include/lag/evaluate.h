@@ -37,7 +37,8 @@ typedef enum lag_function {
     LAG_START_TANGENT,
     LAG_ENERGIES_TANGENT,
     LAG_INITIAL_EQUATION_TANGENT,
-    LAG_TIME_TANGENT
+    LAG_TIME_TANGENT,
+    LAG_TIME_EVENT
 } lag_function;
 
 /* prepare() for the parameters and the workspace of `at`. */

@@ -46,6 +46,7 @@ typedef enum lag_kind {
     LAG_KIND_CONTACT,   /* 1 closed, 0 open; one for each contact */
     LAG_KIND_IMPACTS,   /* how often it closed or bounced; one for each contact */
     LAG_KIND_RELATION,  /* the truth of a relation; one for each indicator */
+    LAG_KIND_TIMED,     /* what time alone changes: a truth, the number of a piece */
     LAG_KIND_CONDITION, /* the truth of a condition when it was looked at last */
     LAG_KIND_CLOCK,     /* 1 in the first pass of a tick; one for each clock */
     LAG_KIND_INITIAL,   /* 1 in the first pass at the start */
@@ -238,6 +239,16 @@ typedef struct lag_model {
         double *potential,
         double *jacobi,
         double *d);
+
+    /*
+     * What depends on time, parameters and other discretes only, so that the instants of its changes are known ahead (lag/timed.h).
+     * t w p -> the entries of w as they are at that time (ntimed), what is told of their changes (ntimed): 0 nothing, 1 a truth, 2 a
+     * jump; and distances, which are positive up to the next change (ndistance each): their rates, 1 where they are affine in time
+     * between events, whose entry they belong to, and by how much that changes where they reach zero, 0 for a truth that turns over.
+     */
+    size_t ntimed, ndistance;
+    lag_status (*time_event)(const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine,
+        double *entry, double *change);
 } lag_model;
 
 #endif
