@@ -63,7 +63,7 @@ class Batch(Structure):
 
 
 # lag_what, as results of a simulation call it; "before" and "after" are the states around an event.
-WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after")
+WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
 
 # What tells the inputs at a time: (context, t, u).
 INPUTS = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double))

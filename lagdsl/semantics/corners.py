@@ -53,7 +53,8 @@ def truth(
 
 def of_call(ctx: Context, scope: Scope, node: nodes.Node, difference: FlatExpression) -> flat.Variable:
     """The truth on which the value of a continuous function depends."""
-    return truth(ctx, *_place(scope, node), difference, strict=False, told=False)
+    text, spans = _place(scope, node, "branch of ")
+    return truth(ctx, text, spans, difference, strict=False, told=False)
 
 
 def whole(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> flat.Variable:
@@ -77,7 +78,7 @@ def whole(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> fl
 
 def piece(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression, borders: Sequence[float]) -> flat.Variable:
     """The number of the interval between `borders` in which x is: k from borders[k - 1] on, up to borders[k]."""
-    text, spans = _place(scope, node)
+    text, spans = _place(scope, node, "piece of ")
     count = len(borders)
     stands = chosen(x, borders, [flat.Number(float(k)) for k in range(count + 1)])
 
@@ -112,5 +113,5 @@ def chosen_by_number(number: FlatExpression, pieces: Sequence[FlatExpression]) -
     return chosen(number, [k - 0.5 for k in range(1, len(pieces))], pieces)
 
 
-def _place(scope: Scope, node: nodes.Node) -> tuple[str, Spans]:
-    return scope.owner.prefix + node.span.text, (node.span, *scope.spans)
+def _place(scope: Scope, node: nodes.Node, part: str = "") -> tuple[str, Spans]:
+    return f"{part}{scope.owner.prefix}{node.span.text}", (node.span, *scope.spans)

@@ -86,8 +86,8 @@ class CompiledHappenings(Happenings):
         match told.what:
             case "tick":
                 return events.clocks[which].name
-            case "true" | "false":
-                return events.relations[which].name
+            case "true" | "false" | "jump":
+                return (*events.relations, *events.timed)[which].name
             case "reinit":
                 return instants.resets[which]
             case "terminate":
