@@ -185,11 +185,11 @@ static double first_zero(distance *one, double from, double to, double part)
 static double affine_zero(distance *one, double t)
 {
     const point a = at(one, t);
-    if (!(a.rate < 0.0)) {
+    const double guess = t - a.value / a.rate;
+    if (!(a.rate < 0.0) || guess == (double)INFINITY) {
         return (double)INFINITY;
     }
-    const double guess = t - a.value / a.rate;
-    if (!(guess > t) || !isfinite(guess)) {
+    if (!(guess > t)) {
         return t;
     }
     const double value = value_of(one, guess);
