@@ -1,4 +1,4 @@
-"""What happens at instants: relations that are located, corners of time, discrete variables, `when` clauses, clocks, contacts.
+"""What happens at instants: relations, corners of time, discrete variables, `when` clauses, clocks, contacts.
 
 Each of them has entries in the vector of discretes; expressions read those as variables by their names (see
 `discretes`).

@@ -49,7 +49,7 @@ def _vector(name: str, nodes: Sequence[int]) -> Block:
 
 def _starts(lowering: Lowering, flat: FlatModel) -> list[int]:
     """Discrete variables as declared, what time alone changes as it is; all else is found by looking, at the start."""
-    known = {name: lowering.graph.zero for name in lowering.symbols.previous}
+    known = dict.fromkeys(lowering.symbols.previous, lowering.graph.zero)
     known |= {each.name: lowering.scalar(each.start) for each in flat.events.discretes}
     known |= _as_time_stands(lowering, flat, known)
     return list(known.values())

@@ -1,8 +1,8 @@
 """Corners and jumps of time alone: they become entries of the discretes, whose changes are time events.
 
-`max(a, b)` is `a` or `b` by the truth of `a - b >= 0`, `floor(x)` a whole number, a table the polynomial of the interval
-in which it is. All of that is constant between events, so that what is integrated is smooth, and its derivative by time
-is that of the present piece. Nothing is stepped over: the instants are computed ahead.
+`max(a, b)` is `a` or `b` by the truth of `a - b >= 0`, `floor(x)` a whole number, a table the polynomial of one
+interval. All of that is constant between events, so the equations are smooth there, and a derivative by time is that of
+the present piece. Nothing is stepped over: the instants are computed ahead.
 """
 
 from __future__ import annotations

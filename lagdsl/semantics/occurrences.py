@@ -13,7 +13,6 @@ from lagdsl.flat.model import GeneralizedForce
 from lagdsl.flat.quantity import Spans
 from lagdsl.units import Dimension
 
-
 # Names are the text, as far as this.
 _LONGEST = 80
 

@@ -87,7 +87,8 @@ class CompiledHappenings(Happenings):
             case "tick":
                 return events.clocks[which].name
             case "true" | "false" | "jump":
-                return (*events.relations, *events.timed)[which].name
+                known = len(events.relations)
+                return events.relations[which].name if which < known else events.timed[which - known].name
             case "reinit":
                 return instants.resets[which]
             case "terminate":

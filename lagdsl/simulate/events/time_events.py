@@ -1,9 +1,11 @@
-"""What time alone changes, in runs by NumPy: the next change is computed, as far as it is affine; else it is looked for.
+"""What time alone changes, in runs by NumPy: the next change is computed where it is affine, else looked for.
 
 Momenta are not balanced here: the C runtime does that.
 """
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 import numpy as np
 
@@ -46,13 +48,17 @@ class TimeEvents:
         begin = t + self._near(t)
         times = np.linspace(begin, max(begin, min(self.next, self._span[1])), _PARTS)
         inside = self._inside(begin, w)
-        for first, last in zip(times[:-1], times[1:], strict=True):
-            if self._inside(last, w) != inside:
-                for _ in range(_HALVES):
-                    middle = 0.5 * (first + last)
-                    first, last = (middle, last) if self._inside(middle, w) == inside else (first, middle)
-                self.next = min(self.next, float(last))
+        for a, b in pairwise(times.tolist()):
+            if self._inside(b, w) != inside:
+                self.next = min(self.next, self._change(a, b, w))
                 return
+
+    def _change(self, a: float, b: float, w: Floats) -> float:
+        inside = self._inside(a, w)
+        for _ in range(_HALVES):
+            middle = 0.5 * (a + b)
+            a, b = (middle, b) if self._inside(middle, w) == inside else (a, middle)
+        return b
 
     def _inside(self, t: float, w: Floats) -> bool:
         return bool(np.all(self._look(t, w)[2] > 0.0))

@@ -47,12 +47,19 @@ void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memo
     momentum->system = memory;
 }
 
+/* dL/dqd; zero where the model does not tell them: then impulses are those of constraints only. */
+static lag_status momenta(const lag_motion *motion, double *momentum)
+{
+    lag_fill(motion->model->nq, 0.0, momentum);
+    return motion->model->momenta != NULL ? motion->model->momenta(&motion->at, momentum) : LAG_OK;
+}
+
 lag_status lag_momentum_keep(lag_momentum *momentum, double t, const double *x, const double *w)
 {
     lag_motion *motion = momentum->motion;
     lag_motion_look(motion, t, x);
     motion->at.w = w;
-    const lag_status status = motion->model->momenta(&motion->at, momentum->before);
+    const lag_status status = momenta(motion, momentum->before);
     motion->at.w = motion->w;
     return status;
 }
@@ -66,7 +73,7 @@ static lag_status look(lag_momentum *momentum, double t, const double *x)
     memset(momentum->open + momentum->places.contact, 0, model->ncontact * sizeof(double));
     lag_motion_look(motion, t, x);
     motion->at.w = momentum->open;
-    lag_status status = model->momenta(&motion->at, momentum->now);
+    lag_status status = momenta(motion, momentum->now);
     if (status == LAG_OK) {
         status = model->mass_matrix(&motion->at, momentum->mass);
     }
