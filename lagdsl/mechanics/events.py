@@ -38,8 +38,7 @@ def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]
         ],
         "event": Pass(graph, lowering, flat).blocks(),
     }
-    if flat.events.timed:
-        found["time_event"] = _time_events(lowering, flat)
+    found["time_event"] = _time_events(lowering, flat)
     return tuple(Function(name=name, arguments=OPTIONAL[name], results=tuple(found[name])) for name in found)
 
 

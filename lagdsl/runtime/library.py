@@ -55,16 +55,13 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
 
 
 class Runtime:
-    """The functions of PROTOTYPES as attributes; `methods` are the addresses of those of METHODS by name, `run_layout`
-    is what the headers of C said of lag_run when the library was compiled."""
+    """The functions of PROTOTYPES as attributes; `methods` are the addresses of those of METHODS by name."""
 
     methods: dict[str, int]
-    run_layout: tuple[int, ...]
 
     def __init__(self, library: ctypes.CDLL) -> None:
         self._library = library
         self.methods = {name: ctypes.addressof(c_char.in_dll(library, f"lag_{name}")) for name in METHODS}
-        self.run_layout = tuple((c_size_t * 2).in_dll(library, "lag_run_layout"))
 
     def __getattr__(self, name: str) -> ctypes._NamedFuncPointer:
         """Found once, kept as an attribute."""

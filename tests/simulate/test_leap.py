@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import ctypes
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.structures import RunOptions, RunReport
 from lagdsl.simulate.motion import loop
 from lagdsl.simulate.simulate import simulate
 
@@ -182,9 +179,3 @@ def test_progress_is_told() -> None:
     assert told == sorted(told)
     assert told[-1] == 1.0
     assert len(told) > 2
-
-
-def test_structures_are_as_long_in_c_as_here() -> None:
-    """A double of one in the place of the other would be read as rubbish."""
-    ours = (ctypes.sizeof(RunOptions), ctypes.sizeof(RunReport))
-    assert runtime_library().run_layout == ours
