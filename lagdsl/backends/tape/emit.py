@@ -21,7 +21,7 @@ VERSION: Final = 1
 _MAGIC: Final = b"lagtape\n"
 _PARAMETER: Final = 1 << Group.P
 _NOWHERE: Final = 0xFFFFFFFF
-_KINDS: Final = ("variable", "contact", "impacts", "relation", "condition", "clock")
+_KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
 
 # Functions by number, as lag_function counts them.
 FUNCTIONS: Final = tuple(name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY)
@@ -36,6 +36,8 @@ _COUNTED: Final = {
     "ncollision": ("event", 3),
     "nstop": ("event", 5),
     "nfail": ("event", 6),
+    "ntimed": ("time_event", 0),
+    "ndistance": ("time_event", 2),
 }
 
 

@@ -244,9 +244,10 @@ lag_status lag_timed_change(lag_timed *timed, double t)
     const lag_status status = look(timed, later);
     memcpy(w, timed->value, model->ntimed * sizeof(double));
     for (size_t i = 0; i < model->ndistance; ++i) {
-        const size_t which = (size_t)timed->entry[i];
+        const int known = timed->entry[i] >= 0.0 && timed->entry[i] < (double)model->ntimed;
+        const size_t which = known ? (size_t)timed->entry[i] : 0;
         const int reached = timed->affine[i] != 0.0 && timed->zero[i] <= later;
-        if (reached && w[which] == timed->before[which]) {
+        if (known && reached && w[which] == timed->before[which]) {
             w[which] = timed->change[i] != 0.0 ? w[which] + timed->change[i] : 1.0 - w[which];
         }
     }
