@@ -214,7 +214,8 @@ FUNCTIONS: tuple[Signature, ...] = (
 
 # Lengths that a program tells by its results only.
 COUNTED = (
-    *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance"),
+    *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
+    *("ntimed", "ndistance"),
 )
 
 BY_NAME = {function.name: function for function in FUNCTIONS}
