@@ -52,7 +52,7 @@ class CEngine:
         self._program, self._sizes = program, motion_sizes(program)
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
-        self._model = _loaded(program) if library is None else load_compiled(library, model_symbol(program))
+        self._model = self._provide() if library is None else load_compiled(library, model_symbol(program))
         self._buffers = Buffers(self._model)
         self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
         self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
@@ -206,8 +206,12 @@ class CEngine:
         """The model with functions of several states or directions at once."""
         known = self._parts.get(name)
         if known is None:
-            known = self._parts[name] = _loaded(self._program, name)
+            known = self._parts[name] = self._provide(name)
         return known
+
+    def _provide(self, part: str | None = None) -> NativeModel:
+        """The model, with the functions of several states or directions at once that are called `part`."""
+        return _loaded(self._program, part)
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
         return spread(

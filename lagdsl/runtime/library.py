@@ -51,6 +51,9 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_saved_size": (_SIZE, (_AT, _AT)),
     "run_save": (None, (_AT, _AT)),
     "run_load": (_STATUS, (_AT, _AT)),
+    "tape_check": (_STATUS, (_AT, _SIZE, _AT)),
+    "tape_model": (_AT, (_AT, _SIZE, _AT)),
+    "tape_start": (_AT, (_AT,)),
 }
 
 
