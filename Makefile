@@ -6,7 +6,7 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check bench peers docs
+.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check wheels bench peers docs
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
@@ -50,6 +50,10 @@ update: $(READY)  ## regenerate what is generated: parser tables, unit table, fu
 	$(BIN)/python -m lagdsl.units.generate
 	$(BIN)/python -m lagdsl.runtime.generate
 	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/units tests/semantics
+
+wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
+	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.platforms); do \
+	LAGDSL_PLATFORM=$$platform $(BIN)/python -m hatchling build --target wheel; done
 
 bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed
 	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py
