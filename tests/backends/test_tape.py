@@ -14,7 +14,7 @@ from hypothesis import HealthCheck, given, settings
 from random_programs import EXACT, SMOOTH, SYMBOLS, Step, as_outputs, grow, steps, values
 
 from lagdsl.backends.c.emit import Start
-from lagdsl.backends.tape.emit import tape
+from lagdsl.backends.tape.emit import SIZES, tape
 from lagdsl.backends.tape.instructions import ANGLES, ARITHMETIC, BINARY, CODE, UNARY
 from lagdsl.diagnostics import Sink
 from lagdsl.graph import Graph, Group
@@ -153,3 +153,7 @@ def test_instructions_are_those_of_the_header() -> None:
     first = re.findall(r"^    LAG_TAPE_(\w+),$", header, re.M)
     assert first == [*list(CODE)[:6], "SELECT"]
     assert f"#define LAG_TAPE_ANGLES {ANGLES}\n" in header
+    head = (c_folder() / "include" / "lag" / "tape.h").read_text(encoding="utf-8")
+    sizes = re.search(r"enum lag_tape_size \{(.*?)LAG_TAPE_NUMBER_OF_SIZES", head, re.S)
+    assert sizes is not None
+    assert re.findall(r"LAG_TAPE_(\w+),", sizes[1]) == [name.upper() for name in SIZES]
