@@ -8,12 +8,12 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from measure import children_cpu_seconds, in_fresh_process
 
 from lagdsl.backends.c.emit import model_symbol, part_symbol, sources
 from lagdsl.diagnostics import Sink
 from lagdsl.eliminate.count import flops
+from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.pipeline import front, middle
 from lagdsl.program.program import Program
 from lagdsl.runtime.build import build
