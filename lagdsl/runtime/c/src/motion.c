@@ -38,6 +38,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     }
     memset(motion, 0, sizeof *motion);
     motion->model = model;
+    motion->at.context = model->context;
     motion->at.workspace = memory;
     motion->memory = motion->at.workspace + model->workspace;
     motion->u = motion->memory + lag_jacobian_memory(model, NULL);
@@ -54,14 +55,16 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
 lag_status lag_motion_parameters(lag_motion *motion, const double *p)
 {
     motion->at.p = p;
-    return motion->model->prepare(p, motion->at.workspace);
+    return motion->model->prepare(&motion->at);
 }
 
 lag_status lag_motion_start(lag_motion *motion, double t, double *x)
 {
     const size_t n = motion->model->nq;
     motion->at.t = t;
-    return motion->model->start(&motion->at, x, x + n, x + 2 * n, motion->u);
+    const lag_model *model = motion->model;
+    const lag_status status = model->discrete_start != NULL ? model->discrete_start(&motion->at, motion->w) : LAG_OK;
+    return status == LAG_OK ? model->start(&motion->at, x, x + n, x + 2 * n, motion->u) : status;
 }
 
 void lag_motion_look(lag_motion *motion, double t, const double *x)
