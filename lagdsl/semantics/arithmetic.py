@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.quantity import Variability
+from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.semantics import corners
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, quotient, report_unequal
-from lagdsl.semantics.naming import kind_of, quantity
+from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.powers import power
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
     NUMERIC,
@@ -33,6 +34,7 @@ from lagdsl.semantics.values import (
     latest,
 )
 from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS
 
 RELATIONS = ("<", "<=", ">", ">=", "==", "<>")
@@ -287,53 +289,6 @@ def _right(node: nodes.Node) -> nodes.Node:
     return node.right if isinstance(node, nodes.Binary) else node
 
 
-# ---- powers ----------------------------------------------------------------------------------------------------------
-
-
-def power(ctx: Context, node: nodes.Binary, base: Numeric, exponent: Numeric) -> Value:
-    """`x^r`; a base with a dimension needs a literal rational exponent."""
-    if not isinstance(base, Scalar) or not isinstance(exponent, Scalar):
-        which, value = (node.left, base) if not isinstance(base, Scalar) else (node.right, exponent)
-        hint = "for the square of a length write `v*v`" if isinstance(value, Vector | Array) else None
-        ctx.sink.report("E0312", which.span, expected="a scalar", found=kind_of(value), help=hint)
-        return POISON
-    if not fits(exponent.dimension, DIMENSIONLESS):
-        ctx.sink.report("E0408", node.right.span, found=quantity(exponent.dimension))
-        return POISON
-    variability, order = latest(base, exponent), highest(base, exponent)
-    dimension = base.dimension
-    if dimension is not None and not dimension.is_dimensionless:
-        ratio = _rational(node.right, exponent)
-        if ratio is None:
-            ctx.sink.report("E0414", node.right.span, found=quantity(dimension))
-            return POISON
-        dimension = dimension**ratio
-    if isinstance(base.expression, flat.Norm) and exponent.expression == flat.Number(2.0):
-        vector = base.expression.vector
-        return Scalar(flat.Dot(vector, vector), dimension, variability, order)
-    return Scalar(flat.Binary("^", base.expression, exponent.expression), dimension, variability, order)
-
-
-def _rational(node: nodes.Node, value: Scalar) -> Fraction | None:
-    """The exponent as an exact ratio: a literal, a ratio of literals, or a structural Integer."""
-    match node:
-        case nodes.Number(text=text) if len(text) < 30:
-            ratio = Fraction(text)
-            return ratio if abs(ratio) <= 1000 and ratio.denominator <= 10**6 else None
-        case nodes.Parenthesized(inner=inner):
-            return _rational(inner, value)
-        case nodes.Unary(operator=operator, operand=operand):
-            ratio_ = _rational(operand, value)
-            return -ratio_ if ratio_ is not None and operator == "-" else ratio_
-        case nodes.Binary(operator="/", left=left, right=right):
-            top, bottom = _rational(left, value), _rational(right, value)
-            return top / bottom if top is not None and bottom else None
-        case _ if is_structural(value) and value.kind == "Integer":
-            return Fraction(evaluate(value.expression))
-        case _:
-            return None
-
-
 # ---- relations and logic ---------------------------------------------------------------------------------------------
 
 
@@ -372,14 +327,26 @@ def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: S
     difference: FlatExpression = flat.Binary("-", larger.expression, smaller.expression)
     if smaller.expression == flat.ZERO:
         difference = larger.expression
-    name = ctx.occurrences.relation(
-        scope.owner.prefix + node.span.text,
-        (node.span, *scope.spans),
-        difference,
-        joined(one.dimension, two.dimension) or DIMENSIONLESS,
-        strict=node.operator in ("<", ">"),
-    )
-    return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+    place = Located(ctx, (node.span, *scope.spans), joined(one.dimension, two.dimension) or DIMENSIONLESS)
+    text, strict = scope.owner.prefix + node.span.text, node.operator in ("<", ">")
+    truth = place.truth(text, difference, strict=strict, timed=corners.is_timed(ctx, one, two))
+    return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+
+
+@dataclass(frozen=True, slots=True)
+class Located:
+    """Where a relation stands that is located, and the dimension of its sides."""
+
+    ctx: Context
+    spans: Spans
+    dimension: Dimension
+
+    def truth(self, text: str, difference: FlatExpression, *, strict: bool, timed: bool) -> flat.Variable:
+        """Of `difference > 0` or, where it is not `strict`, of `difference >= 0`; `timed`: of time alone."""
+        if timed:
+            return corners.truth(self.ctx, text, self.spans, difference, strict=strict, told=True)
+        found = self.ctx.occurrences.relation(text, self.spans, difference, self.dimension, strict=strict)
+        return flat.Variable(found)
 
 
 def _same_number(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar) -> Scalar:

@@ -25,8 +25,8 @@ from lagdsl.fmi import toolchain as toolchains
 from lagdsl.fmi import trial as trials
 from lagdsl.fmi.archive import write_archive
 from lagdsl.fmi.export import export
-from lagdsl.fmi.platforms import PLATFORMS
 from lagdsl.pipeline import front, middle, read
+from lagdsl.runtime.platforms import PLATFORMS
 from lagdsl.source import SourceFile
 
 VERSIONS = (2, 3)
@@ -345,7 +345,7 @@ def test_without_the_headers_of_the_standard(spring, monkeypatch, tmp_path):
 
 
 def test_without_a_compiler_for_the_platform(spring, monkeypatch, tmp_path):
-    monkeypatch.setattr(toolchains, "_zig", lambda: None)
+    monkeypatch.setattr(toolchains, "zig_program", lambda: None)
     other = next(name for name in PLATFORMS if name != exporting.this_machine())
     assert refused(spring, tmp_path / "x.fmu", platforms=(other,)).code == "E0905"
 
