@@ -1,4 +1,4 @@
-"""Corners and jumps of time alone, against closed forms: nothing is stepped over, and rates take the impulses of corners.
+"""Corners and jumps of time alone, against closed forms: nothing is stepped over, however short it is.
 
 References are integrals of the prescribed functions, found by hand or by quadrature between the corners.
 """
@@ -108,9 +108,7 @@ SHORT = {
     ),
     "ramps": (
         "up.y - down.y",
-        moments(
-            lambda t: min(max((t - 5) / 0.1, 0), 1) - min(max((t - 5.2) / 0.1, 0), 1), 5.0, 5.1, 5.2, 5.3
-        ),
+        moments(lambda t: min(max((t - 5) / 0.1, 0), 1) - min(max((t - 5.2) / 0.1, 0), 1), 5.0, 5.1, 5.2, 5.3),
     ),
     "exponential corner": ("max(0, exp(-time/(1 s)) - 1/2)", moments(lambda t: max(0.0, np.exp(-t) - 0.5), np.log(2))),
 }
