@@ -54,7 +54,8 @@ def test_a_mass_that_a_clause_changes_keeps_momentum() -> None:
 
 def test_a_rate_that_the_same_clause_sets_is_what_it_sets() -> None:
     motion = free(
-        "discrete Mass m(start = 1 kg); kinetic 1/2*m*der(x)^2; equation when time >= 1 s then m = 4 kg; reinit(der(x), 1 m/s); end when;"
+        "discrete Mass m(start = 1 kg); kinetic 1/2*m*der(x)^2; equation "
+        "when time >= 1 s then m = 4 kg; reinit(der(x), 1 m/s); end when;"
     )
     assert last(motion, "x", "der(x)") == pytest.approx([3.0, 1.0], abs=1e-9)
 
