@@ -28,6 +28,7 @@ from lagdsl.semantics.inheritance import expand_short
 from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
 from lagdsl.semantics.rates import check_inputs, check_linear
+from lagdsl.semantics.scale_points import check_difference
 from lagdsl.semantics.selection import file_scope, functions_of, select
 from lagdsl.semantics.splitting import check_splits
 from lagdsl.semantics.stack import InstanceSink
@@ -121,6 +122,7 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
     for symbol in contents.symbols:
         with ctx.inside(symbol.scope):
             attributes(ctx, symbol)
+            check_difference(ctx, symbol)
             for indices in every(ctx.resolver.shape(symbol) or ()):
                 if not assembly.is_open(symbol, indices):
                     ctx.resolver.element(symbol, indices, symbol.span)
