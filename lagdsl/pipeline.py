@@ -154,17 +154,21 @@ def with_names(compilation: Compilation) -> Program:
     return named(compilation.derivation, compilation.program)
 
 
-def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
-    """What computes the functions of `program`; `auto` is C for a large one, where there is a compiler, else NumPy.
+def engine_of(program: Program, name: EngineName = "auto") -> BatchEngine:
+    """What computes the functions of `program`: `tape` at once and without a compiler, `c` compiled for this processor,
+    `auto` the tape, and C where that pays; `numpy` functions in Python, to compare with.
 
     Raises CompilationFailed where `c` is asked for and no C compiler is found.
     """
     match name:
         case "auto":
-            if _operations(program) >= _WORTH_COMPILING:
-                with suppress(CompilationFailed):
-                    return engine_of(program, "c")
-            return engine_of(program, "numpy")
+            from lagdsl.runtime.auto_engine import AutoEngine
+
+            return AutoEngine(program)
+        case "tape":
+            from lagdsl.runtime.tape_engine import TapeEngine
+
+            return TapeEngine(program)
         case "numpy":
             from lagdsl.runtime.numpy_engine import NumpyEngine
 
@@ -174,14 +178,7 @@ def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
 
             return CEngine(program)
         case _:
-            raise ValueError(f"there is no engine `{name}`; there are auto, numpy, c")
-
-
-def _operations(program: Program) -> int:
-    """Of one evaluation of the accelerations."""
-    name = next(name for name in ("elimination", "dynamics", "residual") if program.has(name))
-    roots = [node for block in program.function(name).results for node in block.elements]
-    return len(program.graph.live(roots))
+            raise ValueError(f"there is no engine `{name}`; there are {', '.join(ENGINES)}")
 
 
 def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:

@@ -12,4 +12,7 @@ class TapeEngine(CEngine):
     """As CEngine. Nothing is compiled."""
 
     def _provide(self, part: str | None = None) -> NativeModel:
-        return load_tape(tape(self._program))
+        return self._load(tape(self._program))
+
+    def _load(self, made: bytes) -> NativeModel:
+        return load_tape(made)
