@@ -68,7 +68,7 @@ class Batch(Structure):
 
 
 # lag_what, as results of a simulation call it; "before" and "after" are the states around an event.
-WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after")
+WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
 
 # What tells the inputs at a time: (context, t, u).
 INPUTS = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double))
@@ -165,7 +165,7 @@ class Model(Structure):
         ("nk", c_size_t),
         ("kept_rows", c_void_p),
         *((name, c_size_t) for name in ("nindicator", "ncontact", "ngap", "nclock")),
-        *((name, c_size_t) for name in ("nreset", "ncollision", "nstop", "nfail")),
+        *((name, c_size_t) for name in ("nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance")),
         *((name, c_void_p) for name in ("kinds", "strict", "contact_rows")),
         ("nswitched", c_size_t),
         *((name, c_void_p) for name in ("switched_rows", "reset_places", "resets", "stops", "failures")),

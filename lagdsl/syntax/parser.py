@@ -5,8 +5,8 @@ from __future__ import annotations
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile
 from lagdsl.syntax import limits, nodes
+from lagdsl.syntax.builder import TooDeep
 from lagdsl.syntax.faults import ends_outer_class, recover
-from lagdsl.syntax.machine import TooDeep
 from lagdsl.syntax.session import Session
 
 
@@ -40,11 +40,11 @@ def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
         found.report("N0199", None, count=limits.MAX_ERRORS)
     for diagnostic in found.diagnostics:
         sink.add(diagnostic)
-    return session.machine.values[-1] if session.machine.finished and not found.has_errors else None
+    return session.tree if not found.has_errors else None
 
 
 def _read(session: Session) -> None:
-    while not session.machine.finished and not session.stopped:
+    while not session.finished and not session.stopped:
         if len(session.sink.diagnostics) >= limits.MAX_ERRORS:
             return
         token = session.take()

@@ -21,7 +21,7 @@ VERSION: Final = 1
 _MAGIC: Final = b"lagtape\n"
 _PARAMETER: Final = 1 << Group.P
 _NOWHERE: Final = 0xFFFFFFFF
-_KINDS: Final = ("variable", "contact", "impacts", "relation", "condition", "clock")
+_KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
 
 # Functions by number, as lag_function counts them.
 FUNCTIONS: Final = tuple(function.name for function in known.FUNCTIONS if function.single)
@@ -29,7 +29,8 @@ FUNCTIONS: Final = tuple(function.name for function in known.FUNCTIONS if functi
 # The lengths that a tape starts with, and where the name of the model stands, as lag_tape_size counts them.
 SIZES: Final = (
     *("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "nd", "ne", "rank", "nk", "nindicator", "ncontact"),
-    *("ngap", "nclock", "nreset", "ncollision", "nstop", "nfail", "nswitched", "row", "prepared", "name"),
+    *("ngap", "nclock", "nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance", "nswitched"),
+    *("row", "prepared", "name"),
 )
 
 

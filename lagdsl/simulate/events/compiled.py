@@ -86,8 +86,9 @@ class CompiledHappenings(Happenings):
         match told.what:
             case "tick":
                 return events.clocks[which].name
-            case "true" | "false":
-                return events.relations[which].name
+            case "true" | "false" | "jump":
+                known = len(events.relations)
+                return events.relations[which].name if which < known else events.timed[which - known].name
             case "reinit":
                 return instants.resets[which]
             case "terminate":

@@ -15,6 +15,7 @@ from lagdsl.simulate.events.contacts import Contacts
 from lagdsl.simulate.events.discretes import Discretes
 from lagdsl.simulate.events.location import Look, first_change
 from lagdsl.simulate.events.passes import AHEAD, Passes, Result
+from lagdsl.simulate.events.time_events import TimeEvents
 from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.right_hand_side import RightHandSide
 from lagdsl.simulate.trajectory import Event
@@ -31,6 +32,7 @@ class Found:
     relations: list[int] = field(default_factory=list)
     contacts: list[int] = field(default_factory=list)
     clocks: list[int] = field(default_factory=list)
+    timed: bool = False
 
 
 class Happenings:
@@ -45,6 +47,7 @@ class Happenings:
         self._accumulation = Accumulation()
         self.active = self._discretes.any
         self._locates = len(self._discretes.relations) + len(self._discretes.contacts) > 0
+        self._time_events = TimeEvents(system, span)
         if self.active:
             self._contacts = Contacts(self._discretes, span[1] - span[0])
             self._passes = Passes(self._discretes, self._contacts, projection)
@@ -54,7 +57,7 @@ class Happenings:
 
     def begin(self, t: float, y: Floats) -> Result:
         """What holds at the start: relations as they stand, contacts that carry, then what is to be done there."""
-        w = self._passes.settled(t, y, self._discretes.started(t))
+        w = self._passes.settled(t, y, self._time_events.changed(t, self._discretes.started(t)))
         pierced = self._contacts.pierced(t, y, w)
         if pierced:
             return Result(y, w, failed=self._passes.blame("E0834", self._discretes.contacts[pierced].tolist()))
@@ -77,7 +80,7 @@ class Happenings:
         return (self._span[1] - self._span[0]) / LEAST_STEPS if self._locates else np.inf
 
     def next_tick(self) -> float:
-        return self._clocks.next() if self.active else np.inf
+        return min(self._clocks.next(), self._time_events.next) if self.active else np.inf
 
     def find(self, before: float, after: float, dense_output: Callable[[], Callable[[float], Floats]]) -> Found | None:
         """What happens first in a step, if anything does."""
@@ -113,11 +116,12 @@ class Happenings:
     def tick(self, t: float) -> Found | None:
         """The clocks that tick at t."""
         found = self._clocks.ticking(t) if self.active else []
-        return Found(t, clocks=found) if found else None
+        timed = self._time_events.next <= t
+        return Found(t, clocks=found, timed=timed) if found or timed else None
 
     def carry_out(self, found: Found, y: Floats) -> Result:
         result = self._carry_out(found.t, y, self._system.w, found, None)
-        if not found.clocks and self._accumulation.reached(found.t, bool(found.relations)):
+        if not found.clocks and not found.timed and self._accumulation.reached(found.t, bool(found.relations)):
             changed = [*self._discretes.relations[found.relations], *self._discretes.contacts[found.contacts]]
             result.failed = result.failed or self._passes.blame("E0833", [int(k) for k in changed])
         return result
@@ -127,12 +131,23 @@ class Happenings:
         flipped = self._discretes.relations[found.relations]
         w[flipped] = 1.0 - w[flipped]
         w[self._discretes.clocks[found.clocks]] = 1.0
-        self.events += self._triggers(found, w)
+        before, w = w, self._time_events.changed(t, w) if found.timed else w
+        self.events += self._triggers(found, w) + self._turned(t, before, w)
         if pulse is not None:
             w[pulse] = 1.0
         result = self._passes.run(t, y, w, found.relations, found.contacts)
         self.events += result.events
+        self._time_events.seek(t, result.w)
         return result
+
+    def _turned(self, t: float, before: Floats, after: Floats) -> list[Event]:
+        """Relations and jumps of time alone."""
+        timed = zip(self._discretes.flat.events.timed, self._time_events.entries.tolist(), strict=True)
+        return [
+            Event(time=t, name=each.name, kind="jump" if each.kind == "jump" else "true" if after[k] else "false")
+            for each, k in timed
+            if each.kind != "corner" and before[k] != after[k]
+        ]
 
     def _triggers(self, found: Found, w: Floats) -> list[Event]:
         """What brings the event, where it is no contact; relations that follow from it are not told."""
