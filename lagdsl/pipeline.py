@@ -8,12 +8,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
+from lagdsl.runtime.engine import ENGINES, EngineName
 from lagdsl.semantics.flatten import flatten
 from lagdsl.semantics.library import read_source
 from lagdsl.semantics.selection import complete_models
@@ -31,11 +32,8 @@ if TYPE_CHECKING:
     from lagdsl.runtime.broadcast import BatchEngine
 
 Derivation: TypeAlias = Literal["graph", "textbook"]
-EngineName: TypeAlias = Literal["auto", "numpy", "c"]
 
 _DEEPEST_RECURSION = 20_000
-# Operations of one evaluation from which on a run takes longer in Python than the C compiler does.
-_WORTH_COMPILING = 3_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -20,6 +20,7 @@ from lagdsl.resources import c_folder
 from lagdsl.runtime.background_build import BackgroundBuild
 from lagdsl.runtime.build import cache_folder, content_hash
 from lagdsl.runtime.compiler import ALIKE, Compiler, find_compiler
+from lagdsl.runtime.engine import EngineName
 from lagdsl.runtime.native_model import NativeModel, load_compiled
 from lagdsl.runtime.tape_engine import TapeEngine
 
@@ -30,14 +31,17 @@ _SAVED = 2 / 3
 
 
 class AutoEngine(TapeEngine):
-    """As TapeEngine, until there is C: `foresee` starts the compiler where that pays, `hasten` takes what it made.
+    """As TapeEngine, until there is C: `worked` starts the compiler where that pays, `hasten` takes what it made.
 
     A library that lies in the cache is taken at once. Without a compiler it stays the tape.
     """
 
+    name: EngineName = "auto"
+
     def __init__(self, program: Program) -> None:
         self._tape = tape(program)
         self._compiled: NativeModel | None = None
+        self._worked = 0.0
         self._build: BackgroundBuild | None = None
         self._compiler = _compiler()
         super().__init__(program)
@@ -46,11 +50,13 @@ class AutoEngine(TapeEngine):
     def is_compiled(self) -> bool:
         return self._compiled is not None
 
-    def foresee(self, seconds: float) -> None:
-        """So many seconds of work on the tape are still to come."""
+    def worked(self, seconds: float, left: float = 0.0) -> None:
+        """So many seconds of work were done, and so many are known to come. Without better knowledge there comes as
+        much again as there was."""
         if self._compiled is not None or self._build is not None or self._compiler is None:
             return
-        if _SAVED * seconds > _ALWAYS + _PER_BYTE * len(self._tape):
+        self._worked += seconds
+        if _SAVED * max(left, self._worked) > _ALWAYS + _PER_BYTE * len(self._tape):
             program, name = self._program, self._name(self._compiler)
             self._build = BackgroundBuild(lambda: engine_sources(program), (ALIKE,), name)
             weakref.finalize(self, self._build.cancel)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.runtime.build import build
-from lagdsl.runtime.compiler import Cancelled, Cancellation
+from lagdsl.runtime.compiler import Cancellation, Cancelled
 
 
 class BackgroundBuild:

@@ -110,7 +110,9 @@ class _Call:
 def _object(call: _Call, cache: Path, path: str, sources: Mapping[str, str]) -> Path:
     """The object file of one C file; those of the runtime are the same for all models, and compiled once."""
     shared = path.startswith("lag/")
-    read = {name: text for name, text in sources.items() if name == path or name.startswith("lag/") and name[-1] == "h"}
+    read = {
+        name: text for name, text in sources.items() if name == path or (name.startswith("lag/") and name[-1] == "h")
+    }
     made = call.folder / f"{path.removesuffix('.c')}.o"
     kept = cache / f"{content_hash(read, call.compiler, call.flags)}.o" if shared else made
     if not kept.exists():

@@ -23,7 +23,7 @@ from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.build import build
 from lagdsl.runtime.c_run import CRun, RunSettings
 from lagdsl.runtime.cores import Part, cores, share_out
-from lagdsl.runtime.engine import Floats, SingularSystem
+from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel, load_compiled
 from lagdsl.runtime.state_jacobian import StateJacobian
@@ -46,6 +46,8 @@ class CEngine:
     `library` was compiled from the C files of the program; without one, that is done here.
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
+
+    name: EngineName = "c"
 
     def __init__(self, program: Program, library: Path | None = None) -> None:
         self.layout = program.layout

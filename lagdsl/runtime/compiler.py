@@ -137,7 +137,8 @@ def processor() -> str:
 def run_compiler(
     compiler: Compiler, folder: Path, arguments: Sequence[str], cancellation: Cancellation | None = None
 ) -> None:
-    """Call the compiler in `folder`. Raises CompilationFailed (E0912) with what it says, Cancelled where it was ended."""
+    """Call the compiler in `folder`. Raises CompilationFailed (E0912) with what it says, Cancelled where it was
+    ended."""
     name = Path(compiler.command[0]).name
     command = [*compiler.command, *arguments]
     own = Cancellation() if cancellation is None else cancellation
