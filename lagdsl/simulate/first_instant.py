@@ -24,7 +24,8 @@ def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, 
     with np.errstate(all="ignore"):
         given = signals(flat, np.zeros(0), {}, (initial.t, np.inf), sink)
         p = np.array(engine.layout.defaults, dtype=np.float64)
-        system = RightHandSide(engine, given, np.zeros(len(engine.layout.discretes)), p)
+        w = engine.evaluate("discrete_start", initial.t, p)[0] if engine.layout.discretes else np.zeros(0)
+        system = RightHandSide(engine, given, w.copy(), p)
         y = np.concatenate([initial.q, initial.qd, initial.z])
         if not np.all(np.isfinite(system(initial.t, y))):
             if system.trouble is not None:

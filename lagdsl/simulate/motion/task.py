@@ -74,7 +74,9 @@ class Reached:
 
 
 def tools_of(task: Task) -> Tools:
-    w = np.zeros(len(task.engine.layout.discretes))
+    w = np.zeros(0)
+    if task.engine.layout.discretes:
+        w = task.engine.evaluate("discrete_start", task.initial.t, task.p)[0].copy()
     system = RightHandSide(task.engine, task.signals, w, task.p)
     space = replace(geometry(task.flat, task.engine, task.p), t=task.initial.t, q=task.initial.q, qd=task.initial.qd)
     return Tools(
