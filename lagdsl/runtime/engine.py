@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Literal, Protocol, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from lagdsl.program.program import Layout
 
 Floats = NDArray[np.float64]
+EngineName: TypeAlias = Literal["auto", "tape", "c", "numpy"]
+ENGINES: tuple[EngineName, ...] = get_args(EngineName)
 
 
 class SingularSystem(ArithmeticError):  # noqa: N818  it is a state of the mechanism, not always a mistake
@@ -29,6 +31,7 @@ class Engine(Protocol):
     """
 
     layout: Layout
+    name: EngineName
 
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats

@@ -24,7 +24,7 @@ from lagdsl.program.functions import STATE
 from lagdsl.program.program import Block, Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.cores import share_out
-from lagdsl.runtime.engine import Floats, SingularSystem
+from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 
 # What bodies call on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat
 # what is no number as NumPy and C do.
@@ -41,6 +41,8 @@ _ON_NUMBERS = SimpleNamespace(
 
 class NumpyEngine:
     """Engine that needs no compiler. The functions named `..._many` broadcast over leading axes."""
+
+    name: EngineName = "numpy"
 
     def __init__(self, program: Program) -> None:
         self.layout = program.layout
