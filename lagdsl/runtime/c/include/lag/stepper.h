@@ -32,6 +32,8 @@ typedef struct lag_stepper {
     size_t evaluations, jacobians, decompositions, steps, rejections;
     lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
     double trouble_time;
+    double *trouble_x;  /* (size) and the state */
+    double length;      /* of the steps of methods that do not choose it */
 } lag_stepper;
 
 struct lag_method {
@@ -51,6 +53,8 @@ struct lag_method {
 
 extern const lag_method lag_dop853; /* explicit, order 8 */
 extern const lag_method lag_radau;  /* implicit, order 5, 9 or 13, L-stable */
+/* Those of lag/fixed.h with steps of `length`, without error estimate: the last one is cut, or stretched a little, to hit the limit. */
+extern const lag_method lag_steps_rk4, lag_steps_leapfrog, lag_steps_ros2;
 
 /* Doubles for states of `size` numbers; enough for any method of this runtime. */
 size_t lag_stepper_memory(size_t size);
