@@ -156,11 +156,12 @@ int enter(const field *of, int count, char **arguments)
     c->memory = doubles(memory(c->model));
     c->qdd = doubles(n);
     c->lam = doubles(c->model->nc);
+    c->at.context = c->model->context;
     c->at.z = c->at.u = c->at.w = zeros;
     c->at.p = c->model->defaults;
     c->at.workspace = doubles(workspace(c->model, c->tangents));
     c->jacobian_memory = doubles(jacobian_memory(c->model, c->tangents));
-    c->model->prepare(c->at.p, c->at.workspace);
+    c->model->prepare(&c->at);
     if (strstr(arguments[4], "forward") != NULL) {
         of->add((contestant){"forward", "", forward, fetch_forward, c, (int)n, 1});
     }

@@ -70,7 +70,7 @@ class CEngine:
         self._results = np.zeros(max(*self._width.values(), 1))
         self._qdd, self._lam = np.zeros(layout.size(Group.Q)), np.zeros(layout.size(Group.LAMBDA))
         self._coordinate = c_size_t(0)
-        self._arguments = Arguments(workspace=self._buffers.workspace.ctypes.data)
+        self._arguments = Arguments(workspace=self._buffers.workspace.ctypes.data, context=self._library.context)
         for i, group in enumerate(VECTORS):
             setattr(self._arguments, ARGUMENT_NAMES[group], self._vectors.ctypes.data + 8 * int(ends[i]))
         self._prepared: bytes | None = None

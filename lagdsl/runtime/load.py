@@ -9,7 +9,7 @@ from pathlib import Path
 
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 
-VERSION = 1
+VERSION = 2
 
 # Methods of the runtime that choose their steps.
 METHODS = ("dop853", "radau")
@@ -41,9 +41,9 @@ class Arguments(Structure):
     _fields_ = [
         ("t", c_double),
         *((name, c_void_p) for name in _NAMES),
-        ("relations", c_void_p),
         ("workspace", c_void_p),
         ("times", c_void_p),
+        ("context", c_void_p),
     ]
 
 
@@ -147,12 +147,10 @@ class ModelHead(Structure):
         ("version", c_uint),
         ("size", c_size_t),
         ("name", c_char_p),
-        *(
-            (name, c_size_t)
-            for name in ("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "ne", "nrelation", "rank")
-        ),
+        *((name, c_size_t) for name in ("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "ne", "rank")),
         ("workspace", c_size_t),
         ("prepared", c_size_t),
+        ("context", c_void_p),
     ]
 
 
@@ -164,12 +162,14 @@ class Range(Structure):
 
 @dataclass(frozen=True, slots=True)
 class Library:
-    """A loaded model: `model` points at its lag_model, `part` at its lag_states or lag_tangents, or is null.
+    """A loaded model: `model` points at its lag_model, `part` at its lag_states or lag_tangents, or is null; `context`
+    is that of its functions.
 
     The others are functions compiled with it, and how many doubles they need.
     """
 
     model: object
+    context: int | None
     part: object
     workspace: int
     memory: int
@@ -213,6 +213,7 @@ def load(path: Path, symbol: str, part: str | None = None) -> Library:
     arguments, batch, results, index = POINTER(Arguments), POINTER(Batch), c_void_p, POINTER(c_size_t)
     return Library(
         model=model,
+        context=head.context,
         part=of_part,
         workspace=_measured(library, "lag_jacobian_workspace", model, tangents),
         memory=_measured(library, "lag_jacobian_memory", model, tangents),

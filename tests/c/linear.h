@@ -21,10 +21,9 @@ static struct {
 
 static size_t linear_discretes; /* their number */
 
-static lag_status linear_prepare(const double *p, double *workspace)
+static lag_status linear_prepare(const lag_arguments *at)
 {
-    (void)p;
-    (void)workspace;
+    (void)at;
     return LAG_OK;
 }
 

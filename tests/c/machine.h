@@ -9,10 +9,9 @@
 
 enum { PUSH, FLOOR, BLOWS, BEYOND, SAMPLED, PASSED, TICK, MACHINE_DISCRETES };
 
-static inline lag_status machine_prepare(const double *p, double *workspace)
+static inline lag_status machine_prepare(const lag_arguments *at)
 {
-    (void)p;
-    (void)workspace;
+    (void)at;
     return LAG_OK;
 }
 

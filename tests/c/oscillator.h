@@ -4,10 +4,9 @@
 
 #include "lag/model.h"
 
-static inline lag_status oscillator_prepare(const double *p, double *workspace)
+static inline lag_status oscillator_prepare(const lag_arguments *at)
 {
-    (void)p;
-    (void)workspace;
+    (void)at;
     return LAG_OK;
 }
 

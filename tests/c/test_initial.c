@@ -13,10 +13,9 @@ enum { SIZE = 9, N = 4, A = 8 };
 
 static size_t twice; /* 1: the first circle a second time */
 
-static lag_status prepare(const double *p, double *workspace)
+static lag_status prepare(const lag_arguments *at)
 {
-    (void)p;
-    (void)workspace;
+    (void)at;
     return LAG_OK;
 }
 

@@ -16,9 +16,10 @@ enum { LANES = 3, STATES = 8, VARIABLES = 7, RATES = 5 };
 static int constrained;
 static double smallest = 1.0;
 
-static lag_status prepare(const double *p, double *workspace)
+static lag_status prepare(const lag_arguments *at)
 {
-    workspace[0] = 1.0 / p[0];
+    CHECK(at->context == &smallest);
+    at->workspace[0] = 1.0 / at->p[0];
     return LAG_OK;
 }
 
@@ -73,6 +74,7 @@ static lag_status elimination(
 
 static lag_status prepare_states(const lag_arguments *at)
 {
+    CHECK(at->context == &smallest);
     for (size_t k = 0; k < LANES; ++k) {
         at->workspace[k] = 1.0 / at->p[k];
     }
@@ -196,7 +198,7 @@ static lag_model made(int with_elimination)
 {
     const size_t rows = constrained ? 1 : 0;
     lag_model model = {
-        .version = LAG_MODEL_VERSION, .nq = 2, .nz = 1, .nu = 1, .np = 1, .nc = rows, .ny = 1, .rank = rows, .workspace = 2,
+        .version = LAG_MODEL_VERSION, .context = &smallest, .nq = 2, .nz = 1, .nu = 1, .np = 1, .nc = rows, .ny = 1, .rank = rows, .workspace = 2,
         .prepared = 1, .prepare = prepare, .dynamics = dynamics, .residual_tangent = residual_tangent,
         .state_derivative_tangent = state_derivative_tangent, .output_tangent = output_tangent, .nk = rows, .kept_rows = kept,
         .redundant = redundant,
@@ -217,7 +219,7 @@ static void draw_state(unsigned long long *seed, state *x)
         *values[i] = draw(seed);
     }
     x->p[0] = 1.5 + draw(seed);
-    x->at = (lag_arguments){.q = x->q, .qd = x->qd, .z = x->z, .u = x->u, .p = x->p, .workspace = x->workspace};
+    x->at = (lag_arguments){.q = x->q, .qd = x->qd, .z = x->z, .u = x->u, .p = x->p, .workspace = x->workspace, .context = &smallest};
 }
 
 /* qd, qdd, z' and y at the state. */
@@ -226,7 +228,7 @@ static void evaluate(const lag_model *model, state *x, double *rates, double *y)
     double *memory = malloc((lag_dynamics_memory(model) + 1) * sizeof(double));
     double lam[1] = {0.0};
     CHECK(memory != NULL);
-    CHECK(prepare(x->p, x->workspace) == LAG_OK);
+    CHECK(prepare(&x->at) == LAG_OK);
     CHECK(lag_forward_dynamics(model, &x->at, memory, rates + 2, lam, NULL) == LAG_OK);
     rates[0] = x->qd[0];
     rates[1] = x->qd[1];
@@ -262,7 +264,7 @@ static lag_status differentiate(
     size_t coordinate = 7;
     CHECK(memory != NULL);
     CHECK(lag_jacobian_workspace(model, tangents_of) == 2);
-    CHECK(prepare(x->p, x->workspace) == LAG_OK);
+    CHECK(prepare(&x->at) == LAG_OK);
     const lag_status status = lag_jacobian(model, tangents_of, &x->at, range, memory, rates, outputs, &coordinate);
     CHECK(status != LAG_SINGULAR || coordinate == 0);
     free(memory);
@@ -381,7 +383,7 @@ static void batches(size_t p_stride)
         x.z[0] = z[i];
         x.u[0] = u[i];
         x.p[0] = p[i * p_stride];
-        x.at = (lag_arguments){.q = x.q, .qd = x.qd, .z = x.z, .u = x.u, .p = x.p, .workspace = x.workspace};
+        x.at = (lag_arguments){.q = x.q, .qd = x.qd, .z = x.z, .u = x.u, .p = x.p, .workspace = x.workspace, .context = &smallest};
         CHECK(differentiate(&model, tangents_of, &x, (lag_range){0, 5}, own, y) == LAG_OK);
         check_all(rates + i * RATES * 5, own, RATES * 5, 0.0);
         check_all(outputs + i * 5, y, 5, 0.0);

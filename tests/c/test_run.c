@@ -6,10 +6,11 @@
 #include "lag/run.h"
 #include "oscillator.h"
 
-static lag_status no_preparation(const double *p, double *workspace)
+static const double given; /* to the functions of models: its address */
+
+static lag_status no_preparation(const lag_arguments *at)
 {
-    (void)p;
-    (void)workspace;
+    CHECK(at->context == &given);
     return LAG_OK;
 }
 
@@ -105,6 +106,7 @@ static const lag_model CIRCLE = {
     .rank = 1,
     .coordinates = CIRCLE_Q,
     .position_level = BOTH,
+    .context = &given,
     .prepare = no_preparation,
     .start = circle_start,
     .position_constraint = circle_position,
@@ -269,6 +271,7 @@ static const lag_model FREE = {
     .coordinates = FREE_Q,
     .discretes = FREE_W,
     .defaults = GRAVITY,
+    .context = &given,
     .prepare = no_preparation,
     .start = free_start,
     .mass_matrix = free_mass,

@@ -9,10 +9,9 @@
 
 enum { SIZE = 4, ROWS = 301 };
 
-static lag_status prepare(const double *p, double *workspace)
+static lag_status prepare(const lag_arguments *at)
 {
-    (void)p;
-    (void)workspace;
+    (void)at;
     return LAG_OK;
 }
 

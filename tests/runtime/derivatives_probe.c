@@ -16,7 +16,7 @@ int probe(const lag_model *model, double rate, double t, const double *state, co
     double *workspace = calloc(model->workspace + 1, sizeof(double));
     double *memory = calloc(lag_derivatives_memory(model) + 1, sizeof(double));
     lag_derivatives d;
-    lag_arguments at = {.t = t, .workspace = workspace};
+    lag_arguments at = {.t = t, .workspace = workspace, .context = model->context};
     at.q = state;
     at.qd = at.q + n;
     at.z = at.qd + n;
@@ -24,7 +24,7 @@ int probe(const lag_model *model, double rate, double t, const double *state, co
     at.w = at.u + model->nu;
     at.p = at.w + model->nw;
     size_t coordinate = 0;
-    int status = model->prepare(at.p, workspace);
+    int status = model->prepare(&at);
     lag_derivatives_place(&d, model, memory);
     status = status ? status : (int)lag_derivatives_look(&d, &at, rate, &coordinate);
     memcpy(d.x, direction, order * sizeof(double));

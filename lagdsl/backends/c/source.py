@@ -94,10 +94,9 @@ def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]
     stores = tuple(Store(Place("result", place.index), node) for node, place in prepared.items())
     head = Head("model_prepare_from", ["const lag_arguments *at", "double *result"], ["at", "result"])
     made = code(program.graph, stores, {}, SINGLE, head)
-    lines = ["lag_arguments given = {0};", "given.p = p;", "given.workspace = workspace;"]
     body = definition(head, made, Results(), SINGLE, f"at->workspace + {len(prepared)}")
-    prepare = "static lag_status model_prepare(const double *p, double *workspace)"
-    return body + braced(prepare, [*lines, "return model_prepare_from(&given, workspace);"]), made.scratch
+    prepare = "static lag_status model_prepare(const lag_arguments *at)"
+    return body + braced(prepare, ["return model_prepare_from(at, at->workspace);"]), made.scratch
 
 
 # Lengths that only the results of a function tell, as members of lag_model: function and number of the result.

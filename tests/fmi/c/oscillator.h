@@ -11,9 +11,9 @@
 
 enum { OSC_TIME, OSC_K, OSC_Q, OSC_QD, OSC_Z, OSC_QDD, OSC_ZD, OSC_U, OSC_UD, OSC_YQ, OSC_YA, OSC_STEP, OSC_ENERGY, OSC_BOTH, OSC_VARIABLES };
 
-static inline lag_status osc_prepare(const double *p, double *workspace)
+static inline lag_status osc_prepare(const lag_arguments *at)
 {
-    workspace[0] = p[0];
+    at->workspace[0] = at->p[0];
     return LAG_OK;
 }
 

@@ -4,7 +4,7 @@
 #include "lag/finite.h"
 #include "lag/memory.h"
 
-static lag_arguments state(const lag_batch *batch, size_t i)
+static lag_arguments state(const lag_model *model, const lag_batch *batch, size_t i)
 {
     lag_arguments at;
     at.t = batch->t[i * batch->t_stride];
@@ -23,26 +23,26 @@ static lag_arguments state(const lag_batch *batch, size_t i)
     at.dp = batch->dp + i * batch->dp_stride;
     at.dqdd = batch->dqdd + i * batch->dqdd_stride;
     at.dlam = batch->dlam + i * batch->dlam_stride;
-    at.relations = NULL;
     at.times = NULL;
+    at.context = model->context;
     at.workspace = batch->workspace;
     return at;
 }
 
-static lag_status prepare(const lag_model *model, const lag_batch *batch, size_t i)
+static lag_status prepare(const lag_model *model, const lag_batch *batch, const lag_arguments *at, size_t i)
 {
     if (i > 0 && batch->p_stride == 0) {
         return LAG_OK;
     }
-    return model->prepare(batch->p + i * batch->p_stride, batch->workspace);
+    return model->prepare(at);
 }
 
 lag_status lag_batch_evaluate(
     const lag_model *model, lag_function which, const lag_batch *batch, double *results, size_t width)
 {
     for (size_t i = 0; i < batch->count; ++i) {
-        const lag_arguments at = state(batch, i);
-        lag_status status = prepare(model, batch, i);
+        const lag_arguments at = state(model, batch, i);
+        lag_status status = prepare(model, batch, &at, i);
         if (status == LAG_OK) {
             status = lag_evaluate(model, which, &at, results + i * width);
         }
@@ -64,8 +64,8 @@ static lag_status solve_singly(
 {
     lag_status first = LAG_OK;
     for (size_t i = 0; i < batch->count && first != LAG_SINGULAR; ++i) {
-        const lag_arguments at = state(batch, i);
-        lag_status status = prepare(model, batch, i);
+        const lag_arguments at = state(model, batch, i);
+        lag_status status = prepare(model, batch, &at, i);
         if (status == LAG_OK) {
             status = lag_forward_dynamics(model, &at, batch->memory, qdd + i * model->nq, lam + i * model->nc, coordinate);
         }
@@ -78,8 +78,8 @@ static lag_status solve_singly(
 static lag_status solve_again(
     const lag_model *model, const lag_batch *batch, size_t i, double *qdd, double *lam, size_t *coordinate)
 {
-    const lag_arguments at = state(batch, i);
-    const lag_status status = model->prepare(at.p, batch->workspace);
+    const lag_arguments at = state(model, batch, i);
+    const lag_status status = model->prepare(&at);
     return status == LAG_OK ? lag_forward_dynamics(model, &at, batch->memory, qdd, lam, coordinate) : status;
 }
 
@@ -115,7 +115,8 @@ static size_t place(const lag_model *model, const lag_states *states, double *me
     all->lam_response = lag_take(&end, dense ? 0 : lanes * kept * m);
     all->pivot = lag_take(&end, lanes);
     all->at = (lag_arguments){
-        .times = all->t, .q = all->q, .qd = all->qd, .z = all->z, .u = all->u, .w = all->w, .p = all->p, .workspace = end
+        .times = all->t, .q = all->q, .qd = all->qd, .z = all->z, .u = all->u, .w = all->w, .p = all->p, .workspace = end,
+        .context = model->context
     };
     return (size_t)(end - memory) + states->workspace;
 }
@@ -269,9 +270,9 @@ lag_status lag_batch_jacobian(
     const size_t width = (2 * model->nq + model->nz) * x.count;
     lag_status first = LAG_OK;
     for (size_t i = 0; i < batch->count && first != LAG_SINGULAR; ++i) {
-        const lag_arguments at = state(batch, i);
+        const lag_arguments at = state(model, batch, i);
         double *own = outputs == NULL ? NULL : outputs + i * model->ny * x.count;
-        lag_status status = prepare(model, batch, i);
+        lag_status status = prepare(model, batch, &at, i);
         if (status == LAG_OK) {
             status = lag_jacobian(model, tangents, &at, x, batch->memory, rates + i * width, own, coordinate);
         }

@@ -2,7 +2,7 @@
 
 lag_status lag_prepare(const lag_model *model, const lag_arguments *at)
 {
-    return model->prepare(at->p, at->workspace);
+    return model->prepare(at);
 }
 
 /* What models with discretes have beside. */

@@ -39,6 +39,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     }
     memset(motion, 0, sizeof *motion);
     motion->model = model;
+    motion->at.context = model->context;
     motion->at.workspace = memory;
     motion->memory = motion->at.workspace + model->workspace;
     motion->u = motion->memory + lag_jacobian_memory(model, NULL);
@@ -56,7 +57,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
 lag_status lag_motion_parameters(lag_motion *motion, const double *p)
 {
     motion->at.p = p;
-    return motion->model->prepare(p, motion->at.workspace);
+    return motion->model->prepare(&motion->at);
 }
 
 lag_status lag_motion_start(lag_motion *motion, double t, double *x)

@@ -40,7 +40,7 @@ typedef enum lag_function {
     LAG_TIME_TANGENT
 } lag_function;
 
-/* prepare() for the parameters and the workspace of `at`. */
+/* prepare() of the model. */
 lag_status lag_prepare(const lag_model *model, const lag_arguments *at);
 
 /* Results are written one after the other into `results`, each in the order that lag/model.h tells. */

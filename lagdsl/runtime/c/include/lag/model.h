@@ -1,9 +1,10 @@
 /*
- * The one place where generated and written C meet: a model is a constant of type lag_model.
+ * The one place where models and the runtime meet: a model is a structure of type lag_model, a constant of generated C or filled when
+ * the program runs.
  *
  * Arrays are dense, row-major, in the order of the name tables, in the SI units told there. Signs: M qdd - J' lam = f,
- * J qdd = gamma. Functions do not allocate, keep no state and write to their results and to the workspace only. Later versions
- * add members at the end or take reserved ones; a reader checks `version` and `size`. What a model lacks is null.
+ * J qdd = gamma. Functions do not allocate, keep no state and write to their results and to the workspace only. A reader
+ * checks `version` and `size`. What a model lacks is null.
  */
 #ifndef LAG_MODEL_H
 #define LAG_MODEL_H
@@ -12,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 1u
+#define LAG_MODEL_VERSION 2u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -71,11 +72,10 @@ typedef struct lag_arguments {
     const double *dp;   /* (np) */
     const double *dqdd; /* (nq) */
     const double *dlam; /* (nc) */
-    /* (nrelation) truth of every relation, frozen between events; null: relations as they stand */
-    const unsigned char *relations;
     /* (workspace) owned by the caller, flat and without pointers; its first `prepared` entries hold what prepare() wrote */
     double *workspace;
     const double *times; /* (lanes) instead of t, for functions of several states at once */
+    const void *context; /* that of the model */
 } lag_arguments;
 
 typedef struct lag_model {
@@ -85,10 +85,10 @@ typedef struct lag_model {
 
     size_t nq, nz, nu, nw, np, nc; /* coordinates, states, inputs, discretes, parameters, rows of constraints */
     size_t ny, ni, na, ne;         /* outputs, invariants, assertions, initial equations */
-    size_t nrelation;              /* relations that can be frozen */
     size_t rank;                   /* largest number of independent rows of J */
     size_t workspace;              /* doubles that the functions need */
     size_t prepared;               /* of these, how many prepare() fills */
+    const void *context;           /* what the functions need beside their arguments, which pass it on; null for generated C */
 
     const lag_slot *coordinates;           /* (nq) */
     const lag_slot *states;                /* (nz) */
@@ -103,8 +103,8 @@ typedef struct lag_model {
     const unsigned char *position_level;   /* (nc) 1: the row restricts q itself */
     const unsigned char *redundant;        /* (nc) 1: the row depends on others */
 
-    /* Fills the part of the workspace that depends on p only. Call it first, and again whenever p changes. */
-    lag_status (*prepare)(const double *p, double *workspace);
+    /* p -> the part of the workspace that depends on p only. Call it first, and again whenever p changes. */
+    lag_status (*prepare)(const lag_arguments *at);
 
     /* t p -> start values q (nq), qd (nq), z (nz); default inputs u (nu) */
     lag_status (*start)(const lag_arguments *at, double *q, double *qd, double *z, double *u);
@@ -141,12 +141,6 @@ typedef struct lag_model {
     /* t q qd z u w p qdd lam -> residuals of the initial equations (ne) */
     lag_status (*initial_equation)(const lag_arguments *at, double *residual);
 
-    /* Reserved, null in this version. */
-
-    /* the linear side in pieces: factor M at a state; overwrite `count` right-hand sides x (count, nq) by M^-1 x */
-    size_t factor_size;
-    lag_status (*factor)(const lag_arguments *at, double *factor);
-    lag_status (*apply_inverse_mass)(const double *factor, size_t count, double *x);
     /*
      * What happens at instants, of models with discretes. An indicator is positive (or, for relations that allow it, zero) where its
      * relation holds. Gaps are those of the contacts, then those that clauses let collide. A pass over the clauses gives w after it
@@ -170,8 +164,7 @@ typedef struct lag_model {
     /* t q qd z u w p qdd lam -> w (nw), reset, value (nreset), collision, restitution (ncollision), stop (nstop), fail (nfail) */
     lag_status (*event)(const lag_arguments *at, double *next, double *reset, double *value, double *collision, double *restitution,
         double *stop, double *fail);
-    /* where M and J can be nonzero */
-    const lag_pattern *mass_pattern;
+    /* where J can be nonzero; null: anywhere */
     const lag_pattern *jacobian_pattern;
 
     /* t q qd z u w p, dq dqd dz du dp -> dphi (nc), d(J qd + b) (nc) */
