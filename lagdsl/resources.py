@@ -31,6 +31,16 @@ def c_folder() -> Path:
     return _PACKAGE / "runtime" / "c"
 
 
+def runtime_library_folder() -> Path:
+    """Where the C runtime lies as a shared library."""
+    return _PACKAGE / "runtime" / "lib"
+
+
+def is_checkout() -> bool:
+    """Whether this is the source tree, not a package that was installed from a wheel."""
+    return not (_PACKAGE / "_data").is_dir()
+
+
 def fmi_folder() -> Path:
     """The written C of FMUs: `include/lag/*.h` and `src/*.c`."""
     return _PACKAGE / "fmi" / "c"

@@ -12,8 +12,8 @@ from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, take
 from lagdsl.cli.output import Unwritable, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.fmi.platforms import PLATFORMS
 from lagdsl.pipeline import findings
+from lagdsl.runtime.platforms import PLATFORMS
 
 
 @click.command("fmu")

@@ -11,12 +11,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from lagdsl.fmi.libraries import timeless
-from lagdsl.fmi.platforms import Platform, this_machine
 from lagdsl.fmi.toolchain import Toolchain, toolchain
 from lagdsl.record import record
 from lagdsl.runtime.build import cache_folder
 from lagdsl.runtime.compiler import failure
 from lagdsl.runtime.cores import cores
+from lagdsl.runtime.platforms import Platform, this_machine
 
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 

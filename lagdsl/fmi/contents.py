@@ -10,12 +10,12 @@ from lagdsl.fmi.build_description import build_description
 from lagdsl.fmi.fmi2_description import fmi2_description
 from lagdsl.fmi.fmi3_description import fmi3_description
 from lagdsl.fmi.libraries import universal
-from lagdsl.fmi.platforms import Platform, platform_of
 from lagdsl.fmi.sources import c_files, is_standard, model_sources
 from lagdsl.fmi.subject import Subject
 from lagdsl.fmi.table import table_source
 from lagdsl.fmi.terminals import terminals
 from lagdsl.fmi.variables import Version
+from lagdsl.runtime.platforms import Platform, platform_of
 
 _FMI2_FOLDERS = {"x86_64-linux": "linux64", "x86_64-windows": "win64", "x86_64-darwin": "darwin64"}
 

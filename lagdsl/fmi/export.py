@@ -14,7 +14,6 @@ from lagdsl.fmi.contents import library_files, source_files, terminal_files, tex
 from lagdsl.fmi.documentation import documentation_files
 from lagdsl.fmi.extra import extra_files
 from lagdsl.fmi.model_texts import model_texts
-from lagdsl.fmi.platforms import PLATFORMS, Platform, platform_of, this_machine
 from lagdsl.fmi.reference import reference
 from lagdsl.fmi.refusals import refuse
 from lagdsl.fmi.sources import require_fmpy
@@ -23,6 +22,7 @@ from lagdsl.fmi.trial import try_out
 from lagdsl.fmi.variables import KINDS, Kind, Version
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.compiler import failure
+from lagdsl.runtime.platforms import PLATFORMS, Platform, platform_of, this_machine
 from lagdsl.source import SourceFile
 from lagdsl.source.whole_file import whole_file
 
@@ -46,8 +46,8 @@ def export(
 ) -> None:
     """Write the model as an FMU of this `version` of FMI.
 
-    `platforms` are names of `lagdsl.fmi.platforms.PLATFORMS`; none: that of this machine. `parameters` and `start`, by
-    name in SI units, become the defaults. `source` is put into the file with all else that the model was read from.
+    `platforms` are names of `lagdsl.runtime.platforms.PLATFORMS`; none: that of this machine. `parameters` and `start`,
+    by name in SI units, become the defaults. `source` is put into the file with all else that the model was read from.
     Without `documented` there is neither documentation nor a picture nor a motion to compare with, which take most of
     the time. `progress` is called with the part of the work that is done. The file appears when the validator of fmpy
     found nothing and its own library, if it is for this machine, came through its first steps; the same model gives the

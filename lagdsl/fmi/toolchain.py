@@ -7,9 +7,9 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
-from lagdsl.fmi.platforms import Platform, this_machine
 from lagdsl.record import record
 from lagdsl.runtime.compiler import FLAGS, failure, find_compiler
+from lagdsl.runtime.platforms import Platform, this_machine
 
 _LONGEST_NOTE = 2000
 # What nobody calls is left out, and all processors round alike.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.runtime.engine import Floats
-from lagdsl.runtime.load import Library
+from lagdsl.runtime.native_model import NativeModel
 
 # Bytes of the longest vector: what starts at a multiple of it is read fastest.
 _ALIGNMENT = 64
@@ -20,9 +20,9 @@ def aligned(count: int) -> Floats:
 
 
 class Buffers:
-    """What a library needs to be called, for one thread; never empty, so that every pointer points at something."""
+    """What the runtime needs to call a model, for one thread; never empty: every pointer points at something."""
 
-    def __init__(self, library: Library) -> None:
-        self.workspace = aligned(library.workspace + 1)
-        self.memory = aligned(library.memory + 1)
-        self.lanes = aligned(library.lanes + 1)
+    def __init__(self, model: NativeModel) -> None:
+        self.workspace = aligned(model.workspace + 1)
+        self.memory = aligned(model.memory + 1)
+        self.lanes = aligned(model.lanes + 1)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.backends.c.emit import model_symbol, part_symbol, sources
+from lagdsl.backends.c.emit import engine_sources, model_symbol, part_symbol
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.derivatives import variables
 from lagdsl.backends.python.support.vectorize import split
@@ -24,8 +24,10 @@ from lagdsl.runtime.build import build
 from lagdsl.runtime.c_run import CRun, RunSettings
 from lagdsl.runtime.cores import Part, cores, share_out
 from lagdsl.runtime.engine import Floats, SingularSystem
-from lagdsl.runtime.load import VECTORS, Arguments, Batch, Library, Range, load
+from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.native_model import NativeModel, load_compiled
 from lagdsl.runtime.state_jacobian import StateJacobian
+from lagdsl.runtime.structures import VECTORS, Arguments, Batch, Range
 
 _SINGULAR = 1
 _STATE_VECTORS = STATE[1:]
@@ -41,16 +43,17 @@ class CEngine:
 
     Beside the functions of the protocol, those named `..._many` broadcast over leading axes, in one call of C.
     The functions of several states, or of several directions of derivatives, at once are compiled when first needed.
-    `library` was compiled from all C files of the program; without one, that is done here.
+    `library` was compiled from the C files of the program; without one, that is done here.
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
 
     def __init__(self, program: Program, library: Path | None = None) -> None:
         self.layout = program.layout
         self._program, self._sizes = program, motion_sizes(program)
-        self._parts: dict[str, Library] = {}
-        self._library = _loaded(program) if library is None else load(library, model_symbol(program))
-        self._buffers = Buffers(self._library)
+        self._parts: dict[str, NativeModel] = {}
+        self._runtime = runtime_library()
+        self._model = _loaded(program) if library is None else load_compiled(library, model_symbol(program))
+        self._buffers = Buffers(self._model)
         self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
         self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
@@ -70,12 +73,12 @@ class CEngine:
         self._results = np.zeros(max(*self._width.values(), 1))
         self._qdd, self._lam = np.zeros(layout.size(Group.Q)), np.zeros(layout.size(Group.LAMBDA))
         self._coordinate = c_size_t(0)
-        self._arguments = Arguments(workspace=self._buffers.workspace.ctypes.data, context=self._library.context)
+        self._arguments = Arguments(workspace=self._buffers.workspace.ctypes.data, context=self._model.context)
         for i, group in enumerate(VECTORS):
             setattr(self._arguments, ARGUMENT_NAMES[group], self._vectors.ctypes.data + 8 * int(ends[i]))
         self._prepared: bytes | None = None
         self._state_jacobian: StateJacobian | None = None
-        at, model, index = byref(self._arguments), self._library.model, byref(self._coordinate)
+        at, model, index = byref(self._arguments), self._model.model, byref(self._coordinate)
         self._prepare_call = (model, at)
         memory = self._buffers.memory.ctypes.data
         self._solve_call = (model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
@@ -88,7 +91,7 @@ class CEngine:
     ) -> tuple[Floats, Floats]:
         """Accelerations qdd (nq,) and multipliers lam (nc,). Raises SingularSystem."""
         self._set_state(t, q, qd, z, u, w, p)
-        self._check(self._library.forward_dynamics(*self._solve_call))
+        self._check(self._runtime.forward_dynamics(*self._solve_call))
         return self._qdd.copy(), self._lam.copy()
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
@@ -101,7 +104,7 @@ class CEngine:
                 self._view[group][...] = argument
                 parameters = argument if group is Group.P else parameters
         self._prepare(np.asarray(parameters))
-        self._library.evaluate(self._library.model, self._number[function], *self._evaluate_call)
+        self._runtime.evaluate(self._model.model, self._number[function], *self._evaluate_call)
         return split(self._results[: self._width[function]].copy(), self._shapes[function])
 
     def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
@@ -124,7 +127,7 @@ class CEngine:
     def _prepare(self, parameters: Floats) -> None:
         now = parameters.tobytes()
         if now != self._prepared:
-            self._library.prepare(*self._prepare_call)
+            self._runtime.prepare(*self._prepare_call)
             self._prepared = now
 
     def _check(self, status: int) -> None:
@@ -133,7 +136,7 @@ class CEngine:
 
     def run(self, settings: RunSettings) -> CRun:
         """A simulation in C, independent of this engine's own memory."""
-        return CRun(self._library, settings, self.layout.size(Group.U), self.layout.size(Group.W))
+        return CRun(self._model, settings, self.layout.size(Group.U), self.layout.size(Group.W))
 
     # ---- many states -------------------------------------------------------------------------------------------------
 
@@ -142,10 +145,10 @@ class CEngine:
         many = self._spread(self._signature[function], arguments)
         width = self._width[function]
         results = np.empty((many.count, width))
-        own = Buffers(self._library)
+        own = Buffers(self._model)
         batch = self._batch(many, own)
-        self._library.batch_evaluate(
-            self._library.model, self._number[function], byref(batch), results.ctypes.data, width
+        self._runtime.batch_evaluate(
+            self._model.model, self._number[function], byref(batch), results.ctypes.data, width
         )
         return split(results.reshape((*many.leading, width)), self._shapes[function])
 
@@ -156,15 +159,15 @@ class CEngine:
     def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
         """`solve_many` with the states shared out to threads; they run while C works."""
         many = self._spread(STATE, state)
-        library = self._part("states") if many.count >= _CROWD else self._library
+        model = self._part("states") if many.count >= _CROWD else self._model
         found = [(np.empty((*many.leading, size)), 8 * size) for size in map(self.layout.size, _SOLVED)]
 
         def solve(batch: Batch, first: int, coordinate: c_size_t) -> int:
             results = (block.ctypes.data + first * width for block, width in found)
-            model, part = library.model, library.part
-            return int(library.batch_forward_dynamics(model, part, byref(batch), *results, byref(coordinate)))
+            solve_batch = self._runtime.batch_forward_dynamics
+            return int(solve_batch(model.model, model.part, byref(batch), *results, byref(coordinate)))
 
-        share_out(many.count, threads, lambda: self._worker(library, many, solve), _LARGEST_PART)
+        share_out(many.count, threads, lambda: self._worker(model, many, solve), _LARGEST_PART)
         return tuple(block for block, _ in found)
 
     def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
@@ -173,7 +176,7 @@ class CEngine:
         x are the "state" q, qd, z, the "input" u or the "parameter" p. Works on all cores.
         """
         many = self._spread(STATE, state)
-        library = self._part("parameter_tangents" if by == "parameter" else "tangents")
+        model = self._part("parameter_tangents" if by == "parameter" else "tangents")
         first_variable, count = variables(self._sizes, by)
         x = Range(first_variable, count)
         heights = (2 * self._sizes.q + self._sizes.z, len(self.layout.outputs))
@@ -181,15 +184,15 @@ class CEngine:
 
         def differentiate(batch: Batch, first: int, coordinate: c_size_t) -> int:
             results = (block.ctypes.data + first * width for block, width in found)
-            model, part = library.model, library.part
-            return int(library.batch_jacobian(model, part, byref(batch), x, *results, byref(coordinate)))
+            jacobian = self._runtime.batch_jacobian
+            return int(jacobian(model.model, model.part, byref(batch), x, *results, byref(coordinate)))
 
-        share_out(many.count, cores(), lambda: self._worker(library, many, differentiate))
+        share_out(many.count, cores(), lambda: self._worker(model, many, differentiate))
         return found[0][0], found[1][0]
 
-    def _worker(self, library: Library, many: Spread, call: Callable[[Batch, int, c_size_t], int]) -> Part:
+    def _worker(self, model: NativeModel, many: Spread, call: Callable[[Batch, int, c_size_t], int]) -> Part:
         """Works on parts of `many` in memory of its own."""
-        own, coordinate = Buffers(library), c_size_t(0)
+        own, coordinate = Buffers(model), c_size_t(0)
         batch = self._batch(many, own)
 
         def part(first: int, end: int, _kept: object = own) -> None:
@@ -201,8 +204,8 @@ class CEngine:
 
         return part
 
-    def _part(self, name: str) -> Library:
-        """The library with functions of several states or directions at once."""
+    def _part(self, name: str) -> NativeModel:
+        """The model with functions of several states or directions at once."""
         known = self._parts.get(name)
         if known is None:
             known = self._parts[name] = _loaded(self._program, name)
@@ -227,13 +230,13 @@ class CEngine:
         return batch
 
 
-def _loaded(program: Program, part: str | None = None) -> Library:
-    texts = sources(program, () if part is None else (part,))
+def _loaded(program: Program, part: str | None = None) -> NativeModel:
+    texts = engine_sources(program, () if part is None else (part,))
     constant = None if part is None else part_symbol(program, part)
     try:
-        return load(build(texts), model_symbol(program), constant)
+        return load_compiled(build(texts), model_symbol(program), constant)
     except OSError:  # a library that was cut short or made for another machine
-        return load(build(texts, fresh=True), model_symbol(program), constant)
+        return load_compiled(build(texts, fresh=True), model_symbol(program), constant)
 
 
 def _formed_shapes(program: Program, function: str) -> tuple[tuple[int, ...], ...]:

@@ -11,7 +11,9 @@ import numpy as np
 
 from lagdsl.record import record
 from lagdsl.runtime.engine import Floats
-from lagdsl.runtime.load import INPUTS, TELL, WHAT, Library, RunOptions, RunReport
+from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.native_model import NativeModel
+from lagdsl.runtime.structures import INPUTS, TELL, WHAT, RunOptions, RunReport
 
 _ALIGNED = 16
 
@@ -34,9 +36,9 @@ class Status(IntEnum):
 
 @dataclass(slots=True)
 class Told:
-    """What happened: `what` is one of `lagdsl.runtime.load.WHAT`, `which` the number of the clock, relation, contact,
-    reset or `terminate`. `row` is the number of the next row then; of what is "before" or "after" an event the state y
-    and the discretes w."""
+    """What happened: `what` is one of `lagdsl.runtime.structures.WHAT`, `which` the number of the clock, relation,
+    contact, reset or `terminate`. `row` is the number of the next row then; of what is "before" or "after" an event the
+    state y and the discretes w."""
 
     t: float
     what: str
@@ -48,11 +50,11 @@ class Told:
 
 @record()
 class RunSettings:
-    """`method` is a name of `lagdsl.runtime.load.METHODS`, or None for the automatic choice. `inputs` is the constant
-    input vector, or a function of time. `group`, `natural`, `cap` (2 nq + nz,) and `row_sizes` (nc,): lag/accuracy.h.
-    Of the rows flagged in `lasting` (nc,) `general` are independent in general; `length` is that of the experiment [s].
-    `rows` (times, 2 nq + nz) receives the states at `times`. The arrays `invariant_...` (ni,) are kept up to date; all
-    of them must be contiguous."""
+    """`method` is a name of `lagdsl.runtime.structures.METHODS`, or None for the automatic choice. `inputs` is the
+    constant input vector, or a function of time. `group`, `natural`, `cap` (2 nq + nz,) and `row_sizes` (nc,):
+    lag/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general; `length` is that of the
+    experiment [s]. `rows` (times, 2 nq + nz) receives the states at `times`. The arrays `invariant_...` (ni,) are kept
+    up to date; all of them must be contiguous."""
 
     tolerance: float
     part: float
@@ -82,8 +84,9 @@ class CRun:
     is raised by the call.
     """
 
-    def __init__(self, library: Library, settings: RunSettings, inputs: int, discretes: int) -> None:
-        self._library = library
+    def __init__(self, model: NativeModel, settings: RunSettings, inputs: int, discretes: int) -> None:
+        self._library = library = runtime_library()
+        self._model = model  # C reads it
         self._settings = settings  # C points into its arrays
         self._nothing = np.full(inputs, np.nan)
         self._size, self._discretes = settings.rows.shape[1], discretes
@@ -92,10 +95,10 @@ class CRun:
         self.after: Callable[[float, Floats, Floats], bool] | None = None
         self.trouble: BaseException | None = None
         options = self._options(settings)
-        size = int(library.run_size(library.model, byref(options)))
+        size = int(library.run_size(model.model, byref(options)))
         self._block = np.zeros(size // 8 + _ALIGNED, dtype=np.float64)
         start = -(-self._block.ctypes.data // _ALIGNED) * _ALIGNED
-        self._run = library.run_place(start, library.model, byref(options))
+        self._run = library.run_place(start, model.model, byref(options))
         self.report = RunReport()
         library.run_tell(self._run, byref(self.report))
 

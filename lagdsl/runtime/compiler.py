@@ -39,27 +39,35 @@ class Compiler:
     identity: str
 
 
-def find_compiler() -> Compiler:
-    """The compiler of $CC, else cc, gcc or clang, else that of the package ziglang. Raises E0911."""
-    chosen = shlex.split(os.environ.get("CC", ""))
-    for command in ([chosen] if chosen else []) + [[name] for name in _CANDIDATES]:
-        program = shutil.which(command[0])
-        if program is not None:
-            return Compiler((program, *command[1:]), _identity(program))
+def find_compiler(*, only_zig: bool = False) -> Compiler:
+    """The compiler of $CC, else cc, gcc or clang, else (or `only_zig`) that of the package ziglang. Raises E0911."""
+    found = None if only_zig else machine_compiler()
+    if found is not None:
+        return found
     zig = importlib.util.find_spec("ziglang")
     if zig is not None and zig.origin is not None:
         return Compiler((sys.executable, "-m", "ziglang", "cc"), _identity(zig.origin))
     raise failure("E0911")
 
 
+def machine_compiler() -> Compiler | None:
+    """The compiler of $CC, else cc, gcc or clang; None where there is none of them."""
+    chosen = shlex.split(os.environ.get("CC", ""))
+    for command in ([chosen] if chosen else []) + [[name] for name in _CANDIDATES]:
+        program = shutil.which(command[0])
+        if program is not None:
+            return Compiler((program, *command[1:]), _identity(program))
+    return None
+
+
 def compile_object(compiler: Compiler, folder: Path, source: str, target: str) -> None:
     """Compile the C file `source` of `folder` into the object file `target`. Raises CompilationFailed (E0912)."""
-    _run(compiler, folder, [*FLAGS, *native_flags(compiler), "-I.", "-c", "-o", target, source])
+    run_compiler(compiler, folder, [*FLAGS, *native_flags(compiler), "-I.", "-c", "-o", target, source])
 
 
 def link_shared(compiler: Compiler, folder: Path, objects: list[str], target: str) -> None:
     """Link object files into the shared library `target`. Raises CompilationFailed (E0912)."""
-    _run(compiler, folder, ["-shared", "-o", target, *objects, "-lm"])
+    run_compiler(compiler, folder, ["-shared", "-o", target, *objects, "-lm"])
 
 
 def native_flags(compiler: Compiler) -> tuple[str, ...]:
@@ -79,7 +87,8 @@ def processor() -> str:
     return "\n".join(line for line in first.splitlines() if line.startswith(_KINDS_OF_PROCESSOR))
 
 
-def _run(compiler: Compiler, folder: Path, arguments: list[str]) -> None:
+def run_compiler(compiler: Compiler, folder: Path, arguments: list[str]) -> None:
+    """Call the compiler in `folder`. Raises CompilationFailed (E0912) with what it says."""
     name = Path(compiler.command[0]).name
     command = [*compiler.command, *arguments]
     try:

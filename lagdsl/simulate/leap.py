@@ -14,7 +14,7 @@ import numpy as np
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.c_engine import CEngine
 from lagdsl.runtime.c_run import RunSettings, Status
-from lagdsl.runtime.load import METHODS
+from lagdsl.runtime.structures import METHODS
 from lagdsl.simulate.accuracy import Accuracy
 from lagdsl.simulate.projection import Projection
 from lagdsl.simulate.right_hand_side import RightHandSide

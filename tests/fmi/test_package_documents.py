@@ -12,12 +12,12 @@ from lagdsl.fmi.binary import Objects, objects_of
 from lagdsl.fmi.contents import texts
 from lagdsl.fmi.documentation import documentation_files
 from lagdsl.fmi.extra import extra_files
-from lagdsl.fmi.platforms import platform_of, this_machine
 from lagdsl.fmi.reference import reference
 from lagdsl.fmi.subject import subject
 from lagdsl.pipeline import front, middle
 from lagdsl.plot.icon import icon
 from lagdsl.runtime import c_engine
+from lagdsl.runtime.platforms import platform_of, this_machine
 from lagdsl.source import SourceFile
 
 ELSEWHERE = Objects("Fall", (), {})  # nothing was compiled for this machine

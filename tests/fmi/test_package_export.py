@@ -25,8 +25,8 @@ from lagdsl.fmi import toolchain as toolchains
 from lagdsl.fmi import trial as trials
 from lagdsl.fmi.archive import write_archive
 from lagdsl.fmi.export import export
-from lagdsl.fmi.platforms import PLATFORMS
 from lagdsl.pipeline import front, middle, read
+from lagdsl.runtime.platforms import PLATFORMS
 from lagdsl.source import SourceFile
 
 VERSIONS = (2, 3)

@@ -22,9 +22,9 @@ from lagdsl.fmi import toolchain as toolchains
 from lagdsl.fmi.binary import objects_of
 from lagdsl.fmi.contents import library_files, texts
 from lagdsl.fmi.libraries import timeless, universal
-from lagdsl.fmi.platforms import PLATFORMS, platform_of, this_machine
 from lagdsl.fmi.sources import require_fmpy
 from lagdsl.fmi.subject import subject
+from lagdsl.runtime.platforms import PLATFORMS, platform_of, this_machine
 
 VERSIONS = (2, 3)
 EXPLORING = bool(os.environ.get("LAGDSL_EXPLORE"))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lagdsl.cli.fmu import command
-from lagdsl.fmi.platforms import PLATFORMS
+from lagdsl.runtime.platforms import PLATFORMS
 
 
 def test_python_of_the_page_runs_and_gives_its_numbers(

@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from lagdsl.runtime.build_library import wheel_tag
+from lagdsl.runtime.platforms import library_name, this_machine
+
 CARRIED = {
     "grammar/lagdsl.lark": "lagdsl/_data/grammar/lagdsl.lark",
     "stdlib/Lag/package.lag": "lagdsl/_data/stdlib/Lag/package.lag",
@@ -61,6 +64,45 @@ def test_the_wheel_carries_what_runs(packages: tuple[Path, Path], root: Path) ->
     assert {f"lagdsl/_data/{name}" for name in classes} <= names
     assert not any(name.startswith(("tests/", "models/")) for name in names)
     assert any(name.endswith("licenses/LICENSE") for name in names)
+
+
+def test_the_wheel_is_for_one_platform_and_carries_the_runtime(packages: tuple[Path, Path]) -> None:
+    library = f"lagdsl/runtime/lib/{library_name(this_machine().partition('-')[0])}"
+    assert packages[1].name.endswith(f"-{wheel_tag()}.whl")
+    with zipfile.ZipFile(packages[1]) as archive:
+        assert [name for name in archive.namelist() if name.startswith("lagdsl/runtime/lib/")] == [library]
+        (wheel,) = (name for name in archive.namelist() if name.endswith(".dist-info/WHEEL"))
+        assert "Root-Is-Purelib: false" in archive.read(wheel).decode()
+    with tarfile.open(packages[0]) as archive:
+        assert not any("/runtime/lib/" in name for name in archive.getnames())
+
+
+def test_without_any_compiler_an_installed_package_has_its_runtime(
+    packages: tuple[Path, Path], root: Path, tmp_path: Path
+) -> None:
+    """No `cc` on the path, no ziglang to import, and nowhere to write."""
+    site = tmp_path / "site"
+    with zipfile.ZipFile(packages[1]) as archive:
+        archive.extractall(site)
+    (tmp_path / "none").mkdir()
+    lame = "import sys; sys.modules['ziglang'] = None\n"
+    environment = {"PYTHONPATH": str(site), "PATH": str(tmp_path / "none"), "HOME": "/nonexistent"}
+    load = "from lagdsl.runtime.library import runtime_library; print(len(runtime_library().run_layout))"
+    assert _run([sys.executable, "-c", lame + load], tmp_path, **environment).strip() == "2"
+    run = "from lagdsl.cli.main import main; main(sys.argv[1:])"
+    model = str(root / "models" / "pendulum.lag")
+    out = _run([sys.executable, "-c", lame + run, "run", model, "-o", "/dev/stdout"], tmp_path, **environment)
+    assert out.startswith("time,theta,der(theta)")
+
+
+def test_the_build_asks_for_ziglang_where_no_compiler_is(root: Path, tmp_path: Path) -> None:
+    ask = "from hatchling.build import get_requires_for_build_wheel as ask; print(ask())"
+    with_compiler = _run([sys.executable, "-c", ask], root, PATH=os.environ["PATH"])
+    without = _run([sys.executable, "-c", ask], root, PATH=str(tmp_path))
+    other = _run([sys.executable, "-c", ask], root, PATH=os.environ["PATH"], LAGDSL_PLATFORM="windows-x86_64")
+    assert with_compiler.strip() == "[]"
+    assert "ziglang" in without
+    assert "ziglang" in other
 
 
 def test_the_wheel_runs_a_model(packages: tuple[Path, Path], root: Path, tmp_path: Path) -> None:

@@ -13,7 +13,8 @@ from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import contact_rows
 from lagdsl.mechanics.structure_points import geometry
 from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.load import RunOptions, RunReport
+from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.structures import RunOptions, RunReport
 from lagdsl.simulate.accuracy import Accuracy
 from lagdsl.simulate.initialize import initial_state
 
@@ -56,11 +57,11 @@ class Motion:
         options = RunOptions(tolerance=tolerance, careful=2, general=general, length=stop, count=len(self.times))
         for name, values in kept.items():
             setattr(options, name, values.ctypes.data)
-        library, report = engine._library, RunReport()
-        size = int(library.run_size(library.model, byref(options)))
+        library, model, report = runtime_library(), engine._model.model, RunReport()
+        size = int(library.run_size(model, byref(options)))
         block = np.full(size // 8 + 4, 7.5)
         start = -(-block.ctypes.data // 16) * 16
-        run = library.run_place(start, library.model, byref(options))
+        run = library.run_place(start, model, byref(options))
         library.run_skip(run, 1)
         found[0] = x
         status = library.run_move(run, initial.t, x.ctypes.data, 0.0)

@@ -14,13 +14,13 @@ import numpy as np
 import pytest
 from sample_programs import pendulum
 
-from lagdsl.backends.c.emit import model_symbol, sources
+from lagdsl.backends.c.emit import engine_sources, model_symbol, sources
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.runtime import compiler as compilers
 from lagdsl.runtime.build import build, cache_folder, content_hash
 from lagdsl.runtime.c_engine import CEngine
 from lagdsl.runtime.compiler import FLAGS, Compiler, find_compiler
-from lagdsl.runtime.load import load
+from lagdsl.runtime.native_model import load_compiled
 
 SOURCES = {"answer.c": "int answer(void);\nint answer(void) { return 42; }\n"}
 
@@ -79,7 +79,7 @@ def test_the_name_depends_on_everything() -> None:
 @COMPILED_RUNTIME
 def test_a_broken_library_is_built_again() -> None:
     program = pendulum()
-    library = build(sources(program))
+    library = build(engine_sources(program))
     library.write_bytes(b"not a library")
     assert np.isfinite(CEngine(program).evaluate("start", 0.0, np.array(program.layout.defaults))[0]).all()
 
@@ -87,10 +87,10 @@ def test_a_broken_library_is_built_again() -> None:
 @COMPILED_RUNTIME
 def test_another_version_of_the_interface_is_refused() -> None:
     program = pendulum("Old")
-    texts = sources(program)
+    texts = engine_sources(program)
     texts["Old.c"] = texts["Old.c"].replace("LAG_MODEL_VERSION", "9u")
     with pytest.raises(OSError, match="version 9"):
-        load(build(texts), model_symbol(program))
+        load_compiled(build(texts), model_symbol(program))
 
 
 def test_threads_may_build_the_same_at_once() -> None:

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.runtime import load
+from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.structures import RunOptions, RunReport
 from lagdsl.simulate.motion import loop
 from lagdsl.simulate.simulate import simulate
 
@@ -185,6 +186,5 @@ def test_progress_is_told() -> None:
 
 def test_structures_are_as_long_in_c_as_here() -> None:
     """A double of one in the place of the other would be read as rubbish."""
-    model = lagdsl.compile(DRIVEN, engine="c")
-    ours = (ctypes.sizeof(load.RunOptions), ctypes.sizeof(load.RunReport))
-    assert model._engine._library.run_layout == ours  # type: ignore[attr-defined]
+    ours = (ctypes.sizeof(RunOptions), ctypes.sizeof(RunReport))
+    assert runtime_library().run_layout == ours

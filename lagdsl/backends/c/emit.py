@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from lagdsl.backends.backend import Artifact
+from lagdsl.backends.c.include_files import included
 from lagdsl.backends.c.lanes import states_source, tangents_source
 from lagdsl.backends.c.literal import number
 from lagdsl.backends.c.source import header, source, symbol
@@ -85,12 +86,30 @@ def part_symbol(program: Program, part: str) -> str:
 
 
 def sources(program: Program, parts: Sequence[str] = ()) -> dict[str, str]:
-    """What a library of the model is compiled from, by relative path. `parts` of PARTS are the functions of several
-    states, or of several directions of derivatives, at once."""
+    """What a library that stands alone is compiled from, by relative path: the model and the runtime. `parts` of PARTS
+    are the functions of several states, or of several directions of derivatives, at once."""
+    return {**_own_sources(program, parts), **runtime_sources()}
+
+
+def engine_sources(program: Program, parts: Sequence[str] = ()) -> dict[str, str]:
+    """What a library of the model alone is compiled from, for the runtime of the package: generated files, the headers
+    that they include, and what generated functions call."""
+    own = _own_sources(program, parts)
+    if program.has("momentum_tangent"):
+        own["lag/columns.c"] = (c_folder() / "src" / "columns.c").read_text(encoding="utf-8")
+    return {**own, **included(own.values(), _header)}
+
+
+def _own_sources(program: Program, parts: Sequence[str]) -> dict[str, str]:
     stem = stem_of(program)
     own = {f"{stem}.c": source(program, stem), f"{stem}.h": header(stem)}
-    own |= {f"{stem}_{part}.c": PARTS[part](program, stem) for part in parts}
-    return {**own, **runtime_sources()}
+    return own | {f"{stem}_{part}.c": PARTS[part](program, stem) for part in parts}
+
+
+def _header(name: str) -> str | None:
+    """A header of the runtime; others are generated."""
+    path = c_folder() / "include" / name
+    return path.read_text(encoding="utf-8") if path.is_file() else None
 
 
 def started_sources(program: Program, start: Start | None, parts: Sequence[str] = ()) -> dict[str, str]:

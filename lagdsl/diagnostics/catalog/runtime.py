@@ -17,4 +17,8 @@ ROWS: dict[str, Row] = {
         "no folder for compiled models can be written: {reason}",
         help="set XDG_CACHE_HOME to a folder of your own that can be written",
     ),
+    "E0914": error(
+        "the runtime library of lagdsl cannot be loaded: {reason}",
+        help="install lagdsl again: `pip install --force-reinstall lagdsl`",
+    ),
 }

@@ -10,12 +10,14 @@ from lagdsl.record import record
 
 @record()
 class Platform:
-    """`target` is what the cross compiler calls it, `tuple` what FMI 3 does; `suffix` is that of its libraries."""
+    """`target` is what the cross compiler calls it, `tuple` what FMI 3 does, `wheel` what tags of wheels do; `suffix`
+    is that of its libraries."""
 
     name: str
     target: str
     tuple: str
     suffix: str
+    wheel: str
 
     @property
     def system(self) -> str:
@@ -26,15 +28,16 @@ class Platform:
 _LINUX = "linux-gnu.2.17"
 
 _ALL = (
-    Platform("linux-x86_64", f"x86_64-{_LINUX}", "x86_64-linux", ".so"),
-    Platform("linux-aarch64", f"aarch64-{_LINUX}", "aarch64-linux", ".so"),
-    Platform("windows-x86_64", "x86_64-windows-gnu", "x86_64-windows", ".dll"),
-    Platform("macos-x86_64", "x86_64-macos.11.0", "x86_64-darwin", ".dylib"),
-    Platform("macos-aarch64", "aarch64-macos.11.0", "aarch64-darwin", ".dylib"),
+    Platform("linux-x86_64", f"x86_64-{_LINUX}", "x86_64-linux", ".so", "manylinux_2_17_x86_64"),
+    Platform("linux-aarch64", f"aarch64-{_LINUX}", "aarch64-linux", ".so", "manylinux_2_17_aarch64"),
+    Platform("windows-x86_64", "x86_64-windows-gnu", "x86_64-windows", ".dll", "win_amd64"),
+    Platform("macos-x86_64", "x86_64-macos.11.0", "x86_64-darwin", ".dylib", "macosx_11_0_x86_64"),
+    Platform("macos-aarch64", "aarch64-macos.11.0", "aarch64-darwin", ".dylib", "macosx_11_0_arm64"),
 )
 _BY_NAME = {each.name: each for each in _ALL}
 PLATFORMS: tuple[str, ...] = tuple(_BY_NAME)
 
+_LIBRARY_NAMES = {"windows": "lag.dll", "macos": "liblag.dylib"}
 _SYSTEMS = {"linux": "linux", "win32": "windows", "darwin": "macos"}
 _PROCESSORS = {"x86_64": "x86_64", "AMD64": "x86_64", "aarch64": "aarch64", "arm64": "aarch64"}
 
@@ -51,3 +54,8 @@ def this_machine() -> str:
     system = _SYSTEMS.get(sys.platform, sys.platform)
     machine = platform.machine()
     return f"{system}-{_PROCESSORS.get(machine, machine)}"
+
+
+def library_name(system: str) -> str:
+    """The file name of the runtime's library on "linux", "macos", "windows" or another system."""
+    return _LIBRARY_NAMES.get(system, "liblag.so")

@@ -1,0 +1,58 @@
+"""The build hook: the C runtime as a shared library, in wheels for one platform and in the tree of editable installs.
+
+`LAGDSL_PLATFORM` names a platform of `lagdsl/runtime/platforms.py`, for which ziglang compiles. Without it the library
+is for this machine, by its C compiler or, where there is none, by ziglang, which is a build requirement only then.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+_ROOT = Path(__file__).resolve().parent
+sys.path.insert(0, str(_ROOT))
+
+from lagdsl.resources import runtime_library_folder  # noqa: E402
+from lagdsl.runtime.build_library import build_library, up_to_date, wheel_tag  # noqa: E402
+from lagdsl.runtime.compiler import machine_compiler  # noqa: E402
+from lagdsl.runtime.platforms import library_name, this_machine  # noqa: E402
+
+
+class RuntimeLibraryHook(BuildHookInterface[Any]):
+    """Compiles the runtime where a wheel is made."""
+
+    PLUGIN_NAME = "custom"
+
+    def dependencies(self) -> list[str]:
+        """What the build needs beside hatchling."""
+        needs_zig = self.target_name == "wheel" and (_platform() is not None or machine_compiler() is None)
+        return ["ziglang>=0.15"] if needs_zig else []
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Put the library into the package: `version` is "standard" or "editable"."""
+        if self.target_name != "wheel":
+            return
+        name = _platform()
+        build_data["pure_python"] = False
+        build_data["tag"] = wheel_tag(name)
+        file_name = library_name((name or this_machine()).partition("-")[0])
+        if version == "editable":
+            up_to_date(runtime_library_folder() / file_name)
+            return
+        self._made = tempfile.TemporaryDirectory(prefix="lagdsl-")
+        library = build_library(Path(self._made.name), name)
+        build_data["force_include"][str(library)] = f"lagdsl/runtime/lib/{file_name}"
+
+    def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
+        """The wheel has its copy."""
+        if hasattr(self, "_made"):
+            self._made.cleanup()
+
+
+def _platform() -> str | None:
+    return os.environ.get("LAGDSL_PLATFORM") or None

@@ -1,0 +1,96 @@
+"""The C runtime, loaded: part of the installed package, and the same for all models."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import c_char, c_double, c_int, c_size_t, c_void_p
+from functools import cache
+
+from lagdsl.resources import is_checkout, runtime_library_folder
+from lagdsl.runtime.compiler import failure
+from lagdsl.runtime.platforms import library_name, this_machine
+from lagdsl.runtime.structures import METHODS, Range
+
+_STATUS = c_int
+_SIZE = c_size_t
+_AT = c_void_p  # anything that is handed over by its address
+
+# Result and arguments of the functions of the runtime, by their names in C without `lag_`; a test reads the headers and
+# compares. The caller of a function that is missing here adds it.
+PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
+    "prepare": (_STATUS, (_AT, _AT)),
+    "evaluate": (_STATUS, (_AT, c_int, _AT, _AT)),
+    "dynamics_memory": (_SIZE, (_AT,)),
+    "forward_dynamics": (_STATUS, (_AT, _AT, _AT, _AT, _AT, _AT)),
+    "jacobian_workspace": (_SIZE, (_AT, _AT)),
+    "jacobian_memory": (_SIZE, (_AT, _AT)),
+    "jacobian": (_STATUS, (_AT, _AT, _AT, Range, _AT, _AT, _AT, _AT)),
+    "batch_memory": (_SIZE, (_AT, _AT)),
+    "batch_evaluate": (_STATUS, (_AT, c_int, _AT, _AT, _SIZE)),
+    "batch_forward_dynamics": (_STATUS, (_AT, _AT, _AT, _AT, _AT, _AT)),
+    "batch_jacobian": (_STATUS, (_AT, _AT, _AT, Range, _AT, _AT, _AT)),
+    "motion_memory": (_SIZE, (_AT,)),
+    "motion_place": (None, (_AT, _AT, _AT)),
+    "motion_parameters": (_STATUS, (_AT, _AT)),
+    "motion_start": (_STATUS, (_AT, c_double, _AT)),
+    "initial_memory": (_SIZE, (_AT,)),
+    "initial_find": (_STATUS, (_AT, _AT, _AT, c_double, _AT, _AT, _AT)),
+    "run_size": (_SIZE, (_AT, _AT)),
+    "run_place": (_AT, (_AT, _AT, _AT)),
+    "run_begin": (_STATUS, (_AT, c_double, _AT)),
+    "run_move": (_STATUS, (_AT, c_double, _AT, c_double)),
+    "run_to": (_STATUS, (_AT, c_double, _SIZE)),
+    "run_tell": (None, (_AT, _AT)),
+    "run_skip": (None, (_AT, _SIZE)),
+    "run_enter": (_STATUS, (_AT,)),
+    "run_event": (_STATUS, (_AT, c_double, _AT)),
+    "run_ticks": (_STATUS, (_AT,)),
+    "run_due": (c_int, (_AT, c_double)),
+    "run_end": (_STATUS, (_AT,)),
+    "run_fixed": (_STATUS, (_AT, c_double, _AT, _AT)),
+    "run_saved_size": (_SIZE, (_AT, _AT)),
+    "run_save": (None, (_AT, _AT)),
+    "run_load": (_STATUS, (_AT, _AT)),
+}
+
+
+class Runtime:
+    """The functions of PROTOTYPES as attributes; `methods` are the addresses of those of METHODS by name, `run_layout`
+    is what the headers of C said of lag_run when the library was compiled."""
+
+    methods: dict[str, int]
+    run_layout: tuple[int, ...]
+
+    def __init__(self, library: ctypes.CDLL) -> None:
+        self._library = library
+        self.methods = {name: ctypes.addressof(c_char.in_dll(library, f"lag_{name}")) for name in METHODS}
+        self.run_layout = tuple((c_size_t * 2).in_dll(library, "lag_run_layout"))
+
+    def __getattr__(self, name: str) -> ctypes._NamedFuncPointer:
+        """Found once, kept as an attribute."""
+        try:
+            result, arguments = PROTOTYPES[name]
+        except KeyError:
+            raise AttributeError(f"the runtime has no function `lag_{name}` among PROTOTYPES") from None
+        function = self._library[f"lag_{name}"]
+        function.argtypes = arguments
+        function.restype = result
+        setattr(self, name, function)
+        return function
+
+
+@cache
+def runtime_library() -> Runtime:
+    """The runtime of this package. A checkout builds it first where its sources changed; an installed package never.
+
+    Raises CompilationFailed: E0914 where it cannot be loaded, E0911 or E0912 where a checkout cannot build it.
+    """
+    path = runtime_library_folder() / library_name(this_machine().partition("-")[0])
+    if is_checkout():
+        from lagdsl.runtime.build_library import up_to_date
+
+        up_to_date(path)
+    try:
+        return Runtime(ctypes.CDLL(str(path)))
+    except OSError as problem:
+        raise failure("E0914", reason=str(problem)) from None

@@ -1,0 +1,63 @@
+"""A lag_model in memory, however it was filled, as the runtime is handed it."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import byref, c_size_t
+from pathlib import Path
+
+from lagdsl.record import record
+from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.structures import VERSION, ModelHead
+
+
+@record()
+class NativeModel:
+    """`model` is the address of a lag_model, `part` that of its lag_states or lag_tangents, or None; `context` is what
+    its functions need beside their arguments.
+
+    `workspace`, `memory` and `lanes` are the doubles that functions of the runtime need for them. `held` is what must
+    live as long.
+    """
+
+    model: object
+    context: int | None
+    part: object
+    workspace: int
+    memory: int
+    lanes: int
+    held: object
+
+
+def native_model(head: ModelHead, held: object, *, states: object = None, tangents: object = None) -> NativeModel:
+    """The lag_model that begins with `head`, with at most one of its parts.
+
+    Raises OSError where it was made for another version of lag/model.h.
+    """
+    if head.version != VERSION:
+        raise OSError(f"the model was compiled for version {head.version} of lag/model.h, not {VERSION}")
+    runtime, model = runtime_library(), byref(head)
+    return NativeModel(
+        model=model,
+        context=head.context,
+        part=tangents if states is None else states,
+        workspace=int(runtime.jacobian_workspace(model, tangents)),
+        memory=int(runtime.jacobian_memory(model, tangents)),
+        lanes=0 if states is None else int(runtime.batch_memory(model, states)),
+        held=held,
+    )
+
+
+def load_compiled(path: Path, symbol: str, part: str | None = None) -> NativeModel:
+    """The model `symbol` of the shared library at `path` and, with a part, the constant of that name.
+
+    Raises OSError where it cannot be loaded, or was compiled against another version of lag/model.h.
+    """
+    library = ctypes.CDLL(str(path))
+    head = ModelHead.in_dll(library, symbol)
+    if part is None:
+        return native_model(head, library)
+    constant = byref(c_size_t.in_dll(library, part))
+    if part.endswith("_states"):
+        return native_model(head, library, states=constant)
+    return native_model(head, library, tangents=constant)
