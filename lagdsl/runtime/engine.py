@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.program.program import Layout
+
+if TYPE_CHECKING:
+    from lagdsl.runtime.native_model import NativeModel
 
 Floats = NDArray[np.float64]
 
@@ -29,6 +32,11 @@ class Engine(Protocol):
     """
 
     layout: Layout
+
+    @property
+    def native(self) -> NativeModel:
+        """The model as the runtime in C takes it."""
+        ...
 
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats

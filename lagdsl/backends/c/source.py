@@ -112,6 +112,16 @@ _COUNTED = {
 }
 
 
+def model_counts(program: Program) -> dict[str, int]:
+    """Lengths by member of lag_model, beside those of the layout."""
+    return {
+        "ne": len(program.function("initial_equation").results[0].elements),
+        **_event_counts(program),
+        "nk": len(program.kept_rows),
+        "nswitched": len(program.layout.instants.switched_rows),
+    }
+
+
 def _event_counts(program: Program) -> dict[str, int]:
     found = {function.name: function for function in program.functions}
     return {
@@ -151,7 +161,7 @@ def _instant_tables(layout: Layout) -> dict[str, tuple[str, list[str]]]:
     """Type and rows by member of lag_model."""
     instants = layout.instants
     return {
-        "kinds": ("unsigned char", [_kind(layout, index) for index in range(len(layout.kinds))]),
+        "kinds": ("unsigned char", [kind_name(layout, index) for index in range(len(layout.kinds))]),
         "strict": ("unsigned char", [str(int(flag)) for flag in instants.strict]),
         "contact_rows": ("size_t", [str(row) for row in instants.contact_rows]),
         "switched_rows": ("size_t", [str(row) for row in instants.switched_rows]),
@@ -162,7 +172,7 @@ def _instant_tables(layout: Layout) -> dict[str, tuple[str, list[str]]]:
     }
 
 
-def _kind(layout: Layout, index: int) -> str:
+def kind_name(layout: Layout, index: int) -> str:
     """The lag_kind of an entry of w."""
     if layout.kinds[index] == "instant":
         return "LAG_KIND_INITIAL" if layout.discretes[index].name == INITIAL else "LAG_KIND_TERMINAL"
@@ -204,13 +214,10 @@ def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
     beyond = 2 * len(layout.coordinates) + len(layout.constraints) if formed else 0
     counts: dict[str, object] = {
         **sizes(layout),
-        "ne": len(program.function("initial_equation").results[0].elements),
+        **model_counts(program),
         "rank": len(layout.constraints) - sum(layout.redundant),
         "workspace": memory + beyond,
         "prepared": prepared,
-        **_event_counts(program),
-        "nk": len(program.kept_rows),
-        "nswitched": len(layout.instants.switched_rows),
     }
     tables: dict[str, Sequence[object]] = {
         **_slot_tables(layout),

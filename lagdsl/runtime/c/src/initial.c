@@ -240,7 +240,7 @@ static void find(lag_beginning *b, const unsigned char *set, double *x)
     if (find_no_number(b)) {
         return;
     }
-    if (model->ne > 0) {
+    if (model->ne > 0 && !b->told.given) {
         lag_beginning_find_all(b, x);
     } else {
         lag_beginning_find_q(b, x);
@@ -293,6 +293,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
     lag_beginning b;
     lag_initial found = {.rank = model->rank, .freedom = model->nq};
     if (told != NULL) {
+        found.given = told->given;
         found.dependent = told->dependent;
         found.row_sizes = told->row_sizes;
         found.pattern = told->pattern;

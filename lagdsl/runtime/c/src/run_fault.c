@@ -15,6 +15,7 @@ lag_status lag_run_watch(lag_run *run, double t, const double *x)
 {
     const lag_status status = lag_watch_look(&run->watch, t, x);
     if (status == LAG_VIOLATED) {
+        lag_watch_count(&run->watch);
         lag_run_lose(run, t, x);
         if (run->options.results != NULL) {
             const lag_status told = lag_results_end(run->options.results, run, t, x);
@@ -61,11 +62,18 @@ static size_t worst(size_t count, const double *x)
 /* Rates at the state of the fault, into run->stepper.f; what does not exist is no number. */
 static void find_rates(lag_run *run, const lag_fault *fault)
 {
-    lag_stepper *s = &run->stepper;
-    for (size_t i = 0; i < s->ode->size; ++i) {
-        s->f[i] = (double)NAN;
+    lag_motion *motion = &run->motion;
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    double *rates = run->stepper.f;
+    const lag_status status = lag_motion_solve(motion, fault->t, fault->x);
+    memcpy(rates, fault->x + n, n * sizeof(double));
+    for (size_t i = 0; i < n; ++i) {
+        rates[n + i] = status == LAG_SINGULAR ? (double)NAN : motion->qdd[i];
     }
-    (void)s->ode->rates(s->ode->context, fault->t, fault->x, s->f);
+    if (model->nz > 0) {
+        (void)model->state_derivative(&motion->at, rates + 2 * n);
+    }
 }
 
 static void explain_not_finite(lag_run *run, lag_fault *fault)

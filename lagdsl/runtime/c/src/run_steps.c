@@ -252,6 +252,9 @@ static double most_length(const lag_run *run)
     if (run->options.h_most > 0.0) {
         return run->options.h_most;
     }
+    if (run->stepper.method->error_order == 0) {
+        return (double)INFINITY;
+    }
     return model->nindicator + model->ncontact > 0 && length > 0.0 ? length / LEAST_STEPS : (double)INFINITY;
 }
 

@@ -94,7 +94,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
         return status;
     }
     if (!(s->h > 0.0)) {
-        s->h = first_length(s, span);
+        s->h = method->error_order > 0 ? first_length(s, span) : s->length;
     }
     memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
     memcpy(s->f_before, s->f, s->ode->size * sizeof(double));

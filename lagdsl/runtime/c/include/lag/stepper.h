@@ -43,7 +43,7 @@ struct lag_method {
     unsigned dense_order; /* of the dense output */
     int implicit;         /* needs the Jacobian */
     double factor;        /* local tolerance as a part of the tolerance of the whole motion */
-    unsigned error_order; /* of the error estimate, for the first step */
+    unsigned error_order; /* of the error estimate, for the first step; 0: there is none, and steps are of the stepper's `length` */
     size_t (*memory)(size_t size);
     void (*begin)(lag_stepper *s);
     lag_status (*step)(lag_stepper *s, double limit);
