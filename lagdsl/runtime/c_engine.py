@@ -15,9 +15,9 @@ from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.derivatives import variables
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES, STATE, WRITTEN_OUT
+from lagdsl.program.functions import BY_NAME, FUNCTIONS, STATE, WRITTEN_OUT
 from lagdsl.program.program import Program
-from lagdsl.program.verify import RESULT_SHAPES, sizes
+from lagdsl.program.verify import sizes
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.build import build
@@ -51,14 +51,12 @@ class CEngine:
         self._program, self._sizes = program, motion_sizes(program)
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
-        self._model = _loaded(program) if library is None else load_compiled(library, model_symbol(program))
+        self._model = self._provide() if library is None else load_compiled(library, model_symbol(program))
         self._buffers = Buffers(self._model)
         self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
         self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
-        names = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY]
-        self._number = {name: index for index, name in enumerate(names)}
-        self._signature = {**SIGNATURES, **OPTIONAL}
+        self._number = {function.name: index for index, function in enumerate(FUNCTIONS)}
         self._allocate()
 
     def _allocate(self) -> None:
@@ -101,7 +99,7 @@ class CEngine:
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of any function of the program."""
         parameters = None
-        for group, argument in zip(self._signature[function], arguments, strict=True):
+        for group, argument in zip(BY_NAME[function].arguments, arguments, strict=True):
             if group is Group.TIME:
                 self._arguments.t = argument
             else:
@@ -142,7 +140,7 @@ class CEngine:
 
     def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
         """Result blocks, each of shape (leading axes of the arguments, own shape)."""
-        many = self._spread(self._signature[function], arguments)
+        many = self._spread(BY_NAME[function].arguments, arguments)
         width = self._width[function]
         results = np.empty((many.count, width))
         own = Buffers(self._model)
@@ -208,8 +206,12 @@ class CEngine:
         """The model with functions of several states or directions at once."""
         known = self._parts.get(name)
         if known is None:
-            known = self._parts[name] = _loaded(self._program, name)
+            known = self._parts[name] = self._provide(name)
         return known
+
+    def _provide(self, part: str | None = None) -> NativeModel:
+        """The model, with the functions of several states or directions at once that are called `part`."""
+        return _loaded(self._program, part)
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
         return spread(
@@ -242,4 +244,4 @@ def _loaded(program: Program, part: str | None = None) -> NativeModel:
 def _formed_shapes(program: Program, function: str) -> tuple[tuple[int, ...], ...]:
     """Shapes of the results of a function that the program may lack."""
     lengths = sizes(program.layout)
-    return tuple(tuple(lengths[length] for length in shape or ()) for shape in RESULT_SHAPES[function])
+    return tuple(tuple(lengths[length] for length in result.shape) for result in BY_NAME[function].results)

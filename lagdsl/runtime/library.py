@@ -9,7 +9,7 @@ from functools import cache
 from lagdsl.resources import is_checkout, runtime_library_folder
 from lagdsl.runtime.compiler import failure
 from lagdsl.runtime.platforms import library_name, this_machine
-from lagdsl.runtime.run_structures import FIXED_METHODS, MEASURED, METHODS
+from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
 from lagdsl.runtime.structures import Range
 
 _STATUS = c_int
@@ -55,21 +55,21 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_saved_size": (_SIZE, (_AT, _AT)),
     "run_save": (None, (_AT, _AT)),
     "run_load": (_STATUS, (_AT, _AT)),
+    "tape_check": (_STATUS, (_AT, _SIZE, _AT)),
+    "tape_model": (_AT, (_AT, _SIZE, _AT)),
+    "tape_start": (_AT, (_AT,)),
 }
 
 
 class Runtime:
-    """The functions of PROTOTYPES as attributes; `methods` are the addresses of METHODS and FIXED_METHODS by name,
-    `run_layout` is what C said of the sizes of MEASURED when the library was compiled."""
+    """The functions of PROTOTYPES as attributes; `methods` are the addresses of METHODS and FIXED_METHODS by name."""
 
     methods: dict[str, int]
-    run_layout: tuple[int, ...]
 
     def __init__(self, library: ctypes.CDLL) -> None:
         self._library = library
         known = {**METHODS, **FIXED_METHODS}
         self.methods = {name: ctypes.addressof(c_char.in_dll(library, symbol)) for name, symbol in known.items()}
-        self.run_layout = tuple((c_size_t * len(MEASURED)).in_dll(library, "lag_run_layout"))
 
     def __getattr__(self, name: str) -> ctypes._NamedFuncPointer:
         """Found once, kept as an attribute."""

@@ -10,7 +10,7 @@ METHODS = {"dop853": "lag_dop853", "radau": "lag_radau"}
 FIXED_METHODS = {"rk4": "lag_steps_rk4", "leapfrog": "lag_steps_leapfrog", "ros2": "lag_steps_ros2"}
 
 # lag_what, as results of a simulation call it; "before" and "after" are rows.
-WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after")
+WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
 
 
 class Status(IntEnum):
@@ -167,7 +167,3 @@ class RunFault(Structure):
         ("value", c_double),
         ("limit", c_double),
     ]
-
-
-# Structures whose sizes the runtime tells, in the order of lag_run_layout.
-MEASURED: tuple[type[Structure], ...] = (RunOptions, RunReport, Results, Note, Start, Initial, RunFault)

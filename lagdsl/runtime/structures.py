@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from ctypes import Structure, c_char_p, c_double, c_size_t, c_uint, c_void_p
+import ctypes
+from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
 
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
+from lagdsl.program.functions import FUNCTIONS
 
 # Of lag/model.h.
 VERSION = 2
@@ -42,6 +44,11 @@ class Arguments(Structure):
     ]
 
 
+def function_type(results: int) -> type[ctypes._CFunctionType]:
+    """The type of a function of lag_model that fills so many arrays of results."""
+    return CFUNCTYPE(c_int, POINTER(Arguments), *[POINTER(c_double)] * results)
+
+
 class Batch(Structure):
     """lag_batch."""
 
@@ -57,8 +64,8 @@ class Batch(Structure):
     ]
 
 
-class ModelHead(Structure):
-    """The first members of lag_model."""
+class Model(Structure):
+    """lag_model. Its functions are those of `lagdsl.program.functions`, in that order; null is what a model lacks."""
 
     _fields_ = [
         ("version", c_uint),
@@ -68,6 +75,21 @@ class ModelHead(Structure):
         ("workspace", c_size_t),
         ("prepared", c_size_t),
         ("context", c_void_p),
+        *((name, c_void_p) for name in ("coordinates", "states", "inputs", "discretes", "parameters", "constraints")),
+        *((name, c_void_p) for name in ("outputs", "invariants", "assertions", "defaults", "position_level")),
+        ("redundant", c_void_p),
+        ("prepare", CFUNCTYPE(c_int, POINTER(Arguments))),
+        *((function.name, function_type(len(function.results))) for function in FUNCTIONS if function.single),
+        ("jacobian_pattern", c_void_p),
+        ("nk", c_size_t),
+        ("kept_rows", c_void_p),
+        *((name, c_size_t) for name in ("nindicator", "ncontact", "ngap", "nclock")),
+        *((name, c_size_t) for name in ("nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance")),
+        *((name, c_void_p) for name in ("kinds", "strict", "contact_rows")),
+        ("nswitched", c_size_t),
+        *((name, c_void_p) for name in ("switched_rows", "reset_places", "resets", "stops", "failures")),
+        ("nd", c_size_t),
+        ("definitions", c_void_p),
     ]
 
 

@@ -7,7 +7,8 @@ from fractions import Fraction
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.quantity import Variability
+from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.semantics import corners
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, quotient, report_unequal
@@ -33,6 +34,7 @@ from lagdsl.semantics.values import (
     latest,
 )
 from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS
 
 RELATIONS = ("<", "<=", ">", ">=", "==", "<>")
@@ -367,14 +369,26 @@ def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: S
     difference: FlatExpression = flat.Binary("-", larger.expression, smaller.expression)
     if smaller.expression == flat.ZERO:
         difference = larger.expression
-    name = ctx.occurrences.relation(
-        scope.owner.prefix + node.span.text,
-        (node.span, *scope.spans),
-        difference,
-        joined(one.dimension, two.dimension) or DIMENSIONLESS,
-        strict=node.operator in ("<", ">"),
-    )
-    return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+    place = Located(ctx, (node.span, *scope.spans), joined(one.dimension, two.dimension) or DIMENSIONLESS)
+    text, strict = scope.owner.prefix + node.span.text, node.operator in ("<", ">")
+    truth = place.truth(text, difference, strict=strict, timed=corners.is_timed(ctx, one, two))
+    return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+
+
+@dataclass(frozen=True, slots=True)
+class Located:
+    """Where a relation stands that is located, and the dimension of its sides."""
+
+    ctx: Context
+    spans: Spans
+    dimension: Dimension
+
+    def truth(self, text: str, difference: FlatExpression, *, strict: bool, timed: bool) -> flat.Variable:
+        """Of `difference > 0` or, where it is not `strict`, of `difference >= 0`; `timed`: of time alone."""
+        if timed:
+            return corners.truth(self.ctx, text, self.spans, difference, strict=strict, told=True)
+        found = self.ctx.occurrences.relation(text, self.spans, difference, self.dimension, strict=strict)
+        return flat.Variable(found)
 
 
 def _same_number(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar) -> Scalar:

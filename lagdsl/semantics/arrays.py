@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
+from lagdsl.semantics import corners
 from lagdsl.semantics.arithmetic import Operand, added
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
@@ -273,9 +274,18 @@ def combined(ctx: Context, scope: Scope, name: str, left: Operand, right: Operan
     if not fits(one.dimension, two.dimension):
         report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
         return POISON
-    expression = flat.Function(name, (one.expression, two.expression))
+    expression = extreme(ctx, scope, node, name, one, two)
     kind = one.kind if one.kind == two.kind else "Real"
     return Scalar(expression, joined(one.dimension, two.dimension), variability, order, kind)
+
+
+def extreme(ctx: Context, scope: Scope, node: nodes.Node, name: str, one: Scalar, two: Scalar) -> FlatExpression:
+    """`min` or `max` of two; of time alone the one that an entry of the discretes tells."""
+    if not corners.has_corner(ctx, one, two):
+        return flat.Function(name, (one.expression, two.expression))
+    larger = corners.of_call(ctx, scope, node, flat.Binary("-", one.expression, two.expression))
+    pair = (one.expression, two.expression) if name == "max" else (two.expression, one.expression)
+    return flat.Conditional(larger, *pair)
 
 
 def elements_of(array: Array) -> list[Scalar]:

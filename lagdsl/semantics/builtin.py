@@ -10,9 +10,10 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
+from lagdsl.semantics import corners
 from lagdsl.semantics.application import Application
-from lagdsl.semantics.arithmetic import Operand, divided, dot
-from lagdsl.semantics.arrays import elements_of, linspace, reduced
+from lagdsl.semantics.arithmetic import Located, Operand, divided, dot, joint_kind, negative
+from lagdsl.semantics.arrays import elements_of, extreme, linspace, reduced
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
 from lagdsl.semantics.limits import array_fits
@@ -61,13 +62,26 @@ def _of_number(call: Application) -> Value:
     values = scalars(call)
     if values is None:
         return POISON
-    _note_jumps(call)
     argument = values[0]
     if not fits(argument.dimension, DIMENSIONLESS):
         span = call.arguments[0].node.span
         call.ctx.sink.report("E0402", span, function=f"`{call.name}`", found=quantity(argument.dimension))
         return POISON
+    if call.name in ("floor", "ceil"):
+        return _rounded(call, argument)
     return _function(call, call.name, (argument.expression,), DIMENSIONLESS)
+
+
+def _rounded(call: Application, x: Scalar) -> Scalar:
+    """`floor` and `ceil`: of time alone a number that is constant between events."""
+    if not corners.has_corner(call.ctx, x):
+        _note_jumps(call)
+        return _function(call, call.name, (x.expression,), DIMENSIONLESS)
+    if call.name == "floor":
+        below: FlatExpression = corners.whole(call.ctx, call.scope, call.node, x.expression)
+    else:
+        below = negative(corners.whole(call.ctx, call.scope, call.node, negative(x.expression)))
+    return Scalar(below, DIMENSIONLESS, Variability.DISCRETE)
 
 
 def _note_jumps(call: Application) -> None:
@@ -93,7 +107,14 @@ def _root(call: Application) -> Value:
 def _preserving(call: Application) -> Value:
     """`abs`: the dimension of the argument."""
     values = scalars(call)
-    return POISON if values is None else _function(call, call.name, (values[0].expression,), values[0].dimension)
+    if values is None:
+        return POISON
+    x = values[0]
+    if not corners.has_corner(call.ctx, x):
+        return _function(call, call.name, (x.expression,), x.dimension)
+    positive = corners.of_call(call.ctx, call.scope, call.node, x.expression)
+    value = flat.Conditional(positive, x.expression, negative(x.expression))
+    return Scalar(value, x.dimension, x.variability, x.order)
 
 
 def _sign(call: Application) -> Value:
@@ -104,10 +125,10 @@ def _sign(call: Application) -> Value:
     if call.ctx.quiet or values[0].variability != Variability.CONTINUOUS:
         return _function(call, "sign", (values[0].expression,), DIMENSIONLESS)
     text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", values[0].expression
-    spans, dimension = (call.node.span, *call.scope.spans), values[0].dimension or DIMENSIONLESS
-    relation = call.ctx.occurrences.relation
-    above = flat.Variable(relation(f"{text} > 0", spans, x, dimension, strict=True))
-    below = flat.Variable(relation(f"{text} < 0", spans, flat.Unary("-", x), dimension, strict=True))
+    place = Located(call.ctx, (call.node.span, *call.scope.spans), values[0].dimension or DIMENSIONLESS)
+    timed = corners.is_timed(call.ctx, values[0])
+    above = place.truth(f"{text} > 0", x, strict=True, timed=timed)
+    below = place.truth(f"{text} < 0", flat.Unary("-", x), strict=True, timed=timed)
     value = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
     return Scalar(value, DIMENSIONLESS, Variability.DISCRETE)
 
@@ -124,12 +145,21 @@ def _same(call: Application, values: list[Scalar]) -> bool:
 
 def _pair(call: Application) -> Value:
     """`atan2` and `mod`."""
-    _note_jumps(call)
     values = scalars(call)
     if values is None or not _same(call, values):
         return POISON
     dimension = DIMENSIONLESS if call.name == "atan2" else joined(values[0].dimension, values[1].dimension)
+    if call.name == "mod" and corners.has_corner(call.ctx, *values):
+        left = _remainder(call, values[0].expression, values[1].expression)
+        return Scalar(left, dimension, latest(*values), highest(*values), joint_kind(*values))
+    _note_jumps(call)
     return _function(call, call.name, (values[0].expression, values[1].expression), dimension)
+
+
+def _remainder(call: Application, x: FlatExpression, y: FlatExpression) -> FlatExpression:
+    """x - floor(x/y)*y, of time alone."""
+    turns = corners.whole(call.ctx, call.scope, call.node, flat.Binary("/", x, y))
+    return flat.Binary("-", x, flat.Binary("*", turns, y))
 
 
 def _log10(call: Application) -> Value:
@@ -150,9 +180,10 @@ def _limit(call: Application) -> Value:
     if values is None or not _same(call, values):
         return POISON
     x, low, high = values
-    inner = flat.Function("min", (x.expression, high.expression))
+    inner = Scalar(extreme(call.ctx, call.scope, call.node, "min", x, high), None, latest(x, high), highest(x, high))
     dimension = joined(x.dimension, joined(low.dimension, high.dimension))
-    return _function(call, "max", (low.expression, inner), dimension)
+    value = extreme(call.ctx, call.scope, call.node, "max", low, inner)
+    return Scalar(value, dimension, latest(*values), highest(*values))
 
 
 def _wrap(call: Application) -> Value:
@@ -165,7 +196,9 @@ def _wrap(call: Application) -> Value:
         call.ctx.sink.report("E0402", span, function="`wrap`", found=quantity(values[0].dimension))
         return POISON
     turned = flat.Binary("+", values[0].expression, flat.Number(pi))
-    wrapped = flat.Function("mod", (turned, flat.Number(2 * pi)))
+    turn = flat.Number(2 * pi)
+    timed = corners.has_corner(call.ctx, values[0])
+    wrapped = _remainder(call, turned, turn) if timed else flat.Function("mod", (turned, turn))
     shifted = flat.Binary("-", wrapped, flat.Number(pi))
     return Scalar(shifted, DIMENSIONLESS, values[0].variability, values[0].order)
 

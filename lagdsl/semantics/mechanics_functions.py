@@ -82,7 +82,7 @@ def _omega(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     dimension = DIMENSIONLESS / ctx.dimension(TIME)
     if frame.name == "world":
         return Vector(flat.ZERO_VECTOR, dimension, Variability.CONSTANT, Order.STILL)
-    order = Order.RATE if frame.order > Order.STILL else Order.STILL
+    order = Order.RATE if frame.order > Order.GIVEN else frame.order
     return Vector(flat.AngularVelocity(frame.name), dimension, frame.variability, order)
 
 
@@ -99,7 +99,8 @@ def _vel(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     frame = as_frame(ctx, arguments[1], ctx.elaborate(ctx, scope, arguments[1], False))
     if frame is None:
         return POISON
-    order = Order.RATE if max(frame.order, point.order) > Order.STILL else Order.STILL
+    known = max(frame.order, point.order)
+    order = Order.RATE if known > Order.GIVEN else known
     velocity = flat.MaterialVelocity(point.expression, frame.name)
     if frame.name == "world":
         return Vector(flat.ZERO_VECTOR, ctx.dimension(VELOCITY), Variability.CONSTANT, Order.STILL)

@@ -29,9 +29,11 @@ AnyDimension: TypeAlias = "Dimension | None"
 
 
 class Order(IntEnum):
-    """What an expression needs of the motion: nothing, q, its first, its second derivative, or the solved equations."""
+    """What an expression needs of the motion: nothing but time, inputs, q, its first, its second derivative, or the
+    solved equations."""
 
-    STILL = -1
+    STILL = -2
+    GIVEN = -1
     CONFIGURATION = 0
     RATE = 1
     ACCELERATION = 2

@@ -54,8 +54,9 @@ def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
     match what:
         case "tick":
             return flat.events.clocks[which].name
-        case "true" | "false":
-            return flat.events.relations[which].name
+        case "true" | "false" | "jump":
+            known = len(flat.events.relations)
+            return flat.events.relations[which].name if which < known else flat.events.timed[which - known].name
         case "reinit":
             return layout.instants.resets[which]
         case "terminate":

@@ -87,7 +87,7 @@ def test_without_any_compiler_an_installed_package_has_its_runtime(
     (tmp_path / "none").mkdir()
     lame = "import sys; sys.modules['ziglang'] = None\n"
     environment = {"PYTHONPATH": str(site), "PATH": str(tmp_path / "none"), "HOME": "/nonexistent"}
-    load = "from lagdsl.runtime.library import runtime_library; print(len(runtime_library().run_layout))"
+    load = "from lagdsl.runtime.library import runtime_library; print(len(runtime_library().methods))"
     assert _run([sys.executable, "-c", lame + load], tmp_path, **environment).strip() == "2"
     run = "from lagdsl.cli.main import main; main(sys.argv[1:])"
     model = str(root / "models" / "pendulum.lag")

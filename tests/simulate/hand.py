@@ -21,7 +21,6 @@ from lagdsl.flat.model import (
     State,
 )
 from lagdsl.mechanics.rank import minimum_norm, null_space
-from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.program import Layout, Slot
 from lagdsl.runtime.engine import SingularSystem
 from lagdsl.runtime.numpy_model import Callbacks
@@ -224,8 +223,7 @@ class Hand:
     def native(self):  # type: ignore[no-untyped-def]
         """As the runtime in C takes it: every function is called back."""
         names = [*NATIVE, *(("initial_equation",) if self.flat.initial_equations else ())]
-        functions = {name: SIGNATURES[name] for name in names}
-        return Callbacks(self, "Hand", functions, {"ne": len(self.flat.initial_equations)}).native()
+        return Callbacks(self, "Hand", names, {"ne": len(self.flat.initial_equations)}).native()
 
     def tangent(self, function, *arguments):  # type: ignore[no-untyped-def]
         """Along the directions that come last, by differences."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,9 +10,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import lagdsl
-from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.run_structures import MEASURED
-from lagdsl.runtime.structures import ModelHead
 from lagdsl.simulate.simulate import simulate
 
 MODELS = Path(__file__).parents[2] / "models"
@@ -194,21 +190,6 @@ def test_progress_is_told() -> None:
     assert told == sorted(told)
     assert told[-1] == 1.0
     assert len(told) > 2
-
-
-def test_structures_are_as_long_in_c_as_here() -> None:
-    """A double of one in the place of the other would be read as rubbish."""
-    assert runtime_library().run_layout == tuple(ctypes.sizeof(each) for each in MEASURED)
-
-
-def test_the_structure_of_a_model_is_that_of_its_header() -> None:
-    model = lagdsl.compile(BALL, engine="c")._engine.native
-    numpy = lagdsl.compile(BALL, engine="numpy")._engine.native
-    sizes = [
-        ModelHead.from_buffer_copy(ctypes.string_at(each.model, ctypes.sizeof(ModelHead))).size
-        for each in (model, numpy)
-    ]  # type: ignore[arg-type]
-    assert sizes[0] == sizes[1]
 
 
 @pytest.mark.parametrize(("solver", "instead"), [("rk45", "dop853"), ("bdf", "radau"), ("cvode", "radau")])

@@ -64,7 +64,9 @@ lag_status lag_motion_start(lag_motion *motion, double t, double *x)
 {
     const size_t n = motion->model->nq;
     motion->at.t = t;
-    return motion->model->start(&motion->at, x, x + n, x + 2 * n, motion->u);
+    const lag_model *model = motion->model;
+    const lag_status status = model->discrete_start != NULL ? model->discrete_start(&motion->at, motion->w) : LAG_OK;
+    return status == LAG_OK ? model->start(&motion->at, x, x + n, x + 2 * n, motion->u) : status;
 }
 
 void lag_motion_look(lag_motion *motion, double t, const double *x)

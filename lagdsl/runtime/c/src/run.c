@@ -9,8 +9,6 @@
 static const double TOLERANCE = 1e-8;
 static const double PART = 1e-3;
 
-const size_t lag_run_layout[7] = {sizeof(lag_run_options), sizeof(lag_run_report), sizeof(lag_results), sizeof(lag_note),
-    sizeof(lag_start), sizeof(lag_initial), sizeof(lag_fault)};
 
 int lag_run_crosses(const lag_model *model, const lag_run_options *options)
 {

@@ -53,11 +53,16 @@ int lag_run_due(const lag_run *run, double t)
 
 lag_status lag_run_ticks(lag_run *run)
 {
+    int quiet = 0;
     if (!lag_run_due(run, run->stepper.t)) {
         return LAG_OK;
     }
+    lag_status status = lag_instants_quietly(&run->instants, run->stepper.t, run->stepper.x, &quiet);
+    if (quiet || status != LAG_OK) {
+        return status;
+    }
     ++run->events;
-    const lag_status status = tell(run, LAG_BEFORE);
+    status = tell(run, LAG_BEFORE);
     return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, run->stepper.t, run->stepper.x)) : status;
 }
 

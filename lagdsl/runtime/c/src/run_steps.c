@@ -268,7 +268,11 @@ lag_status lag_run_restart(lag_run *run, double stop)
     }
     s->h_most = most_length(run);
     run->half.open = 0;
+    run->instants.timed.length = run->instants.contacts.length;
     lag_status status = lag_run_ticks(run);
+    if (status == LAG_OK && lag_run_instant(run) > s->t) {
+        status = lag_timed_seek(&run->instants.timed, s->t);
+    }
     if (status == LAG_OK) {
         status = restart(run, s->method, stop - s->t);
     }

@@ -164,12 +164,6 @@ typedef struct lag_run_report {
     int implicit;               /* the present method is */
 } lag_run_report;
 
-/*
- * Bytes of lag_run_options, lag_run_report, lag_results, lag_note, lag_start, lag_initial and lag_fault, for those who write them down in
- * another language.
- */
-extern const size_t lag_run_layout[7];
-
 /* Bytes of the block for a run, and its layout; the block is aligned as malloc does. */
 size_t lag_run_size(const lag_model *model, const lag_run_options *options);
 /* Of these, the doubles that its arrays take, without those of which nothing is remembered. */
