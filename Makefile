@@ -45,7 +45,7 @@ c-test: $(READY)  ## the same, with the sanitizer of threads and ten thousand ru
 fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (half an hour)
 	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest -n auto --dist loadgroup tests/fmi
 
-update: $(READY)  ## regenerate what is generated: parser tables, unit table, functions in C, list of the library, expectations of the corpus
+update: $(READY)  ## regenerate what is generated: automaton of the grammar, unit table, functions in C, list of the library, expectations of the corpus
 	$(BIN)/python -m lagdsl.syntax.generate
 	$(BIN)/python -m lagdsl.units.generate
 	$(BIN)/python -m lagdsl.runtime.generate

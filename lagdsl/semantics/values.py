@@ -1,7 +1,7 @@
 """Typed values: what an expression means while the flat model is made.
 
-A value knows its dimension (None fits any: `0` and `inf`), when it may change (variability) and on which derivative of
-the motion it depends (order). A dimension is one for all components of a vector or elements of an array.
+A value knows its dimension (None fits any: `0` and `inf` by themselves), when it may change (variability) and on which
+derivative of the motion it depends (order). A dimension is one for all components of a vector or elements of an array.
 """
 
 from __future__ import annotations
@@ -46,11 +46,14 @@ _RANK = {variability: rank for rank, variability in enumerate(Variability)}
 @final
 @record()
 class Scalar:
+    """`is_nothing`: a sum over nothing, of any dimension in products too; the `0` of a text is a number there."""
+
     expression: FlatExpression
     dimension: AnyDimension
     variability: Variability = Variability.CONSTANT
     order: Order = Order.STILL
     kind: Kind = "Real"
+    is_nothing: bool = False
 
 
 @final

@@ -77,15 +77,16 @@ def _settled(program: Program, nodes: Nodes, functions: Sequence[Function]) -> t
     live = np.array(graph.live(roots.tolist()), dtype=np.int64)
     alone = nodes.groups & ~_PARAMETER == 0
     hoisted = _hoisted(nodes, live, roots, alone)
-    constants = live[nodes.op[live] == Op.CONSTANT]
+    numbers = live[nodes.op[live] == Op.CONSTANT]
+    constants = [1.0, -1.0, *(graph.value[node] for node in numbers.tolist())]
     place = np.full(len(graph), -1, dtype=np.int64)
-    place[constants] = np.arange(len(constants))
+    place[numbers] = 2 + np.arange(len(numbers))
     symbols = live[(nodes.op[live] == Op.SYMBOL) & (nodes.operands[0, live] == Group.P)]
     place[symbols] = len(constants) + nodes.operands[1, symbols]
     parameters = len(program.layout.parameters)
     place[hoisted] = len(constants) + parameters + np.arange(len(hoisted))
     settled = Settled(place, frozenset(hoisted.tolist()), len(constants), len(constants) + parameters + len(hoisted))
-    return settled, [graph.value[node] for node in constants.tolist()], hoisted
+    return settled, constants, hoisted
 
 
 def _hoisted(nodes: Nodes, live: Ints, roots: Ints, alone: Flags) -> Ints:

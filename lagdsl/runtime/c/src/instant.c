@@ -37,7 +37,7 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
-    lag_passes_place(&instants->passes, &instants->contacts, &instants->momentum, projection, memory);
+    lag_passes_place(&instants->passes, &instants->contacts, &instants->momentum, &instants->timed, projection, memory);
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 

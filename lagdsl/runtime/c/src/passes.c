@@ -20,7 +20,7 @@ size_t lag_passes_memory(const lag_model *model)
 }
 
 void lag_passes_place(
-    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_projection *projection, double *memory)
+    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, double *memory)
 {
     const lag_model *model = contacts->motion->model;
     const size_t size = lag_motion_size(model);
@@ -28,6 +28,7 @@ void lag_passes_place(
     passes->motion = contacts->motion;
     passes->contacts = contacts;
     passes->momentum = momentum;
+    passes->timed = timed;
     passes->projection = projection;
     passes->places = lag_places_of(model);
     passes->moment = 1e-9;
@@ -355,7 +356,10 @@ static lag_status pass(lag_passes *passes, double t, double *x, const double *tu
     }
     memcpy(motion->w, passes->next, motion->model->nw * sizeof(double));
     lag_places_clear(motion->model, &passes->places, motion->w);
-    status = act(passes, t, x, acted);
+    if (!same(passes->places.contact, motion->w, passes->before)) {
+        status = lag_timed_enter(passes->timed, t); /* corners of time may depend on discretes */
+    }
+    status = status == LAG_OK ? act(passes, t, x, acted) : status;
     if (status == LAG_OK) {
         status = take_hold(passes, t, x, *acted);
     }
