@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from lagdsl.runtime.native_model import NativeModel
 
 Floats = NDArray[np.float64]
+EngineName: TypeAlias = Literal["auto", "tape", "c", "numpy"]
+ENGINES: tuple[EngineName, ...] = get_args(EngineName)
 
 
 class SingularSystem(ArithmeticError):  # noqa: N818  it is a state of the mechanism, not always a mistake
@@ -32,6 +34,7 @@ class Engine(Protocol):
     """
 
     layout: Layout
+    name: EngineName
 
     @property
     def native(self) -> NativeModel:

@@ -24,7 +24,7 @@ from lagdsl.program.functions import STATE
 from lagdsl.program.program import Block, Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.cores import share_out
-from lagdsl.runtime.engine import Floats, SingularSystem
+from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.numpy_model import numpy_model
 
@@ -43,6 +43,8 @@ _ON_NUMBERS = SimpleNamespace(
 
 class NumpyEngine:
     """Engine that needs no compiler. The functions named `..._many` broadcast over leading axes."""
+
+    name: EngineName = "numpy"
 
     def __init__(self, program: Program) -> None:
         self.layout = program.layout
