@@ -21,7 +21,6 @@ from lagdsl.program.verify import sizes
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.build import build
-from lagdsl.runtime.c_run import CRun, RunSettings
 from lagdsl.runtime.cores import Part, cores, share_out
 from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.library import runtime_library
@@ -85,6 +84,11 @@ class CEngine:
         self._solve_call = (model.model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
         self._evaluate_call = (at, self._results.ctypes.data)
 
+    @property
+    def native(self) -> NativeModel:
+        """The compiled model."""
+        return self._model
+
     # ---- one state ---------------------------------------------------------------------------------------------------
 
     def solve(
@@ -134,10 +138,6 @@ class CEngine:
     def _check(self, status: int) -> None:
         if status == _SINGULAR:
             raise SingularSystem(self._coordinate.value, self.layout)
-
-    def run(self, settings: RunSettings) -> CRun:
-        """A simulation in C, independent of this engine's own memory."""
-        return CRun(self._model, settings, self.layout.size(Group.U), self.layout.size(Group.W))
 
     # ---- many states -------------------------------------------------------------------------------------------------
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Literal, Protocol, TypeAlias, get_args
+from typing import TYPE_CHECKING, Literal, Protocol, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.program.program import Layout
+
+if TYPE_CHECKING:
+    from lagdsl.runtime.native_model import NativeModel
 
 Floats = NDArray[np.float64]
 EngineName: TypeAlias = Literal["auto", "tape", "c", "numpy"]
@@ -32,6 +35,11 @@ class Engine(Protocol):
 
     layout: Layout
     name: EngineName
+
+    @property
+    def native(self) -> NativeModel:
+        """The model as the runtime in C takes it."""
+        ...
 
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats

@@ -25,6 +25,8 @@ from lagdsl.program.program import Block, Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.cores import share_out
 from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
+from lagdsl.runtime.native_model import NativeModel
+from lagdsl.runtime.numpy_model import numpy_model
 
 # What bodies call on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat
 # what is no number as NumPy and C do.
@@ -51,8 +53,16 @@ class NumpyEngine:
         self._bodies: dict[str, Callable[..., Sequence[float]]] = {}
         self._varied: dict[str, tuple[NDArray[np.intp], Floats]] = {}
         self._functions = {f.name: f for f in program.functions}
+        self._native: NativeModel | None = None
         self._signature = {f.name: signature(program, f) for f in program.functions}
         self._shapes = {f.name: shapes(f) for f in program.functions}
+
+    @property
+    def native(self) -> NativeModel:
+        """The model with functions that are called back."""
+        if self._native is None:
+            self._native = numpy_model(self, self._program)
+        return self._native
 
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
