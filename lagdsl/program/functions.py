@@ -160,6 +160,17 @@ FUNCTIONS: tuple[Signature, ...] = (
         "a pass over the `when` clauses: w after it, and action by action whether it acts",
         Presence.DISCRETES,
     ),
+    _function(
+        "time_event",
+        (Group.TIME, Group.W, Group.P),
+        "value[ntimed] told[ntimed] distance[ndistance] rate[ndistance] affine[ndistance] entry[ndistance] "
+        "change[ndistance]",
+        "what time alone changes: the entries of w as they are at that time; 0 where nothing is told of their changes, "
+        "1 for a truth, 2 for a jump; distances, positive up to the next change, and their rates; 1 where they are "
+        "affine in time between events; the entries that change where they reach zero, and by how much, 0 for a truth "
+        "that turns over",
+        Presence.DISCRETES,
+    ),
     _function("momentum_tangent", (*STATE, Group.DIRECTION_QD), "momentum[nq]", "M dqd", Presence.BY_COLUMNS),
     _function("definition", SOLVED, "d[nd]", "every named value, first those that depend on p only", Presence.NAMED),
     _function("definition_tangent", (*SOLVED, *SOLVED_DIRECTIONS), "d[nd]", "dd", Presence.NAMED),
@@ -202,7 +213,10 @@ FUNCTIONS: tuple[Signature, ...] = (
 )
 
 # Lengths that a program tells by its results only.
-COUNTED = ("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail")
+COUNTED = (
+    *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
+    *("ntimed", "ndistance"),
+)
 
 BY_NAME = {function.name: function for function in FUNCTIONS}
 

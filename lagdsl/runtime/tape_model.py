@@ -9,7 +9,7 @@ import numpy as np
 from lagdsl.runtime.buffers import aligned
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel, native_model
-from lagdsl.runtime.structures import ModelHead
+from lagdsl.runtime.structures import Model
 
 
 class DamagedTape(ValueError):  # noqa: N818  it says what is the matter
@@ -26,4 +26,4 @@ def load_tape(tape: bytes) -> NativeModel:
         raise DamagedTape("these bytes are no tape of this version, or were changed")
     memory = aligned(needed.value // 8 + 1)
     runtime.tape_model(held.ctypes.data, len(tape), memory.ctypes.data)
-    return native_model(ModelHead.from_address(memory.ctypes.data), (held, memory))
+    return native_model(Model.from_address(memory.ctypes.data), (held, memory))

@@ -13,30 +13,25 @@ from lagdsl.backends.tape.function import Settled, words_into, words_of
 from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, nodes_of
 from lagdsl.flat.events import INITIAL
 from lagdsl.graph.operation import FIRST_UNARY, Group, Op
-from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
+from lagdsl.program import functions as known
 from lagdsl.program.program import Function, Layout, Program, Slot
-from lagdsl.program.verify import sizes
+from lagdsl.program.verify import counted, sizes
 
 VERSION: Final = 1
 _MAGIC: Final = b"lagtape\n"
 _PARAMETER: Final = 1 << Group.P
 _NOWHERE: Final = 0xFFFFFFFF
-_KINDS: Final = ("variable", "contact", "impacts", "relation", "condition", "clock")
+_KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
 
 # Functions by number, as lag_function counts them.
-FUNCTIONS: Final = tuple(name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY)
+FUNCTIONS: Final = tuple(function.name for function in known.FUNCTIONS if function.single)
 
-# Lengths that only the results of a function tell: function and number of the result.
-_COUNTED: Final = {
-    "nindicator": ("indicator", 0),
-    "ncontact": ("contact", 3),
-    "ngap": ("contact", 0),
-    "nclock": ("clock", 0),
-    "nreset": ("event", 1),
-    "ncollision": ("event", 3),
-    "nstop": ("event", 5),
-    "nfail": ("event", 6),
-}
+# The lengths that a tape starts with, and where the name of the model stands, as lag_tape_size counts them.
+SIZES: Final = (
+    *("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "nd", "ne", "rank", "nk", "nindicator", "ncontact"),
+    *("ngap", "nclock", "nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance", "nswitched"),
+    *("row", "prepared", "name"),
+)
 
 
 def tape(program: Program, start: Start | None = None) -> bytes:
@@ -47,12 +42,11 @@ def tape(program: Program, start: Start | None = None) -> bytes:
     codes, row = _codes(program, nodes, functions, settled, hoisted)
     texts = _Texts()
     layout = program.layout
-    counts = {
+    lengths = {
         **sizes(layout),
-        "ne": len(program.function("initial_equation").results[0].elements),
+        **counted(program),
         "rank": len(layout.constraints) - sum(layout.redundant),
         "nk": len(program.kept_rows),
-        **{name: _length(program, *where) for name, where in _COUNTED.items()},
         "nswitched": len(layout.instants.switched_rows),
         "row": row,
         "prepared": settled.first,
@@ -60,7 +54,7 @@ def tape(program: Program, start: Start | None = None) -> bytes:
     }
     return _written(
         [
-            _words(counts.values()),
+            _words(lengths[name] for name in SIZES),
             _doubles(constants),
             *_tables(layout, program.kept_rows),
             *_start(start),
@@ -83,15 +77,16 @@ def _settled(program: Program, nodes: Nodes, functions: Sequence[Function]) -> t
     live = np.array(graph.live(roots.tolist()), dtype=np.int64)
     alone = nodes.groups & ~_PARAMETER == 0
     hoisted = _hoisted(nodes, live, roots, alone)
-    constants = live[nodes.op[live] == Op.CONSTANT]
+    numbers = live[nodes.op[live] == Op.CONSTANT]
+    constants = [1.0, -1.0, *(graph.value[node] for node in numbers.tolist())]
     place = np.full(len(graph), -1, dtype=np.int64)
-    place[constants] = np.arange(len(constants))
+    place[numbers] = 2 + np.arange(len(numbers))
     symbols = live[(nodes.op[live] == Op.SYMBOL) & (nodes.operands[0, live] == Group.P)]
     place[symbols] = len(constants) + nodes.operands[1, symbols]
     parameters = len(program.layout.parameters)
     place[hoisted] = len(constants) + parameters + np.arange(len(hoisted))
     settled = Settled(place, frozenset(hoisted.tolist()), len(constants), len(constants) + parameters + len(hoisted))
-    return settled, [graph.value[node] for node in constants.tolist()], hoisted
+    return settled, constants, hoisted
 
 
 def _hoisted(nodes: Nodes, live: Ints, roots: Ints, alone: Flags) -> Ints:
@@ -127,13 +122,9 @@ def _table(codes: Sequence[Ints]) -> Iterable[int]:
 # ---- tables ----------------------------------------------------------------------------------------------------------
 
 
-def _length(program: Program, function: str, result: int) -> int:
-    return len(program.function(function).results[result].elements) if program.has(function) else 0
-
-
 def _tables(layout: Layout, kept_rows: Sequence[int]) -> list[bytes]:
     instants = layout.instants
-    kinds = [_kind(layout, index) for index in range(len(layout.kinds))]
+    kinds = [kind_number(layout, index) for index in range(len(layout.kinds))]
     return [
         _doubles(layout.defaults),
         bytes(layout.position_level),
@@ -147,7 +138,7 @@ def _tables(layout: Layout, kept_rows: Sequence[int]) -> list[bytes]:
     ]
 
 
-def _kind(layout: Layout, index: int) -> int:
+def kind_number(layout: Layout, index: int) -> int:
     """The lag_kind of an entry of w."""
     if layout.kinds[index] == "instant":
         return len(_KINDS) + (layout.discretes[index].name != INITIAL)

@@ -180,6 +180,18 @@ static lag_status evaluate_event(const lag_model *model, const lag_arguments *at
     return model->event == NULL ? LAG_MISSING : model->event(at, next, reset, value, collision, restitution, stop, fail);
 }
 
+static lag_status evaluate_time_event(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const value = results;
+    double *const told = value + model->ntimed;
+    double *const distance = told + model->ntimed;
+    double *const rate = distance + model->ndistance;
+    double *const affine = rate + model->ndistance;
+    double *const entry = affine + model->ndistance;
+    double *const change = entry + model->ndistance;
+    return model->time_event == NULL ? LAG_MISSING : model->time_event(at, value, told, distance, rate, affine, entry, change);
+}
+
 static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
@@ -287,6 +299,8 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return evaluate_clock(model, at, results);
     case LAG_EVENT:
         return evaluate_event(model, at, results);
+    case LAG_TIME_EVENT:
+        return evaluate_time_event(model, at, results);
     case LAG_MOMENTUM_TANGENT:
         return evaluate_momentum_tangent(model, at, results);
     case LAG_DEFINITION:

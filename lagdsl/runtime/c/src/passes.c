@@ -19,13 +19,16 @@ size_t lag_passes_memory(const lag_model *model)
            3 * lag_motion_size(model) + 2 * model->nindicator + 3 * model->ncontact;
 }
 
-void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection *projection, double *memory)
+void lag_passes_place(
+    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, double *memory)
 {
     const lag_model *model = contacts->motion->model;
     const size_t size = lag_motion_size(model);
     memset(passes, 0, sizeof *passes);
     passes->motion = contacts->motion;
     passes->contacts = contacts;
+    passes->momentum = momentum;
+    passes->timed = timed;
     passes->projection = projection;
     passes->places = lag_places_of(model);
     passes->moment = 1e-9;
@@ -322,27 +325,25 @@ static lag_status act(lag_passes *passes, double t, double *x, int *acted)
     if (status == LAG_OK) {
         status = reset(passes, t, x, acted);
     }
-    if (status == LAG_OK && *acted) {
-        status = part(passes, t, x);
-    }
-    return status == LAG_OK && *acted ? lag_projection_rates(passes->projection, t, x, passes->held + model->nq) : status;
+    return status == LAG_OK && *acted ? part(passes, t, x) : status;
 }
 
-/* Discretes in constraints may have changed: rates onto what holds now. Contacts follow, they only push. */
-static lag_status take_hold(lag_passes *passes, double t, double *x)
+/*
+ * Discretes that stand in constraints, masses or prescribed motions may have changed: momenta are balanced. Else, after resets, rates go
+ * onto the constraints. Those that were reset stay as far as that can be; contacts follow, they only push.
+ */
+static lag_status take_hold(lag_passes *passes, double t, double *x, int acted)
 {
     const lag_places *places = &passes->places;
-    const size_t relations = passes->motion->model->nindicator;
-    const size_t count = passes->motion->model->ncontact;
-    double *w = passes->motion->w;
-    if (same(places->contact, w, passes->before) && same(relations, w + places->relation, passes->before + places->relation)) {
-        return LAG_OK;
+    const lag_model *model = passes->motion->model;
+    const double *w = passes->motion->w;
+    const double *held = acted ? passes->held + model->nq : NULL;
+    int jumped = 0;
+    if (same(places->contact, w, passes->before) && same(model->nindicator, w + places->relation, passes->before + places->relation)) {
+        return acted ? lag_projection_rates(passes->projection, t, x, held) : LAG_OK;
     }
-    memcpy(passes->closed, w + places->contact, count * sizeof(double));
-    memset(w + places->contact, 0, count * sizeof(double));
-    const lag_status status = lag_projection_rates(passes->projection, t, x, NULL);
-    memcpy(w + places->contact, passes->closed, count * sizeof(double));
-    return status;
+    const lag_status status = lag_momentum_keep(passes->momentum, t, x, passes->before);
+    return status == LAG_OK ? lag_momentum_balance(passes->momentum, t, x, held, &jumped) : status;
 }
 
 /* One pass; `acted`: it did more than to change w. */
@@ -355,9 +356,12 @@ static lag_status pass(lag_passes *passes, double t, double *x, const double *tu
     }
     memcpy(motion->w, passes->next, motion->model->nw * sizeof(double));
     lag_places_clear(motion->model, &passes->places, motion->w);
-    status = act(passes, t, x, acted);
-    if (status == LAG_OK && !*acted) {
-        status = take_hold(passes, t, x);
+    if (!same(passes->places.contact, motion->w, passes->before)) {
+        status = lag_timed_enter(passes->timed, t); /* corners of time may depend on discretes */
+    }
+    status = status == LAG_OK ? act(passes, t, x, acted) : status;
+    if (status == LAG_OK) {
+        status = take_hold(passes, t, x, *acted);
     }
     if (status == LAG_OK) {
         status = strike(passes, t, x, acted);

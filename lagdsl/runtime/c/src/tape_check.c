@@ -45,6 +45,9 @@ static const shape RESULTS[LAG_TAPE_FUNCTION_COUNT][LAG_TAPE_RESULTS + 1] = {
     [1 + LAG_CLOCK] = {VECTOR(NCLOCK), VECTOR(NCLOCK), LAST},
     [1 + LAG_EVENT] =
         {VECTOR(NW), VECTOR(NRESET), VECTOR(NRESET), VECTOR(NCOLLISION), VECTOR(NCOLLISION), VECTOR(NSTOP), VECTOR(NFAIL), LAST},
+    [1 + LAG_TIME_EVENT] =
+        {VECTOR(NTIMED), VECTOR(NTIMED), VECTOR(NDISTANCE), VECTOR(NDISTANCE), VECTOR(NDISTANCE), VECTOR(NDISTANCE), VECTOR(NDISTANCE),
+            LAST},
     [1 + LAG_MOMENTUM_TANGENT] = {VECTOR(NQ), LAST},
     [1 + LAG_DEFINITION] = {VECTOR(ND), LAST},
     [1 + LAG_DEFINITION_TANGENT] = {VECTOR(ND), LAST},
@@ -166,28 +169,31 @@ static uint64_t angles(const view *at)
     return 2 + 3 * (uint64_t)w[1];
 }
 
-/* Operands of an operation on places, and whether it stores its value. */
-static int operands_of(uint32_t operation, int *stores)
+/* Words of one time, and of these how many are before the operands. */
+static uint64_t width_of(uint32_t operation, uint64_t *before)
 {
-#define TWO_COUNTS(name, count, expression) count, count,
-#define ONE_COUNT(name, function) 1,
-#define TWO_OPERANDS(name, function) 2,
-    static const unsigned char counts[] = {
-        LAG_TAPE_ARITHMETIC(TWO_COUNTS) LAG_TAPE_UNARY(ONE_COUNT) LAG_TAPE_BINARY(TWO_OPERANDS) 3};
-    const uint32_t which = operation - LAG_TAPE_NEGATE;
-    *stores = operation >= LAG_TAPE_TAN || which % 2 == 0;
-    return counts[which];
+#define OF_ONE(name, function) 2,
+#define OF_TWO(name, function) 3,
+    static const unsigned char widths[] = {6, 8, LAG_TAPE_UNARY(OF_ONE) LAG_TAPE_BINARY(OF_TWO) 4};
+    *before = operation <= LAG_TAPE_THREE_PRODUCTS ? 2 : 1;
+    return widths[operation - LAG_TAPE_TWO_PRODUCTS];
 }
 
 static uint64_t operation(const view *at)
 {
-    int stores = 0;
-    const uint64_t count = (uint64_t)operands_of(*at->word, &stores);
-    const uint64_t before = stores ? 2 : 1;
-    if (!enough(at, before + count - 1) || (stores && !writable(at, at->word[1], 1))) {
+    uint64_t before;
+    const uint64_t width = width_of(*at->word, &before);
+    const uint32_t most = *at->word == LAG_TAPE_TWO_PRODUCTS ? 1 : 3; /* of signs */
+    if (!enough(at, 1) || at->word[1] == 0 || !enough(at, 1 + width * at->word[1])) {
         return 0;
     }
-    return readable(at, at->word + before, count) ? before + count : 0;
+    for (uint64_t i = 0; i < at->word[1]; ++i) {
+        const uint32_t *own = at->word + 2 + i * width;
+        if (!writable(at, own[0], 1) || (before > 1 && own[1] > most) || !readable(at, own + before, width - before)) {
+            return 0;
+        }
+    }
+    return 2 + width * at->word[1];
 }
 
 static uint64_t instruction(const view *at)

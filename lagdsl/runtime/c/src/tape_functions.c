@@ -80,6 +80,7 @@ FUNCTION_1(standing, LAG_STANDING)
 FUNCTION_6(contact, LAG_CONTACT)
 FUNCTION_2(clock, LAG_CLOCK)
 FUNCTION_7(event, LAG_EVENT)
+FUNCTION_7(time_event, LAG_TIME_EVENT)
 FUNCTION_1(momentum_tangent, LAG_MOMENTUM_TANGENT)
 FUNCTION_1(definition, LAG_DEFINITION)
 FUNCTION_1(definition_tangent, LAG_DEFINITION_TANGENT)
@@ -149,6 +150,7 @@ void lag_tape_functions(lag_tape *tape)
     GIVE(contact, LAG_CONTACT);
     GIVE(clock, LAG_CLOCK);
     GIVE(event, LAG_EVENT);
+    GIVE(time_event, LAG_TIME_EVENT);
     GIVE(momentum_tangent, LAG_MOMENTUM_TANGENT);
     GIVE(definition, LAG_DEFINITION);
     GIVE(definition_tangent, LAG_DEFINITION_TANGENT);

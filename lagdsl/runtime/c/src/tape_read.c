@@ -152,7 +152,8 @@ static int kinds_agree(const lag_tape_parts *parts)
         ++found[kind[i]];
     }
     return found[LAG_KIND_CONTACT] == n[LAG_TAPE_NCONTACT] && found[LAG_KIND_IMPACTS] == n[LAG_TAPE_NCONTACT] &&
-           found[LAG_KIND_RELATION] == n[LAG_TAPE_NINDICATOR] && found[LAG_KIND_CLOCK] == n[LAG_TAPE_NCLOCK];
+           found[LAG_KIND_RELATION] == n[LAG_TAPE_NINDICATOR] && found[LAG_KIND_TIMED] == n[LAG_TAPE_NTIMED] &&
+           found[LAG_KIND_CLOCK] == n[LAG_TAPE_NCLOCK];
 }
 
 static int rows_agree(const lag_tape_parts *parts)
@@ -179,7 +180,7 @@ static int functions_there(const lag_tape_parts *parts)
     for (unsigned i = 0; i <= LAG_TIME_TANGENT; ++i) {
         const int written_out = i == LAG_MASS_MATRIX || i == LAG_DYNAMICS;
         const int every = i < LAG_ELIMINATION && !(written_out && by_columns);
-        const int of_events = i >= LAG_DISCRETE_START && i <= LAG_EVENT && n[LAG_TAPE_NW] > 0;
+        const int of_events = i >= LAG_DISCRETE_START && i <= LAG_TIME_EVENT && n[LAG_TAPE_NW] > 0;
         const int of_kept = i == LAG_ELIMINATION && n[LAG_TAPE_NK] > 0;
         const int named = i == LAG_DEFINITION && n[LAG_TAPE_ND] > 0;
         if ((every || of_events || of_kept || named) && table[2 * (1 + i) + 1] == 0) {
@@ -303,6 +304,8 @@ static void give_sizes(lag_model *model, const uint32_t *size)
     model->ncollision = size[LAG_TAPE_NCOLLISION];
     model->nstop = size[LAG_TAPE_NSTOP];
     model->nfail = size[LAG_TAPE_NFAIL];
+    model->ntimed = size[LAG_TAPE_NTIMED];
+    model->ndistance = size[LAG_TAPE_NDISTANCE];
     model->nswitched = size[LAG_TAPE_NSWITCHED];
     model->prepared = size[LAG_TAPE_PREPARED];
     model->workspace = (size_t)workspace(size);

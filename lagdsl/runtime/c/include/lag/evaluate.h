@@ -32,6 +32,7 @@ typedef enum lag_function {
     LAG_CONTACT,
     LAG_CLOCK,
     LAG_EVENT,
+    LAG_TIME_EVENT,
     LAG_MOMENTUM_TANGENT,
     LAG_DEFINITION,
     LAG_DEFINITION_TANGENT,

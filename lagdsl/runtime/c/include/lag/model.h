@@ -47,6 +47,7 @@ typedef enum lag_kind {
     LAG_KIND_CONTACT,   /* 1 closed, 0 open; one for each contact */
     LAG_KIND_IMPACTS,   /* how often it closed or bounced; one for each contact */
     LAG_KIND_RELATION,  /* the truth of a relation; one for each indicator */
+    LAG_KIND_TIMED,     /* what time alone changes: a truth, the number of a piece */
     LAG_KIND_CONDITION, /* the truth of a condition when it was looked at last */
     LAG_KIND_CLOCK,     /* 1 in the first pass of a tick; one for each clock */
     LAG_KIND_INITIAL,   /* 1 in the first pass at the start */
@@ -180,6 +181,16 @@ typedef struct lag_model {
     lag_status (*event)(
         const lag_arguments *at, double *next, double *reset, double *value, double *collision, double *restitution, double *stop,
         double *fail);
+    /*
+     * t w p -> value (ntimed), told (ntimed), distance (ndistance), rate (ndistance), affine (ndistance), entry (ndistance), change
+     * (ndistance): what time alone changes: the entries of w as they are at that time; 0 where nothing is told of their changes, 1
+     * for a truth, 2 for a jump; distances, positive up to the next change, and their rates; 1 where they are affine in time
+     * between events; the entries that change where they reach zero, and by how much, 0 for a truth that turns over. Only in models
+     * with discretes
+     */
+    lag_status (*time_event)(
+        const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry,
+        double *change);
     /* t q qd z u w p, dqd -> momentum (nq): M dqd. Only where M is not written out */
     lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
     /*
@@ -218,7 +229,7 @@ typedef struct lag_model {
     const size_t *kept_rows; /* (nk) ascending */
 
     /* of models with discretes: gaps are those of the contacts, then those that clauses let collide */
-    size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail;
+    size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail, ntimed, ndistance;
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
     const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
     const size_t *contact_rows;  /* (ncontact) rows of constraints that hold while they are closed; with their names */

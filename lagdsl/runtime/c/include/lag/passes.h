@@ -4,11 +4,15 @@
 
 #include "lag/contact.h"
 #include "lag/happening.h"
+#include "lag/momentum.h"
 #include "lag/projection.h"
+#include "lag/timed.h"
 
 typedef struct lag_passes {
     lag_motion *motion;
     lag_contacts *contacts;
+    lag_momentum *momentum;
+    lag_timed *timed;
     lag_projection *projection;
     lag_places places;
     double moment;         /* relations are looked at so much later, since they are zero at the event itself [s] */
@@ -30,7 +34,8 @@ typedef struct lag_passes {
 /* Doubles for them. */
 size_t lag_passes_memory(const lag_model *model);
 
-void lag_passes_place(lag_passes *passes, lag_contacts *contacts, lag_projection *projection, double *memory);
+void lag_passes_place(
+    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, double *memory);
 
 /* Relations and conditions as they stand, nothing carried out. */
 lag_status lag_passes_settle(lag_passes *passes, double t, const double *x);
