@@ -52,9 +52,7 @@ class Instant:
             before = s
             s, acted = self._pass(s, b)
             struck, s = self._strike(s, b, *acted)
-            truth, b = system.standing(s, b)
-            w = s.w.copy()
-            w[system.relations] = truth
+            w, b = system.standing(s, b)
             w[flags] = 0.0
             s = replace(s, w=w)
             s = self._taken_hold(before, s, b)
@@ -91,7 +89,7 @@ class Instant:
     def _taken_hold(self, before: State, s: State, b: list[float]) -> State:
         """Rates follow constraints that relations switch."""
         system = self._system
-        relations = system.relations
+        relations = [*system.relations, *system.timed]
         if np.array_equal(before.w[relations], s.w[relations]) or not system.layout.constraints:
             return s
         rows = system.call("velocity_constraint", s, b)

@@ -52,8 +52,7 @@ class _Run:
         s = system.start
         b = system.functions.standing(system.point(s))
         s = self._projected(s, b)
-        w = s.w.copy()
-        w[system.relations], b = system.standing(s, b)
+        w, b = system.standing(s, b)
         s = self._instant.settled(replace(s, w=w), b)
         s, b = self._at_start(s, b)
         while s.t < system.length and not self._memory.ended:
@@ -106,7 +105,7 @@ class _Run:
 
     def _mode(self, s: State, b: list[float]) -> tuple[State, list[float]]:
         """Integrates until something changes, and carries that out."""
-        end = self._next_known(s.t)
+        end = self._system.next_timed(s, self._next_known(s.t))
         armed = self._system.valid(self._system.later(s, b, 1e-9), b) > 0
         solver = self._solver(s, b, end)
         while solver.status == "running":
@@ -204,9 +203,7 @@ class _Run:
     def _event(self, s: State, b: list[float]) -> tuple[State, list[float]]:
         system = self._system
         self._motion.instants.append(s.t)
-        truth, after = system.standing(s, b)
-        w = s.w.copy()
-        w[system.relations] = truth
+        w, after = system.standing(s, b)
         changed = replace(s, w=w)
         if after != b or not np.array_equal(w, s.w):
             changed = balanced(system, s, b, changed, after)

@@ -22,6 +22,7 @@ FROZEN = (
 # As parts of the length of the run: how far ahead what is zero now is looked at, what counts as now.
 AHEAD, NOW = 1e-6, 1e-9
 _ROUND_OFF = 1e-11
+_SCAN = 4000  # looks at what depends on time alone, in a run
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ class System:
         self.relations = self.kind.get("relation", [])
         self.contacts = self.kind.get("contact", [])
         self.counts = self.kind.get("impacts", [])
+        self.timed = self.kind.get("timed", [])
         self.clocks = self.kind.get("clock", [])
         self.rows = np.array(layout.instants.contact_rows, dtype=int)
         self.strict = layout.instants.strict
@@ -116,11 +118,15 @@ class System:
         return s.moved(s.t + h, x)
 
     def standing(self, s: State, b: list[float]) -> tuple[Floats, list[float]]:
-        """Truths of relations and branches of corners as they stand a moment later: what is not near its border is as
-        it is now."""
+        """Discretes with relations, and branches of corners, as they stand a moment later: what is not near its border
+        is as it is now."""
+        w = s.w.copy()
+        if self.timed:
+            w[self.timed] = self.timed_values(s, s.t + AHEAD * self.length)
+        s = replace(s, w=w)
         corners = self.functions.standing(self.point(self.later(s, b, AHEAD), self.solved(s, b)))
         if not self.relations:
-            return np.zeros(0), corners
+            return w, corners
         now = self.call("indicator", s, b, self.solved(s, b))["g"]
         truth = np.array([x > 0 if strict else x >= 0 for x, strict in zip(now, self.strict, strict=True)], dtype=float)
         for ahead in (AHEAD, 30 * AHEAD, 1000 * AHEAD):
@@ -130,4 +136,24 @@ class System:
             truth = np.where(near, (g > 0).astype(float), truth)
             if np.all(near | (np.abs(now) > 0)):
                 break
-        return truth, corners
+        w[self.relations] = truth
+        return w, corners
+
+    def timed_values(self, s: State, t: float) -> Floats:
+        """What entries that depend on time alone are at a time."""
+        return self.call("time_event", replace(s, t=t), None)["value"]
+
+    def next_timed(self, s: State, end: float) -> float:
+        """When one of them changes next, up to round-off; `end` without."""
+        if not self.timed:
+            return end
+        low, step = s.t + AHEAD * self.length, self.length / _SCAN
+        now = self.timed_values(s, low)
+        while low < end:
+            high = min(low + step, end)
+            if not np.array_equal(self.timed_values(s, high), now):
+                while low < (middle := 0.5 * (low + high)) < high:
+                    low, high = (middle, high) if np.array_equal(self.timed_values(s, middle), now) else (low, middle)
+                return high
+            low = high
+        return end
