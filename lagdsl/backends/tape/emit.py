@@ -8,9 +8,9 @@ from typing import Final
 
 import numpy as np
 
-from lagdsl.backends.c.emit import Start
+from lagdsl.backends.start import Start
 from lagdsl.backends.tape.function import Settled, words_into, words_of
-from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, nodes_of
+from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct, nodes_of
 from lagdsl.flat.events import INITIAL
 from lagdsl.graph.operation import FIRST_UNARY, Group, Op
 from lagdsl.program import functions as known
@@ -73,7 +73,7 @@ def tape(program: Program, start: Start | None = None) -> bytes:
 def _settled(program: Program, nodes: Nodes, functions: Sequence[Function]) -> tuple[Settled, Sequence[float], Ints]:
     """What stands in the row before a function starts: constants, parameters, what follows from these alone."""
     graph = program.graph
-    roots = np.unique([node for f in functions for block in f.results for node in block.elements]).astype(np.int64)
+    roots = distinct(np.array([node for f in functions for b in f.results for node in b.elements], dtype=np.int64))
     live = np.array(graph.live(roots.tolist()), dtype=np.int64)
     alone = nodes.groups & ~_PARAMETER == 0
     hoisted = _hoisted(nodes, live, roots, alone)
@@ -92,7 +92,7 @@ def _settled(program: Program, nodes: Nodes, functions: Sequence[Function]) -> t
 def _hoisted(nodes: Nodes, live: Ints, roots: Ints, alone: Flags) -> Ints:
     """Nodes computed from parameters alone that something else is computed from, or that are results; ascending."""
     operands = nodes.operands[:, live[~alone[live] & (nodes.op[live] >= FIRST_UNARY)]].ravel()
-    wanted = np.union1d(operands[operands >= 0], roots)
+    wanted = distinct(np.concatenate([operands[operands >= 0], roots]))
     return wanted[alone[wanted] & (nodes.op[wanted] >= FIRST_UNARY)]
 
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from lagdsl.backends.tape.instructions import CODE, GROUPS, THREE_PRODUCTS, TWO_PRODUCTS
-from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
+from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.backends.tape.registers import places
 from lagdsl.backends.tape.schedule import groups
 from lagdsl.backends.tape.selection import Selection, select
 from lagdsl.graph.operation import Group, Op
+from lagdsl.record import record
 
 # Where one and minus one stand in the row: first among the constants.
 ONE = 0
@@ -21,7 +21,7 @@ MINUS_ONE = 1
 _FEWEST_ZEROS = 8
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Settled:
     """`place` of every node of the graph that is in the row before a function starts, -1 for others; `nodes` are those
     among them that are computed from others. Parameters stand from the place `parameters` on, what belongs to the
@@ -36,7 +36,7 @@ class Settled:
 def words_of(nodes: Nodes, blocks: Sequence[Sequence[int]], settled: Settled) -> tuple[Ints, int]:
     """The instructions that fill the result arrays `blocks`, and the length of the row that they need."""
     elements = [np.array(block, dtype=np.int64) for block in blocks]
-    roots = np.unique(np.concatenate([_NONE, *elements]))
+    roots = distinct(np.concatenate([_NONE, *elements]))
     live = _live(nodes, roots, settled.nodes)
     known = settled.place[live]
     results = np.searchsorted(live, roots)
@@ -78,7 +78,7 @@ def _loads(nodes: Nodes, live: Ints, known: Ints, first: int) -> tuple[list[Ints
     groups, indices = nodes.operands[0, live[symbols]], nodes.operands[1, live[symbols]]
     loads: list[Ints] = []
     loaded: list[Ints] = []
-    for group in np.unique(groups).tolist():
+    for group in distinct(groups).tolist():
         members, own = symbols[groups == group], indices[groups == group]
         start = int(own.min())
         row = np.full(int(own.max()) + 1 - start, -1, dtype=np.int64)
