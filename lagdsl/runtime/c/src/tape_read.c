@@ -8,6 +8,7 @@ enum { HEAD = 24, LENGTHS = 8 * LAG_TAPE_SECTIONS };
 /* No size is larger, so that products of two and sums of many of them are numbers of 64 bits. */
 static const uint32_t LARGEST = 1u << 27;
 static const uint32_t NOWHERE = 0xFFFFFFFFu;
+static const uint64_t MAGIC = 0x0A6570617467616Cu; /* lagtape\n */
 
 /* Of ISO 3309, four bits at a time. */
 static uint32_t checksum(const unsigned char *bytes, size_t count)
@@ -208,15 +209,14 @@ static uint64_t workspace(const uint32_t *size)
 
 lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory)
 {
-    static const unsigned char magic[8] = {'l', 'a', 'g', 't', 'a', 'p', 'e', '\n'};
     const unsigned char *all = bytes;
     lag_tape_parts parts;
     uint32_t head[2]; /* version, checksum */
     *memory = 0;
-    if ((uintptr_t)all % 8 != 0 || count < HEAD + LENGTHS || memcmp(all, magic, sizeof magic) != 0) {
+    if ((uintptr_t)all % 8 != 0 || count < HEAD + LENGTHS || number_at(all) != MAGIC) {
         return LAG_FOREIGN;
     }
-    memcpy(head, all + sizeof magic, sizeof head);
+    memcpy(head, all + sizeof MAGIC, sizeof head);
     if (head[0] != LAG_TAPE_VERSION || number_at(all + 16) != count - HEAD || checksum(all + HEAD, count - HEAD) != head[1] ||
         !divide(all, count, &parts) || !holds(&parts, LAG_TAPE_SIZES, LAG_TAPE_NUMBER_OF_SIZES, sizeof(uint32_t))) {
         return LAG_FOREIGN;

@@ -77,7 +77,7 @@ enum {
 #define LAG_TAPE_ANGLES 32
 
 /* Groups of arguments: members of lag_arguments in their order, the time first. */
-enum { LAG_TAPE_GROUPS = 16, LAG_TAPE_RESULTS = 11 /* of one function, at most */ };
+enum { LAG_TAPE_PARAMETERS = 6, LAG_TAPE_GROUPS = 16, LAG_TAPE_RESULTS = 11 /* of one function, at most */ };
 
 typedef struct lag_tape_code {
     const uint32_t *words;

@@ -32,12 +32,6 @@ typedef struct lag_tape_parts {
     const uint32_t *size; /* (LAG_TAPE_NUMBER_OF_SIZES) */
 } lag_tape_parts;
 
-/* Entries of the results of a function, prepare() among them; zero beyond the last one. */
-void lag_tape_result_lengths(const uint32_t *size, size_t function, uint64_t lengths[LAG_TAPE_RESULTS]);
-
-/* Entries of a group of arguments. */
-uint64_t lag_tape_argument_length(const uint32_t *size, uint32_t group);
-
 /* Whether all instructions are ones that can be run with a row and arrays of these sizes. */
 int lag_tape_runs(const lag_tape_parts *parts);
 
