@@ -54,6 +54,8 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "tape_check": (_STATUS, (_AT, _SIZE, _AT)),
     "tape_model": (_AT, (_AT, _SIZE, _AT)),
     "tape_start": (_AT, (_AT,)),
+    "tape_states": (_AT, (_AT,)),
+    "tape_tangents": (_AT, (_AT, c_int)),
 }
 
 

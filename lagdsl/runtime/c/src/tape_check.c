@@ -15,7 +15,7 @@ typedef struct signature {
 #define VECTOR(length) {LAG_TAPE_##length, ONE}
 #define MATRIX(rows, columns) {LAG_TAPE_##rows, LAG_TAPE_##columns}
 
-static const signature SIGNATURES[LAG_TAPE_FUNCTION_COUNT] = {
+static const signature SIGNATURES[LAG_TAPE_ALONG] = {
     {1u << LAG_TAPE_PARAMETERS, 0, {NUMBER}},
     /* ---- the functions, generated ---- */
     [1 + LAG_START] = {0x0041, 4, {VECTOR(NQ), VECTOR(NQ), VECTOR(NZ), VECTOR(NU)}},
@@ -58,6 +58,21 @@ static const signature SIGNATURES[LAG_TAPE_FUNCTION_COUNT] = {
         VECTOR(NY), NUMBER, NUMBER, NUMBER, NUMBER, VECTOR(ND)}},
     /* ---- end of what is generated ---- */
 };
+
+/* Arguments that have lanes in functions of several directions. */
+#define ALONG 0xfe00
+
+/* In the order of lag_tangents. */
+static const signature SIGNATURES_ALONG[LAG_TAPE_ALONG_COUNT] = {
+    {0x01ff, 0, {NUMBER}},
+    {ALONG, 2, {VECTOR(NQ), VECTOR(NC)}},
+    {ALONG, 4, {VECTOR(NQ), VECTOR(NC), VECTOR(NK), NUMBER}},
+    {ALONG, 1, {VECTOR(NZ)}},
+    {ALONG, 1, {VECTOR(NY)}},
+};
+
+/* Instead of the first of them, where no multiplier is left to run time. */
+static const signature MOTION = {0x007f, 3, {VECTOR(NQ), VECTOR(NC), NUMBER}};
 
 static uint64_t length_of(const uint32_t *size, unsigned which)
 {
@@ -171,7 +186,7 @@ static uint64_t width_of(uint32_t operation, uint64_t *before)
 {
 #define OF_ONE(name, function) 2,
 #define OF_TWO(name, function) 3,
-    static const unsigned char widths[] = {6, 8, LAG_TAPE_UNARY(OF_ONE) LAG_TAPE_BINARY(OF_TWO) 4};
+    static const unsigned char widths[] = {6, 8, LAG_TAPE_UNARY(OF_ONE) LAG_TAPE_ARITHMETIC(OF_TWO) LAG_TAPE_BINARY(OF_TWO) 4};
     *before = operation <= LAG_TAPE_THREE_PRODUCTS ? 2 : 1;
     return widths[operation - LAG_TAPE_TWO_PRODUCTS];
 }
@@ -218,12 +233,33 @@ static int function_runs(view *at)
     return at->word + 1 == at->end;
 }
 
+/* Signature and row of a function. */
+static void look_at(view *at, const lag_tape_parts *parts, size_t function)
+{
+    const uint32_t *size = parts->size;
+    at->first = function == 0 ? 0 : size[LAG_TAPE_PREPARED];
+    at->row = size[LAG_TAPE_ROW];
+    if (function < LAG_TAPE_ALONG) {
+        at->own = SIGNATURES + function;
+        return;
+    }
+    const size_t part = (function - LAG_TAPE_ALONG) / LAG_TAPE_ALONG_COUNT;
+    const size_t which = (function - LAG_TAPE_ALONG) % LAG_TAPE_ALONG_COUNT;
+    at->own = SIGNATURES_ALONG + which;
+    if (which == LAG_TAPE_PRIMAL) {
+        at->own = lag_tape_moves(parts) ? &MOTION : at->own;
+    } else {
+        at->first = size[LAG_TAPE_SHARED + 2 * part];
+        at->row = size[LAG_TAPE_ALONG_ROW + 2 * part];
+    }
+}
+
 int lag_tape_runs(const lag_tape_parts *parts)
 {
     const uint32_t *table = (const void *)parts->part[LAG_TAPE_FUNCTIONS].bytes;
     const uint32_t *words = (const void *)parts->part[LAG_TAPE_WORDS].bytes;
     const uint64_t count = parts->part[LAG_TAPE_WORDS].length / sizeof(uint32_t);
-    view at = {.size = parts->size, .row = parts->size[LAG_TAPE_ROW]};
+    view at = {.size = parts->size};
     at.constants = parts->part[LAG_TAPE_CONSTANT_POOL].length / sizeof(double);
     for (size_t i = 0; i < LAG_TAPE_FUNCTION_COUNT; ++i) {
         const uint64_t first = table[2 * i];
@@ -231,10 +267,9 @@ int lag_tape_runs(const lag_tape_parts *parts)
         if (first > count || own > count - first || (i == 0 && own == 0)) {
             return 0;
         }
+        look_at(&at, parts, i);
         at.word = words + first;
         at.end = at.word + own;
-        at.first = i == 0 ? 0 : parts->size[LAG_TAPE_PREPARED];
-        at.own = SIGNATURES + i;
         if (own > 0 && !function_runs(&at)) {
             return 0;
         }
