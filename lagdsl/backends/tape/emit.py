@@ -144,7 +144,7 @@ def _table(codes: Sequence[Ints]) -> Iterable[int]:
 
 def _tables(layout: Layout, kept_rows: Sequence[int]) -> list[bytes]:
     instants = layout.instants
-    kinds = [_kind(layout, index) for index in range(len(layout.kinds))]
+    kinds = [kind_number(layout, index) for index in range(len(layout.kinds))]
     return [
         _doubles(layout.defaults),
         bytes(layout.position_level),
@@ -158,7 +158,7 @@ def _tables(layout: Layout, kept_rows: Sequence[int]) -> list[bytes]:
     ]
 
 
-def _kind(layout: Layout, index: int) -> int:
+def kind_number(layout: Layout, index: int) -> int:
     """The lag_kind of an entry of w."""
     if layout.kinds[index] == "instant":
         return len(_KINDS) + (layout.discretes[index].name != INITIAL)

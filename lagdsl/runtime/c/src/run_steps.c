@@ -98,6 +98,9 @@ static lag_status step_once(lag_run *run, double limit)
             lag_stepper_undo(s, SHORTER * h);
             continue;
         }
+        if (status == LAG_OFF) {
+            lag_run_lose(run, s->t, s->x);
+        }
         if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
             status = look_around(run, limit, &shorter);
         }
@@ -108,7 +111,7 @@ static lag_status step_once(lag_run *run, double limit)
     }
 }
 
-/* The same, with what must stay true. */
+/* The same, unless something is known that comes first. */
 static lag_status advance(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
@@ -117,9 +120,6 @@ static lag_status advance(lag_run *run, double limit)
     lag_status status = lag_run_crosses(run->motion.model, &run->options) ? look_ahead(run, limit, &done) : LAG_OK;
     if (status == LAG_OK && !done) {
         status = step_once(run, limit);
-    }
-    if (status == LAG_OK) {
-        status = lag_watch_look(&run->watch, s->t, s->x);
     }
     if (status != LAG_OK && s->t > t) {
         lag_stepper_undo(s, s->t - s->t_before);
@@ -187,7 +187,7 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
         status = lag_run_fire(run, half->other, &fired);
     }
     *happened = *happened || fired;
-    return status == LAG_OK && *happened ? lag_watch_look(&run->watch, run->stepper.t, run->stepper.x) : status;
+    return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
 }
 
 lag_status lag_run_step(lag_run *run, double stop)
@@ -206,6 +206,9 @@ lag_status lag_run_step(lag_run *run, double stop)
     half->t = fmin(fmin(own, other), s->t);
     if (status == LAG_OK) {
         status = lag_run_rows(run, half->t, 0);
+    }
+    if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
+        status = lag_run_watch(run, s->t, s->x);
     }
     if (status != LAG_OK) {
         return give_back(run, t, status);
@@ -249,12 +252,16 @@ static double most_length(const lag_run *run)
     if (run->options.h_most > 0.0) {
         return run->options.h_most;
     }
+    if (run->stepper.method->error_order == 0) {
+        return (double)INFINITY;
+    }
     return model->nindicator + model->ncontact > 0 && length > 0.0 ? length / LEAST_STEPS : (double)INFINITY;
 }
 
 lag_status lag_run_restart(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
+    run->motion.until = stop;
     s->h_least = least_length(run, stop);
     if (!(run->options.length > 0.0) && run->options.count < 2) {
         run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
