@@ -11,7 +11,6 @@ import lagdsl
 from lagdsl.pipeline import EngineName
 from lagdsl.simulate.events.passes import Passes
 from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.motion import loop
 
 G = 9.80665
 FALLING = """
@@ -82,24 +81,6 @@ def test_rows_are_where_they_are_under_numpy(interval: float) -> None:
     np.testing.assert_allclose(first.time, second.time, rtol=0, atol=1e-12)
     np.testing.assert_array_equal(first["n"], second["n"])
     np.testing.assert_allclose(first["der(h)"], second["der(h)"], rtol=0, atol=1e-9)
-
-
-def test_steps_of_python_leave_events_to_c(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As near a singular position, where C hands every step over."""
-    model = falling(
-        "c",
-        "discrete Integer n(start = 0);",
-        "contact floor: h >= 0 with restitution = 0.5;",
-        "when sample(0.05 s, 0.1 s) then n = pre(n) + 1; end when;",
-    )
-    alone = model.simulate(stop=1.5)
-    monkeypatch.setattr(loop.Motion, "_leap", lambda _self, _leaps, here, _end: here)
-    monkeypatch.setattr(Passes, "run", None)
-    stepped = model.simulate(stop=1.5)
-    assert [(e.kind, e.name) for e in alone.events] == [(e.kind, e.name) for e in stepped.events]
-    np.testing.assert_allclose([e.time for e in alone.events], [e.time for e in stepped.events], rtol=0, atol=1e-8)
-    np.testing.assert_array_equal(alone["n"], stepped["n"])
-    np.testing.assert_allclose(alone["h"], stepped["h"], rtol=0, atol=1e-7)
 
 
 @pytest.mark.parametrize("engine", ["numpy", "c"])

@@ -1,12 +1,14 @@
 #include "lag/instant.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 /* A tick nearer to the present than this part of the period is the present one. */
 static const double SAME_TICK = 1e-9;
-/* Relations at an event are looked at this part of the last step later: long against round-off, short against all else. */
+/* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
 static const double AHEAD = 1e-4;
+static const double ULPS = 4096.0;
 /* So many intervals in a row, each shorter than the one before, down to this part of the first, */
 enum { MANY = 20, SAME = 100 };
 static const double PART = 1e-6;
@@ -15,7 +17,7 @@ static const double ROUNDING = 1e-14;
 
 size_t lag_instants_memory(const lag_model *model)
 {
-    return 2 * model->nclock + lag_contacts_memory(model) + lag_passes_memory(model);
+    return 2 * model->nclock + lag_contacts_memory(model) + lag_passes_memory(model) + lag_noise_memory(model);
 }
 
 void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
@@ -30,7 +32,11 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->period = instants->first + model->nclock;
     memory = instants->period + model->nclock;
     lag_contacts_place(&instants->contacts, motion, memory);
-    lag_passes_place(&instants->passes, &instants->contacts, projection, memory + lag_contacts_memory(model));
+    memory += lag_contacts_memory(model);
+    instants->contacts.limits = projection->limits;
+    lag_noise_place(&instants->noise, motion, memory);
+    memory += lag_noise_memory(model);
+    lag_passes_place(&instants->passes, &instants->contacts, projection, &instants->noise, memory);
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
@@ -80,7 +86,7 @@ static lag_status start_clocks(lag_instants *instants, double t)
 
 double lag_instants_next(const lag_instants *instants)
 {
-    double next = (double)INFINITY;
+    double next = lag_contacts_next(&instants->contacts);
     for (size_t i = 0; i < instants->motion->model->nclock; ++i) {
         next = fmin(next, tick(instants, i));
     }
@@ -93,7 +99,7 @@ int lag_instants_due(const lag_instants *instants, double t)
     while (i < instants->motion->model->nclock && !is_due(instants, i, t)) {
         ++i;
     }
-    return i < instants->motion->model->nclock;
+    return i < instants->motion->model->nclock || lag_contacts_next(&instants->contacts) <= t;
 }
 
 /* Clocks that tick now, into w; they go on to their next tick. */
@@ -105,6 +111,20 @@ static lag_status ring(lag_instants *instants, double t, const double *x)
             ++instants->clock[i].next;
             instants->motion->w[instants->places.clock + i] = 1.0;
             status = lag_passes_tell(&instants->passes, t, x, LAG_TICK, i);
+        }
+    }
+    return status;
+}
+
+/* Contacts whose bounces are over now have closed. */
+static lag_status rest(lag_instants *instants, double t, const double *x)
+{
+    lag_contacts *contacts = &instants->contacts;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < instants->motion->model->ncontact && status == LAG_OK; ++i) {
+        if (contacts->until[i] <= t) {
+            contacts->until[i] = (double)INFINITY;
+            status = *lag_contacts_flag(contacts, i) != 0.0 ? lag_passes_tell(&instants->passes, t, x, LAG_CLOSED, i) : LAG_OK;
         }
     }
     return status;
@@ -155,18 +175,46 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x)
     return run(instants, t, x, NULL, NULL);
 }
 
+/* Relations that pass zero just now turn with the clocks that tick; *any: one has. */
+static lag_status turn(lag_instants *instants, double t, const double *x, int *any)
+{
+    lag_passes *passes = &instants->passes;
+    const lag_model *model = instants->motion->model;
+    const double *truth = instants->motion->w + instants->places.relation;
+    *any = 0;
+    memcpy(passes->before, instants->motion->w, model->nw * sizeof(double));
+    lag_status status = lag_passes_turn(passes, t, x);
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        if (truth[i] != passes->before[instants->places.relation + i]) {
+            *any = 1;
+            status = lag_passes_tell(passes, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
+        }
+    }
+    return status;
+}
+
 lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
 {
-    const lag_status status = ring(instants, t, x);
+    int any = 0;
+    lag_status status = rest(instants, t, x);
+    if (status == LAG_OK) {
+        status = ring(instants, t, x);
+    }
+    if (status == LAG_OK) {
+        status = turn(instants, t, x, &any);
+    }
     return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 
-lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed)
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks)
 {
     const lag_model *model = instants->motion->model;
     double *truth = instants->motion->w + instants->places.relation;
-    lag_status status = LAG_OK;
+    lag_status status = ticks ? rest(instants, t, x) : LAG_OK;
     int any = 0;
+    if (status == LAG_OK && ticks) {
+        status = ring(instants, t, x);
+    }
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
             any = 1;
@@ -185,7 +233,8 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
     return LAG_CHATTER;
 }
 
-void lag_instants_after(lag_instants *instants, double h)
+void lag_instants_after(lag_instants *instants, double t, double h)
 {
-    instants->passes.moment = AHEAD * h;
+    instants->passes.moment = fmax(AHEAD * h, ULPS * DBL_EPSILON * fabs(t));
+    instants->contacts.moment = instants->passes.moment;
 }

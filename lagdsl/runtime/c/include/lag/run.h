@@ -38,7 +38,7 @@ typedef struct lag_event {
 typedef struct lag_run_options {
     double tolerance;         /* of the motion as a whole; 0: 1e-8 */
     const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
-    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound (with events: a fiftieth of `length`) */
+    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound */
     double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
 
     const double *p;          /* (np) parameters; null: the defaults */
@@ -186,6 +186,7 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
  */
 lag_status lag_run_enter(lag_run *run);
 lag_status lag_run_event(lag_run *run, double h, const double *changed);
+lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed); /* with the ticks that are due */
 lag_status lag_run_ticks(lag_run *run);
 int lag_run_due(const lag_run *run, double t);
 
@@ -241,7 +242,7 @@ lag_status lag_run_crossing(lag_run *run, double *t);
 double lag_run_instant(const lag_run *run);
 /* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
 lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
-/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what. */
+/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what (see lag/scan.h). */
 lag_status lag_run_happening(lag_run *run, double *t);
 /* The state on the constraints at a time within the last step. */
 lag_status lag_run_inside(lag_run *run, double t, double *x);
