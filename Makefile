@@ -6,7 +6,7 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check bench peers docs
+.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check wheels bench peers docs
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
@@ -45,10 +45,15 @@ c-test: $(READY)  ## the same, with the sanitizer of threads and ten thousand ru
 fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (half an hour)
 	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest -n auto --dist loadgroup tests/fmi
 
-update: $(READY)  ## regenerate what is generated: parser tables, unit table, list of the library, expectations of the corpus
+update: $(READY)  ## regenerate what is generated: automaton of the grammar, unit table, functions in C, list of the library, expectations of the corpus
 	$(BIN)/python -m lagdsl.syntax.generate
 	$(BIN)/python -m lagdsl.units.generate
+	$(BIN)/python -m lagdsl.runtime.generate
 	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/units tests/semantics
+
+wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
+	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.platforms); do \
+	LAGDSL_PLATFORM=$$platform $(BIN)/python -m hatchling build --target wheel; done
 
 bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed
 	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py

@@ -9,23 +9,28 @@ import serial
 from contest import Contestant
 
 AGREES = 1e-7  # of the largest acceleration of a state; who is farther off has no times
+OURS = ("lagdsl", "lagdsl_fixed", "lagdsl_scalars", "lagdsl_scalars_fixed")
 _LARGEST_TUNED = 10  # links up to which every set of flags is tried: C compilers are slow on long straight code
 _LARGEST_CASADI = {"panda": 7, "planar_chain": 50, "spatial_chain": 20}
 
 
 def measure(name: str, n: int, kinds: str = "forward", scalars: str | None = None) -> dict[str, object]:
-    """Times, errors and ratios of the arm `name` of n links; `scalars` is the same arm in another text."""
+    """Times, errors and ratios of the arm `name` of n links; `scalars` is the same arm in another text.
+
+    `fixed` ones hold masses, lengths and inertias as numbers, as the C that peers generate does.
+    """
     arm = serial.ARMS[name](n)
     states = contest.folder() / f"states_{name}_{n}.txt"
     values = serial.states(n)
     serial.write_states(states, values)
+    size = None if name == "panda" else n
     made = {
-        "lagdsl": ours.make(
-            name, None if name == "panda" else n, parts=("states", "tangents") if "batch" in kinds else ()
-        )
+        "lagdsl": ours.make(name, size, parts=("states", "tangents") if "batch" in kinds else ()),
+        "lagdsl_fixed": ours.make(name, size, fixed=True),
     }
     if scalars is not None:
         made["lagdsl_scalars"] = ours.make(scalars)
+        made["lagdsl_scalars_fixed"] = ours.make(scalars, fixed=True)
     enter = [
         Contestant(label, "lagdsl", (each.library, *each.symbols, kinds if label == "lagdsl" else "forward"))
         for label, each in made.items()
@@ -58,6 +63,11 @@ def family(label: str) -> str:
         if label.startswith(name):
             return name
     return label
+
+
+def ratio_name(mine: str, peer: str) -> str:
+    """What the ratio of our contestant `mine` to `peer` is told under."""
+    return " ".join([*mine.split("_")[1:], peer])
 
 
 def _libraries(arm: serial.Arm, derivatives: bool) -> list[Contestant]:
@@ -110,8 +120,8 @@ def _ratios(runs: list[contest.Run]) -> dict[str, float]:
     found: dict[str, float | None] = {}
     for peer in ("pinocchio", "pinocchio_casadi", "mujoco", "casadi"):
         theirs = sorted(label for label in labels if family(label) == peer)
-        found[peer] = contest.ratio(runs, "forward", "lagdsl", theirs)
-        found[f"scalars {peer}"] = contest.ratio(runs, "forward", "lagdsl_scalars", theirs)
+        for mine in OURS:
+            found[ratio_name(mine, peer)] = contest.ratio(runs, "forward", mine, theirs)
     found["jacobian"] = contest.ratio(runs, "jacobian", "lagdsl", ["pinocchio", "pinocchio_native"])
     found["batch"] = contest.ratio(runs, "batch", "lagdsl", ["lagdsl"], over="forward")
     return {name: share for name, share in found.items() if share is not None}

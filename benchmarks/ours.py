@@ -13,6 +13,7 @@ from measure import children_cpu_seconds, in_fresh_process
 from lagdsl.backends.c.emit import model_symbol, part_symbol, sources
 from lagdsl.diagnostics import Sink
 from lagdsl.eliminate.count import flops
+from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.pipeline import front, middle
 from lagdsl.program.program import Program
 from lagdsl.runtime.build import build
@@ -36,27 +37,29 @@ class Made:
     flops: int | None
 
 
-def program(name: str, n: int | None) -> Program:
-    """Text to program, with everything that `lag build` does."""
+def program(name: str, n: int | None, *, fixed: bool = False) -> Program:
+    """Text to program, with everything that `lag build` does; `fixed`: with `--fix '*'`, as peers hold numbers."""
     sink = Sink()
     source = read_source(MODELS / f"{name}.lag", sink)
     assert source is not None
     flat = front(source, sink, structural={} if n is None else {"N": float(n)})
     sink.raise_if_errors()
     assert flat is not None
+    if fixed:
+        flat = fix_parameters(flat, matching_values(flat, ["*"]))
     compilation = middle(flat, sink)
     sink.raise_if_errors()
     assert compilation is not None
     return compilation.program
 
 
-def make(name: str, n: int | None = None, *, parts: tuple[str, ...] = ()) -> Made:
+def make(name: str, n: int | None = None, *, parts: tuple[str, ...] = (), fixed: bool = False) -> Made:
     """A library as `engine="c"` makes it, afresh: nothing comes from the cache but the objects of the runtime.
 
     `parts` are the functions of several states, or of several directions, that engines build when first needed.
     """
     start = time.process_time()
-    made = program(name, n)
+    made = program(name, n, fixed=fixed)
     files = sources(made, parts)
     python = time.process_time() - start
     seconds, library = children_cpu_seconds(lambda: build(_fresh(files), fresh=True))

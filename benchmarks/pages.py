@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 import motion
-from dynamics import family
+from dynamics import OURS, family, ratio_name
 from targets import Results, table, targets
 
 PEERS = (
@@ -25,7 +25,8 @@ Peers: Pinocchio's articulated-body algorithm, as its package has it and compile
 faster counts; the same algorithm on CasADi's expressions, generated as C; MuJoCo's `mj_forward` and, apart, only the
 parts that accelerations need; Lagrange's equations by CasADi, energies typed by hand in space and, for planar chains,
 in the plane, generated as C and compiled with six sets of flags, the best counts. lagdsl is what `engine="c"` gives;
-its masses and inertias can be changed at run time, those of generated C are numbers."""
+its masses and inertias can be changed at run time, those of generated C are numbers. In rows "with `--fix '*'`"
+they are numbers here, too."""
 
 
 def page(found: dict[str, Results]) -> str:
@@ -115,7 +116,7 @@ def _contest(row: Results, ours: str = "lagdsl") -> list[str]:
     cells = [_microseconds(times.get(ours))]
     for peer, _ in PEERS:
         theirs = [time for label, time in times.items() if family(label) == peer]
-        ratio = row["ratios"].get(peer if ours == "lagdsl" else f"scalars {peer}")
+        ratio = row["ratios"].get(ratio_name(ours, peer))
         cells += [_microseconds(min(theirs, default=None)), "" if ratio is None else f"{ratio:.2f}"]
     return cells
 
@@ -129,7 +130,9 @@ def _arm(found: Results) -> list[str]:
     contest = found["contest"]
     times = contest["times"]
     lines = ["## The seven-axis arm", ""]
-    lines += _contest_table([("panda", _contest(contest)), ("typed as scalars", _contest(contest, "lagdsl_scalars"))])
+    titles = ("panda", "with `--fix '*'`", "typed as scalars", "typed as scalars, with `--fix '*'`")
+    rows = [(title, ours) for title, ours in zip(titles, OURS, strict=True) if ours in times["forward"]]
+    lines += _contest_table([(title, _contest(contest, ours)) for title, ours in rows])
     lines += ["", "| every contestant | ns | error |", "|---|---|---|"]
     for kind, entries in times.items():
         for label, time in sorted(entries.items(), key=lambda item: item[1]):
@@ -147,7 +150,12 @@ def _arm(found: Results) -> list[str]:
 
 def _chains(found: Results) -> list[str]:
     lines = ["## Chains", "", "![chains](chains.png)", ""]
-    return lines + _contest_table([(f"{row['model']} {row['n']}", _contest(row)) for row in found["rows"]])
+    rows = []
+    for row in found["rows"]:
+        rows.append((f"{row['model']} {row['n']}", _contest(row)))
+        if "lagdsl_fixed" in row["times"].get("forward", {}):
+            rows.append(("with `--fix '*'`", _contest(row, "lagdsl_fixed")))
+    return lines + _contest_table(rows)
 
 
 def _text(found: Results) -> list[str]:

@@ -2,31 +2,57 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from lagdsl.api.model import Model
+from lagdsl.api.names import known
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import Derivation, EngineName, engine_of, front, middle, read
+from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
+from lagdsl.flat.limits import check_limits
+from lagdsl.flat.model import FlatModel
+from lagdsl.pipeline import Derivation, engine_of, front, middle, read
+from lagdsl.runtime.engine import EngineName
 
 
 def compile(
     source: Path | str,
     *,
     model: str | None = None,
-    engine: EngineName = "numpy",
+    engine: EngineName = "auto",
     derivation: Derivation = "graph",
     structural: Mapping[str, float] | None = None,
+    fix: bool | Iterable[str] | Mapping[str, float] = False,
 ) -> Model:
     """The model in `source`: a path, or a text (a string with a line end or a semicolon).
 
-    `model` names one of several; the default is the last complete one that no other uses. `structural` replaces
-    structural parameters. Raises CompilationFailed with everything that was found wrong.
-    """
+    `engine` computes the functions: `auto` begins with the tape, at once and without a compiler, and takes C where the
+    work that is foreseen pays for it; `tape`, `c`; `numpy` to compare with. `model` names one of several; the default
+    is the last complete one that no other uses. `structural` replaces structural parameters. `fix` makes parameters
+    numbers of the model, which then has shorter equations and no such entry of `p`: all of them (True), those that
+    names and patterns such as `arm.*` choose, or those of a mapping, with its values in SI units. Raises
+    CompilationFailed with everything that was found wrong; KeyError and ValueError for a parameter that cannot be fixed
+    so."""
     sink = Sink()
     file = read(source, sink)
     flat = front(file, sink, model=model, structural=structural) if file is not None else None
+    if flat is not None and fix:
+        flat = _with_fixed(flat, fix, sink)
     compilation = middle(flat, sink, derivation) if flat is not None else None
     sink.raise_if_errors()
     assert compilation is not None, "internal error: a stage gave up without saying why"
     return Model(compilation, engine_of(compilation.program, engine), file)
+
+
+def _with_fixed(flat: FlatModel, fix: bool | Iterable[str] | Mapping[str, float], sink: Sink) -> FlatModel:
+    if isinstance(fix, Mapping):
+        names = [parameter.name for parameter in flat.parameters]
+        values = known("parameter", fix, names)
+    elif isinstance(fix, str):
+        raise TypeError(f"fix takes a list of names: fix=[{fix!r}]")
+    elif isinstance(fix, bool):
+        values = {parameter.name: parameter.value for parameter in flat.parameters if not parameter.structural}
+    else:
+        values = matching_values(flat, fix)
+    check_limits(flat, values, sink)
+    return fix_parameters(flat, values)

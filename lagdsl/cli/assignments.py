@@ -41,6 +41,7 @@ class _Literal:
     dimension: Dimension | None
     boolean: bool = False
     counts_turns: bool = False  # a literal in Hz
+    is_point: bool = False  # in a unit with an offset
 
 
 def split(assignments: Sequence[str]) -> dict[str, str]:
@@ -90,7 +91,9 @@ def fitting(quantity: Quantity, name: str, text: str, *, rate: bool = False) -> 
     """A value of `quantity`, or of its rate, in SI units. Raises UsageError where it does not fit."""
     dimension = quantity.dimension / TIME if rate else quantity.dimension
     unit = rate_text(quantity.dimension, quantity.unit) if rate else quantity.unit
-    return _fitting(name, dimension, unit, literal(name, text))
+    given = literal(name, text)
+    _require_amount(quantity, name, given)
+    return _fitting(name, dimension, unit, given)
 
 
 def seconds(option: str, text: str | None) -> float | None:
@@ -103,18 +106,19 @@ def literal(name: str, text: str) -> _Literal:
     where = f"{name}={_short(text)}"
     sink = Sink()
     expression = parse_expression(SourceFile(name, text), sink)
-    sign = 1.0
+    sign = ""
     while isinstance(expression, nodes.Unary) and expression.operator in "+-":
-        sign = -sign if expression.operator == "-" else sign
+        sign = ("" if sign else "-") if expression.operator == "-" else sign
         expression = expression.operand
     match expression:
         case nodes.Number(text=digits):
-            return _Literal(text, sign * float(digits), None)
+            return _Literal(text, float(sign + digits), None)
         case nodes.Quantity(number=digits, unit=unit):
             definition = parse_unit(unit)
             counts_turns = unit in ("Hz", "kHz", "MHz")
-            value = sign * si_value(digits, definition)
-            return _Literal(text, value, definition.dimension, counts_turns=counts_turns)
+            value = si_value(sign + digits, definition)
+            is_point = definition.shift != 0
+            return _Literal(text, value, definition.dimension, counts_turns=counts_turns, is_point=is_point)
         case nodes.Boolean(value=truth):
             return _Literal(text, float(truth), DIMENSIONLESS, boolean=True)
     for fault in sink.diagnostics:
@@ -130,12 +134,18 @@ def _parameter_value(parameter: Parameter, text: str) -> float:
     if given.boolean != (parameter.kind == "Boolean"):
         expected = "true or false" if parameter.kind == "Boolean" else "a number"
         raise click.UsageError(f"{where}: `{parameter.name}` is {expected}")
+    _require_amount(parameter, parameter.name, given)
     value = _fitting(parameter.name, parameter.dimension, parameter.unit, given)
     try:
         require_value(parameter, value)
     except ValueError as error:
         raise click.UsageError(f"{where}: {error}") from error
     return value
+
+
+def _require_amount(quantity: Quantity, name: str, given: _Literal) -> None:
+    if given.is_point and quantity.type_name == "TemperatureDifference":
+        raise click.UsageError(f"{name}={_short(given.text)}: `{name}` is a difference of temperatures; give it in K")
 
 
 def _fitting(name: str, dimension: Dimension, unit: str, given: _Literal) -> float:

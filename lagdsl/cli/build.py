@@ -7,13 +7,16 @@ from typing import TYPE_CHECKING
 
 import click
 
+from lagdsl.cli.assignments import settings, split
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.pipeline import Compilation, Derivation, engine_of, front, middle
 
 if TYPE_CHECKING:
     from lagdsl.backends.c.emit import Start
+    from lagdsl.flat.model import FlatModel
 
 _TARGETS = ("numpy", "c")
 
@@ -23,9 +26,23 @@ _TARGETS = ("numpy", "c")
 @click.option("--target", type=click.Choice(_TARGETS), required=True, help="Language of the module.")
 @click.option("-o", "--output", "folder", type=click.Path(path_type=Path), required=True, help="Folder to write to.")
 @click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
+@click.option(
+    "--fix",
+    "fixed",
+    multiple=True,
+    metavar="NAME[=VALUE]",
+    help="Make a parameter a number of the module: 'm', 'm=2 kg', 'arm.*' or '*'. The equations become shorter.",
+)
 @click.option("--batch", is_flag=True, help="C: also functions of many states and many directions at once.")
 def command(
-    file: Path, model: str | None, style: Format, target: str, folder: Path, derivation: Derivation, batch: bool
+    file: Path,
+    model: str | None,
+    style: Format,
+    target: str,
+    folder: Path,
+    derivation: Derivation,
+    fixed: tuple[str, ...],
+    batch: bool,
 ) -> None:
     """Write the equations of motion of FILE as one NumPy file, or as C sources with header, Makefile and examples."""
     if batch and target != "c":
@@ -33,6 +50,8 @@ def command(
     source = read_or_leave(file, style)
     sink = Sink()
     flat = front(source, sink, model=model)
+    if flat is not None and fixed:
+        flat = _with_fixed(flat, fixed)
     compilation = middle(flat, sink, derivation) if flat is not None else None
     if compilation is None:
         leave_with_errors(sink.diagnostics, style)
@@ -53,13 +72,25 @@ def command(
         click.echo(path)
 
 
+def _with_fixed(flat: FlatModel, fixed: tuple[str, ...]) -> FlatModel:
+    """The parameters of `--fix` as numbers. Raises UsageError for what cannot be fixed so."""
+    given = settings(flat, split([each for each in fixed if "=" in each]))
+    if given.start:
+        raise click.UsageError(f"--fix takes parameters; `{next(iter(given.start))}` is a start value")
+    try:
+        values = matching_values(flat, [each.strip() for each in fixed if "=" not in each])
+        return fix_parameters(flat, {**values, **given.parameters, **given.structural})
+    except KeyError as error:
+        raise click.UsageError(f"--fix: {error.args[0]}") from error
+
+
 def _start(compilation: Compilation) -> Start | None:
     """Where the motion starts; None where there is no such state, which does not keep the equations from being used."""
     from lagdsl.backends.c.start import start_of
     from lagdsl.simulate.initialize import initial_state
 
     sink = Sink()
-    initial = initial_state(compilation.flat, engine_of(compilation.program, "numpy"), sink=sink)
+    initial = initial_state(compilation.flat, engine_of(compilation.program), sink=sink)
     if sink.has_errors:
         return None
     return start_of(compilation.flat, initial.t, (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist()))

@@ -15,7 +15,9 @@ from lagdsl.cli.assignments import Settings, settings
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.sweep.plan import Axis, Plan, Target, require_few
+from lagdsl.units.definition import si_value
 from lagdsl.units.naming import rate_text
+from lagdsl.units.parse import parse_unit
 
 Draw: TypeAlias = Callable[[np.random.Generator, int, list[float]], Floats]
 
@@ -124,10 +126,9 @@ def _drawn(
         if meaning == "deviation of the logarithm":
             arguments.append(float(found[1]))
             continue
-        key, target, value = _only(
-            settings(_unbounded(flat, name), {name: f"{found[1]} {found[2] or call[3]}".strip()})
-        )
-        arguments.append(value)
+        unit = found[2] or call[3]
+        key, target, value = _only(settings(_unbounded(flat, name), {name: f"{found[1]} {unit}".strip()}))
+        arguments.append(_amount(found[1], unit) if meaning == "deviation" else value)
     if target == "structural":
         raise click.UsageError(f"`{name}` is structural: it takes ranges and lists, not distributions")
     _require_drawable(name, text, call[1], arguments)
@@ -135,6 +136,11 @@ def _drawn(
     return Axis(
         name=name, key=key, target="start" if target == "start" else "parameter", unit=_unit(flat, key), values=values
     )
+
+
+def _amount(digits: str, unit: str) -> float:
+    """A difference in SI units: the zero of the scale does not matter to it."""
+    return si_value(digits, replace(parse_unit(unit), shift=Fraction(0)))
 
 
 def _require_distribution(name: str, text: str, call: re.Match[str]) -> None:

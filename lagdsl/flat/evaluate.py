@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
-from lagdsl.flat.events import Discrete, Relation, entries
+from lagdsl.flat.events import Discrete, Relation, Timed, entries
 from lagdsl.flat.rotation import quaternion_rotation, rotation, rotation_about
 from lagdsl.flat.traversal import postorder
 from lagdsl.record import record
@@ -180,6 +180,8 @@ class _Moment:
                     case Relation(difference=difference, strict=strict):
                         value = self.scalar(difference).real
                         return _truth(value > 0.0 or (value == 0.0 and not strict))
+                    case Timed(value=now):
+                        return self.scalar(now)
                     case Discrete(start=start):
                         return self.scalar(start)
                     case _:

@@ -21,6 +21,7 @@ def event_sections(events: fe.Events) -> list[tuple[str, list[Line]]]:
         ("discretes", [_discrete(each) for each in events.discretes]),
         ("contacts", [_contact(each) for each in events.contacts]),
         ("located", [(f"{each.name}: {_located(each)}", each) for each in events.relations]),
+        ("timed", [(f"{each.name}: {text_of(each.value)}", each) for each in events.timed]),
         (
             "clocks",
             [(f"{each.name}: {text_of(each.start)} s, every {text_of(each.period)} s", each) for each in events.clocks],

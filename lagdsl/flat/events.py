@@ -1,4 +1,4 @@
-"""What happens at instants: relations that are located, discrete variables, `when` clauses, clocks, contacts.
+"""What happens at instants: relations, corners of time, discrete variables, `when` clauses, clocks, contacts.
 
 Each of them has entries in the vector of discretes; expressions read those as variables by their names (see
 `discretes`).
@@ -38,6 +38,22 @@ class Relation(Item):
     difference: FlatExpression
     dimension: Dimension
     strict: bool
+
+
+@record(kw_only=True)
+class Timed(Item):
+    """An entry that depends on time, parameters and discretes only: the instants at which it changes are known ahead.
+
+    `value` is what it is as time stands: the truth of a relation, the number of a piece. Between its changes every one
+    of `distances`, which read the entry itself, is positive; where one reaches zero the entry changes by the number in
+    `changes`, and a truth, with 0 there, turns over. A `corner` is told only where rates jump with it.
+    """
+
+    name: str
+    kind: Literal["relation", "jump", "corner"]
+    value: FlatExpression
+    distances: tuple[FlatExpression, ...]
+    changes: tuple[int, ...]
 
 
 @record(kw_only=True)
@@ -156,13 +172,14 @@ class Events:
     discretes: tuple[Discrete, ...] = ()
     contacts: tuple[Contact, ...] = ()
     relations: tuple[Relation, ...] = ()
+    timed: tuple[Timed, ...] = ()
     whens: tuple[When, ...] = ()
     clocks: tuple[Clock, ...] = ()
     instants: tuple[str, ...] = ()
     limits: tuple[Limit, ...] = ()
 
 
-Kind: TypeAlias = Literal["variable", "contact", "impacts", "relation", "condition", "clock", "instant"]
+Kind: TypeAlias = Literal["variable", "contact", "impacts", "relation", "timed", "condition", "clock", "instant"]
 
 
 @record()
@@ -182,6 +199,7 @@ def entries(events: Events) -> tuple[Entry, ...]:
         *(Entry(each.closed, "contact", each) for each in events.contacts),
         *(Entry(each.impacts, "impacts", each) for each in events.contacts),
         *(Entry(each.name, "relation", each) for each in events.relations),
+        *(Entry(each.name, "timed", each) for each in events.timed),
         *(Entry(name, "condition", branch) for branch in branches for name in branch.memories),
         *(Entry(each.name, "clock", each) for each in events.clocks),
         *(Entry(name, "instant") for name in events.instants),

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
 import subprocess
-from functools import cache
 from pathlib import Path
 
 from lagdsl.record import record
 from lagdsl.runtime.compiler import FLAGS, failure, find_compiler
+from lagdsl.runtime.linking import libraries, link_flags, zig_program
 from lagdsl.runtime.platforms import Platform, this_machine
 
 _LONGEST_NOTE = 2000
@@ -19,26 +18,12 @@ _COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-ffunction-sections", "-fdata-section
 _HIDING = {"linux": "-fno-semantic-interposition", "windows": "-fvisibility=hidden", "macos": "-fvisibility=hidden"}
 _EXPORTED = "exported.map"
 _EXPORTS = "{ global: fmi2*; fmi3*; local: *; };\n"
-# Calls within a library stay within it where two are loaded; its only identity is its content; nothing is missing.
-_LINK = {
-    "linux": (
-        "-shared",
-        "-s",
-        *("-Wl," + word for word in ("-Bsymbolic", "--build-id=none", "-z,defs", "--gc-sections")),
-    ),
-    "windows": ("-shared", "-s", "-Wl,--gc-sections"),
-    "macos": ("-dynamiclib", "-Wl,-dead_strip", "-Wl,-x"),
-}
-_LIBRARIES = {"linux": ("-lm",), "windows": (), "macos": ("-lm",)}
-# The package ziglang compiles a library of its own for what processors lack, of which nothing is needed, for as long as
-# everything else together takes.
-_BARE = {"linux": ("-nostdlib", "-lc"), "windows": (), "macos": ("-nostdlib", "-lc")}
 
 
 @record()
 class Toolchain:
     """`command` takes the arguments of a C compiler; `identity` changes when it is replaced by another version.
-    `libraries` are linked beside those that it takes by itself."""
+    `libraries` come after the objects."""
 
     platform: Platform
     command: tuple[str, ...]
@@ -53,11 +38,11 @@ class Toolchain:
         """Object files into the library `target`, which depends on C's own libraries only, and shows what the headers
         of the standard export, or all its functions if it is `opened`. Raises CompilationFailed."""
         system = self.platform.system
-        more = [f"-Wl,-install_name,@rpath/{target}"] if system == "macos" else []
+        more = []
         if self.opens and not opened:
             (folder / _EXPORTED).write_text(_EXPORTS, encoding="ascii")
             more.append(f"-Wl,--version-script={_EXPORTED}")
-        self._run(folder, [*_LINK[system], *more, "-o", target, *objects, *self.libraries, *_LIBRARIES[system]])
+        self._run(folder, [*link_flags(system, target), *more, "-o", target, *objects, *self.libraries])
 
     @property
     def opens(self) -> bool:
@@ -88,24 +73,14 @@ class Toolchain:
 
 def toolchain(platform: Platform) -> Toolchain:
     """Raises CompilationFailed: E0905 where nothing here compiles for the platform, E0911 without any compiler."""
-    zig = _zig()
+    zig = zig_program()
     if zig is not None:
         command = (str(zig), "cc", "-target", platform.target)
-        return Toolchain(platform, command, _identity(zig), _BARE[platform.system])
+        return Toolchain(platform, command, _identity(zig), libraries(platform.system, by_zig=True))
     if platform.name != this_machine():
         raise failure("E0905", platform=platform.name)
     compiler = find_compiler()
-    return Toolchain(platform, compiler.command, compiler.identity, ())
-
-
-@cache
-def _zig() -> Path | None:
-    """The program of the package ziglang: called directly, it starts without another Python."""
-    package = importlib.util.find_spec("ziglang")
-    if package is None or package.origin is None:
-        return None
-    folder = Path(package.origin).parent
-    return next((program for program in (folder / "zig", folder / "zig.exe") if program.is_file()), None)
+    return Toolchain(platform, compiler.command, compiler.identity, libraries(platform.system, by_zig=False))
 
 
 def _identity(program: Path) -> str:

@@ -6,7 +6,7 @@ not assigned is an entry of `w`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from copy import copy
 from graphlib import TopologicalSorter
 
@@ -38,6 +38,7 @@ def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]
         ],
         "event": Pass(graph, lowering, flat).blocks(),
     }
+    found["time_event"] = _time_events(lowering, flat)
     return tuple(Function(name=name, arguments=OPTIONAL[name], results=tuple(found[name])) for name in found)
 
 
@@ -46,9 +47,11 @@ def _vector(name: str, nodes: Sequence[int]) -> Block:
 
 
 def _starts(lowering: Lowering, flat: FlatModel) -> list[int]:
-    """Discrete variables as declared; everything else is found by looking, at the start."""
-    values = [lowering.scalar(each.start) for each in flat.events.discretes]
-    return values + [lowering.graph.zero] * (len(entries(flat.events)) - len(values))
+    """Discrete variables as declared, what time alone changes as it is; all else is found by looking, at the start."""
+    known = dict.fromkeys(lowering.symbols.previous, lowering.graph.zero)
+    known |= {each.name: lowering.scalar(each.start) for each in flat.events.discretes}
+    known |= _as_time_stands(lowering, flat, known)
+    return list(known.values())
 
 
 def _standing(lowering: Lowering, flat: FlatModel) -> list[int]:
@@ -57,7 +60,55 @@ def _standing(lowering: Lowering, flat: FlatModel) -> list[int]:
         each.name: graph.binary(Op.LESS if each.strict else Op.LESS_EQUAL, graph.zero, lowering.scalar(each.difference))
         for each in flat.events.relations
     }
+    truths |= _as_time_stands(lowering, flat, {})
     return [truths.get(name, node) for name, node in lowering.symbols.previous.items()]
+
+
+def _as_time_stands(lowering: Lowering, flat: FlatModel, known: Mapping[str, int]) -> dict[str, int]:
+    """The entries that time alone changes, as they are at its present value: one after the other, as a later one may
+    read earlier ones. Discretes that are `known` have these values, the others their entries of w."""
+    if not flat.events.timed:
+        return {}
+    fresh = renamed(lowering, flat, known)
+    found: dict[str, int] = {}
+    for each in flat.events.timed:
+        found[each.name] = fresh.symbols.by_name[each.name] = fresh.scalar(each.value)
+    return found
+
+
+def renamed(lowering: Lowering, flat: FlatModel, known: Mapping[str, int]) -> Lowering:
+    """Lowers the same model with other nodes for some names; more of them may be put into its symbols."""
+    symbols = copy(lowering.symbols)
+    symbols.by_name = {**lowering.symbols.by_name, **known}
+    fresh = Lowering(lowering.graph, flat, symbols)
+    fresh.provide = lowering.provide
+    return fresh
+
+
+def _time_events(lowering: Lowering, flat: FlatModel) -> list[Block]:
+    """What time alone changes, and how far it is from the next change. Where the second derivative of a distance is
+    zero whatever the time, the distance is affine between events."""
+    graph = lowering.graph
+    timed = flat.events.timed
+    places = [place for place, each in enumerate(timed) for _ in each.distances]
+    distances = [lowering.scalar(distance) for each in timed for distance in each.distances]
+    rates = [lowering.rate.of(distance) for distance in distances]
+    affine = [float(lowering.rate.of(rate) == graph.zero) for rate in rates]
+    stands = _as_time_stands(lowering, flat, {})
+    told = [float(_TOLD[each.kind]) for each in timed]
+    changes = [float(change) for each in timed for change in each.changes]
+    return [
+        _vector("value", [stands[each.name] for each in timed]),
+        _vector("told", [graph.constant(flag) for flag in told]),
+        _vector("distance", distances),
+        _vector("rate", rates),
+        _vector("affine", [graph.constant(flag) for flag in affine]),
+        _vector("entry", [graph.constant(float(place)) for place in places]),
+        _vector("change", [graph.constant(change) for change in changes]),
+    ]
+
+
+_TOLD = {"corner": 0, "relation": 1, "jump": 2}
 
 
 def impacts(flat: FlatModel) -> list[Contact | Impact]:
@@ -92,10 +143,8 @@ class Pass:
 
     def __init__(self, graph: Graph, lowering: Lowering, flat: FlatModel) -> None:
         self._graph, self._flat = graph, flat
-        self._symbols = copy(lowering.symbols)
-        self._symbols.by_name = dict(lowering.symbols.by_name)
-        self._lowering = Lowering(graph, flat, self._symbols)
-        self._lowering.provide = lowering.provide
+        self._lowering = renamed(lowering, flat, {})
+        self._symbols = self._lowering.symbols
         self._firing: dict[int, int] = {}
         self._memories: dict[str, int] = {}
         giver = {action.variable: when for when in flat.events.whens for action, _ in assignments(when)}

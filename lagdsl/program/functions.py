@@ -1,44 +1,11 @@
-"""The functions of a program: their names, arguments and results. Both derivations provide all of them.
+"""The functions of a program: the one table of their names, arguments and results.
 
-nq coordinates, nz states, nu inputs, np parameters, nc declared constraint rows, ny outputs, ni invariants,
-na assertions.
+Both derivations provide all of them. The members of lag_model, the enumeration and the dispatcher of the C runtime are
+written from this table (`python -m lagdsl.runtime.generate`), and the ctypes view of lag_model is built from it.
+
+Lengths: nq coordinates, nz states, nu inputs, nw discretes, np parameters, nc declared rows of constraints, nk of them
+left to run time, ny outputs, ni invariants, na assertions, nd named values; those of COUNTED are told by results only.
 The sign is that of the language reference: M qdd - J' lam = f, J qdd = gamma.
-
-| function | arguments | results |
-|---|---|---|
-| start | t p | start values q (nq), qd (nq), z (nz), and default inputs u (nu) |
-| position_constraint | t q qd z u w p | phi (nc), and J (nc, nq); `phi` is zero for rows of velocity level |
-| velocity_constraint | t q qd z u w p | residual J qd + b (nc) of every row, and J (nc, nq) |
-| mass_matrix | t q qd z u w p | M (nq, nq), symmetric, both halves |
-| dynamics | t q qd z u w p | M (nq, nq), f (nq), J (nc, nq), gamma (nc) |
-| inverse_dynamics | t q qd z u w p qdd | tau = M qdd - f (nq), of about the size of T and V |
-| residual | t q qd z u w p qdd lam | r = M qdd - f - J' lam (nq), s = J qdd - gamma (nc) |
-| residual_tangent | t q qd z u w p qdd lam dq dqd dz du dp | dr (nq), ds (nc): along a direction, qdd and lam held |
-| state_derivative | t q qd z u w p qdd lam | zd (nz) |
-| state_derivative_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dzd (nz) |
-| output | t q qd z u w p qdd lam | y (ny) |
-| output_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dy (ny) |
-| energies | t q qd z u w p | total, kinetic, potential, jacobi (each shape ()) |
-| momenta | t q qd z u w p | dL/dqd (nq) |
-| power | t q qd z u w p | load: Q . qd, dissipated: dD/dqd . qd (each shape (nq), per coordinate) |
-| monitor | t q qd z u w p qdd lam | invariant (ni), scale (ni): largest absolute term of each, assertion (na) |
-| initial_equation | t q qd z u w p qdd lam | residual (ne) of the initial equations |
-| constraint_tangent | t q qd z u w p dq dqd dz du dp | dphi (nc), and d(J qd + b) (nc), along a direction |
-| momentum_tangent | t q qd z u w p dqd | M dqd (nq) |
-| elimination | t q qd z u w p | a (nq), l (nc), Y (nk, nq), K (nk, nc), J (nk, nq), gamma (nk), pivot: see below |
-| acceleration_tangent | t q qd z u w p qdd lam dq dqd dz du dp | dqdd (nq), dlam (nc), ds (nk), pivot: see below |
-| discrete_start | t p | start values w (nw) |
-| indicator | t q qd z u w p qdd lam | g (nr): a relation holds where its entry is positive or, if not strict, zero |
-| standing | t q qd z u w p qdd lam | w (nw) with relations as they stand |
-| contact | t q qd z u w p | gap, speed (ni), dgap/dq (ni, nq) of contacts, then of `impact`; restitution, stick, rest |
-| clock | t p | first instant, period (both one entry per clock) |
-| event | t q qd z u w p qdd lam | a pass over the `when` clauses: w; reset, value; impact, restitution; stop; fail |
-| definition | t q qd z u w p qdd lam | d (nd): every named value, first those that depend on p only |
-| definition_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dd (nd) |
-| start_tangent | t p dp | how the start values change with the parameters: dq (nq), dqd (nq), dz (nz), du (nu) |
-| energies_tangent | t q qd z u w p dq dqd dz du dp | dtotal, dkinetic, dpotential, djacobi (each shape ()) |
-| initial_equation_tangent | t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam | dresidual (ne) |
-| time_tangent | t q qd z u w p qdd lam | with the time alone: dr, ds, dphi, d(J qd + b), dzd, dy, denergies, dd |
 
 M written out has nq^2 entries, and in a long tree of bodies each of them is a sum over what both coordinates move;
 `momentum_tangent` is of the size of the kinetic energy. Programs of many coordinates have it in place of `mass_matrix`
@@ -54,59 +21,219 @@ smallest pivot, relatively: where it is small or no number, the others are not t
 `acceleration_tangent`, there with `elimination`, solves M dqdd - J' dlam = -dr, J dqdd = -ds in the same way: dqdd and
 dlam with the multipliers of the kept rows held, and ds of these rows.
 Directions `dp` hold one entry per independent parameter.
-The functions from `discrete_start` to `event` belong to models with discretes, see `docs/adr/0030-events.md`; those
-from `definition` on to programs that tell every variable of their model (`mechanics/named.py`).
+
+Models with discretes: an indicator is positive (or, for relations that allow it, zero) where its relation holds. Gaps
+are those of the contacts, then those that clauses let collide. A pass over the clauses gives w after it and, action by
+action, whether it acts: resets with their values, collisions with their restitutions, ends and failures
+(`docs/adr/0030-events.md`). Programs that tell every variable of their model have named values
+(`mechanics/named.py`).
 """
 
+from enum import Enum
+
 from lagdsl.graph.operation import Group
+from lagdsl.record import record
 
 STATE = (Group.TIME, Group.Q, Group.QD, Group.Z, Group.U, Group.W, Group.P)
 SOLVED = (*STATE, Group.QDD, Group.LAMBDA)
 DIRECTIONS = (Group.DIRECTION_Q, Group.DIRECTION_QD, Group.DIRECTION_Z, Group.DIRECTION_U, Group.DIRECTION_P)
 SOLVED_DIRECTIONS = (*DIRECTIONS, Group.DIRECTION_QDD, Group.DIRECTION_LAMBDA)
+_PARAMETERS = (Group.TIME, Group.P)
 
+
+class Presence(Enum):
+    """Which programs have a function."""
+
+    ALWAYS = "always"
+    WRITTEN_OUT = "Formed from momentum_tangent() where M is not written out"
+    BY_COLUMNS = "Only where M is not written out"
+    ELIMINATED = "Only where the equations are solved while they are expressions"
+    DISCRETES = "Only in models with discretes"
+    NAMED = "Only in programs that tell every named value"
+
+
+@record()
+class Result:
+    """One array of results: `name` as in C, `shape` in lengths."""
+
+    name: str
+    shape: tuple[str, ...]
+
+
+@record()
+class Signature:
+    """A function: `says` what its results are. One that is not `single` is for many directions at once only."""
+
+    name: str
+    arguments: tuple[Group, ...]
+    results: tuple[Result, ...]
+    says: str
+    presence: Presence = Presence.ALWAYS
+    single: bool = True
+
+
+def _function(
+    name: str,
+    arguments: tuple[Group, ...],
+    results: str,
+    says: str,
+    presence: Presence = Presence.ALWAYS,
+    *,
+    single: bool = True,
+) -> Signature:
+    """`results` are written as `name[length,length]`."""
+    return Signature(name, arguments, tuple(map(_result, results.split())), says, presence, single)
+
+
+def _result(text: str) -> Result:
+    name, _, shape = text.partition("[")
+    return Result(name, tuple(filter(None, shape.rstrip("]").split(","))))
+
+
+FUNCTIONS: tuple[Signature, ...] = (
+    _function(
+        "start",
+        _PARAMETERS,
+        "q0[nq] qd0[nq] z0[nz] u0[nu]",
+        "start values of coordinates, rates and states; default inputs",
+    ),
+    _function(
+        "position_constraint", STATE, "phi[nc] jacobian[nc,nq]", "phi, zero for rows of velocity level; its Jacobian J"
+    ),
+    _function("velocity_constraint", STATE, "residual[nc] jacobian[nc,nq]", "J qd + b of every row; J"),
+    _function("mass_matrix", STATE, "mass[nq,nq]", "M, symmetric, both halves", Presence.WRITTEN_OUT),
+    _function(
+        "dynamics", STATE, "mass[nq,nq] force[nq] jacobian[nc,nq] gamma[nc]", "M, f, J, gamma", Presence.WRITTEN_OUT
+    ),
+    _function("inverse_dynamics", (*STATE, Group.QDD), "force[nq]", "M qdd - f, of about the size of T and V"),
+    _function("residual", SOLVED, "motion[nq] rows[nc]", "r = M qdd - f - J' lam; s = J qdd - gamma"),
+    _function(
+        "residual_tangent",
+        (*SOLVED, *DIRECTIONS),
+        "motion[nq] rows[nc]",
+        "dr, ds along a direction, at fixed qdd and lam",
+    ),
+    _function("state_derivative", SOLVED, "rates[nz]", "zd"),
+    _function("state_derivative_tangent", (*SOLVED, *SOLVED_DIRECTIONS), "rates[nz]", "dzd"),
+    _function("output", SOLVED, "y[ny]", "outputs"),
+    _function("output_tangent", (*SOLVED, *SOLVED_DIRECTIONS), "y[ny]", "dy"),
+    _function("energies", STATE, "total kinetic potential jacobi", "energy(), T, V, Jacobi integral [J]"),
+    _function("momenta", STATE, "momentum[nq]", "dL/dqd"),
+    _function(
+        "power",
+        STATE,
+        "load[nq] dissipated[nq]",
+        "power of loads, Q . qd, and of dissipation, dD/dqd . qd, by coordinate [W]",
+    ),
+    _function(
+        "monitor",
+        SOLVED,
+        "invariant[ni] scale[ni] assertion[na]",
+        "invariants; largest absolute term of each; conditions of assertions",
+    ),
+    _function("initial_equation", SOLVED, "residual[ne]", "residuals of the initial equations"),
+    _function("constraint_tangent", (*STATE, *DIRECTIONS), "phi[nc] residual[nc]", "dphi, d(J qd + b)"),
+    _function(
+        "elimination",
+        STATE,
+        "qdd[nq] lam[nc] response[nk,nq] lam_response[nk,nc] jacobian[nk,nq] gamma[nk] pivot",
+        "with the multipliers of `kept_rows` zero qdd and lam; row by row, what these multipliers add to qdd and to "
+        "lam; J and gamma of these rows; what is left of the smallest pivot, relatively",
+        Presence.ELIMINATED,
+    ),
+    _function("discrete_start", _PARAMETERS, "w0[nw]", "start values of w", Presence.DISCRETES),
+    _function("indicator", SOLVED, "g[nindicator]", "indicators of relations", Presence.DISCRETES),
+    _function("standing", SOLVED, "next[nw]", "w with relations as they stand", Presence.DISCRETES),
+    _function(
+        "contact",
+        STATE,
+        "gap[ngap] speed[ngap] jacobian[ngap,nq] restitution[ncontact] stick[ncontact] rest[ncontact]",
+        "gaps, their rates, their Jacobian; restitution, and the rebound speed and the time below which a contact "
+        "closes, negative where the defaults of the language hold",
+        Presence.DISCRETES,
+    ),
+    _function("clock", _PARAMETERS, "first[nclock] period[nclock]", "first instants, periods", Presence.DISCRETES),
+    _function(
+        "event",
+        SOLVED,
+        "next[nw] reset[nreset] value[nreset] collision[ncollision] restitution[ncollision] stop[nstop] fail[nfail]",
+        "a pass over the `when` clauses: w after it, and action by action whether it acts",
+        Presence.DISCRETES,
+    ),
+    _function(
+        "time_event",
+        (Group.TIME, Group.W, Group.P),
+        "value[ntimed] told[ntimed] distance[ndistance] rate[ndistance] affine[ndistance] entry[ndistance] "
+        "change[ndistance]",
+        "what time alone changes: the entries of w as they are at that time; 0 where nothing is told of their changes, "
+        "1 for a truth, 2 for a jump; distances, positive up to the next change, and their rates; 1 where they are "
+        "affine in time between events; the entries that change where they reach zero, and by how much, 0 for a truth "
+        "that turns over",
+        Presence.DISCRETES,
+    ),
+    _function("momentum_tangent", (*STATE, Group.DIRECTION_QD), "momentum[nq]", "M dqd", Presence.BY_COLUMNS),
+    _function("definition", SOLVED, "d[nd]", "every named value, first those that depend on p only", Presence.NAMED),
+    _function("definition_tangent", (*SOLVED, *SOLVED_DIRECTIONS), "d[nd]", "dd", Presence.NAMED),
+    _function(
+        "start_tangent",
+        (*_PARAMETERS, Group.DIRECTION_P),
+        "q[nq] qd[nq] z[nz] u[nu]",
+        "how the start values change",
+        Presence.NAMED,
+    ),
+    _function(
+        "energies_tangent",
+        (*STATE, *DIRECTIONS),
+        "total kinetic potential jacobi",
+        "how the energies change",
+        Presence.NAMED,
+    ),
+    _function(
+        "initial_equation_tangent",
+        (*SOLVED, *SOLVED_DIRECTIONS),
+        "residual[ne]",
+        "how the residuals of the initial equations change",
+        Presence.NAMED,
+    ),
+    _function(
+        "time_tangent",
+        SOLVED,
+        "motion[nq] rows[nc] phi[nc] residual[nc] rates[nz] y[ny] total kinetic potential jacobi d[nd]",
+        "how everything changes with t alone: dr, ds, dphi, d(J qd + b), dzd, dy, the energies, dd",
+        Presence.NAMED,
+    ),
+    _function(
+        "acceleration_tangent",
+        (*SOLVED, *DIRECTIONS),
+        "change[nq] lam_change[nc] rows[nk] pivot",
+        "dqdd and dlam with the multipliers of `kept_rows` held; ds of these rows; what is left of the smallest pivot",
+        Presence.ELIMINATED,
+        single=False,
+    ),
+)
+
+# Lengths that a program tells by its results only.
+COUNTED = (
+    *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
+    *("ntimed", "ndistance"),
+)
+
+BY_NAME = {function.name: function for function in FUNCTIONS}
+
+# Arguments of the functions that every program has, or can form from `momentum_tangent`.
 SIGNATURES: dict[str, tuple[Group, ...]] = {
-    "start": (Group.TIME, Group.P),
-    "position_constraint": STATE,
-    "velocity_constraint": STATE,
-    "mass_matrix": STATE,
-    "dynamics": STATE,
-    "inverse_dynamics": (*STATE, Group.QDD),
-    "residual": SOLVED,
-    "residual_tangent": (*SOLVED, *DIRECTIONS),
-    "state_derivative": SOLVED,
-    "state_derivative_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
-    "output": SOLVED,
-    "output_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
-    "energies": STATE,
-    "momenta": STATE,
-    "power": STATE,
-    "monitor": SOLVED,
-    "initial_equation": SOLVED,
-    "constraint_tangent": (*STATE, *DIRECTIONS),
+    function.name: function.arguments
+    for function in FUNCTIONS
+    if function.presence in (Presence.ALWAYS, Presence.WRITTEN_OUT)
 }
 
-# Functions that not every program has.
+# Those of functions that not every program has.
 OPTIONAL: dict[str, tuple[Group, ...]] = {
-    "elimination": STATE,
-    "discrete_start": (Group.TIME, Group.P),
-    "indicator": SOLVED,
-    "standing": SOLVED,
-    "contact": STATE,
-    "clock": (Group.TIME, Group.P),
-    "event": SOLVED,
-    "momentum_tangent": (*STATE, Group.DIRECTION_QD),
-    "definition": SOLVED,
-    "definition_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
-    "start_tangent": (Group.TIME, Group.P, Group.DIRECTION_P),
-    "energies_tangent": (*STATE, *DIRECTIONS),
-    "initial_equation_tangent": (*SOLVED, *SOLVED_DIRECTIONS),
-    "time_tangent": SOLVED,
-    "acceleration_tangent": (*SOLVED, *DIRECTIONS),
+    function.name: function.arguments for function in FUNCTIONS if function.name not in SIGNATURES
 }
 
 # Those that are for many directions at once only: modules of single calls do without.
-ALONG_MANY = ("acceleration_tangent",)
+ALONG_MANY = tuple(function.name for function in FUNCTIONS if not function.single)
 
 # Those that a program may lack where it has `momentum_tangent`.
-WRITTEN_OUT = ("mass_matrix", "dynamics")
+WRITTEN_OUT = tuple(function.name for function in FUNCTIONS if function.presence is Presence.WRITTEN_OUT)

@@ -2,50 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from lagdsl.graph.operation import Group, Op
-from lagdsl.program.functions import OPTIONAL, SIGNATURES, WRITTEN_OUT
+from lagdsl.program.functions import BY_NAME, COUNTED, OPTIONAL, SIGNATURES, WRITTEN_OUT
 from lagdsl.program.program import Function, Layout, Program
-
-_N = "nq"
-_ROWS = "nc"
-_KEPT = "nk"
-
-# Shapes of the results of every function, in order; None where the length is the function's own.
-RESULT_SHAPES: dict[str, tuple[tuple[str, ...] | None, ...]] = {
-    "start": ((_N,), (_N,), ("nz",), ("nu",)),
-    "position_constraint": ((_ROWS,), (_ROWS, _N)),
-    "velocity_constraint": ((_ROWS,), (_ROWS, _N)),
-    "constraint_tangent": ((_ROWS,), (_ROWS,)),
-    "mass_matrix": ((_N, _N),),
-    "dynamics": ((_N, _N), (_N,), (_ROWS, _N), (_ROWS,)),
-    "inverse_dynamics": ((_N,),),
-    "residual": ((_N,), (_ROWS,)),
-    "residual_tangent": ((_N,), (_ROWS,)),
-    "state_derivative": (("nz",),),
-    "state_derivative_tangent": (("nz",),),
-    "output": (("ny",),),
-    "output_tangent": (("ny",),),
-    "energies": ((), (), (), ()),
-    "momenta": ((_N,),),
-    "power": ((_N,), (_N,)),
-    "monitor": (("ni",), ("ni",), ("na",)),
-    "initial_equation": (None,),
-    "momentum_tangent": ((_N,),),
-    "elimination": ((_N,), (_ROWS,), (_KEPT, _N), (_KEPT, _ROWS), (_KEPT, _N), (_KEPT,), ()),
-    "acceleration_tangent": ((_N,), (_ROWS,), (_KEPT,), ()),
-    "discrete_start": (("nw",),),
-    "indicator": (None,),
-    "standing": (("nw",),),
-    "contact": (None,) * 6,
-    "clock": (None,) * 2,
-    "event": (("nw",), *(None,) * 6),
-    "definition": (("nd",),),
-    "definition_tangent": (("nd",),),
-    "start_tangent": ((_N,), (_N,), ("nz",), ("nu",)),
-    "energies_tangent": ((), (), (), ()),
-    "initial_equation_tangent": (None,),
-    "time_tangent": ((_N,), (_ROWS,), (_ROWS,), (_ROWS,), ("nz",), ("ny",), (), (), (), (), ("nd",)),
-}
 
 
 class InvalidProgram(AssertionError):  # noqa: N818  it is an assertion
@@ -68,6 +29,16 @@ def sizes(layout: Layout) -> dict[str, int]:
     }
 
 
+def counted(program: Program) -> dict[str, int]:
+    """The lengths of COUNTED: those of the first results that have them, zero where there are none."""
+    found = dict.fromkeys(COUNTED, 0)
+    for function in reversed(program.functions):
+        for block, result in zip(function.results, BY_NAME[function.name].results, strict=False):
+            if result.shape and result.shape[0] in COUNTED:
+                found[result.shape[0]] = block.shape[0]
+    return found
+
+
 def verify(program: Program) -> None:
     """Raise InvalidProgram unless every function is there once, with its signature, shapes and symbols."""
     _verify_layout(program.layout)
@@ -78,9 +49,10 @@ def verify(program: Program) -> None:
     needed = SIGNATURES.keys() - by_columns
     complete = needed <= set(names) <= needed | OPTIONAL.keys()
     _require(complete and len(names) == len(set(names)), f"functions are {names}")
+    lengths = {**sizes(program.layout), "nk": len(program.kept_rows), **counted(program)}
     for function in program.functions:
-        _require(function.arguments == {**SIGNATURES, **OPTIONAL}[function.name], f"signature of {function.name}")
-        _verify_shapes(function, program)
+        _require(function.arguments == BY_NAME[function.name].arguments, f"signature of {function.name}")
+        _verify_shapes(function, lengths)
         _verify_symbols(function, program)
 
 
@@ -103,14 +75,12 @@ def _verify_graph(program: Program) -> None:
             _require(0 <= argument < node, f"node {node} is computed from node {argument}")
 
 
-def _verify_shapes(function: Function, program: Program) -> None:
-    expected = RESULT_SHAPES[function.name]
+def _verify_shapes(function: Function, lengths: Mapping[str, int]) -> None:
+    expected = BY_NAME[function.name].results
     _require(len(function.results) == len(expected), f"number of results of {function.name}")
-    lengths = {**sizes(program.layout), _KEPT: len(program.kept_rows)}
-    for block, shape in zip(function.results, expected, strict=True):
-        if shape is not None:
-            wanted = tuple(lengths[length] for length in shape)
-            _require(block.shape == wanted, f"{block.name} of {function.name} has shape {block.shape}, not {wanted}")
+    for block, result in zip(function.results, expected, strict=True):
+        wanted = tuple(lengths[length] for length in result.shape)
+        _require(block.shape == wanted, f"{block.name} of {function.name} has shape {block.shape}, not {wanted}")
 
 
 def _verify_symbols(function: Function, program: Program) -> None:

@@ -21,18 +21,13 @@ from pathlib import Path
 from lagdsl.backends.c.include_files import included
 from lagdsl.resources import c_folder
 from lagdsl.runtime.compiler import FLAGS, Compiler, find_compiler, run_compiler
+from lagdsl.runtime.linking import libraries, link_flags
 from lagdsl.runtime.platforms import PLATFORMS, Platform, library_name, platform_of, this_machine
 
 # Calls within the library stay within it, and may be inlined.
 _COMPILE = (*FLAGS, "-fno-semantic-interposition")
-_LINK = {
-    "linux": ("-shared", "-Wl,-Bsymbolic", "-Wl,-z,defs"),
-    "macos": ("-dynamiclib", "-Wl,-install_name,@rpath/liblag.dylib"),
-    "windows": ("-shared",),
-}
-_LIBRARIES: dict[str, tuple[str, ...]] = {"windows": ()}
 # What the sources are compiled by: a change of it changes the library, too.
-_BUILDERS = ("build_library.py", "compiler.py", "platforms.py")
+_BUILDERS = ("build_library.py", "compiler.py", "linking.py", "platforms.py")
 
 
 def wheel_tag(name: str | None = None) -> str:
@@ -59,9 +54,8 @@ def build_library(folder: Path, name: str | None = None, objects: Path | None = 
         with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             parts = list(pool.map(compile_one, sources))
         library = Path(made) / library_name(system)
-        link = _LINK.get(system, _LINK["linux"])
-        libraries = _LIBRARIES.get(system, ("-lm",))
-        run_compiler(compiler, Path(made), [*link, "-o", library.name, *map(str, parts), *libraries])
+        link, more = link_flags(system, library.name), libraries(system, by_zig=_is_zig(compiler))
+        run_compiler(compiler, Path(made), [*link, "-o", library.name, *map(str, parts), *more])
         library.replace(folder / library.name)
     _forget(kept, parts)
     return folder / library.name
@@ -71,10 +65,14 @@ def _compiler(name: str | None) -> Compiler:
     """What compiles for the platform: this machine's compiler, or ziglang, which is told the least processor."""
     if name is None:
         compiler = find_compiler()
-        if "ziglang" not in compiler.command or this_machine() not in PLATFORMS:
+        if not _is_zig(compiler) or this_machine() not in PLATFORMS:
             return compiler
         return _aimed(compiler, platform_of(this_machine()))
     return _aimed(find_compiler(only_zig=True), platform_of(name))
+
+
+def _is_zig(compiler: Compiler) -> bool:
+    return "ziglang" in compiler.command
 
 
 def _aimed(compiler: Compiler, at: Platform) -> Compiler:

@@ -15,15 +15,14 @@ from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.derivatives import variables
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES, STATE, WRITTEN_OUT
+from lagdsl.program.functions import BY_NAME, FUNCTIONS, STATE, WRITTEN_OUT
 from lagdsl.program.program import Program
-from lagdsl.program.verify import RESULT_SHAPES, sizes
+from lagdsl.program.verify import sizes
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.build import build
-from lagdsl.runtime.c_run import CRun, RunSettings
 from lagdsl.runtime.cores import Part, cores, share_out
-from lagdsl.runtime.engine import Floats, SingularSystem
+from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel, load_compiled
 from lagdsl.runtime.state_jacobian import StateJacobian
@@ -47,23 +46,24 @@ class CEngine:
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
 
+    name: EngineName = "c"
+
     def __init__(self, program: Program, library: Path | None = None) -> None:
         self.layout = program.layout
         self._program, self._sizes = program, motion_sizes(program)
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
-        self._model = _loaded(program) if library is None else load_compiled(library, model_symbol(program))
-        self._buffers = Buffers(self._model)
         self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
         self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
-        names = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY]
-        self._number = {name: index for index, name in enumerate(names)}
-        self._signature = {**SIGNATURES, **OPTIONAL}
-        self._allocate()
+        self._number = {function.name: index for index, function in enumerate(FUNCTIONS)}
+        self._use(self._provide() if library is None else load_compiled(library, model_symbol(program)))
 
-    def _allocate(self) -> None:
+    def _use(self, model: NativeModel) -> None:
+        """Everything is computed by this model from now on."""
         layout = self.layout
+        self._model = model
+        self._buffers = Buffers(model)
         sizes = [layout.size(group) for group in VECTORS]
         ends = np.cumsum([0, *sizes])
         # one number more than needed everywhere, so that every pointer points at something
@@ -78,11 +78,16 @@ class CEngine:
             setattr(self._arguments, ARGUMENT_NAMES[group], self._vectors.ctypes.data + 8 * int(ends[i]))
         self._prepared: bytes | None = None
         self._state_jacobian: StateJacobian | None = None
-        at, model, index = byref(self._arguments), self._model.model, byref(self._coordinate)
-        self._prepare_call = (model, at)
+        at, index = byref(self._arguments), byref(self._coordinate)
+        self._prepare_call = (model.model, at)
         memory = self._buffers.memory.ctypes.data
-        self._solve_call = (model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
+        self._solve_call = (model.model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
         self._evaluate_call = (at, self._results.ctypes.data)
+
+    @property
+    def native(self) -> NativeModel:
+        """The compiled model."""
+        return self._model
 
     # ---- one state ---------------------------------------------------------------------------------------------------
 
@@ -97,7 +102,7 @@ class CEngine:
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of any function of the program."""
         parameters = None
-        for group, argument in zip(self._signature[function], arguments, strict=True):
+        for group, argument in zip(BY_NAME[function].arguments, arguments, strict=True):
             if group is Group.TIME:
                 self._arguments.t = argument
             else:
@@ -134,15 +139,11 @@ class CEngine:
         if status == _SINGULAR:
             raise SingularSystem(self._coordinate.value, self.layout)
 
-    def run(self, settings: RunSettings) -> CRun:
-        """A simulation in C, independent of this engine's own memory."""
-        return CRun(self._model, settings, self.layout.size(Group.U), self.layout.size(Group.W))
-
     # ---- many states -------------------------------------------------------------------------------------------------
 
     def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
         """Result blocks, each of shape (leading axes of the arguments, own shape)."""
-        many = self._spread(self._signature[function], arguments)
+        many = self._spread(BY_NAME[function].arguments, arguments)
         width = self._width[function]
         results = np.empty((many.count, width))
         own = Buffers(self._model)
@@ -208,8 +209,12 @@ class CEngine:
         """The model with functions of several states or directions at once."""
         known = self._parts.get(name)
         if known is None:
-            known = self._parts[name] = _loaded(self._program, name)
+            known = self._parts[name] = self._provide(name)
         return known
+
+    def _provide(self, part: str | None = None) -> NativeModel:
+        """The model, with the functions of several states or directions at once that are called `part`."""
+        return _loaded(self._program, part)
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
         return spread(
@@ -242,4 +247,4 @@ def _loaded(program: Program, part: str | None = None) -> NativeModel:
 def _formed_shapes(program: Program, function: str) -> tuple[tuple[int, ...], ...]:
     """Shapes of the results of a function that the program may lack."""
     lengths = sizes(program.layout)
-    return tuple(tuple(lengths[length] for length in shape or ()) for shape in RESULT_SHAPES[function])
+    return tuple(tuple(lengths[length] for length in result.shape) for result in BY_NAME[function].results)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from lagdsl.record import record
 from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.structures import VERSION, ModelHead
+from lagdsl.runtime.structures import VERSION, Model
 
 
 @record()
@@ -17,7 +17,7 @@ class NativeModel:
     its functions need beside their arguments.
 
     `workspace`, `memory` and `lanes` are the doubles that functions of the runtime need for them. `held` is what must
-    live as long.
+    live as long; `raised` is where functions of Python leave what they raised.
     """
 
     model: object
@@ -27,24 +27,33 @@ class NativeModel:
     memory: int
     lanes: int
     held: object
+    raised: list[BaseException] | None = None
 
 
-def native_model(head: ModelHead, held: object, *, states: object = None, tangents: object = None) -> NativeModel:
-    """The lag_model that begins with `head`, with at most one of its parts.
+def native_model(
+    at: Model,
+    held: object,
+    *,
+    states: object = None,
+    tangents: object = None,
+    raised: list[BaseException] | None = None,
+) -> NativeModel:
+    """The lag_model `at`, with at most one of its parts.
 
     Raises OSError where it was made for another version of lag/model.h.
     """
-    if head.version != VERSION:
-        raise OSError(f"the model was compiled for version {head.version} of lag/model.h, not {VERSION}")
-    runtime, model = runtime_library(), byref(head)
+    if at.version != VERSION:
+        raise OSError(f"the model was compiled for version {at.version} of lag/model.h, not {VERSION}")
+    runtime, model = runtime_library(), byref(at)
     return NativeModel(
         model=model,
-        context=head.context,
+        context=at.context,
         part=tangents if states is None else states,
         workspace=int(runtime.jacobian_workspace(model, tangents)),
         memory=int(runtime.jacobian_memory(model, tangents)),
         lanes=0 if states is None else int(runtime.batch_memory(model, states)),
         held=held,
+        raised=raised,
     )
 
 
@@ -54,10 +63,10 @@ def load_compiled(path: Path, symbol: str, part: str | None = None) -> NativeMod
     Raises OSError where it cannot be loaded, or was compiled against another version of lag/model.h.
     """
     library = ctypes.CDLL(str(path))
-    head = ModelHead.in_dll(library, symbol)
+    at = Model.in_dll(library, symbol)
     if part is None:
-        return native_model(head, library)
+        return native_model(at, library)
     constant = byref(c_size_t.in_dll(library, part))
     if part.endswith("_states"):
-        return native_model(head, library, states=constant)
-    return native_model(head, library, tangents=constant)
+        return native_model(at, library, states=constant)
+    return native_model(at, library, tangents=constant)

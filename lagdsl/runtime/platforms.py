@@ -59,3 +59,7 @@ def this_machine() -> str:
 def library_name(system: str) -> str:
     """The file name of the runtime's library on "linux", "macos", "windows" or another system."""
     return _LIBRARY_NAMES.get(system, "liblag.so")
+
+
+if __name__ == "__main__":
+    print(*PLATFORMS, sep="\n")

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
+import ctypes
 from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
 
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
+from lagdsl.program.functions import FUNCTIONS
 
 # Of lag/model.h.
 VERSION = 2
-
-# Methods of the runtime that choose their steps.
-METHODS = ("dop853", "radau")
 
 # The vectors of lag_arguments, in its order.
 VECTORS: tuple[Group, ...] = (
@@ -45,6 +44,11 @@ class Arguments(Structure):
     ]
 
 
+def function_type(results: int) -> type[ctypes._CFunctionType]:
+    """The type of a function of lag_model that fills so many arrays of results."""
+    return CFUNCTYPE(c_int, POINTER(Arguments), *[POINTER(c_double)] * results)
+
+
 class Batch(Structure):
     """lag_batch."""
 
@@ -60,86 +64,8 @@ class Batch(Structure):
     ]
 
 
-# lag_what, as results of a simulation call it; "before" and "after" are the states around an event.
-WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after")
-
-# What tells the inputs at a time: (context, t, u).
-INPUTS = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double))
-
-
-class Happening(Structure):
-    """lag_happening."""
-
-    _fields_ = [
-        ("t", c_double),
-        ("what", c_int),
-        ("which", c_size_t),
-        ("row", c_size_t),
-        ("x", POINTER(c_double)),
-        ("w", POINTER(c_double)),
-    ]
-
-
-# To whom it is told what happens: (context, run, happening), a lag_status.
-TELL = CFUNCTYPE(c_int, c_void_p, c_void_p, POINTER(Happening))
-
-
-class RunOptions(Structure):
-    """lag_run_options."""
-
-    _fields_ = [
-        ("tolerance", c_double),
-        ("method", c_void_p),
-        ("h_first", c_double),
-        ("h_most", c_double),
-        ("part", c_double),
-        ("p", c_void_p),
-        ("context", c_void_p),
-        ("inputs", INPUTS),
-        *((name, c_void_p) for name in ("u", "group", "natural", "cap", "row_sizes")),
-        ("careful", c_int),
-        ("lasting", c_void_p),
-        ("general", c_size_t),
-        ("tell", TELL),
-        ("length", c_double),
-        ("count", c_size_t),
-        *((name, c_void_p) for name in ("times", "rows", "output")),
-        ("indicators", c_size_t),
-        ("indicate", c_void_p),
-        ("clocks", c_size_t),
-        *((name, c_void_p) for name in ("first", "period", "event")),
-        ("looks", c_uint),
-        ("time_tolerance", c_double),
-        *((f"invariant_{name}", c_void_p) for name in ("tolerance", "start", "size", "drift")),
-        ("continued", c_int),
-        ("start", c_void_p),
-    ]
-
-
-class RunChange(Structure):
-    """lag_change."""
-
-    _fields_ = [("t", c_double), ("implicit", c_int)]
-
-
-class RunReport(Structure):
-    """lag_run_report."""
-
-    _fields_ = [
-        *((name, c_double) for name in ("t", "h", "trouble_time")),
-        ("x", POINTER(c_double)),
-        *((name, c_size_t) for name in ("row", "steps", "all_steps", "rejections", "evaluations", "jacobians")),
-        *((name, c_size_t) for name in ("decompositions", "projections", "events", "changes")),
-        *((name, POINTER(c_double)) for name in ("w", "changed", "guilty", "slack")),
-        ("fault", c_size_t),
-        ("next", c_double),
-        ("change", POINTER(RunChange)),
-        ("implicit", c_int),
-    ]
-
-
-class ModelHead(Structure):
-    """The first members of lag_model."""
+class Model(Structure):
+    """lag_model. Its functions are those of `lagdsl.program.functions`, in that order; null is what a model lacks."""
 
     _fields_ = [
         ("version", c_uint),
@@ -149,6 +75,21 @@ class ModelHead(Structure):
         ("workspace", c_size_t),
         ("prepared", c_size_t),
         ("context", c_void_p),
+        *((name, c_void_p) for name in ("coordinates", "states", "inputs", "discretes", "parameters", "constraints")),
+        *((name, c_void_p) for name in ("outputs", "invariants", "assertions", "defaults", "position_level")),
+        ("redundant", c_void_p),
+        ("prepare", CFUNCTYPE(c_int, POINTER(Arguments))),
+        *((function.name, function_type(len(function.results))) for function in FUNCTIONS if function.single),
+        ("jacobian_pattern", c_void_p),
+        ("nk", c_size_t),
+        ("kept_rows", c_void_p),
+        *((name, c_size_t) for name in ("nindicator", "ncontact", "ngap", "nclock")),
+        *((name, c_size_t) for name in ("nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance")),
+        *((name, c_void_p) for name in ("kinds", "strict", "contact_rows")),
+        ("nswitched", c_size_t),
+        *((name, c_void_p) for name in ("switched_rows", "reset_places", "resets", "stops", "failures")),
+        ("nd", c_size_t),
+        ("definitions", c_void_p),
     ]
 
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from fractions import Fraction
+from dataclasses import dataclass, replace
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.quantity import Variability
+from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.semantics import corners
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, joined, product, quotient, report_unequal
-from lagdsl.semantics.naming import kind_of, quantity
+from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.powers import power
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import (
     NUMERIC,
@@ -33,6 +34,7 @@ from lagdsl.semantics.values import (
     latest,
 )
 from lagdsl.syntax import nodes
+from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS
 
 RELATIONS = ("<", "<=", ">", ">=", "==", "<>")
@@ -49,7 +51,7 @@ class Operand:
 def negated(value: Numeric) -> Numeric:
     match value:
         case Scalar():
-            return Scalar(negative(value.expression), value.dimension, value.variability, value.order, value.kind)
+            return replace(value, expression=negative(value.expression))
         case Vector():
             return Vector(flat.Unary("-", value.expression), value.dimension, value.variability, value.order)
         case Array():
@@ -185,8 +187,10 @@ def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Va
     """Product of numbers, scaling, scalar product of vectors, matrix product."""
     dimension, variability, order = product(one.dimension, two.dimension), latest(one, two), highest(one, two)
     match one, two:
+        case Scalar(), Scalar() if one.is_nothing or two.is_nothing:
+            return one if one.is_nothing else two
         case Scalar(), Scalar() if is_zero(one) or is_zero(two):
-            return one if is_zero(one) else two  # of any dimension still, as a sum over nothing is
+            return Scalar(flat.ZERO, dimension, kind=joint_kind(one, two))
         case Scalar(), Scalar():
             expression = _integer("*", one, two) or flat.Binary("*", one.expression, two.expression)
             return Scalar(expression, dimension, variability, order, joint_kind(one, two))
@@ -235,13 +239,13 @@ def _matrix_product(ctx: Context, node: nodes.Node, one: Array, two: Array) -> V
         ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
         return POISON
     if len(one.shape) == len(two.shape) == 1:
-        return Scalar(dot(one.elements, two.elements), dimension, variability, order)
+        return Scalar(dot(one.elements, two.elements), dimension, variability, order, joint_kind(one, two))
     inner = one.shape[-1]
     rows = [one.elements[k * inner : (k + 1) * inner] for k in range(len(one.elements) // inner)]
     width = two.shape[1] if len(two.shape) == 2 else 1
     columns = [two.elements[k::width] for k in range(width)]
     parts = tuple(dot(row, column) for row in rows for column in columns)
-    return Array(parts, one.shape[:-1] + two.shape[1:], dimension, variability, order)
+    return Array(parts, one.shape[:-1] + two.shape[1:], dimension, variability, order, joint_kind(one, two))
 
 
 def divided(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Value:
@@ -253,6 +257,8 @@ def divided(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Value
         return POISON
     dimension, variability, order = quotient(one.dimension, two.dimension), latest(one, two), highest(one, two)
     match one:
+        case Scalar(is_nothing=True):
+            return one
         case Scalar():
             return Scalar(flat.Binary("/", one.expression, two.expression), dimension, variability, order)
         case Vector():
@@ -269,7 +275,8 @@ def _elementwise(ctx: Context, node: nodes.Binary, one: Numeric, two: Numeric) -
         variability, order = latest(one, two), highest(one, two)
         if node.operator == ".*":
             parts = tuple(times(a, b) for a, b in pairs)
-            return Array(parts, one.shape, product(one.dimension, two.dimension), variability, order)
+            dimension = product(one.dimension, two.dimension)
+            return Array(parts, one.shape, dimension, variability, order, joint_kind(one, two))
         quotients = tuple(flat.Binary("/", a, b) for a, b in pairs)
         return Array(quotients, one.shape, quotient(one.dimension, two.dimension), variability, order)
     if isinstance(one, Scalar) or isinstance(two, Scalar):
@@ -280,53 +287,6 @@ def _elementwise(ctx: Context, node: nodes.Binary, one: Numeric, two: Numeric) -
 
 def _right(node: nodes.Node) -> nodes.Node:
     return node.right if isinstance(node, nodes.Binary) else node
-
-
-# ---- powers ----------------------------------------------------------------------------------------------------------
-
-
-def power(ctx: Context, node: nodes.Binary, base: Numeric, exponent: Numeric) -> Value:
-    """`x^r`; a base with a dimension needs a literal rational exponent."""
-    if not isinstance(base, Scalar) or not isinstance(exponent, Scalar):
-        which, value = (node.left, base) if not isinstance(base, Scalar) else (node.right, exponent)
-        hint = "for the square of a length write `v*v`" if isinstance(value, Vector | Array) else None
-        ctx.sink.report("E0312", which.span, expected="a scalar", found=kind_of(value), help=hint)
-        return POISON
-    if not fits(exponent.dimension, DIMENSIONLESS):
-        ctx.sink.report("E0408", node.right.span, found=quantity(exponent.dimension))
-        return POISON
-    variability, order = latest(base, exponent), highest(base, exponent)
-    dimension = base.dimension
-    if dimension is not None and not dimension.is_dimensionless:
-        ratio = _rational(node.right, exponent)
-        if ratio is None:
-            ctx.sink.report("E0414", node.right.span, found=quantity(dimension))
-            return POISON
-        dimension = dimension**ratio
-    if isinstance(base.expression, flat.Norm) and exponent.expression == flat.Number(2.0):
-        vector = base.expression.vector
-        return Scalar(flat.Dot(vector, vector), dimension, variability, order)
-    return Scalar(flat.Binary("^", base.expression, exponent.expression), dimension, variability, order)
-
-
-def _rational(node: nodes.Node, value: Scalar) -> Fraction | None:
-    """The exponent as an exact ratio: a literal, a ratio of literals, or a structural Integer."""
-    match node:
-        case nodes.Number(text=text) if len(text) < 30:
-            ratio = Fraction(text)
-            return ratio if abs(ratio) <= 1000 and ratio.denominator <= 10**6 else None
-        case nodes.Parenthesized(inner=inner):
-            return _rational(inner, value)
-        case nodes.Unary(operator=operator, operand=operand):
-            ratio_ = _rational(operand, value)
-            return -ratio_ if ratio_ is not None and operator == "-" else ratio_
-        case nodes.Binary(operator="/", left=left, right=right):
-            top, bottom = _rational(left, value), _rational(right, value)
-            return top / bottom if top is not None and bottom else None
-        case _ if is_structural(value) and value.kind == "Integer":
-            return Fraction(evaluate(value.expression))
-        case _:
-            return None
 
 
 # ---- relations and logic ---------------------------------------------------------------------------------------------
@@ -367,14 +327,26 @@ def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: S
     difference: FlatExpression = flat.Binary("-", larger.expression, smaller.expression)
     if smaller.expression == flat.ZERO:
         difference = larger.expression
-    name = ctx.occurrences.relation(
-        scope.owner.prefix + node.span.text,
-        (node.span, *scope.spans),
-        difference,
-        joined(one.dimension, two.dimension) or DIMENSIONLESS,
-        strict=node.operator in ("<", ">"),
-    )
-    return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+    place = Located(ctx, (node.span, *scope.spans), joined(one.dimension, two.dimension) or DIMENSIONLESS)
+    text, strict = scope.owner.prefix + node.span.text, node.operator in ("<", ">")
+    truth = place.truth(text, difference, strict=strict, timed=corners.is_timed(ctx, one, two))
+    return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+
+
+@dataclass(frozen=True, slots=True)
+class Located:
+    """Where a relation stands that is located, and the dimension of its sides."""
+
+    ctx: Context
+    spans: Spans
+    dimension: Dimension
+
+    def truth(self, text: str, difference: FlatExpression, *, strict: bool, timed: bool) -> flat.Variable:
+        """Of `difference > 0` or, where it is not `strict`, of `difference >= 0`; `timed`: of time alone."""
+        if timed:
+            return corners.truth(self.ctx, text, self.spans, difference, strict=strict, told=True)
+        found = self.ctx.occurrences.relation(text, self.spans, difference, self.dimension, strict=strict)
+        return flat.Variable(found)
 
 
 def _same_number(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: Scalar) -> Scalar:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.semantics.arithmetic import Operand, added
+from lagdsl.semantics import corners
+from lagdsl.semantics.arithmetic import Operand, added, multiplied
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
-from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
+from lagdsl.semantics.dimensions import fits, joined, report_unequal
 from lagdsl.semantics.geometry import operand
 from lagdsl.semantics.limits import another_turn, range_fits
 from lagdsl.semantics.naming import an, kind_of
@@ -168,7 +169,7 @@ def range_values(ctx: Context, scope: Scope, node: nodes.Expression | nodes.Rang
 
 
 def index_value(number: int) -> Scalar:
-    return Scalar(flat.Number(float(number)), None if number == 0 else DIMENSIONLESS, kind="Integer")
+    return Scalar(flat.Number(float(number)), DIMENSIONLESS, kind="Integer")
 
 
 def turns(ctx: Context, scope: Scope, iterators: tuple[nodes.Iterator, ...]) -> list[Scope] | None:
@@ -230,13 +231,15 @@ def reduction(ctx: Context, scope: Scope, node: nodes.Reduction) -> Value:
 
 def reduced(ctx: Context, scope: Scope, name: str, operands: list[Operand], node: nodes.Node) -> Value:
     """The values combined pairwise, so that the depth of the result grows with the logarithm of their number."""
-    if any(isinstance(item.value, Poison) for item in operands):
+    if any(isinstance(item.value, Poison) for item in operands) or not _one_kind(ctx, name, operands):
         return POISON
     if not operands:
         if name in ("min", "max"):
             ctx.sink.report("E0323", node.span, reason=f"`{name}` of nothing")
             return POISON
-        return Scalar(flat.ZERO, None) if name == "sum" else Scalar(flat.ONE, DIMENSIONLESS)
+        if name == "sum":
+            return Scalar(flat.ZERO, None, kind="Integer", is_nothing=True)
+        return Scalar(flat.ONE, DIMENSIONLESS, kind="Integer")
     while len(operands) > 1:
         paired = [
             Operand(item.node, combined(ctx, scope, name, item, operands[k + 1], node))
@@ -249,6 +252,19 @@ def reduced(ctx: Context, scope: Scope, name: str, operands: list[Operand], node
             return POISON
         operands = paired
     return operands[0].value
+
+
+def _one_kind(ctx: Context, name: str, operands: list[Operand]) -> bool:
+    """E0312 for truths and enumerations among numbers, or where they are to be added."""
+    kinds = [getattr(item.value, "kind", "Real") for item in operands]
+    for item, kind in zip(operands, kinds, strict=True):
+        if kind in NUMERIC:
+            continue
+        if name in ("sum", "product") or any(other != kind for other in kinds):
+            expected = f"numbers in `{name}`" if name in ("sum", "product") else f"values of one kind in `{name}`"
+            ctx.sink.report("E0312", item.node.span, expected=expected, found=kind_of(item.value))
+            return False
+    return True
 
 
 def combined(ctx: Context, scope: Scope, name: str, left: Operand, right: Operand, node: nodes.Node) -> Value:
@@ -265,24 +281,31 @@ def combined(ctx: Context, scope: Scope, name: str, left: Operand, right: Operan
             ctx.sink.report("E0312", item.node.span, expected="a scalar", found=kind_of(item.value))
             return POISON
     assert isinstance(one, Scalar) and isinstance(two, Scalar)
-    variability, order = latest(one, two), highest(one, two)
     if name == "product":
-        return Scalar(
-            flat.Binary("*", one.expression, two.expression), product(one.dimension, two.dimension), variability, order
-        )
+        return multiplied(ctx, node, one, two)
+    variability, order = latest(one, two), highest(one, two)
     if not fits(one.dimension, two.dimension):
         report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
         return POISON
-    expression = flat.Function(name, (one.expression, two.expression))
+    expression = extreme(ctx, scope, node, name, one, two)
     kind = one.kind if one.kind == two.kind else "Real"
     return Scalar(expression, joined(one.dimension, two.dimension), variability, order, kind)
+
+
+def extreme(ctx: Context, scope: Scope, node: nodes.Node, name: str, one: Scalar, two: Scalar) -> FlatExpression:
+    """`min` or `max` of two; of time alone the one that an entry of the discretes tells."""
+    if not corners.has_corner(ctx, one, two):
+        return flat.Function(name, (one.expression, two.expression))
+    larger = corners.of_call(ctx, scope, node, flat.Binary("-", one.expression, two.expression))
+    pair = (one.expression, two.expression) if name == "max" else (two.expression, one.expression)
+    return flat.Conditional(larger, *pair)
 
 
 def elements_of(array: Array) -> list[Scalar]:
     return [Scalar(part, array.dimension, array.variability, array.order, array.kind) for part in array.elements]
 
 
-def linspace(start: Scalar, stop: Scalar, count: int) -> list[FlatExpression]:
+def spaced(start: Scalar, stop: Scalar, count: int) -> list[FlatExpression]:
     """count values from start to stop."""
     step = flat.Binary("-", stop.expression, start.expression)
     return [

@@ -4,54 +4,36 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from math import pi, prod
+from math import pi
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.application import Application
-from lagdsl.semantics.arithmetic import Operand, divided, dot
-from lagdsl.semantics.arrays import elements_of, linspace, reduced
-from lagdsl.semantics.constants import structural_integer
-from lagdsl.semantics.dimensions import fits, joined, product, report_unequal
-from lagdsl.semantics.limits import array_fits
+from lagdsl.semantics import array_functions, corners
+from lagdsl.semantics.application import Application, same, scalars
+from lagdsl.semantics.arithmetic import Located, divided, dot, negative
+from lagdsl.semantics.arrays import extreme
+from lagdsl.semantics.dimensions import fits, joined, product
 from lagdsl.semantics.naming import arguments_text, kind_of, quantity
-from lagdsl.semantics.scope import InstanceArray
 from lagdsl.semantics.tables import table
 from lagdsl.semantics.values import (
-    NUMERIC,
     POISON,
     AnyDimension,
     Array,
-    Component,
+    Kind,
     Poison,
     Scalar,
     Text,
     Value,
     Vector,
     as_vector,
-    components,
-    element_at,
     highest,
     latest,
 )
 from lagdsl.units.definition import UnitDefinition
 from lagdsl.units.dimension import DIMENSIONLESS
 from lagdsl.units.parse import UnknownUnit, parse_unit
-
-
-def scalars(call: Application) -> list[Scalar] | None:
-    """All arguments as real scalars, or None after a diagnostic."""
-    found: list[Scalar] = []
-    for item in call.arguments:
-        if isinstance(item.value, Scalar) and item.value.kind in NUMERIC:
-            found.append(item.value)
-        elif not isinstance(item.value, Poison):
-            expected = f"a scalar in `{call.name}`"
-            call.ctx.sink.report("E0312", item.node.span, expected=expected, found=kind_of(item.value))
-    return found if len(found) == len(call.arguments) else None
-
 
 # ---- functions of numbers --------------------------------------------------------------------------------------------
 
@@ -61,13 +43,26 @@ def _of_number(call: Application) -> Value:
     values = scalars(call)
     if values is None:
         return POISON
-    _note_jumps(call)
     argument = values[0]
     if not fits(argument.dimension, DIMENSIONLESS):
         span = call.arguments[0].node.span
         call.ctx.sink.report("E0402", span, function=f"`{call.name}`", found=quantity(argument.dimension))
         return POISON
+    if call.name in ("floor", "ceil"):
+        return _rounded(call, argument)
     return _function(call, call.name, (argument.expression,), DIMENSIONLESS)
+
+
+def _rounded(call: Application, x: Scalar) -> Scalar:
+    """`floor` and `ceil`: of time alone a number that is constant between events."""
+    if not corners.has_corner(call.ctx, x):
+        _note_jumps(call)
+        return _function(call, call.name, (x.expression,), DIMENSIONLESS)
+    if call.name == "floor":
+        below: FlatExpression = corners.whole(call.ctx, call.scope, call.node, x.expression)
+    else:
+        below = negative(corners.whole(call.ctx, call.scope, call.node, negative(x.expression)))
+    return Scalar(below, DIMENSIONLESS, Variability.DISCRETE)
 
 
 def _note_jumps(call: Application) -> None:
@@ -77,9 +72,16 @@ def _note_jumps(call: Application) -> None:
         call.ctx.jump = call.node
 
 
-def _function(call: Application, name: str, arguments: tuple[FlatExpression, ...], dimension: AnyDimension) -> Scalar:
+def _function(
+    call: Application, name: str, arguments: tuple[FlatExpression, ...], dimension: AnyDimension, kind: Kind = "Real"
+) -> Scalar:
     numeric = call.numeric
-    return Scalar(flat.Function(name, arguments), dimension, latest(*numeric), highest(*numeric))
+    return Scalar(flat.Function(name, arguments), dimension, latest(*numeric), highest(*numeric), kind)
+
+
+def _joint_kind(values: list[Scalar]) -> Kind:
+    """Integer where all are."""
+    return "Integer" if all(value.kind == "Integer" for value in values) else "Real"
 
 
 def _root(call: Application) -> Value:
@@ -93,7 +95,14 @@ def _root(call: Application) -> Value:
 def _preserving(call: Application) -> Value:
     """`abs`: the dimension of the argument."""
     values = scalars(call)
-    return POISON if values is None else _function(call, call.name, (values[0].expression,), values[0].dimension)
+    if values is None:
+        return POISON
+    x, kind = values[0], _joint_kind(values)
+    if not corners.has_corner(call.ctx, x):
+        return _function(call, call.name, (x.expression,), x.dimension, kind)
+    positive = corners.of_call(call.ctx, call.scope, call.node, x.expression)
+    value = flat.Conditional(positive, x.expression, negative(x.expression))
+    return Scalar(value, x.dimension, x.variability, x.order, kind)
 
 
 def _sign(call: Application) -> Value:
@@ -102,34 +111,35 @@ def _sign(call: Application) -> Value:
     if values is None:
         return POISON
     if call.ctx.quiet or values[0].variability != Variability.CONTINUOUS:
-        return _function(call, "sign", (values[0].expression,), DIMENSIONLESS)
+        return _function(call, "sign", (values[0].expression,), DIMENSIONLESS, "Integer")
     text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", values[0].expression
-    spans, dimension = (call.node.span, *call.scope.spans), values[0].dimension or DIMENSIONLESS
-    relation = call.ctx.occurrences.relation
-    above = flat.Variable(relation(f"{text} > 0", spans, x, dimension, strict=True))
-    below = flat.Variable(relation(f"{text} < 0", spans, flat.Unary("-", x), dimension, strict=True))
+    place = Located(call.ctx, (call.node.span, *call.scope.spans), values[0].dimension or DIMENSIONLESS)
+    timed = corners.is_timed(call.ctx, values[0])
+    above = place.truth(f"{text} > 0", x, strict=True, timed=timed)
+    below = place.truth(f"{text} < 0", flat.Unary("-", x), strict=True, timed=timed)
     value = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
-    return Scalar(value, DIMENSIONLESS, Variability.DISCRETE)
-
-
-def _same(call: Application, values: list[Scalar]) -> bool:
-    """All arguments of one dimension, or E0401."""
-    for item, value in zip(call.arguments[1:], values[1:], strict=True):
-        if not fits(values[0].dimension, value.dimension):
-            left, right = (call.arguments[0].node, values[0].dimension), (item.node, value.dimension)
-            report_unequal(call.ctx, f"use together in `{call.name}`", call.scope, left, right)
-            return False
-    return True
+    return Scalar(value, DIMENSIONLESS, Variability.DISCRETE, kind="Integer")
 
 
 def _pair(call: Application) -> Value:
     """`atan2` and `mod`."""
-    _note_jumps(call)
     values = scalars(call)
-    if values is None or not _same(call, values):
+    if values is None or not same(call, values):
         return POISON
-    dimension = DIMENSIONLESS if call.name == "atan2" else joined(values[0].dimension, values[1].dimension)
-    return _function(call, call.name, (values[0].expression, values[1].expression), dimension)
+    arguments = (values[0].expression, values[1].expression)
+    if call.name == "atan2":
+        return _function(call, call.name, arguments, DIMENSIONLESS)
+    dimension, kind = joined(values[0].dimension, values[1].dimension), _joint_kind(values)
+    if corners.has_corner(call.ctx, *values):
+        return Scalar(_remainder(call, *arguments), dimension, latest(*values), highest(*values), kind)
+    _note_jumps(call)
+    return _function(call, call.name, arguments, dimension, kind)
+
+
+def _remainder(call: Application, x: FlatExpression, y: FlatExpression) -> FlatExpression:
+    """x - floor(x/y)*y, of time alone."""
+    turns = corners.whole(call.ctx, call.scope, call.node, flat.Binary("/", x, y))
+    return flat.Binary("-", x, flat.Binary("*", turns, y))
 
 
 def _log10(call: Application) -> Value:
@@ -147,12 +157,13 @@ def _log10(call: Application) -> Value:
 def _limit(call: Application) -> Value:
     """`limit(x, low, high)`."""
     values = scalars(call)
-    if values is None or not _same(call, values):
+    if values is None or not same(call, values):
         return POISON
     x, low, high = values
-    inner = flat.Function("min", (x.expression, high.expression))
+    inner = Scalar(extreme(call.ctx, call.scope, call.node, "min", x, high), None, latest(x, high), highest(x, high))
     dimension = joined(x.dimension, joined(low.dimension, high.dimension))
-    return _function(call, "max", (low.expression, inner), dimension)
+    value = extreme(call.ctx, call.scope, call.node, "max", low, inner)
+    return Scalar(value, dimension, latest(*values), highest(*values), _joint_kind(values))
 
 
 def _wrap(call: Application) -> Value:
@@ -165,7 +176,9 @@ def _wrap(call: Application) -> Value:
         call.ctx.sink.report("E0402", span, function="`wrap`", found=quantity(values[0].dimension))
         return POISON
     turned = flat.Binary("+", values[0].expression, flat.Number(pi))
-    wrapped = flat.Function("mod", (turned, flat.Number(2 * pi)))
+    turn = flat.Number(2 * pi)
+    timed = corners.has_corner(call.ctx, values[0])
+    wrapped = _remainder(call, turned, turn) if timed else flat.Function("mod", (turned, turn))
     shifted = flat.Binary("-", wrapped, flat.Number(pi))
     return Scalar(shifted, DIMENSIONLESS, values[0].variability, values[0].order)
 
@@ -252,134 +265,6 @@ def _unit_vector(call: Application) -> Value:
     return divided(call.ctx, call.node, value, length)
 
 
-# ---- arrays ----------------------------------------------------------------------------------------------------------
-
-
-def _reduction(call: Application) -> Value:
-    """`sum`, `product`, `min`, `max` of an array, or `min(a, b)`."""
-    if len(call.arguments) > 1 and call.name in ("min", "max"):
-        return reduced(call.ctx, call.scope, call.name, list(call.arguments), call.node)
-    item = call.arguments[0]
-    value = components(item.value) if isinstance(item.value, Vector) else item.value
-    if len(call.arguments) != 1 or not isinstance(value, Array):
-        if not isinstance(value, Poison):
-            expected = f"an array in `{call.name}`"
-            call.ctx.sink.report("E0312", item.node.span, expected=expected, found=kind_of(value))
-        return POISON
-    operands = [Operand(item.node, part) for part in elements_of(value)]
-    return reduced(call.ctx, call.scope, call.name, operands, call.node)
-
-
-def _sizes(call: Application, items: tuple[Operand, ...]) -> list[int] | None:
-    sizes = []
-    for item in items:
-        number = structural_integer(call.ctx, item.value, item.node, "E0301", name=item.node.span.text)
-        if number is None:
-            return None
-        if number < 1:
-            call.ctx.sink.report("E0334", item.node.span, what="an array size", expected="positive", found=str(number))
-            return None
-        sizes.append(number)
-    square = sizes * 2 if call.name == "identity" else sizes
-    if not array_fits(call.ctx, call.node.span, tuple(square)):
-        return None
-    return sizes
-
-
-def _filled(call: Application) -> Value:
-    """`zeros(n, m)`, `ones(n)`, `fill(x, n, m)`."""
-    sizes = _sizes(call, call.arguments[1:] if call.name == "fill" else call.arguments)
-    filler = (
-        call.arguments[0].value
-        if call.name == "fill"
-        else Scalar(flat.ZERO if call.name == "zeros" else flat.ONE, None)
-    )
-    if sizes is None or not isinstance(filler, Scalar):
-        return POISON
-    dimension = DIMENSIONLESS if call.name == "ones" else filler.dimension
-    return Array(
-        (filler.expression,) * prod(sizes), tuple(sizes), dimension, filler.variability, filler.order, filler.kind
-    )
-
-
-def _identity(call: Application) -> Value:
-    sizes = _sizes(call, call.arguments)
-    if sizes is None:
-        return POISON
-    n = sizes[0]
-    parts = tuple(flat.ONE if row == column else flat.ZERO for row in range(n) for column in range(n))
-    return Array(parts, (n, n), DIMENSIONLESS)
-
-
-def _diagonal(call: Application) -> Value:
-    array = _array(call, 1)
-    if array is None:
-        return POISON
-    n = array.shape[0]
-    if not array_fits(call.ctx, call.node.span, (n, n)):
-        return POISON
-    parts = tuple(array.elements[row] if row == column else flat.ZERO for row in range(n) for column in range(n))
-    return Array(parts, (n, n), array.dimension, array.variability, array.order, array.kind)
-
-
-def _transpose(call: Application) -> Value:
-    array = _array(call, 2)
-    if array is None:
-        return POISON
-    rows, columns = array.shape
-    parts = tuple(array.elements[row * columns + column] for column in range(columns) for row in range(rows))
-    return Array(parts, (columns, rows), array.dimension, array.variability, array.order, array.kind)
-
-
-def _array(call: Application, rank: int) -> Array | None:
-    value = call.arguments[0].value
-    if isinstance(value, Array) and len(value.shape) == rank:
-        return value
-    if not isinstance(value, Poison):
-        expected = "a matrix" if rank == 2 else "an array"
-        call.ctx.sink.report("E0312", call.arguments[0].node.span, expected=expected, found=kind_of(value))
-    return None
-
-
-def _size(call: Application) -> Value:
-    """`size(a)` or `size(a, k)`."""
-    value = call.arguments[0].value
-    if isinstance(value, Poison):
-        return POISON
-    shape = value.shape if isinstance(value, Array) else (3,) if isinstance(value, Vector) else ()
-    if isinstance(value, Component) and isinstance(value.instance, InstanceArray):
-        shape = value.instance.shape
-    sizes = Array(tuple(flat.Number(float(n)) for n in shape), (len(shape),), DIMENSIONLESS, kind="Integer")
-    if len(call.arguments) == 1:
-        return sizes
-    item = call.arguments[1]
-    index = structural_integer(call.ctx, item.value, item.node, "E0333")
-    if index is None:
-        return POISON
-    if not 1 <= index <= len(shape):
-        call.ctx.sink.report("E0341", item.node.span, index=index, extent=len(shape))
-        return POISON
-    return element_at(sizes, index - 1)
-
-
-def _linspace(call: Application) -> Value:
-    ends = call.arguments[:2]
-    values = scalars(Application(call.ctx, call.scope, call.name, call.node, ends))
-    sizes = _sizes(call, call.arguments[2:])
-    if (
-        values is None
-        or sizes is None
-        or not _same(Application(call.ctx, call.scope, call.name, call.node, ends), values)
-    ):
-        return POISON
-    if sizes[0] < 2:
-        call.ctx.sink.report("E0323", call.node.span, reason="`linspace` needs at least two values")
-        return POISON
-    start, stop = values
-    parts = tuple(linspace(start, stop, sizes[0]))
-    return Array(parts, (sizes[0],), joined(start.dimension, stop.dimension), latest(*values), highest(*values))
-
-
 Builtin = Callable[[Application], Value]
 
 # name: (function, least and most number of arguments)
@@ -400,18 +285,18 @@ BUILTINS: dict[str, tuple[Builtin, int, int]] = {
     "cross": (_cross, 2, 2),
     "norm": (norm, 1, 1),
     "unit": (_unit_vector, 1, 1),
-    "sum": (_reduction, 1, 1),
-    "product": (_reduction, 1, 1),
-    "min": (_reduction, 1, 2),
-    "max": (_reduction, 1, 2),
-    "zeros": (_filled, 1, 3),
-    "ones": (_filled, 1, 3),
-    "fill": (_filled, 2, 4),
-    "identity": (_identity, 1, 1),
-    "diagonal": (_diagonal, 1, 1),
-    "transpose": (_transpose, 1, 1),
-    "size": (_size, 1, 2),
-    "linspace": (_linspace, 3, 3),
+    "sum": (array_functions.reduction, 1, 1),
+    "product": (array_functions.reduction, 1, 1),
+    "min": (array_functions.reduction, 1, 2),
+    "max": (array_functions.reduction, 1, 2),
+    "zeros": (array_functions.filled, 1, 3),
+    "ones": (array_functions.filled, 1, 3),
+    "fill": (array_functions.filled, 2, 4),
+    "identity": (array_functions.identity, 1, 1),
+    "diagonal": (array_functions.diagonal, 1, 1),
+    "transpose": (array_functions.transpose, 1, 1),
+    "size": (array_functions.size, 1, 2),
+    "linspace": (array_functions.linspace, 3, 3),
     "table": (table, 3, 4),
 }
 

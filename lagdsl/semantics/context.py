@@ -53,8 +53,8 @@ class Context:
     """Mutable state of one flattening; every product is collected here in the order in which it is complete.
 
     `home` is the file of the model: advice is not given about texts of libraries.
-    `splits` are modifiers whose values are split over an array of components, `split_values` what they
-    are worth, by the identity of their node.
+    `splits` are modifiers whose values are split over an array of components, `split_values` what they are worth: by
+    the scope in which they stand, as every instance of a class has its own, and the identity of their node.
     `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
     `withheld` is an unknown name about which nothing was said, as something before must have been.
     `named` is therefore sorted: what a definition uses was complete before it.
@@ -74,7 +74,7 @@ class Context:
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
     scopes: list[Scope] = field(default_factory=list)
     splits: list[tuple[nodes.Modifier, Indices, Scope]] = field(default_factory=list)
-    split_values: dict[int, Value] = field(default_factory=dict)
+    split_values: dict[tuple[Scope, int], Value] = field(default_factory=dict)
     jump: nodes.Call | None = None
     quiet: bool = False
     mode: Mode = Mode.ALWAYS
@@ -85,6 +85,7 @@ class Context:
     functions: list[nodes.Function] = field(default_factory=list)
     turns: int = 0
     calls: int = 0
+    components: int = 0
     exceeded: set[str] = field(default_factory=set)
     reported: set[str] = field(default_factory=set)
     withheld: Span | None = None

@@ -202,7 +202,7 @@ class Definitions:
             return Scalar(variable, dimension, Variability.DISCRETE, Order.STILL, symbol.info.base)
         if symbol.kind == "input" and symbol.info.base == "Boolean":
             return _truth_of_input(self.ctx, symbol, variable)
-        order = Order.STILL if symbol.kind == "input" else Order.CONFIGURATION
+        order = Order.GIVEN if symbol.kind == "input" else Order.CONFIGURATION
         return Scalar(variable, dimension, Variability.CONTINUOUS, order, symbol.info.base)
 
     @contextmanager

@@ -33,8 +33,9 @@ def check_events(flat: FlatModel, dependence: Dependence, sink: Sink) -> None:
 
 
 def with_switches(flat: FlatModel, dependence: Dependence) -> FlatModel:
-    """The model with the constraints told that discretes switch or move."""
-    discretes = {entry.name for entry in entries(flat.events)}
+    """The model with the constraints told that discretes switch or move. Corners of time leave them continuous."""
+    corners = {each.name for each in flat.events.timed if each.kind == "corner"}
+    discretes = {entry.name for entry in entries(flat.events)} - corners
     if not discretes:
         return flat
     constraints = tuple(

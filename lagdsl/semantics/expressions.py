@@ -7,7 +7,7 @@ was wrong is reported once, at its place, and becomes poison.
 from __future__ import annotations
 
 from lagdsl.flat import expression as flat
-from lagdsl.semantics import arithmetic, arrays, calls, geometry, references
+from lagdsl.semantics import arithmetic, arrays, calls, geometry, references, scale_points
 from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.choice import choice
 from lagdsl.semantics.constants import NoValue, evaluate
@@ -34,17 +34,22 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
         case nodes.Reference():
             return references.reference(ctx, scope, node)
         case nodes.Binary():
+            scale_points.check_operator(ctx, node)
             left, right = elaborate(ctx, scope, node.left), elaborate(ctx, scope, node.right)
             if node.operator not in ("and", "or"):
                 left, right = geometry.operand(ctx, left, node.left.span), geometry.operand(ctx, right, node.right.span)
             return arithmetic.binary(ctx, scope, node, left, right)
+        case nodes.Unary(operand=nodes.Quantity() as literal) if scale_points.is_signed_point(node):
+            return _quantity(ctx, literal, node.operator)
         case nodes.Unary():
+            scale_points.check_operator(ctx, node)
             adopt = adopt and node.operator != "not"
             value = elaborate(ctx, scope, node.operand, adopt)
             return arithmetic.unary(ctx, node, geometry.operand(ctx, value, node.operand.span))
         case nodes.Parenthesized():
             return elaborate(ctx, scope, node.inner, adopt)
         case nodes.Call():
+            scale_points.check_call(ctx, node)
             return calls.call(ctx, scope, node)
         case nodes.Member():
             return references.member(ctx, scope, node)
@@ -61,6 +66,7 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
         case nodes.Comprehension():
             return arrays.comprehension(ctx, scope, node, adopt)
         case nodes.Reduction():
+            scale_points.check_call(ctx, node)
             return arrays.reduction(ctx, scope, node)
         case nodes.Boolean():
             return Scalar(flat.Number(float(node.value)), DIMENSIONLESS, kind="Boolean")
@@ -81,7 +87,8 @@ def _number(ctx: Context, node: nodes.Number, adopt: bool) -> Value:
     return Scalar(flat.Number(value), None if free else DIMENSIONLESS, kind="Integer" if integer else "Real")
 
 
-def _quantity(ctx: Context, node: nodes.Quantity) -> Value:
+def _quantity(ctx: Context, node: nodes.Quantity, sign: str = "") -> Value:
+    """`sign` is part of a literal in a unit with an offset."""
     if not ctx.units:
         ctx.sink.report("E0409", node.span)
         return POISON
@@ -91,7 +98,7 @@ def _quantity(ctx: Context, node: nodes.Quantity) -> Value:
         hint = f"did you mean `{fault.suggestion}`?" if fault.suggestion else None
         ctx.sink.report("E0413", node.span, unit=node.unit, help=hint)
         return POISON
-    value = si_value(node.number, unit)
+    value = si_value(sign + node.number, unit)
     if value in (float("inf"), float("-inf")):
         ctx.sink.report("E0326", node.span, what="a number", most="1.8e308")
         return POISON

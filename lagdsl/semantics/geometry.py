@@ -352,7 +352,7 @@ def time_derivative(ctx: Context, value: Numeric) -> Numeric:
     """d/dt: zero for what does not change, one order higher for what moves."""
     dimension = ctx.rate(value.dimension)
     still = rank(value.variability) <= rank(Variability.PARAMETER)
-    order = Order(min(value.order + 1, Order.SOLUTION)) if value.order > Order.STILL else Order.STILL
+    order = Order(min(value.order + 1, Order.SOLUTION)) if value.order > Order.GIVEN else value.order
     match value:
         case Scalar():
             expression: FlatExpression = flat.ZERO if still else flat.Derivative(value.expression)

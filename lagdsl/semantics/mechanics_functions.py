@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Literal
 
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.arguments import labelled, named, named_element, positional
+from lagdsl.semantics.arrays import select, subscript_indices
 from lagdsl.semantics.conditions import condition_of
 from lagdsl.semantics.constants import structural_integer
 from lagdsl.semantics.context import Context
@@ -22,6 +24,7 @@ from lagdsl.semantics.geometry import (
     time_derivative,
 )
 from lagdsl.semantics.naming import kind_of
+from lagdsl.semantics.paths import designated
 from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
 from lagdsl.semantics.values import (
     POISON,
@@ -82,7 +85,7 @@ def _omega(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     dimension = DIMENSIONLESS / ctx.dimension(TIME)
     if frame.name == "world":
         return Vector(flat.ZERO_VECTOR, dimension, Variability.CONSTANT, Order.STILL)
-    order = Order.RATE if frame.order > Order.STILL else Order.STILL
+    order = Order.RATE if frame.order > Order.GIVEN else frame.order
     return Vector(flat.AngularVelocity(frame.name), dimension, frame.variability, order)
 
 
@@ -99,7 +102,8 @@ def _vel(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     frame = as_frame(ctx, arguments[1], ctx.elaborate(ctx, scope, arguments[1], False))
     if frame is None:
         return POISON
-    order = Order.RATE if max(frame.order, point.order) > Order.STILL else Order.STILL
+    known = max(frame.order, point.order)
+    order = Order.RATE if known > Order.GIVEN else known
     velocity = flat.MaterialVelocity(point.expression, frame.name)
     if frame.name == "world":
         return Vector(flat.ZERO_VECTOR, ctx.dimension(VELOCITY), Variability.CONSTANT, Order.STILL)
@@ -168,19 +172,49 @@ def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
 
 
 def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
-    """`multiplier(c)`: J/[g] for a position row, J/([g].s) for a velocity row; an array for a vector constraint."""
+    """`multiplier(c)`: J/[g] for a position row, J/([g].s) for a velocity row; an array for a vector constraint, of
+    which `multiplier(c[2])` is one."""
     arguments = positional(ctx, node, 1, 1)
     if arguments is None:
         return POISON
-    found = labelled(ctx, scope, arguments[0], "constraint", "contact")
+    label, rows = _rows_apart(ctx, scope, arguments[0])
+    found = labelled(ctx, scope, label, "constraint", "contact")
     if found is None:
         return POISON
-    symbol, indices = found
+    value = _multiplier_of(ctx, *found, label)
+    if not rows or isinstance(value, Poison):
+        return value
+    if not isinstance(value, Array):
+        hint = f"write `multiplier({label.span.text})`"
+        what = f"`{label.span.text}`, which is one equation"
+        ctx.sink.report("E0312", arguments[0].span, expected="an array", found=what, help=hint)
+        return POISON
+    chosen = subscript_indices(ctx, scope, rows, value.shape, arguments[0])
+    return POISON if chosen is None else select(value, chosen)
+
+
+def _rows_apart(
+    ctx: Context, scope: Scope, node: nodes.Expression
+) -> tuple[nodes.Expression, tuple[nodes.Subscript, ...]]:
+    """`c[i, k]` as the label `c[i]` of a loop and the rows `k` of its vector."""
+    if not isinstance(node, nodes.Index):
+        return node, ()
+    symbol = designated(ctx, scope, node.target)
+    if not isinstance(symbol, Symbol) or symbol.kind != "constraint":
+        return node, ()
+    rank = len(ctx.resolver.shape(symbol) or ())
+    if len(node.subscripts) <= rank:
+        return node, ()
+    label = replace(node, subscripts=node.subscripts[:rank]) if rank else node.target
+    return label, node.subscripts[rank:]
+
+
+def _multiplier_of(ctx: Context, symbol: Symbol, indices: Indices, node: nodes.Node) -> Value:
     if symbol.kind == "contact":
         contact = ctx.resolver.contact(symbol, indices)
         return contact.multiplier if contact is not None else POISON
     places = [indices] if indices in symbol.labels else list(symbol.labels)
-    if not all(_present(ctx, symbol, each, arguments[0]) for each in places):
+    if not all(_present(ctx, symbol, each, node) for each in places):
         return POISON
     rows = [ctx.resolver.constraint(symbol, each) for each in places]
     known = [constraint for constraint in rows if constraint is not None]

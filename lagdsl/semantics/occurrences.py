@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from enum import Enum
 from itertools import count
 
-from lagdsl.flat.events import INITIAL, TERMINAL, Branch, Clock, Contact, Discrete, Events, Limit, Relation, When
+from lagdsl.flat.events import INITIAL, TERMINAL, Branch, Clock, Contact, Discrete, Events, Limit, Relation, Timed, When
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import GeneralizedForce
 from lagdsl.flat.quantity import Spans
 from lagdsl.units import Dimension
+
+# Names are the text, as far as this.
+_LONGEST = 80
 
 
 class Mode(Enum):
@@ -33,6 +36,7 @@ class Occurrences:
     contacts: list[Contact] = field(default_factory=list)
     forces: list[GeneralizedForce] = field(default_factory=list)
     relations: dict[str, Relation] = field(default_factory=dict)
+    timed: dict[str, tuple[FlatExpression, Timed]] = field(default_factory=dict)
     whens: list[When] = field(default_factory=list)
     clocks: dict[str, Clock] = field(default_factory=dict)
     instants: set[str] = field(default_factory=set)
@@ -45,6 +49,8 @@ class Occurrences:
     ) -> str:
         """The name of the truth of `difference > 0` (or >= 0); the same relation again has the same name."""
         for name in _names(text):
+            if name in self.timed:
+                continue
             known = self.relations.get(name)
             if known is None:
                 self.relations[name] = Relation(
@@ -52,6 +58,19 @@ class Occurrences:
                 )
                 return name
             if known.strict == strict and known.difference == difference:
+                return name
+        raise AssertionError("there is always one more name")
+
+    def entry(self, text: str, what: FlatExpression, make: Callable[[str], Timed]) -> str:
+        """The name of an entry that time alone changes; the same one again, as `what` tells, has the same name."""
+        for name in _names(text):
+            if name in self.relations:
+                continue
+            known = self.timed.get(name)
+            if known is None:
+                self.timed[name] = (what, make(name))
+                return name
+            if known[0] == what:
                 return name
         raise AssertionError("there is always one more name")
 
@@ -87,6 +106,7 @@ class Occurrences:
             discretes=tuple(self.discretes),
             contacts=tuple(self.contacts),
             relations=tuple(self.relations.values()),
+            timed=tuple(timed for _, timed in self.timed.values()),
             whens=tuple(self.whens),
             clocks=tuple(self.clocks.values()),
             instants=tuple(name for name in (INITIAL, TERMINAL) if name in self.instants),
@@ -97,6 +117,7 @@ class Occurrences:
 def _names(text: str) -> Iterator[str]:
     """The text on one line, then the same with numbers."""
     plain = " ".join(text.split())
+    plain = plain if len(plain) <= _LONGEST else f"{plain[: _LONGEST - 2]} …"
     yield plain
     for number in count(2):
         yield f"{plain} ({number})"

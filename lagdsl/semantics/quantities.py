@@ -252,6 +252,9 @@ def smoothness(ctx: Context, symbol: Symbol) -> int:
         return 0
     value = ctx.elaborate(ctx, attribute.scope, attribute.value, False)
     number = structural_integer(ctx, value, attribute.value, "E0317", what="`smooth`", allowed="a number")
+    if number and symbol.info is not None and symbol.info.base != "Real":
+        ctx.sink.report("E0334", attribute.value.span, what="`smooth`", expected="of a Real", found=str(number))
+        return 0
     if number is not None and not 0 <= number <= 10:
         ctx.sink.report("E0334", attribute.value.span, what="`smooth`", expected="0 to 10", found=str(number))
         return 0

@@ -169,7 +169,7 @@ def not_in_package(ctx: Context, scope: Scope, node: nodes.Member) -> bool:
 
 def index(ctx: Context, scope: Scope, node: nodes.Index) -> Value:
     """`a[i]`, `a[2:3]`, `P[k]`: one element of a declared array is read without its neighbours."""
-    split = ctx.split_values.get(id(node.target))
+    split = ctx.split_values.get((scope, id(node.target)))
     if split is not None:
         return _indexed(ctx, scope, node, split)
     entry = designated(ctx, scope, node)

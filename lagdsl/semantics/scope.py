@@ -48,7 +48,7 @@ LABELS = ("energy", "load", "constraint", "contact", "body", "invariant")
 @record()
 class TypeInfo:
     """`dimension` is None for a plain `Real`, which a binding may determine. `modifiers` come from type definitions,
-    `literals` are those of an enumeration."""
+    `literals` are those of an enumeration; `is_difference`: an amount of temperature, not a point on its scale."""
 
     name: str
     base: BaseType
@@ -59,6 +59,7 @@ class TypeInfo:
     shape: tuple[tuple[nodes.Subscript, Scope] | int, ...] = ()
     modifiers: tuple[tuple[nodes.AnyModifier, Scope], ...] = ()
     quaternion: bool = False
+    is_difference: bool = False
     literals: tuple[str, ...] = ()
 
 

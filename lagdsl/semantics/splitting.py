@@ -105,7 +105,7 @@ def check_splits(ctx: Context) -> None:
             found = _leading(ctx, scope, modifier.value, len(shape))
             if found is None or found == shape:
                 continue
-            ctx.split_values[id(modifier.value)] = POISON
+            ctx.split_values[scope, id(modifier.value)] = POISON
             if found == ():
                 text = modifier.span.text
                 inner = text.removeprefix("each ")
@@ -124,10 +124,10 @@ def _leading(ctx: Context, scope: Scope, value: nodes.Expression, rank: int) -> 
     found = ctx.elaborate(ctx, scope, value, True)
     match found:
         case Poison():
-            ctx.split_values[id(value)] = POISON
+            ctx.split_values[scope, id(value)] = POISON
             return None
         case Array():
-            ctx.split_values[id(value)] = found  # else every component would make the whole of it
+            ctx.split_values[scope, id(value)] = found  # else every component would make the whole of it
             return found.shape[:rank]
         case Vector():
             return (3,)

@@ -21,6 +21,7 @@ from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.application import Application
 from lagdsl.semantics.arithmetic import negative
 from lagdsl.semantics.constants import NoValue, evaluate
+from lagdsl.semantics.corners import chosen, chosen_by_number, has_corner, piece
 from lagdsl.semantics.dimensions import fits, report_unequal
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.values import NUMERIC, POISON, Array, Poison, Scalar, Text, Value, highest, is_structural, latest
@@ -48,7 +49,10 @@ def table(call: Application) -> Value:
         return POISON
     known = _numbers(call, 2, ys) if is_structural(ys) else None
     values: Sequence[FlatExpression] = ys.elements if known is None else [flat.Number(value) for value in known]
-    expression = interpolation(x.expression, places, values, method)
+    borders = places if method != "linear" else places[1:-1]
+    timed = bool(borders) and has_corner(call.ctx, x)
+    number = piece(call.ctx, call.scope, call.node, x.expression, borders) if timed else None
+    expression = interpolation(x.expression, places, values, method, number)
     return Scalar(expression, ys.dimension, latest(x, ys), highest(x, ys))
 
 
@@ -105,16 +109,21 @@ def _increasing(call: Application, places: list[float]) -> bool:
 
 
 def interpolation(
-    x: FlatExpression, places: Sequence[float], values: Sequence[FlatExpression], method: str
+    x: FlatExpression,
+    places: Sequence[float],
+    values: Sequence[FlatExpression],
+    method: str,
+    number: FlatExpression | None = None,
 ) -> FlatExpression:
-    """The expression in `x`: a balanced tree of conditionals with a polynomial of each interval at its leaves."""
+    """The expression in `x`: a balanced tree of conditionals with a polynomial of each interval at its leaves; those
+    look at the `number` of the interval, where there is one, else at x."""
     secants = [
         _times(1.0 / (b - a), _minus(after, before))
         for (a, b), (before, after) in zip(pairwise(places), pairwise(values), strict=True)
     ]
     if method == "linear":
         pieces = [_line(x, places[k], values[k], secants[k]) for k in range(len(secants))]
-        return _chosen(x, places[1:-1], pieces)
+        return chosen(x, places[1:-1], pieces) if number is None else chosen_by_number(number, pieces)
     widths = [b - a for a, b in pairwise(places)]
     slopes = _bessel(widths, secants) if method == "cubic" else _monotone(widths, secants)
     pieces = [_line(x, places[0], values[0], slopes[0])]
@@ -125,21 +134,11 @@ def interpolation(
         inner = _plus(_times(1.0 / width, bend), _product(t, _times(1.0 / width**2, twist)))
         pieces.append(_plus(values[k], _product(t, _plus(slopes[k], _product(t, inner)))))
     pieces.append(_line(x, places[-1], values[-1], slopes[-1]))
-    return _chosen(x, places, pieces)
+    return chosen(x, places, pieces) if number is None else chosen_by_number(number, pieces)
 
 
 def _line(x: FlatExpression, place: float, value: FlatExpression, slope: FlatExpression) -> FlatExpression:
     return _plus(value, _product(_minus(x, flat.Number(place)), slope))
-
-
-def _chosen(x: FlatExpression, limits: Sequence[float], pieces: Sequence[FlatExpression]) -> FlatExpression:
-    """`pieces[k]` below `limits[k]`, the last one beyond them all."""
-    if not limits:
-        return pieces[0]
-    middle = len(limits) // 2
-    below = _chosen(x, limits[:middle], pieces[: middle + 1])
-    above = _chosen(x, limits[middle + 1 :], pieces[middle + 1 :])
-    return flat.Conditional(flat.Binary("<", x, flat.Number(limits[middle])), below, above)
 
 
 def _bessel(widths: Sequence[float], secants: Sequence[FlatExpression]) -> list[FlatExpression]:

@@ -76,7 +76,15 @@ def _prelude(ctx: Context, row: prelude.PreludeType) -> TypeInfo:
     unit = row.unit if ctx.units else "1"
     display = row.display_unit if ctx.units else None
     return TypeInfo(
-        row.name, row.base, dimension, unit, display, row.minimum, row.shape, quaternion=row.name == "Quaternion"
+        row.name,
+        row.base,
+        dimension,
+        unit,
+        display,
+        row.minimum,
+        row.shape,
+        quaternion=row.name == "Quaternion",
+        is_difference=row.name == "TemperatureDifference",
     )
 
 

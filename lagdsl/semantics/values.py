@@ -1,7 +1,7 @@
 """Typed values: what an expression means while the flat model is made.
 
-A value knows its dimension (None fits any: `0` and `inf`), when it may change (variability) and on which derivative of
-the motion it depends (order). A dimension is one for all components of a vector or elements of an array.
+A value knows its dimension (None fits any: `0` and `inf` by themselves), when it may change (variability) and on which
+derivative of the motion it depends (order). A dimension is one for all components of a vector or elements of an array.
 """
 
 from __future__ import annotations
@@ -29,9 +29,11 @@ AnyDimension: TypeAlias = "Dimension | None"
 
 
 class Order(IntEnum):
-    """What an expression needs of the motion: nothing, q, its first, its second derivative, or the solved equations."""
+    """What an expression needs of the motion: nothing but time, inputs, q, its first, its second derivative, or the
+    solved equations."""
 
-    STILL = -1
+    STILL = -2
+    GIVEN = -1
     CONFIGURATION = 0
     RATE = 1
     ACCELERATION = 2
@@ -44,11 +46,14 @@ _RANK = {variability: rank for rank, variability in enumerate(Variability)}
 @final
 @record()
 class Scalar:
+    """`is_nothing`: a sum over nothing, of any dimension in products too; the `0` of a text is a number there."""
+
     expression: FlatExpression
     dimension: AnyDimension
     variability: Variability = Variability.CONSTANT
     order: Order = Order.STILL
     kind: Kind = "Real"
+    is_nothing: bool = False
 
 
 @final

@@ -15,13 +15,15 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.mechanics.rank import Floats
 
-# A pair is (times, values), or an array of these two rows, straight lines between them. Two equal times are a jump.
+# A pair is (times, values), or an array of these two rows, see `_of_table`. Two equal times are a jump.
 Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]] | Floats"
 # (t, before) -> value; `before` asks for the limit from the left.
 _Function: TypeAlias = Callable[[float, bool], float]
 
 
 _NONE = np.zeros(0)
+# A monotone cubic has a continuous slope: of higher derivatives only the second is a function.
+_MOST_DERIVATIVES = 2
 _KINDS = "a number, a function of time or a pair (times, values)"
 
 
@@ -42,18 +44,15 @@ class Signals:
         return np.array([function(t, before) for function in self.functions]) if self.functions else _NONE
 
 
-def steady(values: Floats) -> Signals:
-    """Inputs that keep their values."""
-    return Signals(tuple(_Constant(value) for value in values.tolist()), ())
-
-
 def signals(
     flat: FlatModel, defaults: Floats, inputs: Mapping[str, Signal], span: tuple[float, float], sink: Sink
 ) -> Signals:
     """Every input of the model: given ones, derivatives of given tables and constants, defaults.
 
     Errors go to `sink`: unknown names (E0819), a table that does not cover `span` (E0817), a function whose
-    derivative the model needs and nobody gave (E0818). Raises ValueError for what is no signal at all.
+    derivative the model needs and nobody gave (E0818), a table that has not as many derivatives (E0846) or jumps where
+    one is needed (E0847), a derivative of what stands still (E0849), parts of an Integer (E0845); and the note N0848.
+    Raises ValueError for what is no signal at all.
     """
     names = [item.name for item in flat.inputs]
     for name in inputs:
@@ -64,53 +63,123 @@ def signals(
     functions: list[_Function] = []
     breaks: set[float] = set()
     for item, default in zip(flat.inputs, defaults.tolist(), strict=True):
-        base, order = _base(item.name)
-        if item.name in inputs:
-            smooth = item.smooth > 0 and f"der({item.name})" not in inputs
-            functions.append(_function(item, inputs[item.name], 0, smooth, span, breaks, sink))
-        elif order and base in inputs:
-            functions.append(_function(item, inputs[base], order, True, span, breaks, sink))
-        else:
+        source, order = _source(item.name, inputs)
+        if source is None:
             functions.append(_Constant(default))
+            continue
+        needed = order + _derivatives_left(item.name, names, inputs)
+        functions.append(_function(item, source, inputs[source], (order, needed), span, breaks, sink))
+    _check_given_together(names, inputs, sink)
     return Signals(tuple(functions), tuple(sorted(b for b in breaks if span[0] < b < span[1])))
 
 
-def _base(name: str) -> tuple[str, int]:
-    """`der(der(road))` is (`road`, 2)."""
-    order = 0
-    while name.startswith("der(") and name.endswith(")"):
-        name, order = name[4:-1], order + 1
-    return name, order
+def _source(name: str, inputs: Mapping[str, Signal]) -> tuple[str | None, int]:
+    """The given signal that an input is made of, and how often it is differentiated for that: `der(road)` is itself if
+    it is given, else the derivative of `road`."""
+    source, order = name, 0
+    while source not in inputs:
+        if not source.startswith("der("):
+            return None, 0
+        source, order = source[4:-1], order + 1
+    return source, order
+
+
+def _derivatives_left(name: str, names: list[str], inputs: Mapping[str, Signal]) -> int:
+    """How many further derivatives the same signal has to give."""
+    count = 0
+    while (name := f"der({name})") in names and name not in inputs:
+        count += 1
+    return count
+
+
+def _check_given_together(names: list[str], inputs: Mapping[str, Signal], sink: Sink) -> None:
+    """E0849: the derivative of a signal that stands still."""
+    for name in inputs:
+        base = _base(name)
+        if name in names and base not in inputs and base != name:
+            sink.report("E0849", None, name=base, derivative=name)
+
+
+def _base(name: str) -> str:
+    """`der(der(road))` comes from `road`."""
+    while name.startswith("der("):
+        name = name[4:-1]
+    return name
 
 
 def _function(
-    item: Input, signal: Signal, order: int, smooth: bool, span: tuple[float, float], breaks: set[float], sink: Sink
+    item: Input,
+    source: str,
+    signal: Signal,
+    orders: tuple[int, int],
+    span: tuple[float, float],
+    breaks: set[float],
+    sink: Sink,
 ) -> _Function:
-    """The derivative of the given order of one signal."""
+    """One input from the signal given for `source`; `orders` are the derivative it is of that, and the highest that is
+    taken of it."""
+    order, _ = orders
     if callable(signal):
         given = signal
         if order:
-            sink.report("E0818", item.spans[0] if item.spans else None, name=_base(item.name)[0], derivative=item.name)
+            place = item.spans[0] if item.spans else None
+            sink.report("E0818", place, name=source, derivative=item.name)
         return lambda t, before: float(given(t))
     if isinstance(signal, (tuple, list)) or np.ndim(signal) > 0:
-        times, values = _columns(item.name, signal, smooth)
+        times, values = _columns(item.name, signal)
         if times[0] > span[0] or times[-1] < span[1]:
             sink.report(
-                "E0817", None, name=_base(item.name)[0], first=times[0], last=times[-1], start=span[0], stop=span[1]
+                "E0817", None, name=_base(item.name), first=times[0], last=times[-1], start=span[0], stop=span[1]
             )
             return _Constant(0.0)
-        if smooth:
-            return _spline(times, values, order)
-        breaks.update(_kinks(times, values))
-        return _lines(times.tolist(), values.tolist())
+        return _of_table(item, source, (times, values), orders, breaks, sink)
     try:
         constant = float(cast(float, signal))
     except (TypeError, ValueError) as error:
         raise ValueError(f"input `{item.name}` must be {_KINDS}") from error
+    if order == 0:
+        _check_whole(item, np.array([constant]), sink)
     return _Constant(constant if order == 0 else 0.0)
 
 
-def _columns(name: str, signal: Any, smooth: bool) -> tuple[Floats, Floats]:
+def _of_table(
+    item: Input, source: str, table: tuple[Floats, Floats], orders: tuple[int, int], breaks: set[float], sink: Sink
+) -> _Function:
+    """Steps for what is counted; straight lines, also where their slope is taken once; monotone cubics where two
+    derivatives are taken. So the highest derivative jumps at rows, and the one before it does not."""
+    times, values = table
+    order, needed = orders
+    if item.base != "Real":
+        _check_whole(item, values, sink)
+        breaks.update(times[1:][np.diff(values) != 0.0].tolist())
+        return _steps(times.tolist(), values.tolist())
+    if needed == 0:
+        breaks.update(_kinks(times, values))
+        return _lines(times.tolist(), values.tolist())
+    kept = np.append(True, (np.diff(times) > 0.0) | (np.diff(values) != 0.0))
+    times, values = times[kept], values[kept]  # a row may stand twice for a jump in another column
+    jumps = np.flatnonzero(np.diff(times) == 0.0)
+    if len(jumps):
+        sink.report("E0847", None, name=source, time=times[jumps[0]])
+        return _Constant(0.0)
+    if needed > _MOST_DERIVATIVES:
+        if order == needed:
+            sink.report("E0846", None, name=source, derivative=item.name)
+        return _Constant(0.0)
+    if len(times) == 1:
+        return _Constant(float(values[0]) if order == 0 else 0.0)
+    breaks.update(times[1:-1].tolist())
+    if needed == 1:
+        slopes = np.diff(values) / np.diff(times)
+        if order == 0:
+            return _lines(times.tolist(), values.tolist())
+        return _steps(times.tolist(), [*slopes.tolist(), float(slopes[-1])])
+    if order == 2:
+        sink.report("N0848", None, name=source, derivative=item.name)
+    return _cubics(times, values, order)
+
+
+def _columns(name: str, signal: Any) -> tuple[Floats, Floats]:
     """Times and values of a table. Raises ValueError where it is none."""
     try:
         times, values = (np.asarray(column, dtype=np.float64) for column in signal)
@@ -126,9 +195,14 @@ def _columns(name: str, signal: Any, smooth: bool) -> tuple[Floats, Floats]:
     steps = np.diff(times)
     if (steps < 0.0).any():
         raise ValueError(f"time runs backward in the table of input `{name}`")
-    if smooth and (steps == 0.0).any():
-        raise ValueError(f"the table of input `{name}` jumps, and the model needs its derivative")
     return times, values
+
+
+def _check_whole(item: Input, values: Floats, sink: Sink) -> None:
+    """E0845 for an Integer that is none."""
+    odd = values[values != np.round(values)]
+    if len(odd) and item.base in ("Integer", "Enumeration"):
+        sink.report("E0845", item.spans[0] if item.spans else None, name=item.name, value=odd[0])
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,12 +226,35 @@ def _lines(times: list[float], values: list[float]) -> _Function:
     return value
 
 
-def _spline(times: Floats, values: Floats, order: int) -> _Function:
-    """A cubic spline, where the model needs derivatives of the signal."""
-    from scipy.interpolate import CubicSpline
+def _steps(times: list[float], values: list[float]) -> _Function:
+    """Each value from its time on."""
 
-    curve: Any = CubicSpline(times, values).derivative(order) if order else CubicSpline(times, values)
-    return lambda t, before: float(curve(t))
+    def value(t: float, before: bool) -> float:
+        index = (bisect_left if before else bisect_right)(times, t)
+        return values[max(index - 1, 0)]
+
+    return value
+
+
+def _cubics(times: Floats, values: Floats, order: int) -> _Function:
+    """A derivative of cubics that have no extremum where the rows have none (F. N. Fritsch and J. Butland, SIAM J. Sci.
+    Stat. Comput. 5 (1984) 300), as `table(..., "monotone")`. At a row the second derivative of the piece after it, or
+    before it."""
+    from scipy.interpolate import PchipInterpolator
+
+    curve: Any = PchipInterpolator(times, values)
+    powers = curve.derivative(order).c if order else curve.c
+    pieces, starts = powers.T.tolist(), times.tolist()
+
+    def value(t: float, before: bool) -> float:
+        index = (bisect_left if before else bisect_right)(starts, t)
+        index = min(max(index - 1, 0), len(pieces) - 1)
+        total, x = 0.0, t - starts[index]
+        for coefficient in pieces[index]:
+            total = total * x + coefficient
+        return float(total)
+
+    return value
 
 
 def _kinks(times: Floats, values: Floats) -> list[float]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile
 from lagdsl.syntax import limits, nodes
+from lagdsl.syntax.builder import TooDeep
+from lagdsl.syntax.direction import turned_text
 from lagdsl.syntax.faults import ends_outer_class, recover
-from lagdsl.syntax.machine import TooDeep
 from lagdsl.syntax.session import Session
 
 
@@ -31,20 +32,25 @@ def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
         sink.report("E0130", None, name=file.name, limit=limits.MAX_CHARACTERS)
         return None
     found = Sink()
+    if turned_text(file, sink):
+        return None
     session = Session(file, found, start)
     try:
         _read(session)
     except TooDeep as fault:
-        found.report("E0109", fault.span, limit=limits.MAX_DEPTH)
+        if fault.brackets:
+            found.report("E0138", fault.span, limit=limits.MAX_BRACKETS)
+        else:
+            found.report("E0109", fault.span, limit=limits.MAX_DEPTH)
     if len(found.diagnostics) >= limits.MAX_ERRORS:
         found.report("N0199", None, count=limits.MAX_ERRORS)
     for diagnostic in found.diagnostics:
         sink.add(diagnostic)
-    return session.machine.values[-1] if session.machine.finished and not found.has_errors else None
+    return session.tree if not found.has_errors else None
 
 
 def _read(session: Session) -> None:
-    while not session.machine.finished and not session.stopped:
+    while not session.finished and not session.stopped:
         if len(session.sink.diagnostics) >= limits.MAX_ERRORS:
             return
         token = session.take()

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+from itertools import takewhile
+
+from lark import Token
 
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 from lagdsl.syntax.layout import fill, flat
-from lagdsl.syntax.lexer import STRING, Comment, Lexer, Token
 from lagdsl.syntax.parser import parse
 from lagdsl.syntax.print_expressions import ExpressionWriter, quoted
 from lagdsl.syntax.print_statements import dotted, statement
 from lagdsl.syntax.recursion import deep_recursion
+from lagdsl.syntax.tokens import comments, end_of, plain_tokens, start_of
 
 _STEP = 2
 _BLANK_LINE = re.compile(r"\n[ \t]*\n")
@@ -46,16 +49,16 @@ class _Formatter:
     def __init__(self, file: SourceFile) -> None:
         self.file = file
         self.source = file.text
-        self.comments = _comments(file)
+        self.comments = comments(file.text)
         self.written = 0  # of the comments
         self.lines: list[str] = []
         self.end = 0
 
     def unit(self, unit: nodes.Unit) -> str:
         if unit.has_within:
-            self._gap(next(self._words(0, "within")).start, 0)
+            self._gap(start_of(self._next(0, "within")), 0)
             self._line(f"within{'' if unit.within is None else f' {dotted(unit.within)}'};", 0)
-            self.end = next(self._words(self.end, ";")).end
+            self.end = end_of(self._next(self.end, ";"))
         self._items(unit.items, 0)
         self._gap(len(self.source), 0)
         while self.lines and not self.lines[-1]:
@@ -90,7 +93,7 @@ class _Formatter:
         for section in node.sections:
             self._gap(section.span.start, indent + _STEP if self._comment_is_indented(indent) else indent)
             self._line(section.keyword, indent)
-            self.end = next(self._words(section.span.start, section.keyword.split()[-1])).end
+            self.end = end_of(self._next(section.span.start, section.keyword.split()[-1]))
             self._items(section.items, indent + _STEP)
         self._ending(node.name, indent)
 
@@ -100,7 +103,7 @@ class _Formatter:
         writer.iterators(node.iterators)
         writer.text(" loop")
         self.lines += fill(writer.pieces, indent)
-        self.end = next(self._words(node.iterators[-1].span.end, "loop")).end
+        self.end = end_of(self._next(node.iterators[-1].span.end, "loop"))
         self._items(node.body, indent + _STEP)
         self._ending("for", indent)
 
@@ -118,33 +121,28 @@ class _Formatter:
     def _branches(self, word: str, branches: tuple[nodes.IfBranch | nodes.WhenBranch, ...], indent: int) -> None:
         for position, branch in enumerate(branches):
             if position:
-                self._gap(next(self._words(self.end, f"else{word}")).start, indent + _STEP)
+                self._gap(start_of(self._next(self.end, f"else{word}")), indent + _STEP)
             writer = ExpressionWriter()
             writer.text(f"else{word} " if position else f"{word} ")
             writer.expression(branch.condition)
             writer.text(" then")
             self.lines += fill(writer.pieces, indent)
-            self.end = next(self._words(branch.condition.span.end, "then")).end
+            self.end = end_of(self._next(branch.condition.span.end, "then"))
             self._items(branch.body, indent + _STEP)
 
     def _keyword(self, word: str, indent: int) -> None:
-        token = next(self._words(self.end, word))
-        self._gap(token.start, indent + _STEP)
+        token = self._next(self.end, word)
+        self._gap(start_of(token), indent + _STEP)
         self._line(word, indent)
-        self.end = token.end
+        self.end = end_of(token)
 
     def _ending(self, name: str, indent: int) -> None:
-        self._gap(next(self._words(self.end, "end")).start, indent + _STEP)
+        self._gap(start_of(self._next(self.end, "end")), indent + _STEP)
         self._line(f"end {name};", indent)
 
-    def _words(self, position: int, word: str) -> Iterator[Token]:
-        """Tokens spelled `word` from `position` on."""
-        lexer = Lexer(self.file, Sink())
-        lexer.position = position
-        while lexer.position < len(self.source):
-            token = lexer.next()
-            if token.text == word:
-                yield token
+    def _next(self, position: int, word: str) -> Token:
+        """The first token spelled `word` from `position` on."""
+        return next(token for token in plain_tokens(self.source, position) if token.value == word)
 
     # ---- lines, comments, blank lines ------------------------------------------------------------------------------
 
@@ -184,27 +182,15 @@ class _Formatter:
         start, end = item.span.start, item.span.end
         first, *rest = self.source[start:end].split("\n")
         shift = indent - (start - self.source.rfind("\n", 0, start) - 1)
-        movable = not any(t.terminal == STRING and "\n" in t.text for t in self._tokens(start, end))
+        tokens = takewhile(lambda token: start_of(token) < end, plain_tokens(self.source, start))
+        movable = not any(token.type == "STRING" and "\n" in token.value for token in tokens)
         self._line(first.rstrip() if movable else first, indent)
         self.lines += [_moved(line, shift) if movable else line for line in rest]
         while self.written < len(self.comments) and self.comments[self.written].start < end:
             self.written += 1
-
-    def _tokens(self, start: int, end: int) -> Iterator[Token]:
-        lexer = Lexer(self.file, Sink())
-        lexer.position = start
-        while lexer.position < end:
-            yield lexer.next()
 
 
 def _moved(line: str, shift: int) -> str:
     text = line.expandtabs().rstrip()
     indent = len(text) - len(text.lstrip())
     return " " * max(indent + shift, 0) + text.lstrip()
-
-
-def _comments(file: SourceFile) -> list[Comment]:
-    lexer = Lexer(file, Sink())
-    while lexer.position < len(file.text):
-        lexer.next()
-    return lexer.comments

@@ -345,7 +345,7 @@ def test_without_the_headers_of_the_standard(spring, monkeypatch, tmp_path):
 
 
 def test_without_a_compiler_for_the_platform(spring, monkeypatch, tmp_path):
-    monkeypatch.setattr(toolchains, "_zig", lambda: None)
+    monkeypatch.setattr(toolchains, "zig_program", lambda: None)
     other = next(name for name in PLATFORMS if name != exporting.this_machine())
     assert refused(spring, tmp_path / "x.fmu", platforms=(other,)).code == "E0905"
 

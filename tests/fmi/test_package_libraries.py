@@ -138,7 +138,7 @@ def test_progress_goes_up_to_one():
 
 
 def test_without_the_cross_compiler_there_is_this_machine_alone(monkeypatch):
-    monkeypatch.setattr(toolchains, "_zig", lambda: None)
+    monkeypatch.setattr(toolchains, "zig_program", lambda: None)
     other = next(name for name in PLATFORMS if name != this_machine())
     with pytest.raises(CompilationFailed) as failed:
         toolchains.toolchain(platform_of(other))
@@ -150,7 +150,7 @@ def test_without_the_cross_compiler_there_is_this_machine_alone(monkeypatch):
     not EXPLORING or shutil.which("cc") is None, reason="compiles the runtime anew: with LAGDSL_EXPLORE=1"
 )
 def test_without_the_cross_compiler_this_machine_s_own_does_the_same(monkeypatch):
-    monkeypatch.setattr(toolchains, "_zig", lambda: None)
+    monkeypatch.setattr(toolchains, "zig_program", lambda: None)
     content = objects_of(sources(2), "Pendulum", [platform_of(this_machine())]).libraries()[this_machine()]
     found = library(content)
     assert found.exported - OF_THE_LINKER == functions(2)

@@ -7,11 +7,14 @@ from texts_of_syntax import TEXTS, expression, parsed
 
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile
-from lagdsl.syntax import nodes, tables
-from lagdsl.syntax.lexer import RESERVED
+from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse_expression
 from lagdsl.syntax.printer import format_text, print_expression
+from lagdsl.syntax.tokens import plain_tokens
+from lagdsl.syntax.vocabulary import vocabulary
+from lagdsl.units.vocabulary import UNITS
 
+WORDS, MARKS, RESERVED = vocabulary()
 SOURCES = [path.read_text(encoding="utf-8") for path in TEXTS]
 LEVELS = {
     "or": 1,
@@ -31,12 +34,12 @@ LEVELS = {
 S = {"span": None}  # spans do not take part in comparison
 
 names = st.from_regex("[A-Za-z_][A-Za-z0-9_]{0,5}", fullmatch=True).filter(lambda name: name not in RESERVED)
-soft_words = st.sampled_from(sorted(set(tables.WORDS) - RESERVED))
+soft_words = st.sampled_from(sorted(set(WORDS) - RESERVED))
 numbers = st.from_regex(r"[0-9]{1,4}(\.[0-9]{1,4})?([eE][+-]?[0-9])?", fullmatch=True).filter(lambda n: True)
 units = st.builds(
     "".join,
     st.lists(
-        st.builds("{}{}".format, st.sampled_from(tables.UNITS), st.sampled_from(["", "2", "^3", "^-1"])),
+        st.builds("{}{}".format, st.sampled_from(list(UNITS)), st.sampled_from(["", "2", "^3", "^-1"])),
         min_size=1,
         max_size=3,
     ).map(lambda parts: [".".join(parts[:2]), *(["/" + parts[2]] if len(parts) == 3 else [])]),
@@ -164,8 +167,8 @@ def test_any_text_gets_an_answer(text):
 
 pieces = st.sampled_from(
     [
-        *tables.WORDS,
-        *tables.MARKS,
+        *WORDS,
+        *MARKS,
         "x",
         "Real",
         "5 kg",
@@ -218,12 +221,7 @@ def test_mutilated_models_get_an_answer(data):
 @given(st.sampled_from(SOURCES), st.data())
 def test_one_token_left_out_is_told_as_few_faults(text, data):
     """A single slip never draws more than three diagnostics."""
-    from lagdsl.syntax.lexer import Lexer
-
-    lexer, places = Lexer(SourceFile("t", text), Sink()), []
-    while lexer.position < len(text):
-        token = lexer.next()
-        places.append((token.start, token.end))
+    places = [(token.start_pos, token.end_pos) for token in plain_tokens(text)]
     start, end = data.draw(st.sampled_from(places))
     _, diagnostics = parsed(text[:start] + text[end:])
     assert len(diagnostics) <= 3, [(d.code, d.labels[0].span.text) for d in diagnostics]

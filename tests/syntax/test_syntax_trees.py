@@ -4,15 +4,20 @@ import os
 import re
 
 import pytest
+from lark import Lark, Tree
 from texts_of_syntax import CORPUS, TEXTS, dump, equation, expression, parsed, statement, tree
 
 from lagdsl.diagnostics import Sink
+from lagdsl.resources import grammar_file
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
-from lagdsl.syntax.lexer import Lexer
 from lagdsl.syntax.print_expressions import quoted
 from lagdsl.syntax.printer import print_expression
+from lagdsl.syntax.session import Session
+from lagdsl.syntax.tokens import plain_tokens
+from lagdsl.syntax.vocabulary import vocabulary
 from lagdsl.syntax.walk import children, descendants
+from lagdsl.units.vocabulary import UNITS
 
 
 @pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.stem)
@@ -36,12 +41,8 @@ def test_tree(name):
 @pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.stem)
 def test_spans_nest_and_cover_tokens(path):
     text = path.read_text(encoding="utf-8")
-    lexer = Lexer(SourceFile("t", text), Sink())
-    begins, ends = set(), set()
-    while lexer.position < len(text):
-        token = lexer.next()
-        begins.add(token.start)
-        ends.add(token.end)
+    tokens = list(plain_tokens(text))
+    begins, ends = {token.start_pos for token in tokens}, {token.end_pos for token in tokens}
     unit = tree(text)
     for node in descendants(unit):
         assert node.span.start in begins and node.span.end in ends
@@ -141,13 +142,7 @@ def test_unit_is_greedy_over_division_but_not_over_products():
 
 
 def test_length_names_are_no_units():
-    assert "l" not in _units() and "L" not in _units()
-
-
-def _units():
-    from lagdsl.syntax.tables import UNITS
-
-    return UNITS
+    assert "l" not in UNITS and "L" not in UNITS
 
 
 def test_words_are_keywords_only_where_statements_begin():
@@ -204,41 +199,46 @@ def test_same_tree_whatever_the_layout():
 
 
 @pytest.mark.no_cover
-def test_lexer_and_tree_agree_with_lark():
-    """Lark, which made the tables, reads every text of the corpus into the same tokens."""
-    from lark import Lark
-
-    from lagdsl.resources import grammar_file
-    from lagdsl.syntax import tables
-    from lagdsl.syntax.machine import Machine
-    from lagdsl.syntax.reductions import actions
-
-    lark = Lark(grammar_file().read_text(encoding="utf-8"), parser="lalr", lexer="contextual")
+def test_nodes_have_the_children_and_the_places_that_lark_gives_its_trees():
+    """Lark's own trees of every text of the corpus, against what the builder hands to the makers of nodes."""
+    lark = Lark(
+        grammar_file().read_text(encoding="utf-8"),
+        parser="lalr",
+        lexer="contextual",
+        maybe_placeholders=True,
+        propagate_positions=True,
+    )
     for path in TEXTS:
         text = path.read_text(encoding="utf-8")
-        expected = [(t.type, t.start_pos, t.end_pos) for t in _lark_tokens(lark, text)]
-        file, found = SourceFile("t", text), []
-        lexer, machine = Lexer(file, Sink()), Machine(file, "start", actions(Sink()))
-        while True:
-            token = lexer.next(machine.accepted)
-            machine.feed(token)
-            if machine.finished:
-                break
-            found.append((tables.TERMINALS[token.terminal], token.start, token.end))
-        assert found == expected, path.name
+        session = Session(SourceFile("t", text), Sink(), "start")
+        session.builder.actions = _Trees()
+        while not session.finished:
+            assert session.shift(session.take())
+        _assert_same(session.tree, lark.parse(text))
 
 
-def _lark_tokens(lark, text):
-    interactive = lark.parse_interactive(text)
-    for token in interactive.lexer_thread.lex(interactive.parser_state):
-        interactive.feed_token(token)
-        yield token
+class _Trees(dict):
+    """Every rule makes (its name, start, end, children)."""
+
+    def __missing__(self, name):
+        return lambda children, span: (name, span.start, span.end, children)
+
+
+def _assert_same(ours, theirs):
+    if not isinstance(theirs, Tree):
+        assert ours == theirs
+        return
+    name, start, end, children = ours
+    assert name == theirs.data
+    if not theirs.meta.empty:
+        assert (start, end) == (theirs.meta.start_pos, theirs.meta.end_pos)
+    assert len(children) == len(theirs.children)
+    for one, other in zip(children, theirs.children, strict=True):
+        _assert_same(one, other)
 
 
 def test_words_of_the_language_reference():
     """Section 3: sixteen words are reserved and no more."""
-    from lagdsl.syntax.lexer import RESERVED
-
     words = "end if then elseif else for loop when elsewhen equation and or not true false in"
-    assert frozenset(words.split()) == RESERVED
-    assert all(re.fullmatch("[a-z]+", word) for word in RESERVED)
+    assert frozenset(words.split()) == vocabulary().reserved
+    assert all(re.fullmatch("[a-z]+", word) for word in vocabulary().reserved)

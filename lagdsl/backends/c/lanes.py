@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from lagdsl.backends.c.dialect import LANES, PREPARED, PRIMAL, SINGLE, Dialect, Place, directions
 from lagdsl.backends.c.function import FUSED, Code, Head, braced, code
-from lagdsl.backends.c.results import RESULTS, Results, definition, results
+from lagdsl.backends.c.results import Results, definition, names_of, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
 from lagdsl.graph.graph import Graph
@@ -143,7 +143,7 @@ def _function(
 ) -> tuple[str, Code]:
     """A function in lanes, behind one that takes its results as arrays of numbers."""
     contents = results(program, function, dialect)
-    names = RESULTS[function.name]
+    names = names_of(function.name)
     parameters = ["const lag_arguments *at", *(f"{dialect.memory} *{result}" for result in names)]
     head = Head(f"model_{function.name}_in_lanes", parameters, ["at", *names], function.name in _FUSED)
     made = code(program.graph, contents.stores, given, dialect, head)

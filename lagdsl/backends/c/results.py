@@ -10,49 +10,15 @@ from lagdsl.backends.c.function import Code, Head, braced
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
 from lagdsl.graph.graph import Graph
+from lagdsl.program.functions import BY_NAME
 from lagdsl.program.program import Block, Function, Layout, Program, Slot
-from lagdsl.program.verify import RESULT_SHAPES
 
-# Names of the result arrays, as in lag/model.h.
-RESULTS: dict[str, tuple[str, ...]] = {
-    "start": ("q0", "qd0", "z0", "u0"),
-    "position_constraint": ("phi", "jacobian"),
-    "velocity_constraint": ("residual", "jacobian"),
-    "constraint_tangent": ("phi", "residual"),
-    "mass_matrix": ("mass",),
-    "dynamics": ("mass", "force", "jacobian", "gamma"),
-    "inverse_dynamics": ("force",),
-    "residual": ("motion", "rows"),
-    "residual_tangent": ("motion", "rows"),
-    "state_derivative": ("rates",),
-    "state_derivative_tangent": ("rates",),
-    "output": ("y",),
-    "output_tangent": ("y",),
-    "energies": ("total", "kinetic", "potential", "jacobi"),
-    "momenta": ("momentum",),
-    "power": ("load", "dissipated"),
-    "monitor": ("invariant", "scale", "assertion"),
-    "initial_equation": ("residual",),
-    "momentum_tangent": ("momentum",),
-    "elimination": ("qdd", "lam", "response", "lam_response", "jacobian", "gamma", "pivot"),
-    "acceleration_tangent": ("change", "lam_change", "rows", "pivot"),
-    "discrete_start": ("w0",),
-    "indicator": ("g",),
-    "standing": ("next",),
-    "contact": ("gap", "speed", "jacobian", "restitution", "stick", "rest"),
-    "clock": ("first", "period"),
-    "event": ("next", "reset", "value", "collision", "restitution", "stop", "fail"),
-    "definition": ("d",),
-    "definition_tangent": ("d",),
-    "start_tangent": ("q", "qd", "z", "u"),
-    "energies_tangent": ("total", "kinetic", "potential", "jacobi"),
-    "initial_equation_tangent": ("residual",),
-    "time_tangent": (
-        *("motion", "rows", "phi", "residual", "rates", "y"),
-        *("total", "kinetic", "potential", "jacobi", "d"),
-    ),
-}
 _FEWEST_ZEROS = 8
+
+
+def names_of(function: str) -> list[str]:
+    """The names of its result arrays in C."""
+    return [result.name for result in BY_NAME[function].results]
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +36,7 @@ def results(program: Program, function: Function, dialect: Dialect) -> Results:
     first: list[str] = []
     last: list[str] = []
     stores: list[Store] = []
-    for position, (name, block) in enumerate(zip(RESULTS[function.name], function.results, strict=True)):
+    for position, (name, block) in enumerate(zip(names_of(function.name), function.results, strict=True)):
         mirrored = _is_symmetric(block)
         places = _places(program.layout, function.name, position)
         if _is_sparse(graph, block):
@@ -121,7 +87,7 @@ def place_of(slot: Slot) -> str | None:
 
 def _places(layout: Layout, function: str, position: int) -> Sequence[Slot]:
     """The slots whose declarations the rows of a result come from."""
-    shape = RESULT_SHAPES[function][position]
+    shape = BY_NAME[function].results[position].shape
     tables = {
         "nq": layout.coordinates,
         "nz": layout.states,

@@ -7,14 +7,14 @@ from collections.abc import Mapping, Sequence
 from lagdsl.backends.c.dialect import PREPARED, SINGLE, Place
 from lagdsl.backends.c.function import FUSED, Head, braced, code
 from lagdsl.backends.c.literal import number, string
-from lagdsl.backends.c.results import RESULTS, Results, definition, place_of, results
+from lagdsl.backends.c.results import Results, definition, names_of, place_of, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
 from lagdsl.flat.events import INITIAL
 from lagdsl.program.functions import ALONG_MANY, WRITTEN_OUT
 from lagdsl.program.passes.hoist import hoisted
 from lagdsl.program.program import Function, Layout, Program, Slot
-from lagdsl.program.verify import sizes
+from lagdsl.program.verify import counted, sizes
 
 
 def source(program: Program, stem: str) -> str:
@@ -72,7 +72,7 @@ def _often(program: Program) -> tuple[str, ...]:
 
 
 def _function(program: Program, function: Function, prepared: Mapping[int, Place]) -> tuple[str, int]:
-    names = RESULTS[function.name]
+    names = names_of(function.name)
     parameters = ["const lag_arguments *at", *(f"double *{name}" for name in names)]
     if function.name == "residual" and _is_inverse_dynamics(program, function):
         signature = f"static lag_status model_residual({', '.join(parameters)})"
@@ -99,26 +99,6 @@ def _prepare(program: Program, prepared: Mapping[int, Place]) -> tuple[str, int]
     return body + braced(prepare, ["return model_prepare_from(at, at->workspace);"]), made.scratch
 
 
-# Lengths that only the results of a function tell, as members of lag_model: function and number of the result.
-_COUNTED = {
-    "nindicator": ("indicator", 0),
-    "ngap": ("contact", 0),
-    "ncontact": ("contact", 3),
-    "nclock": ("clock", 0),
-    "nreset": ("event", 1),
-    "ncollision": ("event", 3),
-    "nstop": ("event", 5),
-    "nfail": ("event", 6),
-}
-
-
-def _event_counts(program: Program) -> dict[str, int]:
-    found = {function.name: function for function in program.functions}
-    return {
-        count: len(found[name].results[index].elements) for count, (name, index) in _COUNTED.items() if name in found
-    }
-
-
 def _by_columns(program: Program, stem: str, memory: int) -> list[str]:
     """The functions that are formed from others, whose memory is beyond that of all the others."""
     formed = [name for name in WRITTEN_OUT if not program.has(name)]
@@ -126,8 +106,8 @@ def _by_columns(program: Program, stem: str, memory: int) -> list[str]:
 
 
 def _formed(name: str, stem: str, memory: int) -> str:
-    parameters = ", ".join(["const lag_arguments *at", *(f"double *{result}" for result in RESULTS[name])])
-    arguments = ", ".join([f"&{symbol(stem)}", "at", f"at->workspace + {memory}", *RESULTS[name]])
+    parameters = ", ".join(["const lag_arguments *at", *(f"double *{result}" for result in names_of(name))])
+    arguments = ", ".join([f"&{symbol(stem)}", "at", f"at->workspace + {memory}", *names_of(name)])
     helper = {"mass_matrix": "lag_mass_by_columns", "dynamics": "lag_dynamics_by_columns"}[name]
     return braced(f"static lag_status model_{name}({parameters})", [f"return {helper}({arguments});"])
 
@@ -204,11 +184,10 @@ def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
     beyond = 2 * len(layout.coordinates) + len(layout.constraints) if formed else 0
     counts: dict[str, object] = {
         **sizes(layout),
-        "ne": len(program.function("initial_equation").results[0].elements),
         "rank": len(layout.constraints) - sum(layout.redundant),
         "workspace": memory + beyond,
         "prepared": prepared,
-        **_event_counts(program),
+        **counted(program),
         "nk": len(program.kept_rows),
         "nswitched": len(layout.instants.switched_rows),
     }

@@ -54,4 +54,9 @@ ROWS: dict[str, Row] = {
         label="a frame",
         help="write `force ... at P on {frame}`, or `torque` for a moment",
     ),
+    "E0418": error(
+        "`{literal}` is a point on a scale whose zero is not 0 K, and {where} needs an amount",
+        label="a point, not an amount",
+        help="write `{number} K` for a difference, `{kelvin} K` for the temperature",
+    ),
 }

@@ -1,6 +1,6 @@
 """Family 08: initial values and run time."""
 
-from lagdsl.diagnostics.catalog.row import Row, error, warning
+from lagdsl.diagnostics.catalog.row import Row, error, note, warning
 
 ROWS: dict[str, Row] = {
     "E0801": error(
@@ -174,5 +174,30 @@ ROWS: dict[str, Row] = {
         "{text} does not hold at the positions that the motion has at t = {time} s, when it begins to",
         label="asks for a jump of positions",
         help="let it begin where it holds, or write it for rates: `der(...) = ...`",
+    ),
+    "E0845": error(
+        "input `{name}` is counted and is given as {value}",
+        "whole numbers only",
+        "give whole numbers; in a table each holds until the next row",
+    ),
+    "E0846": error(
+        "the table of input `{name}` has two time derivatives, and the model needs `{derivative}`",
+        None,
+        "give `{derivative}` as a table of its own",
+    ),
+    "E0847": error(
+        "the table of input `{name}` jumps at t = {time} s, and the model needs its time derivative",
+        None,
+        "give a row between, so that the value changes over some time",
+    ),
+    "N0848": note(
+        "the table of input `{name}` is read as monotone cubics; `{derivative}` jumps at its rows",
+        None,
+        "give `{derivative}` and the derivative before it as tables too, if they are known",
+    ),
+    "E0849": error(
+        "input `{derivative}` is given and `{name}`, of which it is a time derivative, is not",
+        None,
+        "give `{name}` too, from the same signal",
     ),
 }

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from lagdsl.syntax.automaton import END_OF_TEXT
+from lark import Token
+
 from lagdsl.syntax.faults.blocks import end_of_block, end_of_text, ends_outer_class, missing_class_name
 from lagdsl.syntax.faults.brackets import unclosed_bracket, wrong_bracket
 from lagdsl.syntax.faults.literals import open_string, unit_after_number
@@ -24,8 +25,8 @@ from lagdsl.syntax.faults.statements import (
     second_relation,
     unexpected,
 )
-from lagdsl.syntax.lexer import Token
 from lagdsl.syntax.session import Session
+from lagdsl.syntax.tokens import END_OF_TEXT, end_of, start_of
 
 RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
     open_string,
@@ -50,14 +51,15 @@ RECOGNISERS: tuple[Callable[[Session, Token], bool], ...] = (
 
 def recover(session: Session, token: Token) -> None:
     """Report what is wrong at `token` and leave the session where reading can go on."""
-    session.machine.settle()
-    session.failures[token.start] = session.failures.get(token.start, 0) + 1
-    if session.failures[token.start] > 1:
+    session.stack.settle()
+    start = start_of(token)
+    session.failures[start] = session.failures.get(start, 0) + 1
+    if session.failures[start] > 1:
         _give_way(session, token)
         return
-    if session.statement_start(token) <= session.lexer.fault_at < token.start:  # what follows from a fault that is told
+    if session.statement_start(token) <= session.fault_at < start:  # what follows from a fault that is told
         if session.starts_line(token) and session.insert(";"):
-            session.lexer.rewind(token.start)
+            session.rewind(start)
         else:
             session.panic(token)
         return
@@ -66,12 +68,12 @@ def recover(session: Session, token: Token) -> None:
 
 def _give_way(session: Session, token: Token) -> None:
     """A repair did not help: say no more about this statement, and at the third failure leave the token out."""
-    if token.terminal == END_OF_TEXT:
+    if token.type == END_OF_TEXT:
         session.give_up()
-    elif session.failures[token.start] == 2:
+    elif session.failures[start_of(token)] == 2:
         session.panic(token)
     else:
-        session.lexer.rewind(token.end)
+        session.rewind(end_of(token))
 
 
 __all__ = ["ends_outer_class", "recover"]

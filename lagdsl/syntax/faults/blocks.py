@@ -2,124 +2,122 @@
 
 from __future__ import annotations
 
-from lagdsl.diagnostics import Label, Sink
+from itertools import islice
+
+from lark import Token
+
+from lagdsl.diagnostics import Label
 from lagdsl.source import Span
-from lagdsl.syntax.automaton import END_OF_TEXT, TERMINAL
 from lagdsl.syntax.expected import expected, found
-from lagdsl.syntax.lexer import IDENT, Lexer, Token
-from lagdsl.syntax.session import BLOCKS, CLASS_KIND, LONGEST_LOOK, SEMICOLON, Session
+from lagdsl.syntax.session import BLOCKS, LONGEST_LOOK, Session
+from lagdsl.syntax.tokens import END_OF_TEXT, end_of, plain_tokens, start_of
 
 
 def missing_class_name(session: Session, token: Token) -> bool:
     """`model` without a name: go on as if it had one."""
-    if session.previous.terminal != CLASS_KIND or not session.machine.accepts(IDENT):
+    if session.previous.type != "CLASS_KIND" or not session.stack.accepts("IDENT"):
         return False
     session.sink.report(
-        "E0100", session.span(token), found=found(token), expected=f"the name of the {session.previous.text}"
+        "E0100", session.span(token), found=found(token), expected=f"the name of the {session.previous.value}"
     )
     session.insert("_")
-    if session.starts_line(token) or token.terminal == SEMICOLON:
-        session.lexer.rewind(token.start)
+    if session.starts_line(token) or token.type == "SEMICOLON":
+        session.rewind(start_of(token))
     return True
 
 
 def end_of_text(session: Session, token: Token) -> bool:
     """The text ends inside a statement or inside a block."""
-    if token.terminal != END_OF_TEXT:
+    if token.type != END_OF_TEXT:
         return False
-    if session.machine.accepts(SEMICOLON):
+    if session.stack.accepts("SEMICOLON"):
         return False
     block = session.open_block()
-    at_statement = len(session.machine.states) == session.machine.boundary()
-    if block is not None and (at_statement or session.previous.text == "end"):
+    at_statement = session.stack.at_boundary()
+    if block is not None and (at_statement or session.previous.value == "end"):
         _report_open(session, block, None)
     else:
-        session.sink.report("E0100", session.after_previous(), found=found(token), expected=expected(session.machine))
+        session.sink.report("E0100", session.after_previous(), found=found(token), expected=expected(session.stack))
     session.give_up()
     return True
 
 
 def end_of_block(session: Session, token: Token) -> bool:
     """An `end` of another kind than the innermost block has, or where no block is open."""
-    if token.text == "end" and session.machine.boundary() and session.open_block() is None:
+    if token.value == "end" and session.stack.boundary() and session.open_block() is None:
         if ("E0120", 0) not in session.told:  # once a class is closed too early, every `end` after it is one too many
             session.told.add(("E0120", 0))
-            ahead = [t.text for t in session.look_ahead(token.end)][:1]
+            ahead = [t.value for t in session.look_ahead(end_of(token))][:1]
             session.sink.report("E0120", session.span(token), found=" ".join(ahead), help=None)
         session.panic(token)
         return True
-    if session.previous.text != "end" or session.previous.terminal != TERMINAL["END"]:
+    if session.previous.value != "end" or session.previous.type != "END":
         return False
     block = session.open_block()
     assert block is not None
-    if block.terminal == CLASS_KIND:
+    if block.type == "CLASS_KIND":
         return _end_of_nothing(session, token)
-    if token.text in BLOCKS:
+    if token.value in BLOCKS:
         session.sink.report(
-            "E0120", _ending(session, token), Label(session.span(block), "this is open"), found=token.text
+            "E0120", _ending(session, token), Label(session.span(block), "this is open"), found=token.value
         )
         if _has_own_end(session, block, token):
             return _leave_out(session, token)
-        return session.insert(block.text)
+        return session.insert(block.value)
     _report_open(session, block, session.previous)
-    end = session.previous.start
-    session.insert(block.text, ";")
-    session.lexer.rewind(end)
+    end = start_of(session.previous)
+    session.insert(block.value, ";")
+    session.rewind(end)
     return True
 
 
 def ends_outer_class(session: Session, token: Token) -> bool:
     """`end Outer` while a class inside of it is open: that one has no end. Close it and read on before `end`."""
-    if session.previous.terminal != TERMINAL["END"] or token.terminal != IDENT:
+    if session.previous.type != "END" or token.type != "IDENT":
         return False
     names = session.open_classes()
-    if len(names) < 2 or names[-1] == token.text or token.text not in names:
+    if len(names) < 2 or names[-1] == token.value or token.value not in names:
         return False
     block = session.open_block()
-    if block is None or block.terminal != CLASS_KIND:
+    if block is None or block.type != "CLASS_KIND":
         return False
     end = session.previous
     _report_open(session, block, end)
     session.insert(";")
-    session.lexer.rewind(end.start)
+    session.rewind(start_of(end))
     return True
 
 
 def _end_of_nothing(session: Session, token: Token) -> bool:
     """`end for;` where the innermost block is a class: leave the whole statement out."""
-    if token.text not in BLOCKS:
+    if token.value not in BLOCKS:
         return False
-    session.sink.report("E0120", _ending(session, token), found=token.text)
+    session.sink.report("E0120", _ending(session, token), found=token.value)
     return _leave_out(session, token)
 
 
 def _has_own_end(session: Session, block: Token, token: Token) -> bool:
     """Whether `block` is ended further on, so that the `end` before `token` is one too many and not a wrong one."""
-    lexer = Lexer(session.file, Sink())
-    lexer.position = token.end
     previous, depth = token, 0
-    for _ in range(LONGEST_LOOK):
-        ahead = lexer.next()
-        if previous.text == "end":
+    for ahead in islice(plain_tokens(session.file.text, end_of(token)), LONGEST_LOOK):
+        if previous.value == "end":
             if not depth:
-                return ahead.text == block.text
+                return bool(ahead.value == block.value)
             depth -= 1
-        elif ahead.text in BLOCKS and session.starts_line(ahead):
+        elif ahead.value in BLOCKS and session.starts_line(ahead):
             depth += 1
-        if ahead.terminal == END_OF_TEXT:
-            return False
         previous = ahead
     return False
 
 
 def _leave_out(session: Session, token: Token) -> bool:
     """Forget an `end` whose word is `token`, with its semicolon."""
-    session.machine.cut(len(session.machine.states) - 1)
-    session.machine.cut(session.machine.boundary())
+    session.stack.cut(len(session.stack.states) - 1)
+    session.stack.cut(session.stack.boundary())
     session.previous = token
-    ahead = session.lexer.next()
-    if ahead.terminal != SEMICOLON:
-        session.lexer.rewind(ahead.start)
+    ahead = session.skip()
+    if ahead.type != "SEMICOLON":
+        session.rewind(start_of(ahead))
     return True
 
 
@@ -130,12 +128,12 @@ def _ending(session: Session, token: Token) -> Span:
 def _report_open(session: Session, block: Token, end: Token | None) -> None:
     """A block without its end; `end` is the one that was met instead."""
     text = session.file.text
-    if block.terminal == CLASS_KIND:
-        name = next((t for t in session.look_ahead(block.end)), block)
-        spelled, ending = f"{block.text} {name.text}", name.text
+    if block.type == "CLASS_KIND":
+        name = next((t for t in session.look_ahead(end_of(block))), block)
+        spelled, ending = f"{block.value} {name.value}", name.value
         span = session.span(block).to(session.span(name))
     else:
-        spelled, ending, span = block.text, block.text, session.span(block)
+        spelled, ending, span = block.value, block.value, session.span(block)
     labels = () if end is None else (Label(session.span(end), f"`end {ending};` is expected before this"),)
     if end is None and text.strip():
         place = len(text.rstrip())

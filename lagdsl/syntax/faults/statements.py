@@ -4,106 +4,89 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from lark import Token
+
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.catalog.syntax import unexpected_help
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.source import Span
-from lagdsl.syntax import tables
-from lagdsl.syntax.automaton import END_OF_TEXT, TERMINAL
 from lagdsl.syntax.expected import expected, found
-from lagdsl.syntax.lexer import IDENT, NUMBER, QUANTITY, RESERVED, STRING, Token
-from lagdsl.syntax.session import CLOSING, SEMICOLON, Session, statement_words
+from lagdsl.syntax.session import CLOSING, Session
+from lagdsl.syntax.stack import statement_words
+from lagdsl.syntax.tokens import END_OF_TEXT, end_of, start_of
+from lagdsl.syntax.vocabulary import vocabulary
 
 _AFTER_A_NAME = (";", ",", "=", "(", "[", ")", "]", "}", ".")
 _PLACES = ("at", "on", "from", "with", ":")
-_OPERANDS = (IDENT, NUMBER, QUANTITY, STRING)
-_PHYSICS = {
-    TERMINAL[name]
-    for name in ("ENERGY", "LOAD", "MASS", "BODY", "GRAVITY", "CONSTRAINT", "CONTACT", "INVARIANT", "DRAW", "CONNECT")
-}
+_OPERANDS = ("IDENT", "NUMBER", "QUANTITY", "STRING")
+_PHYSICS = {"ENERGY", "LOAD", "MASS", "BODY", "GRAVITY", "CONSTRAINT", "CONTACT", "INVARIANT", "DRAW", "CONNECT"}
+_VARIABLE_LIKE = {"LOAD", "ENERGY", "GEOMETRY", "PREFIX", "MASS", "BODY"}  # the rule `keyword_name` of the grammar
+_OUTSIDE = ("type", "function", "import", "within")
 _SECTIONS = ("_section_item", "when_equation")
 
 
 def keyword_as_variable(session: Session, token: Token) -> bool:
     """`force.x = 1;` among equations: there the word is the keyword, whatever variables exist."""
     first, *rest = [*_statement(session, token), token]
-    if _kind(session) not in _SECTIONS or not rest or rest[0].text not in (".", "["):
+    if session.stack.kind() not in _SECTIONS or not rest or rest[0].value not in (".", "["):
         return False
-    if first.text not in _variable_like_keywords():
+    if _VARIABLE_LIKE.isdisjoint(vocabulary().words.get(first.value, ())):
         return False
-    texts = [t.text for t in session.look_ahead(first.start)]
+    texts = [t.value for t in session.look_ahead(start_of(first))]
     left = "".join(texts[1 : texts.index("=")] if "=" in texts else texts[1:])
-    session.sink.report("E0119", session.span(first), word=first.text, rest=left)
+    session.sink.report("E0119", session.span(first), word=first.value, rest=left)
     session.panic(token)
     return True
 
 
-def _variable_like_keywords() -> frozenset[str]:
-    """Keywords that may be variables of an equation: the rule `keyword_name` of the grammar."""
-    terminals = {TERMINAL[name] for name in ("LOAD", "ENERGY", "GEOMETRY", "PREFIX", "MASS", "BODY")}
-    return frozenset(word for word, options in tables.WORDS.items() if not terminals.isdisjoint(options))
-
-
 def reserved_name(session: Session, token: Token) -> bool:
     """A reserved word where a name stands: read on as if it were one."""
-    if token.text not in RESERVED or not session.machine.accepts(IDENT) or session.starts_line(token):
+    if token.value not in vocabulary().reserved or not session.stack.accepts("IDENT") or session.starts_line(token):
         return False
-    ahead = next(session.look_ahead(token.end), None)
-    if ahead is not None and ahead.text not in _AFTER_A_NAME and ahead.terminal != STRING and not _is_operator(ahead):
+    ahead = next(session.look_ahead(end_of(token)), None)
+    if ahead is not None and ahead.value not in _AFTER_A_NAME and ahead.type != "STRING" and not _is_operator(ahead):
         return False
-    session.sink.report("E0115", session.span(token), word=token.text)
-    return session.shift(token._replace(terminal=IDENT))
+    session.sink.report("E0115", session.span(token), word=token.value)
+    return session.shift(token.update(type="IDENT"))
 
 
 def _is_operator(token: Token) -> bool:
-    return token.text in tables.MARKS
+    return token.value in vocabulary().marks
 
 
 def misspelt_keyword(session: Session, token: Token) -> bool:
     """The first word of the statement resembles a keyword: read the statement again with that."""
     statement = _statement(session, token)
     first = statement[0] if statement else token
-    position = len(statement)
-    height = session.machine.boundary()
-    if first.terminal != IDENT or first.text in tables.WORDS or height == 0:
+    height = session.stack.boundary()
+    words = vocabulary().words
+    if first.type != "IDENT" or first.value in words or height == 0:
         return False
-    if not first.text[0].islower() and token.text not in _PLACES and token.terminal not in (NUMBER, QUANTITY):
+    if not first.value[0].islower() and token.value not in _PLACES and token.type not in ("NUMBER", "QUANTITY"):
         return False
-    meant = _meant_keyword(session, first, [*statement[1:], token][:position])
+    spelled = sorted(word for word in statement_words() if nearest(first.value, (word,)) is not None)
+    fitting = [word for word in spelled if session.stack.goes_on(height, first, word, start_of(token))]
+    meant = nearest(first.value, fitting)
     if meant is None:
         return False
-    session.sink.report("E0102", session.span(first), word=first.text, meant=meant)
-    session.machine.cut(height)
-    terminal = next(t for t in tables.WORDS[meant] if t in session.machine.accepted)
-    session.shift(first._replace(terminal=terminal, text=meant))
-    session.lexer.rewind(first.end)
+    session.sink.report("E0102", session.span(first), word=first.value, meant=meant)
+    session.stack.cut(height)
+    terminal = next(t for t in words[meant] if t in session.parser.choices())
+    session.shift(first.update(type=terminal, value=meant))
+    session.rewind(end_of(first))
     return True
-
-
-_CLASS_WORDS = frozenset(word for word, options in tables.WORDS.items() if TERMINAL["CLASS_KIND"] in options)
-
-
-def _meant_keyword(session: Session, first: Token, following: list[Token]) -> str | None:
-    """A keyword like the first word with which the statement would go on behind the token that does not fit."""
-    height = session.machine.boundary()
-    spelled = sorted(word for word in statement_words() if nearest(first.text, (word,)) is not None)
-    fitting = [
-        word
-        for word in spelled
-        if session.machine.fitting(height, [first._replace(text=word, terminal=-1), *following]) == len(following) + 1
-    ]
-    return nearest(first.text, fitting)
 
 
 def outside_of_classes(session: Session, token: Token) -> bool:
     """A statement at the level of the file; said once."""
-    if _kind(session) != "_item":
+    if session.stack.kind() != "_item":
         return False
     statement = _statement(session, token)
     first = statement[0] if statement else token
-    if any(t.text in _CLASS_WORDS or t.text in ("type", "function", "import", "within") for t in statement):
+    words = vocabulary().words
+    if any("CLASS_KIND" in words.get(t.value, ()) or t.value in _OUTSIDE for t in statement):
         return False
-    if first.terminal not in (IDENT, *_OPERANDS) and first.text not in tables.WORDS:
+    if first.type not in _OPERANDS and first.value not in words:
         return False
     if ("E0117", 0) not in session.told:
         session.told.add(("E0117", 0))
@@ -115,36 +98,36 @@ def outside_of_classes(session: Session, token: Token) -> bool:
 def array_size_after_type(session: Session, token: Token) -> bool:
     """`Real[3] x;`."""
     statement = _statement(session, token)
-    if token.text != "[" or not statement or _kind(session) not in ("_element", "_section_item"):
+    if token.value != "[" or not statement or session.stack.kind() not in ("_element", "_section_item"):
         return False
-    ahead = list(session.look_ahead(token.start))
-    closing = next((i for i, t in enumerate(ahead) if t.text == "]"), len(ahead))
-    if closing + 1 >= len(ahead) or ahead[closing + 1].terminal != IDENT:
+    ahead = list(session.look_ahead(start_of(token)))
+    closing = next((i for i, t in enumerate(ahead) if t.value == "]"), len(ahead))
+    if closing + 1 >= len(ahead) or ahead[closing + 1].type != "IDENT":
         return False
-    size = Span(session.file, token.start, ahead[closing].end)
-    name = ahead[closing + 1].text
-    session.sink.report("E0122", size, type_name=statement[-1].text, name=name, size=size.text)
-    session.lexer.rewind(ahead[closing].end)
+    size = Span(session.file, start_of(token), end_of(ahead[closing]))
+    name = ahead[closing + 1].value
+    session.sink.report("E0122", size, type_name=statement[-1].value, name=name, size=size.text)
+    session.rewind(end_of(ahead[closing]))
     return True
 
 
 def bare_equation(session: Session, token: Token) -> bool:
     """An equation among declarations; said once for a class."""
-    if _kind(session) != "_element":
+    if session.stack.kind() != "_element":
         return False
     start = session.statement_start(token)
     sides = _sides(session.look_ahead(start))
-    if sides is None or (sides and token.start > sides[0].start):
+    if sides is None or (sides and start_of(token) > start_of(sides[0])):
         return False
     first = next(session.look_ahead(start))
-    if first.text in statement_words():
+    if first.value in statement_words():
         return False
     block = session.open_block()
-    place = ("E0103", -1 if block is None else block.start)
+    place = ("E0103", -1 if block is None else start_of(block))
     if place not in session.told:
         session.told.add(place)
         last = list(session.look_ahead(start))[-1]
-        span = Span(session.file, start, last.end)
+        span = Span(session.file, start, end_of(last))
         session.sink.report("E0103", span, line=session.file.line_number(start))
     session.panic(token)
     return True
@@ -157,30 +140,30 @@ def _sides(statement: Iterable[Token]) -> list[Token] | None:
         count += 1
         if before is not None and _ends_operand(before) and _begins_operand(token):
             return None
-        depth += (token.text in CLOSING) - (token.text in CLOSING.values())
-        if token.text == "=" and depth == 0:
+        depth += (token.value in CLOSING) - (token.value in CLOSING.values())
+        if token.value == "=" and depth == 0:
             return [token] if count > 1 else None
         before = token
-    calls = before is not None and before.text == ")" and count > 2
+    calls = before is not None and before.value == ")" and count > 2
     return [] if calls else None
 
 
 def _ends_operand(token: Token) -> bool:
-    return token.terminal in _OPERANDS or token.text in CLOSING.values()
+    return token.type in _OPERANDS or token.value in CLOSING.values()
 
 
 def _begins_operand(token: Token) -> bool:
-    return token.terminal in _OPERANDS or token.text == "{"
+    return token.type in _OPERANDS or token.value == "{"
 
 
 def declaration_among_equations(session: Session, token: Token) -> bool:
     """`Real x = 1;` after the word `equation`; read on behind it."""
     statement = _statement(session, token)
-    if _kind(session) not in _SECTIONS or token.terminal != IDENT or not statement or session.starts_line(token):
+    if session.stack.kind() not in _SECTIONS or token.type != "IDENT" or not statement or session.starts_line(token):
         return False
     names = statement[::2]
     dots = statement[1::2]
-    if any(t.terminal != IDENT for t in names) or any(t.text != "." for t in dots) or len(names) != len(dots) + 1:
+    if any(t.type != "IDENT" for t in names) or any(t.value != "." for t in dots) or len(names) != len(dots) + 1:
         return False
     session.sink.report("E0118", session.span(token), section="equation")
     session.panic(token)
@@ -189,38 +172,38 @@ def declaration_among_equations(session: Session, token: Token) -> bool:
 
 def missing_separator(session: Session, token: Token) -> bool:
     """`;`, `then` or `loop` is missing before a new line or before `end`."""
-    before_new = session.starts_line(token) or token.text == "end" or token.terminal == END_OF_TEXT
+    before_new = session.starts_line(token) or token.value == "end" or token.type == END_OF_TEXT
     if not before_new:
         return False
-    if session.machine.accepts(SEMICOLON):
+    if session.stack.accepts("SEMICOLON"):
         session.sink.report("E0101", session.after_previous(), what=_noun(session, token))
         session.insert(";")
-        session.lexer.rewind(token.start)
+        session.rewind(start_of(token))
         return True
     for word in ("then", "loop"):
-        if session.machine.accepts(tables.WORDS[word][0]):
+        if session.stack.accepts(word.upper()):
             session.sink.report("E0123", session.after_previous(), word=word)
             session.insert(word)
-            session.lexer.rewind(token.start)
+            session.rewind(start_of(token))
             return True
     return False
 
 
 def _noun(session: Session, token: Token) -> str:
     """What the unfinished statement is."""
-    if any(isinstance(value, Token) and value.terminal == TERMINAL["END"] for value in session.machine.values[-2:]):
+    if any(isinstance(value, Token) and value.type == "END" for value in session.stack.values[-2:]):
         return "`end`"
     first = next(session.look_ahead(session.statement_start(token)), token)
-    if not _PHYSICS.isdisjoint(tables.WORDS.get(first.text, ())):
+    if not _PHYSICS.isdisjoint(vocabulary().words.get(first.value, ())):
         return "statement"
-    return "equation" if _kind(session) in _SECTIONS else "declaration"
+    return "equation" if session.stack.kind() in _SECTIONS else "declaration"
 
 
 def second_relation(session: Session, token: Token) -> bool:
     """`a < b < c`."""
-    if token.terminal != TERMINAL["REL"]:
+    if token.type != "REL":
         return False
-    first = next((t for t in reversed(_statement(session, token)) if t.terminal == TERMINAL["REL"]), None)
+    first = next((t for t in reversed(_statement(session, token)) if t.type == "REL"), None)
     if first is None:
         return False
     session.sink.report("E0125", session.span(token), Label(session.span(first), "first relation"))
@@ -230,24 +213,18 @@ def second_relation(session: Session, token: Token) -> bool:
 
 def unexpected(session: Session, token: Token) -> bool:
     """Anything else."""
-    words = expected(session.machine)
-    help_text = unexpected_help(session.previous.text, token.text, words)
+    words = expected(session.stack)
+    help_text = unexpected_help(session.previous.value, token.value, words)
     session.sink.report("E0100", session.span(token), found=found(token), expected=words, help=help_text)
     session.panic(token)
     return True
-
-
-def _kind(session: Session) -> str | None:
-    """What kind of statement the error stands in."""
-    height = session.machine.boundary()
-    return session.machine.kind(height) if height else None
 
 
 def _statement(session: Session, token: Token) -> list[Token]:
     """The tokens of the statement before `token`."""
     before = []
     for ahead in session.look_ahead(session.statement_start(token)):
-        if ahead.start >= token.start:
+        if start_of(ahead) >= start_of(token):
             break
         before.append(ahead)
     return before

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
-from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.action import Action
 from lagdsl.syntax.reductions.classes import class_actions
 from lagdsl.syntax.reductions.declarations import DECLARATIONS
 from lagdsl.syntax.reductions.equations import EQUATIONS
@@ -16,4 +16,4 @@ def actions(sink: Sink) -> dict[str, Action]:
     return {**expression_actions(sink), **DECLARATIONS, **ITEMS, **EQUATIONS, **class_actions(sink)}
 
 
-__all__ = ["actions"]
+__all__ = ["Action", "actions"]

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
+
+from lark import Token
 
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.lexer import Token
-from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.action import Action
 from lagdsl.syntax.reductions.expressions import token_span, unquote
+
+
+class _Prefix(NamedTuple):
+    text: str
 
 
 def doc(token: Token | None) -> str | None:
@@ -18,14 +23,14 @@ def doc(token: Token | None) -> str | None:
 
 def label(token: Token | None) -> str | None:
     """Text of an optional name."""
-    return None if token is None else token.text
+    return None if token is None else token.value
 
 
 def _declarator(c: list[Any], span: Span) -> nodes.Declarator:
     name, subscripts, modifiers, value, condition, text = c
     return nodes.Declarator(
         span=span,
-        name=name.text,
+        name=name.value,
         name_span=token_span(name, span),
         subscripts=subscripts or (),
         modifiers=modifiers or (),
@@ -36,7 +41,7 @@ def _declarator(c: list[Any], span: Span) -> nodes.Declarator:
 
 
 def _modifier(c: list[Any], span: Span) -> nodes.Modifier:
-    prefixes = [child.text for child in c if isinstance(child, Token)]
+    prefixes = [child.value for child in c if isinstance(child, Token)]
     name, subscripts, modifiers, value = c[len(prefixes) :]
     return nodes.Modifier(
         span=span,
@@ -51,14 +56,14 @@ def _modifier(c: list[Any], span: Span) -> nodes.Modifier:
 def _redeclare_component(c: list[Any], span: Span) -> nodes.RedeclareComponent:
     type_name, name, subscripts, modifiers = c
     return nodes.RedeclareComponent(
-        span=span, type_name=type_name, name=name.text, subscripts=subscripts or (), modifiers=modifiers or ()
+        span=span, type_name=type_name, name=name.value, subscripts=subscripts or (), modifiers=modifiers or ()
     )
 
 
 def _redeclare_class(c: list[Any], span: Span) -> nodes.RedeclareClass:
     kind, name, type_name, modifiers = c
     return nodes.RedeclareClass(
-        span=span, kind=kind.text, name=name.text, type_name=type_name, modifiers=modifiers or ()
+        span=span, kind=kind.value, name=name.value, type_name=type_name, modifiers=modifiers or ()
     )
 
 
@@ -68,13 +73,13 @@ def _component(c: list[Any], span: Span) -> nodes.Component:
 
 
 def split_prefixes(children: list[Any]) -> tuple[tuple[str, ...], list[Any]]:
-    """The prefixes that lead a declaration, as texts, and the rest. The rule `prefix` has made them strings."""
-    count = next(i for i, child in enumerate(children) if not isinstance(child, str))
-    return tuple(children[:count]), children[count:]
+    """The prefixes that lead a declaration, as texts, and the rest."""
+    count = next(i for i, child in enumerate(children) if not isinstance(child, _Prefix))
+    return tuple(child.text for child in children[:count]), children[count:]
 
 
 DECLARATIONS: dict[str, Action] = {
-    "prefix": lambda c, span: c[0].text,
+    "prefix": lambda c, span: _Prefix(c[0].value),
     "declarator": _declarator,
     "modification": lambda c, span: tuple(c),
     "modifier": _modifier,
@@ -82,7 +87,7 @@ DECLARATIONS: dict[str, Action] = {
     "redeclare_class": _redeclare_class,
     "component_clause": _component,
     "coordinate_clause": lambda c, span: nodes.Coordinate(span=span, type_name=c[0], declarators=tuple(c[1:])),
-    "geometry": lambda c, span: nodes.Geometry(span=span, keyword=c[0].text, declarators=tuple(c[1:])),
+    "geometry": lambda c, span: nodes.Geometry(span=span, keyword=c[0].value, declarators=tuple(c[1:])),
     "extends_clause": lambda c, span: nodes.Extends(span=span, base=c[0], modifiers=c[1] or ()),
     "annotation": lambda c, span: nodes.Annotation(span=span, modifiers=c[0]),
 }

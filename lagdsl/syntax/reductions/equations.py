@@ -6,7 +6,7 @@ from typing import Any
 
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.action import Action
 from lagdsl.syntax.reductions.declarations import doc
 from lagdsl.syntax.reductions.expressions import pairs
 
@@ -39,7 +39,7 @@ def _branch_span(condition: nodes.Expression, body: tuple[nodes.Item, ...]) -> S
 EQUATIONS: dict[str, Action] = {
     "eq": lambda c, span: nodes.Equation(span=span, left=c[0], right=c[1], doc=doc(c[2])),
     "call_eq": lambda c, span: nodes.CallEquation(span=span, call=c[0], doc=doc(c[1])),
-    "keyword_name": lambda c, span: nodes.Reference(span=span, name=c[0].text),
+    "keyword_name": lambda c, span: nodes.Reference(span=span, name=c[0].value),
     "equation": lambda c, span: c[0],
     "for_eq": _for,
     "for_element": _for,

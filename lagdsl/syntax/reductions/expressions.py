@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from lark import Token
+
 from lagdsl.diagnostics import Sink
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.lexer import Token, unit_of
-from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.action import Action
+from lagdsl.syntax.tokens import span_of, unit_of
 from lagdsl.syntax.unknown_unit import report_unknown_unit
 
 _OPERATORS = {
@@ -43,10 +45,10 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
         target, name = c
         if isinstance(target, nodes.Quantity):
             start = target.span.end - len(target.unit)
-            report_unknown_unit(sink, Span(span.file, start, span.end), target.number, f"{target.unit}.{name.text}")
+            report_unknown_unit(sink, Span(span.file, start, span.end), target.number, f"{target.unit}.{name.value}")
         elif isinstance(target, nodes.Number):
             sink.report("E0127", token_span(name, span))
-        return nodes.Member(span=span, target=target, name=name.text, name_span=token_span(name, span))
+        return nodes.Member(span=span, target=target, name=name.value, name_span=token_span(name, span))
 
     binary = {rule: _binary(operator) for rule, operator in _OPERATORS.items()}
     unary = {rule: _unary(operator) for rule, operator in _SIGNS.items()}
@@ -62,12 +64,12 @@ class _Reduced:
 
 
 def token_span(token: Token, within: Span) -> Span:
-    return Span(within.file, token.start, token.end)
+    return span_of(within.file, token)
 
 
 def unquote(token: Token) -> str:
     """The text between the quotes, escapes resolved as in Modelica."""
-    return _ESCAPE.sub(lambda match: _ESCAPED.get(match[1], match[1]), token.text[1:-1])
+    return _ESCAPE.sub(lambda match: _ESCAPED.get(match[1], match[1]), token.value[1:-1])
 
 
 def pairs(items: list[Any]) -> list[tuple[Any, Any]]:
@@ -84,8 +86,8 @@ def _unary(operator: str) -> Action:
 
 
 def _quantity(c: list[Any], span: Span) -> nodes.Quantity:
-    unit = unit_of(c[0].text)
-    return nodes.Quantity(span=span, number=c[0].text[: -len(unit)].rstrip(" \t"), unit=unit)
+    unit = unit_of(c[0].value)
+    return nodes.Quantity(span=span, number=c[0].value[: -len(unit)].rstrip(" \t"), unit=unit)
 
 
 def _conditional(c: list[Any], span: Span) -> nodes.Conditional:
@@ -108,11 +110,11 @@ def _range(c: list[Any], span: Span) -> object:
 
 _PLAIN: dict[str, Action] = {
     "if_expr": _conditional,
-    "relation": lambda c, span: nodes.Binary(span=span, operator=c[1].text, left=c[0], right=c[2]),
+    "relation": lambda c, span: nodes.Binary(span=span, operator=c[1].value, left=c[0], right=c[2]),
     "index_": lambda c, span: nodes.Index(span=span, target=c[0], subscripts=c[1]),
-    "ref": lambda c, span: nodes.Reference(span=span, name=c[0].text),
+    "ref": lambda c, span: nodes.Reference(span=span, name=c[0].value),
     "quantity": _quantity,
-    "number": lambda c, span: nodes.Number(span=span, text=c[0].text),
+    "number": lambda c, span: nodes.Number(span=span, text=c[0].value),
     "string": lambda c, span: nodes.String(span=span, value=unquote(c[0])),
     "true": lambda c, span: nodes.Boolean(span=span, value=True),
     "false": lambda c, span: nodes.Boolean(span=span, value=False),
@@ -124,12 +126,12 @@ _PLAIN: dict[str, Action] = {
     "row": lambda c, span: tuple(c),
     "args": lambda c, span: tuple(c),
     "reduction": lambda c, span: _Reduced(c[0], c[1]),
-    "named": lambda c, span: nodes.Named(span=span, name=c[0].text, value=c[1]),
+    "named": lambda c, span: nodes.Named(span=span, name=c[0].value, value=c[1]),
     "named_args": lambda c, span: tuple(c),
     "range": _range,
     "all_": lambda c, span: nodes.All(span=span),
     "dims": lambda c, span: tuple(c),
     "indices": lambda c, span: tuple(c),
-    "index": lambda c, span: nodes.Iterator(span=span, name=c[0].text, range=c[1]),
-    "name": lambda c, span: nodes.Name(span=span, parts=(*(c[0].parts if len(c) == 2 else ()), c[-1].text)),
+    "index": lambda c, span: nodes.Iterator(span=span, name=c[0].value, range=c[1]),
+    "name": lambda c, span: nodes.Name(span=span, parts=(*(c[0].parts if len(c) == 2 else ()), c[-1].value)),
 }

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.machine import Action
+from lagdsl.syntax.reductions.action import Action
 from lagdsl.syntax.reductions.declarations import doc, label
 
 
@@ -20,7 +20,7 @@ class _Place(NamedTuple):
 def _energy(c: list[Any], span: Span) -> nodes.Energy:
     keyword, name, value, condition, text = c
     return nodes.Energy(
-        span=span, keyword=keyword.text, label=label(name), value=value, condition=condition, doc=doc(text)
+        span=span, keyword=keyword.value, label=label(name), value=value, condition=condition, doc=doc(text)
     )
 
 
@@ -38,7 +38,7 @@ def _load(c: list[Any], span: Span) -> nodes.Load:
     keyword, name, value, place, origin, condition, text = c
     return nodes.Load(
         span=span,
-        keyword=keyword.text,
+        keyword=keyword.value,
         label=label(name),
         value=value,
         at=place.at,
@@ -80,7 +80,7 @@ def _draw(c: list[Any], span: Span) -> nodes.Draw:
     shape, *arguments, anchors, condition = c
     return nodes.Draw(
         span=span,
-        shape=shape.text,
+        shape=shape.value,
         arguments=tuple(argument for argument in arguments if argument is not None),
         place=None if anchors is None else anchors.place,
         anchors=() if anchors is None else anchors.expressions,

@@ -16,6 +16,7 @@ lag_places lag_places_of(const lag_model *model)
         .contact = first(model, LAG_KIND_CONTACT),
         .impacts = first(model, LAG_KIND_IMPACTS),
         .relation = first(model, LAG_KIND_RELATION),
+        .timed = first(model, LAG_KIND_TIMED),
         .condition = first(model, LAG_KIND_CONDITION),
         .clock = first(model, LAG_KIND_CLOCK),
         .initial = first(model, LAG_KIND_INITIAL),

@@ -5,140 +5,317 @@ lag_status lag_prepare(const lag_model *model, const lag_arguments *at)
     return model->prepare(at);
 }
 
-/* What models with discretes have beside. */
-static lag_status evaluate_event(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
+/* ---- the functions, generated ---- */
+static lag_status evaluate_start(const lag_model *model, const lag_arguments *at, double *results)
 {
-    const size_t gaps = model->ngap;
-    const size_t contacts = model->ncontact;
-    double *laws = r + 2 * gaps + gaps * model->nq;
-    double *collisions = r + model->nw + 2 * model->nreset;
-    double *ends = collisions + 2 * model->ncollision;
-    if (model->event == NULL) {
-        return LAG_MISSING;
-    }
-    switch (which) {
-    case LAG_DISCRETE_START:
-        return model->discrete_start(at, r);
-    case LAG_INDICATOR:
-        return model->indicator(at, r);
-    case LAG_STANDING:
-        return model->standing(at, r);
-    case LAG_CONTACT:
-        return model->contact(at, r, r + gaps, r + 2 * gaps, laws, laws + contacts, laws + 2 * contacts);
-    case LAG_CLOCK:
-        return model->clock(at, r, r + model->nclock);
-    case LAG_EVENT:
-        return model->event(at, r, r + model->nw, r + model->nw + model->nreset, collisions, collisions + model->ncollision, ends,
-            ends + model->nstop);
-    default:
-        return LAG_MISSING;
-    }
+    double *const q0 = results;
+    double *const qd0 = q0 + model->nq;
+    double *const z0 = qd0 + model->nq;
+    double *const u0 = z0 + model->nz;
+    return model->start == NULL ? LAG_MISSING : model->start(at, q0, qd0, z0, u0);
 }
 
-static lag_status eliminate(const lag_model *model, const lag_arguments *at, double *r)
+static lag_status evaluate_position_constraint(const lag_model *model, const lag_arguments *at, double *results)
 {
-    double *response = r + model->nq + model->nc;
-    double *lam_response = response + model->nk * model->nq;
-    double *jacobian = lam_response + model->nk * model->nc;
-    double *gamma = jacobian + model->nk * model->nq;
-    return model->elimination(at, r, r + model->nq, response, lam_response, jacobian, gamma, gamma + model->nk);
+    double *const phi = results;
+    double *const jacobian = phi + model->nc;
+    return model->position_constraint == NULL ? LAG_MISSING : model->position_constraint(at, phi, jacobian);
 }
 
-/* What models have that were compiled with their named values. */
-static lag_status evaluate_named(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
+static lag_status evaluate_velocity_constraint(const lag_model *model, const lag_arguments *at, double *results)
 {
-    const size_t n = model->nq;
-    const size_t m = model->nc;
-    double *rows = r + n;
-    double *rates = rows + 3 * m;
-    double *y = rates + model->nz;
-    if (model->definition == NULL) {
-        return LAG_MISSING;
-    }
-    switch (which) {
-    case LAG_DEFINITION:
-        return model->definition(at, r);
-    case LAG_DEFINITION_TANGENT:
-        return model->definition_tangent(at, r);
-    case LAG_START_TANGENT:
-        return model->start_tangent(at, r, r + n, r + 2 * n, r + 2 * n + model->nz);
-    case LAG_ENERGIES_TANGENT:
-        return model->energies_tangent(at, r, r + 1, r + 2, r + 3);
-    case LAG_INITIAL_EQUATION_TANGENT:
-        return model->initial_equation_tangent(at, r);
-    case LAG_TIME_TANGENT:
-        return model->time_tangent(at, r, rows, rows + m, rows + 2 * m, rates, y, y + model->ny, y + model->ny + 1, y + model->ny + 2,
-            y + model->ny + 3, y + model->ny + 4);
-    default:
-        return LAG_MISSING;
-    }
+    double *const residual = results;
+    double *const jacobian = residual + model->nc;
+    return model->velocity_constraint == NULL ? LAG_MISSING : model->velocity_constraint(at, residual, jacobian);
 }
 
-lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *r)
+static lag_status evaluate_mass_matrix(const lag_model *model, const lag_arguments *at, double *results)
 {
-    const size_t n = model->nq;
-    const size_t m = model->nc;
+    return model->mass_matrix == NULL ? LAG_MISSING : model->mass_matrix(at, results);
+}
+
+static lag_status evaluate_dynamics(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const mass = results;
+    double *const force = mass + model->nq * model->nq;
+    double *const jacobian = force + model->nq;
+    double *const gamma = jacobian + model->nc * model->nq;
+    return model->dynamics == NULL ? LAG_MISSING : model->dynamics(at, mass, force, jacobian, gamma);
+}
+
+static lag_status evaluate_inverse_dynamics(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->inverse_dynamics == NULL ? LAG_MISSING : model->inverse_dynamics(at, results);
+}
+
+static lag_status evaluate_residual(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const motion = results;
+    double *const rows = motion + model->nq;
+    return model->residual == NULL ? LAG_MISSING : model->residual(at, motion, rows);
+}
+
+static lag_status evaluate_residual_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const motion = results;
+    double *const rows = motion + model->nq;
+    return model->residual_tangent == NULL ? LAG_MISSING : model->residual_tangent(at, motion, rows);
+}
+
+static lag_status evaluate_state_derivative(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->state_derivative == NULL ? LAG_MISSING : model->state_derivative(at, results);
+}
+
+static lag_status evaluate_state_derivative_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->state_derivative_tangent == NULL ? LAG_MISSING : model->state_derivative_tangent(at, results);
+}
+
+static lag_status evaluate_output(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->output == NULL ? LAG_MISSING : model->output(at, results);
+}
+
+static lag_status evaluate_output_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->output_tangent == NULL ? LAG_MISSING : model->output_tangent(at, results);
+}
+
+static lag_status evaluate_energies(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const total = results;
+    double *const kinetic = total + 1;
+    double *const potential = kinetic + 1;
+    double *const jacobi = potential + 1;
+    return model->energies == NULL ? LAG_MISSING : model->energies(at, total, kinetic, potential, jacobi);
+}
+
+static lag_status evaluate_momenta(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->momenta == NULL ? LAG_MISSING : model->momenta(at, results);
+}
+
+static lag_status evaluate_power(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const load = results;
+    double *const dissipated = load + model->nq;
+    return model->power == NULL ? LAG_MISSING : model->power(at, load, dissipated);
+}
+
+static lag_status evaluate_monitor(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const invariant = results;
+    double *const scale = invariant + model->ni;
+    double *const assertion = scale + model->ni;
+    return model->monitor == NULL ? LAG_MISSING : model->monitor(at, invariant, scale, assertion);
+}
+
+static lag_status evaluate_initial_equation(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->initial_equation == NULL ? LAG_MISSING : model->initial_equation(at, results);
+}
+
+static lag_status evaluate_constraint_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const phi = results;
+    double *const residual = phi + model->nc;
+    return model->constraint_tangent == NULL ? LAG_MISSING : model->constraint_tangent(at, phi, residual);
+}
+
+static lag_status evaluate_elimination(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const qdd = results;
+    double *const lam = qdd + model->nq;
+    double *const response = lam + model->nc;
+    double *const lam_response = response + model->nk * model->nq;
+    double *const jacobian = lam_response + model->nk * model->nc;
+    double *const gamma = jacobian + model->nk * model->nq;
+    double *const pivot = gamma + model->nk;
+    return model->elimination == NULL ? LAG_MISSING : model->elimination(at, qdd, lam, response, lam_response, jacobian, gamma, pivot);
+}
+
+static lag_status evaluate_discrete_start(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->discrete_start == NULL ? LAG_MISSING : model->discrete_start(at, results);
+}
+
+static lag_status evaluate_indicator(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->indicator == NULL ? LAG_MISSING : model->indicator(at, results);
+}
+
+static lag_status evaluate_standing(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->standing == NULL ? LAG_MISSING : model->standing(at, results);
+}
+
+static lag_status evaluate_contact(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const gap = results;
+    double *const speed = gap + model->ngap;
+    double *const jacobian = speed + model->ngap;
+    double *const restitution = jacobian + model->ngap * model->nq;
+    double *const stick = restitution + model->ncontact;
+    double *const rest = stick + model->ncontact;
+    return model->contact == NULL ? LAG_MISSING : model->contact(at, gap, speed, jacobian, restitution, stick, rest);
+}
+
+static lag_status evaluate_clock(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const first = results;
+    double *const period = first + model->nclock;
+    return model->clock == NULL ? LAG_MISSING : model->clock(at, first, period);
+}
+
+static lag_status evaluate_event(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const next = results;
+    double *const reset = next + model->nw;
+    double *const value = reset + model->nreset;
+    double *const collision = value + model->nreset;
+    double *const restitution = collision + model->ncollision;
+    double *const stop = restitution + model->ncollision;
+    double *const fail = stop + model->nstop;
+    return model->event == NULL ? LAG_MISSING : model->event(at, next, reset, value, collision, restitution, stop, fail);
+}
+
+static lag_status evaluate_time_event(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const value = results;
+    double *const told = value + model->ntimed;
+    double *const distance = told + model->ntimed;
+    double *const rate = distance + model->ndistance;
+    double *const affine = rate + model->ndistance;
+    double *const entry = affine + model->ndistance;
+    double *const change = entry + model->ndistance;
+    return model->time_event == NULL ? LAG_MISSING : model->time_event(at, value, told, distance, rate, affine, entry, change);
+}
+
+static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
+}
+
+static lag_status evaluate_definition(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->definition == NULL ? LAG_MISSING : model->definition(at, results);
+}
+
+static lag_status evaluate_definition_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->definition_tangent == NULL ? LAG_MISSING : model->definition_tangent(at, results);
+}
+
+static lag_status evaluate_start_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const q = results;
+    double *const qd = q + model->nq;
+    double *const z = qd + model->nq;
+    double *const u = z + model->nz;
+    return model->start_tangent == NULL ? LAG_MISSING : model->start_tangent(at, q, qd, z, u);
+}
+
+static lag_status evaluate_energies_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const total = results;
+    double *const kinetic = total + 1;
+    double *const potential = kinetic + 1;
+    double *const jacobi = potential + 1;
+    return model->energies_tangent == NULL ? LAG_MISSING : model->energies_tangent(at, total, kinetic, potential, jacobi);
+}
+
+static lag_status evaluate_initial_equation_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->initial_equation_tangent == NULL ? LAG_MISSING : model->initial_equation_tangent(at, results);
+}
+
+static lag_status evaluate_time_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const motion = results;
+    double *const rows = motion + model->nq;
+    double *const phi = rows + model->nc;
+    double *const residual = phi + model->nc;
+    double *const rates = residual + model->nc;
+    double *const y = rates + model->nz;
+    double *const total = y + model->ny;
+    double *const kinetic = total + 1;
+    double *const potential = kinetic + 1;
+    double *const jacobi = potential + 1;
+    double *const d = jacobi + 1;
+    return model->time_tangent == NULL ? LAG_MISSING : model->time_tangent(at, motion, rows, phi, residual, rates, y, total, kinetic, potential, jacobi, d);
+}
+
+lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results)
+{
     switch (which) {
     case LAG_START:
-        return model->start(at, r, r + n, r + 2 * n, r + 2 * n + model->nz);
+        return evaluate_start(model, at, results);
     case LAG_POSITION_CONSTRAINT:
-        return model->position_constraint(at, r, r + m);
+        return evaluate_position_constraint(model, at, results);
     case LAG_VELOCITY_CONSTRAINT:
-        return model->velocity_constraint(at, r, r + m);
+        return evaluate_velocity_constraint(model, at, results);
     case LAG_MASS_MATRIX:
-        return model->mass_matrix(at, r);
+        return evaluate_mass_matrix(model, at, results);
     case LAG_DYNAMICS:
-        return model->dynamics(at, r, r + n * n, r + n * n + n, r + n * n + n + m * n);
+        return evaluate_dynamics(model, at, results);
     case LAG_INVERSE_DYNAMICS:
-        return model->inverse_dynamics(at, r);
+        return evaluate_inverse_dynamics(model, at, results);
     case LAG_RESIDUAL:
-        return model->residual(at, r, r + n);
+        return evaluate_residual(model, at, results);
     case LAG_RESIDUAL_TANGENT:
-        return model->residual_tangent(at, r, r + n);
+        return evaluate_residual_tangent(model, at, results);
     case LAG_STATE_DERIVATIVE:
-        return model->state_derivative(at, r);
+        return evaluate_state_derivative(model, at, results);
     case LAG_STATE_DERIVATIVE_TANGENT:
-        return model->state_derivative_tangent(at, r);
+        return evaluate_state_derivative_tangent(model, at, results);
     case LAG_OUTPUT:
-        return model->output(at, r);
+        return evaluate_output(model, at, results);
     case LAG_OUTPUT_TANGENT:
-        return model->output_tangent(at, r);
+        return evaluate_output_tangent(model, at, results);
     case LAG_ENERGIES:
-        return model->energies(at, r, r + 1, r + 2, r + 3);
+        return evaluate_energies(model, at, results);
     case LAG_MOMENTA:
-        return model->momenta(at, r);
+        return evaluate_momenta(model, at, results);
     case LAG_POWER:
-        return model->power(at, r, r + n);
+        return evaluate_power(model, at, results);
     case LAG_MONITOR:
-        return model->monitor(at, r, r + model->ni, r + 2 * model->ni);
+        return evaluate_monitor(model, at, results);
     case LAG_INITIAL_EQUATION:
-        return model->initial_equation(at, r);
+        return evaluate_initial_equation(model, at, results);
     case LAG_CONSTRAINT_TANGENT:
-        return model->constraint_tangent(at, r, r + m);
+        return evaluate_constraint_tangent(model, at, results);
     case LAG_ELIMINATION:
-        if (model->elimination == NULL) {
-            return LAG_MISSING;
-        }
-        return eliminate(model, at, r);
+        return evaluate_elimination(model, at, results);
     case LAG_DISCRETE_START:
+        return evaluate_discrete_start(model, at, results);
     case LAG_INDICATOR:
+        return evaluate_indicator(model, at, results);
     case LAG_STANDING:
+        return evaluate_standing(model, at, results);
     case LAG_CONTACT:
+        return evaluate_contact(model, at, results);
     case LAG_CLOCK:
+        return evaluate_clock(model, at, results);
     case LAG_EVENT:
-        return evaluate_event(model, which, at, r);
+        return evaluate_event(model, at, results);
+    case LAG_TIME_EVENT:
+        return evaluate_time_event(model, at, results);
     case LAG_MOMENTUM_TANGENT:
-        if (model->momentum_tangent == NULL) {
-            return LAG_MISSING;
-        }
-        return model->momentum_tangent(at, r);
+        return evaluate_momentum_tangent(model, at, results);
     case LAG_DEFINITION:
+        return evaluate_definition(model, at, results);
     case LAG_DEFINITION_TANGENT:
+        return evaluate_definition_tangent(model, at, results);
     case LAG_START_TANGENT:
+        return evaluate_start_tangent(model, at, results);
     case LAG_ENERGIES_TANGENT:
+        return evaluate_energies_tangent(model, at, results);
     case LAG_INITIAL_EQUATION_TANGENT:
+        return evaluate_initial_equation_tangent(model, at, results);
     case LAG_TIME_TANGENT:
-        return evaluate_named(model, which, at, r);
+        return evaluate_time_tangent(model, at, results);
     }
     return LAG_MISSING;
 }
+/* ---- end of what is generated ---- */

@@ -11,6 +11,7 @@ const char *lag_happening_name(const lag_model *model, const lag_happening *happ
         return model->discretes[places.clock + which].name;
     case LAG_TRUE:
     case LAG_FALSE:
+    case LAG_JUMP:
         return model->discretes[places.relation + which].name;
     case LAG_OPENED:
     case LAG_CLOSED:
@@ -30,7 +31,7 @@ const char *lag_happening_name(const lag_model *model, const lag_happening *happ
 const char *lag_what_name(lag_what what)
 {
     static const char *const names[] = {
-        "before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after",
+        "before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump",
     };
     return (size_t)what < sizeof names / sizeof names[0] ? names[what] : "";
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/memory.h"
+
 /* A tick nearer to the present than this part of the period is the present one. */
 static const double SAME_TICK = 1e-9;
 /* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
@@ -17,7 +19,8 @@ static const double ROUNDING = 1e-14;
 
 size_t lag_instants_memory(const lag_model *model)
 {
-    return 2 * model->nclock + lag_contacts_memory(model) + lag_passes_memory(model) + lag_noise_memory(model);
+    return 2 * model->nclock + lag_contacts_memory(model) + lag_passes_memory(model) + lag_noise_memory(model) +
+           lag_momentum_memory(model) + lag_timed_memory(model) + lag_motion_size(model) + model->nw;
 }
 
 void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
@@ -31,12 +34,14 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->first = memory;
     instants->period = instants->first + model->nclock;
     memory = instants->period + model->nclock;
-    lag_contacts_place(&instants->contacts, motion, memory);
-    memory += lag_contacts_memory(model);
+    lag_contacts_place(&instants->contacts, motion, lag_take(&memory, lag_contacts_memory(model)));
     instants->contacts.limits = projection->limits;
-    lag_noise_place(&instants->noise, motion, memory);
-    memory += lag_noise_memory(model);
-    lag_passes_place(&instants->passes, &instants->contacts, projection, &instants->noise, memory);
+    lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
+    lag_momentum_place(&instants->momentum, motion, lag_take(&memory, lag_momentum_memory(model)));
+    lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
+    instants->x_before = lag_take(&memory, lag_motion_size(model));
+    instants->w_before = lag_take(&memory, model->nw);
+    lag_passes_place(&instants->passes, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
@@ -86,7 +91,7 @@ static lag_status start_clocks(lag_instants *instants, double t)
 
 double lag_instants_next(const lag_instants *instants)
 {
-    double next = lag_contacts_next(&instants->contacts);
+    double next = fmin(instants->timed.next, lag_contacts_next(&instants->contacts));
     for (size_t i = 0; i < instants->motion->model->nclock; ++i) {
         next = fmin(next, tick(instants, i));
     }
@@ -99,7 +104,7 @@ int lag_instants_due(const lag_instants *instants, double t)
     while (i < instants->motion->model->nclock && !is_due(instants, i, t)) {
         ++i;
     }
-    return i < instants->motion->model->nclock || lag_contacts_next(&instants->contacts) <= t;
+    return i < instants->motion->model->nclock || instants->timed.next <= t || lag_contacts_next(&instants->contacts) <= t;
 }
 
 /* Clocks that tick now, into w; they go on to their next tick. */
@@ -134,7 +139,10 @@ static lag_status rest(lag_instants *instants, double t, const double *x)
 
 static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *contacts)
 {
-    const lag_status status = lag_passes_run(&instants->passes, t, x, relations, contacts);
+    lag_status status = lag_passes_run(&instants->passes, t, x, relations, contacts);
+    if (status == LAG_OK && instants->timed.next > t) {
+        status = lag_timed_seek(&instants->timed, t);
+    }
     return status == LAG_OK && instants->passes.stopped ? LAG_STOPPED : status;
 }
 
@@ -144,6 +152,10 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     const lag_model *model = motion->model;
     motion->at.t = t;
     lag_status status = model->discrete_start(&motion->at, motion->w);
+    instants->timed.length = instants->contacts.length;
+    if (status == LAG_OK) {
+        status = lag_timed_enter(&instants->timed, t);
+    }
     if (status == LAG_OK) {
         status = lag_passes_settle(&instants->passes, t, x);
     }
@@ -175,18 +187,86 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x)
     return run(instants, t, x, NULL, NULL);
 }
 
-/* Relations that pass zero just now turn with the clocks that tick; *any: one has. */
-static lag_status turn(lag_instants *instants, double t, const double *x, int *any)
+/* What time changes now, with the impulses that this brings. */
+static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
+{
+    lag_momentum *momentum = &instants->momentum;
+    *jumped = 0;
+    lag_status status = lag_momentum_keep(momentum, t, x, instants->motion->w);
+    if (status == LAG_OK) {
+        status = lag_timed_change(&instants->timed, t);
+    }
+    return status == LAG_OK ? lag_momentum_balance(momentum, t, x, NULL, jumped) : status;
+}
+
+/* What time changed is told. */
+static lag_status tell_turned(lag_instants *instants, double t, const double *x)
+{
+    const lag_model *model = instants->motion->model;
+    const lag_timed *timed = &instants->timed;
+    const double *w = instants->motion->w + timed->first;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < model->ntimed && status == LAG_OK; ++i) {
+        if (timed->told[i] != 0.0 && w[i] != timed->before[i]) {
+            const lag_what truth = w[i] != 0.0 ? LAG_TRUE : LAG_FALSE;
+            status = lag_passes_tell(&instants->passes, t, x, timed->told[i] == 1.0 ? truth : LAG_JUMP, model->nindicator + i);
+        }
+    }
+    return status;
+}
+
+lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet)
+{
+    const lag_model *model = instants->motion->model;
+    int jumped = 0;
+    *quiet = 0;
+    for (size_t i = 0; i < model->nclock; ++i) {
+        if (is_due(instants, i, t)) {
+            return LAG_OK;
+        }
+    }
+    if (lag_contacts_next(&instants->contacts) <= t) {
+        return LAG_OK;
+    }
+    memcpy(instants->x_before, x, lag_motion_size(model) * sizeof(double));
+    memcpy(instants->w_before, instants->motion->w, model->nw * sizeof(double));
+    lag_status status = turn(instants, t, x, &jumped);
+    *quiet = !jumped && !lag_timed_told(&instants->timed);
+    if (!*quiet) {
+        memcpy(x, instants->x_before, lag_motion_size(model) * sizeof(double));
+        memcpy(instants->motion->w, instants->w_before, model->nw * sizeof(double));
+    }
+    return status == LAG_OK && *quiet ? lag_timed_seek(&instants->timed, t) : status;
+}
+
+/* What is due now, before the clauses are looked at: changes with time, clocks, the end of bounces. */
+static lag_status strike(lag_instants *instants, double t, double *x)
+{
+    int jumped = 0;
+    lag_status status = instants->timed.next <= t ? turn(instants, t, x, &jumped) : LAG_OK;
+    if (status == LAG_OK) {
+        status = rest(instants, t, x);
+    }
+    if (status == LAG_OK) {
+        status = ring(instants, t, x);
+    }
+    if (status == LAG_OK && instants->timed.next <= t) {
+        status = tell_turned(instants, t, x);
+        instants->timed.next = (double)INFINITY;
+    }
+    return status;
+}
+
+/* Relations that pass zero just now turn with the clocks that tick. */
+static lag_status turn_relations(lag_instants *instants, double t, const double *x)
 {
     lag_passes *passes = &instants->passes;
     const lag_model *model = instants->motion->model;
     const double *truth = instants->motion->w + instants->places.relation;
-    *any = 0;
     memcpy(passes->before, instants->motion->w, model->nw * sizeof(double));
     lag_status status = lag_passes_turn(passes, t, x);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (truth[i] != passes->before[instants->places.relation + i]) {
-            *any = 1;
             status = lag_passes_tell(passes, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
         }
     }
@@ -195,14 +275,11 @@ static lag_status turn(lag_instants *instants, double t, const double *x, int *a
 
 lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
 {
-    int any = 0;
-    lag_status status = rest(instants, t, x);
+    lag_status status = strike(instants, t, x);
     if (status == LAG_OK) {
-        status = ring(instants, t, x);
+        status = turn_relations(instants, t, x);
     }
-    if (status == LAG_OK) {
-        status = turn(instants, t, x, &any);
-    }
+    instants->timed.next = (double)INFINITY;
     return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 
@@ -210,11 +287,8 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
 {
     const lag_model *model = instants->motion->model;
     double *truth = instants->motion->w + instants->places.relation;
-    lag_status status = ticks ? rest(instants, t, x) : LAG_OK;
+    lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
     int any = 0;
-    if (status == LAG_OK && ticks) {
-        status = ring(instants, t, x);
-    }
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
             any = 1;

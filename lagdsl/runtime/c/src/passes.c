@@ -18,13 +18,16 @@ size_t lag_passes_memory(const lag_model *model)
 }
 
 void lag_passes_place(
-    lag_passes *passes, lag_contacts *contacts, lag_projection *projection, lag_noise *noise, double *memory)
+    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
+    double *memory)
 {
     const lag_model *model = contacts->motion->model;
     const size_t size = lag_motion_size(model);
     memset(passes, 0, sizeof *passes);
     passes->motion = contacts->motion;
     passes->contacts = contacts;
+    passes->momentum = momentum;
+    passes->timed = timed;
     passes->projection = projection;
     passes->noise = noise;
     passes->places = lag_places_of(model);
@@ -193,6 +196,7 @@ lag_status lag_passes_settle(lag_passes *passes, double t, const double *x)
             break;
         }
     }
+    memcpy(passes->settled, w, model->nw * sizeof(double));
     return status;
 }
 
@@ -358,10 +362,7 @@ static lag_status act(lag_passes *passes, double t, double *x, int *acted)
     if (status == LAG_OK) {
         status = reset(passes, t, x, acted);
     }
-    if (status == LAG_OK && *acted) {
-        status = part(passes, t, x);
-    }
-    return status == LAG_OK && *acted ? lag_projection_rates(passes->projection, t, x, passes->held + model->nq) : status;
+    return status == LAG_OK && *acted ? part(passes, t, x) : status;
 }
 
 /* 1: other discretes than contacts are those with which the rates were moved onto the constraints last. */
@@ -373,23 +374,31 @@ static int is_settled(const lag_passes *passes)
     return same(places->contact, w, passes->settled) && same(relations, w + places->relation, passes->settled + places->relation);
 }
 
-/*
- * Discretes in constraints may have changed, whoever changed them: rates onto the constraints that hold now, by the smallest impulse.
- * Contacts follow, they only push.
- */
-static lag_status take_hold(lag_passes *passes, double t, double *x)
+/* The discretes now, but for variables and relations as they were when the rates were moved onto the constraints last. */
+static const double *settled_before(lag_passes *passes)
 {
-    const size_t count = passes->motion->model->ncontact;
-    double *closed = passes->motion->w + passes->places.contact;
+    const lag_places *places = &passes->places;
+    const lag_model *model = passes->motion->model;
+    memcpy(passes->next, passes->before, model->nw * sizeof(double));
+    memcpy(passes->next, passes->settled, places->contact * sizeof(double));
+    memcpy(passes->next + places->relation, passes->settled + places->relation, model->nindicator * sizeof(double));
+    return passes->next;
+}
+
+/*
+ * Discretes that stand in constraints, masses or prescribed motions may have changed, whoever changed them: momenta are balanced. Else, after
+ * resets, rates go onto the constraints. Those that were reset stay as far as that can be; contacts follow, they only push.
+ */
+static lag_status take_hold(lag_passes *passes, double t, double *x, int acted)
+{
+    const double *held = acted ? passes->held + passes->motion->model->nq : NULL;
+    int jumped = 0;
     if (is_settled(passes)) {
-        return LAG_OK;
+        return acted ? lag_projection_rates(passes->projection, t, x, held) : LAG_OK;
     }
-    memcpy(passes->closed, closed, count * sizeof(double));
-    memset(closed, 0, count * sizeof(double));
-    const lag_status status = lag_projection_rates(passes->projection, t, x, NULL);
-    memcpy(closed, passes->closed, count * sizeof(double));
+    const lag_status status = lag_momentum_keep(passes->momentum, t, x, settled_before(passes));
     memcpy(passes->settled, passes->motion->w, passes->motion->model->nw * sizeof(double));
-    return status;
+    return status == LAG_OK ? lag_momentum_balance(passes->momentum, t, x, held, &jumped) : status;
 }
 
 /* One pass; `acted`: it did more than to change w. */
@@ -402,9 +411,12 @@ static lag_status pass(lag_passes *passes, double t, double *x, const double *tu
     }
     memcpy(motion->w, passes->next, motion->model->nw * sizeof(double));
     lag_places_clear(motion->model, &passes->places, motion->w);
-    status = act(passes, t, x, acted);
-    if (status == LAG_OK && !*acted) {
-        status = take_hold(passes, t, x);
+    if (!same(passes->places.contact, motion->w, passes->before)) {
+        status = lag_timed_enter(passes->timed, t); /* corners of time may depend on discretes */
+    }
+    status = status == LAG_OK ? act(passes, t, x, acted) : status;
+    if (status == LAG_OK) {
+        status = take_hold(passes, t, x, *acted);
     }
     if (status == LAG_OK) {
         status = strike(passes, t, x, acted);

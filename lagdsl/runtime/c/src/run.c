@@ -1,5 +1,6 @@
 #include "lag/run.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "lag/initial.h"
@@ -8,7 +9,6 @@
 static const double TOLERANCE = 1e-8;
 static const double PART = 1e-3;
 
-const size_t lag_run_layout[2] = {sizeof(lag_run_options), sizeof(lag_run_report)};
 
 int lag_run_crosses(const lag_model *model, const lag_run_options *options)
 {
@@ -20,7 +20,7 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
-           lag_stiffness_memory(size) + 5 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
+           lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
            model->nindicator + model->ncontact + 1;
 }
 
@@ -62,8 +62,12 @@ static lag_status tell(void *context, const lag_happening *happening)
 {
     lag_run *run = context;
     lag_happening told = *happening;
+    lag_status status = LAG_OK;
+    if (run->options.results != NULL) {
+        status = lag_results_tell(run->options.results, run, happening);
+    }
     told.row = run->row;
-    return run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : LAG_OK;
+    return status == LAG_OK && run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : status;
 }
 
 static void place_instants(lag_run *run, const lag_model *model, double **memory)
@@ -115,6 +119,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->motion.context = options->context;
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
+    run->stepper.length = options->h_fixed;
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->group = lag_take(&memory, size);
     run->natural = lag_take(&memory, size);
@@ -132,6 +137,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     place_instants(run, model, &memory);
     run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&memory, size), 0.0};
     run->point = lag_take(&memory, size);
+    run->lost = lag_take(&memory, size);
+    run->lost_time = (double)INFINITY;
     place_watch(run, model, &memory);
     lag_stiffness_place(&run->stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
     run->sign = lag_take(&memory, options->indicators);

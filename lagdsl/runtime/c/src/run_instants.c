@@ -1,6 +1,8 @@
 /* What happens at instants of a run: told before and after. */
+#include <math.h>
 #include <string.h>
 
+#include "lag/memory.h"
 #include "lag/run.h"
 
 static int has_instants(const lag_run *run)
@@ -62,16 +64,48 @@ int lag_run_due(const lag_run *run, double t)
 
 lag_status lag_run_ticks(lag_run *run)
 {
+    int quiet = 0;
     if (!lag_run_due(run, run->stepper.t)) {
         return LAG_OK;
     }
+    lag_status status = lag_instants_quietly(&run->instants, run->stepper.t, run->stepper.x, &quiet);
+    if (quiet || status != LAG_OK) {
+        return status;
+    }
     ++run->events;
-    const lag_status status = tell(run, LAG_BEFORE);
+    status = tell(run, LAG_BEFORE);
     return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, run->stepper.t, run->stepper.x)) : status;
+}
+
+lag_status lag_run_jump(lag_run *run)
+{
+    const lag_model *model = run->motion.model;
+    lag_stepper *s = &run->stepper;
+    run->motion.until = (double)INFINITY;
+    if (model->nindicator == 0) {
+        return LAG_OK;
+    }
+    lag_status status = lag_alert_look(&run->alert, s->t, s->x);
+    for (size_t i = 0; i < model->ncontact; ++i) { /* these follow, or show in the next step */
+        run->alert.changed[model->nindicator + i] = 0.0;
+    }
+    if (status != LAG_HAPPENS || !lag_any(model->nindicator, run->alert.changed)) {
+        return status == LAG_HAPPENS ? LAG_OK : status;
+    }
+    memcpy(run->pending, run->alert.changed, (model->nindicator + model->ncontact) * sizeof(double));
+    run->motion.until = s->t; /* the row before has the inputs before */
+    status = tell(run, LAG_BEFORE);
+    run->motion.until = (double)INFINITY;
+    ++run->events;
+    if (status == LAG_OK) {
+        status = over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0));
+    }
+    return status == LAG_OK ? lag_run_watch(run, s->t, s->x) : status;
 }
 
 lag_status lag_run_end(lag_run *run)
 {
+    run->motion.until = (double)INFINITY;
     const lag_status status = lag_run_ticks(run);
     if (status != LAG_OK || !has_instants(run) || run->instants.places.terminal == run->motion.model->nw) {
         return status;

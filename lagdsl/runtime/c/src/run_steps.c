@@ -97,6 +97,9 @@ static lag_status step_once(lag_run *run, double limit)
             lag_stepper_undo(s, SHORTER * h);
             continue;
         }
+        if (status == LAG_OFF) {
+            lag_run_lose(run, s->t, s->x);
+        }
         if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
             status = look_around(run, limit, &shorter);
         }
@@ -107,7 +110,7 @@ static lag_status step_once(lag_run *run, double limit)
     }
 }
 
-/* The same, with what must stay true. */
+/* The same, unless something is known that comes first. */
 static lag_status advance(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
@@ -116,9 +119,6 @@ static lag_status advance(lag_run *run, double limit)
     lag_status status = lag_run_crosses(run->motion.model, &run->options) ? look_ahead(run, limit, &done) : LAG_OK;
     if (status == LAG_OK && !done) {
         status = step_once(run, limit);
-    }
-    if (status == LAG_OK) {
-        status = lag_watch_look(&run->watch, s->t, s->x);
     }
     if (status != LAG_OK && s->t > t) {
         lag_stepper_undo(s, s->t - s->t_before);
@@ -205,7 +205,7 @@ static lag_status happen(lag_run *run, double stop, const lag_half *half, int *h
         status = lag_run_fire(run, half->other, &fired);
     }
     *happened = *happened || fired;
-    return status == LAG_OK && *happened ? lag_watch_look(&run->watch, run->stepper.t, run->stepper.x) : status;
+    return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
 }
 
 lag_status lag_run_step(lag_run *run, double stop)
@@ -224,6 +224,9 @@ lag_status lag_run_step(lag_run *run, double stop)
     half->t = fmin(fmin(own, other), s->t);
     if (status == LAG_OK) {
         status = lag_run_rows(run, half->t, 0);
+    }
+    if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
+        status = lag_run_watch(run, s->t, s->x);
     }
     if (status != LAG_OK) {
         return give_back(run, t, status);
@@ -262,13 +265,18 @@ lag_status lag_run_finish(lag_run *run, double stop)
 lag_status lag_run_restart(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
+    run->motion.until = stop;
     s->h_least = least_length(run, stop);
     if (!(run->options.length > 0.0) && run->options.count < 2) {
         run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
     }
     s->h_most = run->options.h_most > 0.0 ? run->options.h_most : (double)INFINITY;
     run->half.open = 0;
+    run->instants.timed.length = run->instants.contacts.length;
     lag_status status = lag_run_ticks(run);
+    if (status == LAG_OK && lag_run_instant(run) > s->t) {
+        status = lag_timed_seek(&run->instants.timed, s->t);
+    }
     if (status == LAG_OK) {
         status = restart(run, s->method, stop - s->t);
     }

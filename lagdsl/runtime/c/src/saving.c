@@ -100,6 +100,8 @@ static void record_instants(lag_instants *instants, lag_record *record)
     RECORD(instants->contacts.moment);
     RECORD(instants->contacts.slack);
     RECORD(instants->contacts.struck);
+    RECORD(instants->timed.length);
+    RECORD(instants->timed.next);
     RECORD(instants->passes.moment);
     RECORD(instants->passes.stopped);
     RECORD(instants->passes.fault);

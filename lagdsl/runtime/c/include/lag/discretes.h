@@ -7,6 +7,7 @@
 typedef struct lag_places {
     size_t contact, impacts; /* (ncontact) each */
     size_t relation;         /* (nindicator) */
+    size_t timed;            /* (ntimed) */
     size_t condition, clock; /* up to `clock`; (nclock) */
     size_t initial, terminal; /* one entry each; nw where the model has none */
 } lag_places;

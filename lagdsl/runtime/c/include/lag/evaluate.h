@@ -6,6 +6,7 @@
 
 /* In the order of the function pointers of lag_model. */
 typedef enum lag_function {
+    /* ---- the functions, generated ---- */
     LAG_START,
     LAG_POSITION_CONSTRAINT,
     LAG_VELOCITY_CONSTRAINT,
@@ -31,6 +32,7 @@ typedef enum lag_function {
     LAG_CONTACT,
     LAG_CLOCK,
     LAG_EVENT,
+    LAG_TIME_EVENT,
     LAG_MOMENTUM_TANGENT,
     LAG_DEFINITION,
     LAG_DEFINITION_TANGENT,
@@ -38,12 +40,13 @@ typedef enum lag_function {
     LAG_ENERGIES_TANGENT,
     LAG_INITIAL_EQUATION_TANGENT,
     LAG_TIME_TANGENT
+    /* ---- end of what is generated ---- */
 } lag_function;
 
 /* prepare() of the model. */
 lag_status lag_prepare(const lag_model *model, const lag_arguments *at);
 
-/* Results are written one after the other into `results`, each in the order that lag/model.h tells. */
+/* Results are written one after the other into `results`, each in the order that lag/model.h tells. LAG_MISSING: the model lacks it. */
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results);
 
 #endif

@@ -7,14 +7,15 @@
 typedef enum lag_what {
     LAG_BEFORE,    /* an event begins: the state before it */
     LAG_TICK,      /* `which` is a clock, */
-    LAG_TRUE,      /* a relation that brought the event about and holds now, */
+    LAG_TRUE,      /* a relation (entry of w from the first relation on) that brought the event about and holds now, */
     LAG_FALSE,     /* or holds no longer, */
     LAG_OPENED,    /* a contact, */
     LAG_CLOSED,    /* */
     LAG_IMPACT,    /* */
     LAG_REINIT,    /* a reset, */
     LAG_TERMINATE, /* a `terminate` */
-    LAG_AFTER      /* the event is over: the state after it */
+    LAG_AFTER,     /* the event is over: the state after it */
+    LAG_JUMP       /* a whole number that time changes, of `floor` and its kind */
 } lag_what;
 
 typedef struct lag_happening {

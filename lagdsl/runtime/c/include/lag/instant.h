@@ -7,6 +7,7 @@
 
 #include "lag/clock.h"
 #include "lag/passes.h"
+#include "lag/timed.h"
 
 /* Watches the times of events that were located for crowding towards an instant, so that time does not get beyond it (Zeno). */
 typedef struct lag_crowd {
@@ -20,6 +21,9 @@ typedef struct lag_instants {
     lag_contacts contacts;
     lag_noise noise;
     lag_passes passes;
+    lag_momentum momentum;
+    lag_timed timed;
+    double *x_before, *w_before; /* (2 nq + nz) (nw) */
     lag_clock *clock; /* (nclock) */
     double *first, *period; /* (nclock) */
     lag_crowd crowd;
@@ -39,8 +43,11 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x);
 /* The end. */
 lag_status lag_instants_end(lag_instants *instants, double t, double *x);
 
-/* Time of the next tick, or of the end of bounces too short to follow; infinite without. */
+/* Time of the next tick, of what time alone changes, or of the end of bounces too short to follow; infinite without. */
 double lag_instants_next(const lag_instants *instants);
+
+/* Changes with time where nobody needs to hear of them, as no rate jumps: 1 in *quiet, and it is done. */
+lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet);
 
 /* The ticks of now, if there are any. */
 lag_status lag_instants_tick(lag_instants *instants, double t, double *x);

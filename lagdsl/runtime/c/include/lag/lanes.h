@@ -65,7 +65,9 @@ static inline lag_lanes lag_lanes_of(double x)
 /* lag_fused() lane by lane; of vectors neither C nor -ffp-contract knows it. */
 static inline lag_lanes lag_lanes_fused(lag_lanes x, lag_lanes y, lag_lanes z)
 {
-#if LAG_FUSES && LAG_LANES == 8
+#if LAG_FUSES && defined(__clang__)
+    return __builtin_elementwise_fma(x, y, z);
+#elif LAG_FUSES && LAG_LANES == 8
     return (lag_lanes)__builtin_ia32_vfmaddpd512_mask(x, y, z, (unsigned char)-1, 4);
 #elif LAG_FUSES && LAG_LANES == 4
     return (lag_lanes)__builtin_ia32_vfmaddpd256(x, y, z);

@@ -47,6 +47,7 @@ typedef enum lag_kind {
     LAG_KIND_CONTACT,   /* 1 closed, 0 open; one for each contact */
     LAG_KIND_IMPACTS,   /* how often it closed or bounced; one for each contact */
     LAG_KIND_RELATION,  /* the truth of a relation; one for each indicator */
+    LAG_KIND_TIMED,     /* what time alone changes: a truth, the number of a piece */
     LAG_KIND_CONDITION, /* the truth of a condition when it was looked at last */
     LAG_KIND_CLOCK,     /* 1 in the first pass of a tick; one for each clock */
     LAG_KIND_INITIAL,   /* 1 in the first pass at the start */
@@ -106,131 +107,142 @@ typedef struct lag_model {
     /* p -> the part of the workspace that depends on p only. Call it first, and again whenever p changes. */
     lag_status (*prepare)(const lag_arguments *at);
 
-    /* t p -> start values q (nq), qd (nq), z (nz); default inputs u (nu) */
-    lag_status (*start)(const lag_arguments *at, double *q, double *qd, double *z, double *u);
-    /* t q qd z u w p -> phi (nc), zero for rows of velocity level; its Jacobian J (nc, nq) */
+    /* ---- the functions, generated ---- */
+    /* t p -> q0 (nq), qd0 (nq), z0 (nz), u0 (nu): start values of coordinates, rates and states; default inputs */
+    lag_status (*start)(const lag_arguments *at, double *q0, double *qd0, double *z0, double *u0);
+    /* t q qd z u w p -> phi (nc), jacobian (nc, nq): phi, zero for rows of velocity level; its Jacobian J */
     lag_status (*position_constraint)(const lag_arguments *at, double *phi, double *jacobian);
-    /* t q qd z u w p -> J qd + b (nc); J (nc, nq) */
+    /* t q qd z u w p -> residual (nc), jacobian (nc, nq): J qd + b of every row; J */
     lag_status (*velocity_constraint)(const lag_arguments *at, double *residual, double *jacobian);
-    /* t q qd z u w p -> M (nq, nq), symmetric, both halves */
+    /* t q qd z u w p -> mass (nq, nq): M, symmetric, both halves. Formed from momentum_tangent() where M is not written out */
     lag_status (*mass_matrix)(const lag_arguments *at, double *mass);
-    /* t q qd z u w p -> M (nq, nq), f (nq), J (nc, nq), gamma (nc) */
+    /*
+     * t q qd z u w p -> mass (nq, nq), force (nq), jacobian (nc, nq), gamma (nc): M, f, J, gamma. Formed from momentum_tangent()
+     * where M is not written out
+     */
     lag_status (*dynamics)(const lag_arguments *at, double *mass, double *force, double *jacobian, double *gamma);
-    /* t q qd z u w p qdd -> M qdd - f (nq) */
+    /* t q qd z u w p qdd -> force (nq): M qdd - f, of about the size of T and V */
     lag_status (*inverse_dynamics)(const lag_arguments *at, double *force);
-    /* t q qd z u w p qdd lam -> r = M qdd - f - J' lam (nq), s = J qdd - gamma (nc) */
+    /* t q qd z u w p qdd lam -> motion (nq), rows (nc): r = M qdd - f - J' lam; s = J qdd - gamma */
     lag_status (*residual)(const lag_arguments *at, double *motion, double *rows);
-    /* t q qd z u w p qdd lam, dq dqd dz du dp -> dr (nq), ds (nc) at fixed qdd and lam */
+    /* t q qd z u w p qdd lam, dq dqd dz du dp -> motion (nq), rows (nc): dr, ds along a direction, at fixed qdd and lam */
     lag_status (*residual_tangent)(const lag_arguments *at, double *motion, double *rows);
-    /* t q qd z u w p qdd lam -> zd (nz) */
+    /* t q qd z u w p qdd lam -> rates (nz): zd */
     lag_status (*state_derivative)(const lag_arguments *at, double *rates);
-    /* the same and dq dqd dz du dp dqdd dlam -> dzd (nz) */
+    /* t q qd z u w p qdd lam, dq dqd dz du dp dqdd dlam -> rates (nz): dzd */
     lag_status (*state_derivative_tangent)(const lag_arguments *at, double *rates);
-    /* t q qd z u w p qdd lam -> y (ny) */
+    /* t q qd z u w p qdd lam -> y (ny): outputs */
     lag_status (*output)(const lag_arguments *at, double *y);
-    /* the same and dq dqd dz du dp dqdd dlam -> dy (ny) */
+    /* t q qd z u w p qdd lam, dq dqd dz du dp dqdd dlam -> y (ny): dy */
     lag_status (*output_tangent)(const lag_arguments *at, double *y);
-    /* t q qd z u w p -> energy(), T, V, Jacobi integral [J], each one number */
+    /* t q qd z u w p -> total, kinetic, potential, jacobi: energy(), T, V, Jacobi integral [J] */
     lag_status (*energies)(const lag_arguments *at, double *total, double *kinetic, double *potential, double *jacobi);
-    /* t q qd z u w p -> dL/dqd (nq) */
+    /* t q qd z u w p -> momentum (nq): dL/dqd */
     lag_status (*momenta)(const lag_arguments *at, double *momentum);
-    /* t q qd z u w p -> power of loads and of dissipation by coordinate (nq) [W] */
+    /* t q qd z u w p -> load (nq), dissipated (nq): power of loads, Q . qd, and of dissipation, dD/dqd . qd, by coordinate [W] */
     lag_status (*power)(const lag_arguments *at, double *load, double *dissipated);
-    /* t q qd z u w p qdd lam -> invariants (ni), their scales (ni), conditions of assertions (na) */
+    /*
+     * t q qd z u w p qdd lam -> invariant (ni), scale (ni), assertion (na): invariants; largest absolute term of each; conditions
+     * of assertions
+     */
     lag_status (*monitor)(const lag_arguments *at, double *invariant, double *scale, double *assertion);
-    /* t q qd z u w p qdd lam -> residuals of the initial equations (ne) */
+    /* t q qd z u w p qdd lam -> residual (ne): residuals of the initial equations */
     lag_status (*initial_equation)(const lag_arguments *at, double *residual);
-
+    /* t q qd z u w p, dq dqd dz du dp -> phi (nc), residual (nc): dphi, d(J qd + b) */
+    lag_status (*constraint_tangent)(const lag_arguments *at, double *phi, double *residual);
     /*
-     * What happens at instants, of models with discretes. An indicator is positive (or, for relations that allow it, zero) where its
-     * relation holds. Gaps are those of the contacts, then those that clauses let collide. A pass over the clauses gives w after it
-     * and, action by action, whether it acts: resets with their values, collisions with their restitutions, ends and failures.
+     * t q qd z u w p -> qdd (nq), lam (nc), response (nk, nq), lam_response (nk, nc), jacobian (nk, nq), gamma (nk), pivot: with
+     * the multipliers of `kept_rows` zero qdd and lam; row by row, what these multipliers add to qdd and to lam; J and gamma of
+     * these rows; what is left of the smallest pivot, relatively. Only where the equations are solved while they are expressions
      */
-    size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail;
-    /* t p -> start values w (nw) */
-    lag_status (*discrete_start)(const lag_arguments *at, double *w);
-    /* t q qd z u w p qdd lam -> g (nindicator) */
+    lag_status (*elimination)(
+        const lag_arguments *at, double *qdd, double *lam, double *response, double *lam_response, double *jacobian, double *gamma,
+        double *pivot);
+    /* t p -> w0 (nw): start values of w. Only in models with discretes */
+    lag_status (*discrete_start)(const lag_arguments *at, double *w0);
+    /* t q qd z u w p qdd lam -> g (nindicator): indicators of relations. Only in models with discretes */
     lag_status (*indicator)(const lag_arguments *at, double *g);
-    /* the same -> w (nw) with relations as they stand */
-    lag_status (*standing)(const lag_arguments *at, double *w);
+    /* t q qd z u w p qdd lam -> next (nw): w with relations as they stand. Only in models with discretes */
+    lag_status (*standing)(const lag_arguments *at, double *next);
     /*
-     * t q qd z u w p -> gap (ngap), its rate (ngap), its Jacobian (ngap, nq), restitution (ncontact), and the rebound speed and the
-     * time below which a contact closes (ncontact), negative where the defaults of the language hold
+     * t q qd z u w p -> gap (ngap), speed (ngap), jacobian (ngap, nq), restitution (ncontact), stick (ncontact), rest (ncontact):
+     * gaps, their rates, their Jacobian; restitution, and the rebound speed and the time below which a contact closes, negative
+     * where the defaults of the language hold. Only in models with discretes
      */
-    lag_status (*contact)(const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution, double *stick,
-        double *rest);
-    /* t p -> first instants, periods (nclock) */
+    lag_status (*contact)(
+        const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution, double *stick, double *rest);
+    /* t p -> first (nclock), period (nclock): first instants, periods. Only in models with discretes */
     lag_status (*clock)(const lag_arguments *at, double *first, double *period);
-    /* t q qd z u w p qdd lam -> w (nw), reset, value (nreset), collision, restitution (ncollision), stop (nstop), fail (nfail) */
-    lag_status (*event)(const lag_arguments *at, double *next, double *reset, double *value, double *collision, double *restitution,
-        double *stop, double *fail);
+    /*
+     * t q qd z u w p qdd lam -> next (nw), reset (nreset), value (nreset), collision (ncollision), restitution (ncollision), stop
+     * (nstop), fail (nfail): a pass over the `when` clauses: w after it, and action by action whether it acts. Only in models with
+     * discretes
+     */
+    lag_status (*event)(
+        const lag_arguments *at, double *next, double *reset, double *value, double *collision, double *restitution, double *stop,
+        double *fail);
+    /*
+     * t w p -> value (ntimed), told (ntimed), distance (ndistance), rate (ndistance), affine (ndistance), entry (ndistance), change
+     * (ndistance): what time alone changes: the entries of w as they are at that time; 0 where nothing is told of their changes, 1
+     * for a truth, 2 for a jump; distances, positive up to the next change, and their rates; 1 where they are affine in time
+     * between events; the entries that change where they reach zero, and by how much, 0 for a truth that turns over. Only in models
+     * with discretes
+     */
+    lag_status (*time_event)(
+        const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry,
+        double *change);
+    /* t q qd z u w p, dqd -> momentum (nq): M dqd. Only where M is not written out */
+    lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
+    /*
+     * t q qd z u w p qdd lam -> d (nd): every named value, first those that depend on p only. Only in programs that tell every
+     * named value
+     */
+    lag_status (*definition)(const lag_arguments *at, double *d);
+    /* t q qd z u w p qdd lam, dq dqd dz du dp dqdd dlam -> d (nd): dd. Only in programs that tell every named value */
+    lag_status (*definition_tangent)(const lag_arguments *at, double *d);
+    /* t p, dp -> q (nq), qd (nq), z (nz), u (nu): how the start values change. Only in programs that tell every named value */
+    lag_status (*start_tangent)(const lag_arguments *at, double *q, double *qd, double *z, double *u);
+    /*
+     * t q qd z u w p, dq dqd dz du dp -> total, kinetic, potential, jacobi: how the energies change. Only in programs that tell
+     * every named value
+     */
+    lag_status (*energies_tangent)(const lag_arguments *at, double *total, double *kinetic, double *potential, double *jacobi);
+    /*
+     * t q qd z u w p qdd lam, dq dqd dz du dp dqdd dlam -> residual (ne): how the residuals of the initial equations change. Only
+     * in programs that tell every named value
+     */
+    lag_status (*initial_equation_tangent)(const lag_arguments *at, double *residual);
+    /*
+     * t q qd z u w p qdd lam -> motion (nq), rows (nc), phi (nc), residual (nc), rates (nz), y (ny), total, kinetic, potential,
+     * jacobi, d (nd): how everything changes with t alone: dr, ds, dphi, d(J qd + b), dzd, dy, the energies, dd. Only in programs
+     * that tell every named value
+     */
+    lag_status (*time_tangent)(
+        const lag_arguments *at, double *motion, double *rows, double *phi, double *residual, double *rates, double *y,
+        double *total, double *kinetic, double *potential, double *jacobi, double *d);
+    /* ---- end of what is generated ---- */
+
     /* where J can be nonzero; null: anywhere */
     const lag_pattern *jacobian_pattern;
 
-    /* t q qd z u w p, dq dqd dz du dp -> dphi (nc), d(J qd + b) (nc) */
-    lag_status (*constraint_tangent)(const lag_arguments *at, double *phi, double *residual);
-
-    /*
-     * t q qd z u w p -> with the multipliers of `kept_rows` zero qdd (nq) and lam (nc); row by row what these multipliers add
-     * to qdd (nk, nq) and to lam (nk, nc); J (nk, nq) and gamma (nk) of these rows; and what is left of the smallest pivot,
-     * relatively. Null where forming M and solving costs less.
-     */
-    lag_status (*elimination)(
-        const lag_arguments *at,
-        double *qdd,
-        double *lam,
-        double *response,
-        double *lam_response,
-        double *jacobian,
-        double *gamma,
-        double *pivot);
-    size_t nk;               /* rows of constraints whose multipliers elimination leaves to run time */
+    size_t nk;               /* rows of constraints whose multipliers elimination() leaves to run time */
     const size_t *kept_rows; /* (nk) ascending */
 
-    /* t q qd z u w p, dqd -> M dqd (nq); null where M is written out, else what mass_matrix() and dynamics() are made of */
-    lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
-
-    /* of models with discretes */
-    const unsigned char *kinds;     /* (nw) a lag_kind each, in their order */
-    const unsigned char *strict;    /* (nindicator) 1: the relation does not hold at zero */
-    const size_t *contact_rows;     /* (ncontact) rows of constraints that hold while they are closed; with their names */
-    size_t nswitched;               /* rows of constraints, of position level, that discretes switch */
-    const size_t *switched_rows;    /* (nswitched) */
-    const size_t *reset_places;     /* (nreset) entries of (q, qd, z) */
-    const char *const *resets;      /* (nreset) their names: der(h) */
-    const char *const *stops;       /* (nstop) messages */
-    const char *const *failures;    /* (nfail) messages */
+    /* of models with discretes: gaps are those of the contacts, then those that clauses let collide */
+    size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail, ntimed, ndistance;
+    const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
+    const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
+    const size_t *contact_rows;  /* (ncontact) rows of constraints that hold while they are closed; with their names */
+    size_t nswitched;            /* rows of constraints, of position level, that discretes switch */
+    const size_t *switched_rows; /* (nswitched) */
+    const size_t *reset_places;  /* (nreset) entries of (q, qd, z) */
+    const char *const *resets;   /* (nreset) their names: der(h) */
+    const char *const *stops;    /* (nstop) messages */
+    const char *const *failures; /* (nfail) messages */
 
     /* every named value of the model, where it was compiled with them: first those that depend on p only */
     size_t nd;
     const lag_slot *definitions; /* (nd) */
-    /* t q qd z u w p qdd lam -> d (nd) */
-    lag_status (*definition)(const lag_arguments *at, double *d);
-    /* the same and dq dqd dz du dp dqdd dlam -> dd (nd) */
-    lag_status (*definition_tangent)(const lag_arguments *at, double *d);
-    /* t p, dp -> how the start values change */
-    lag_status (*start_tangent)(const lag_arguments *at, double *q, double *qd, double *z, double *u);
-    /* t q qd z u w p, dq dqd dz du dp -> how the energies change */
-    lag_status (*energies_tangent)(const lag_arguments *at, double *total, double *kinetic, double *potential, double *jacobi);
-    /* t q qd z u w p qdd lam, dq dqd dz du dp dqdd dlam -> dresidual (ne) */
-    lag_status (*initial_equation_tangent)(const lag_arguments *at, double *residual);
-    /*
-     * t q qd z u w p qdd lam -> how everything changes with t alone: dr (nq), ds (nc) of residual(); dphi (nc), d(J qd + b) (nc),
-     * dzd (nz), dy (ny), of the energies, dd (nd)
-     */
-    lag_status (*time_tangent)(
-        const lag_arguments *at,
-        double *motion,
-        double *rows,
-        double *phi,
-        double *residual,
-        double *rates,
-        double *y,
-        double *total,
-        double *kinetic,
-        double *potential,
-        double *jacobi,
-        double *d);
 } lag_model;
 
 #endif

@@ -5,11 +5,15 @@
 #include "lag/contact.h"
 #include "lag/happening.h"
 #include "lag/noise.h"
+#include "lag/momentum.h"
 #include "lag/projection.h"
+#include "lag/timed.h"
 
 typedef struct lag_passes {
     lag_motion *motion;
     lag_contacts *contacts;
+    lag_momentum *momentum;
+    lag_timed *timed;
     lag_projection *projection;
     lag_noise *noise;
     lag_places places;
@@ -34,7 +38,8 @@ typedef struct lag_passes {
 size_t lag_passes_memory(const lag_model *model);
 
 void lag_passes_place(
-    lag_passes *passes, lag_contacts *contacts, lag_projection *projection, lag_noise *noise, double *memory);
+    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
+    double *memory);
 
 /* Relations and conditions as they stand, nothing carried out. */
 lag_status lag_passes_settle(lag_passes *passes, double t, const double *x);

@@ -1,0 +1,158 @@
+"""One function of a program as words of a tape."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from lagdsl.backends.tape.instructions import CODE, GROUPS, THREE_PRODUCTS, TWO_PRODUCTS
+from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
+from lagdsl.backends.tape.registers import places
+from lagdsl.backends.tape.schedule import groups
+from lagdsl.backends.tape.selection import Selection, select
+from lagdsl.graph.operation import Group, Op
+
+# Where one and minus one stand in the row: first among the constants.
+ONE = 0
+MINUS_ONE = 1
+# Results with so many zeros are cleared before the others are written.
+_FEWEST_ZEROS = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Settled:
+    """`place` of every node of the graph that is in the row before a function starts, -1 for others; `nodes` are those
+    among them that are computed from others. Parameters stand from the place `parameters` on, what belongs to the
+    function alone from `first` on."""
+
+    place: Ints
+    nodes: frozenset[int]
+    parameters: int
+    first: int
+
+
+def words_of(nodes: Nodes, blocks: Sequence[Sequence[int]], settled: Settled) -> tuple[Ints, int]:
+    """The instructions that fill the result arrays `blocks`, and the length of the row that they need."""
+    elements = [np.array(block, dtype=np.int64) for block in blocks]
+    roots = np.unique(np.concatenate([_NONE, *elements]))
+    live = _live(nodes, roots, settled.nodes)
+    known = settled.place[live]
+    results = np.searchsorted(live, roots)
+    selection = select(nodes, live, known >= 0, results)
+    loads, loaded = _loads(nodes, live, known, settled.first)
+    body, place, end = _body(selection, known, loaded, results, settled.first)
+    stores = [
+        _stored(number, place[np.searchsorted(live, block)], block != nodes.graph.zero)
+        for number, block in enumerate(elements)
+    ]
+    return np.concatenate([*loads, body, *stores, [CODE["END"]]]), end
+
+
+def words_into(nodes: Nodes, wanted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
+    """The instructions that put the nodes `wanted`, ascending, into their places, after the constants and as many
+    parameters, which have places in a row."""
+    live = _live(nodes, wanted, frozenset())
+    at_hand = settled.place[live] >= 0
+    results = np.searchsorted(live, wanted)
+    at_hand[results] = False
+    selection = select(nodes, live, at_hand, results)
+    body, _, end = _body(selection, settled.place[live], _NONE, results, settled.first)
+    own = [GROUPS[Group.P], 0, parameters, settled.parameters]
+    load = [CODE["LOAD"], *own] if parameters else []
+    return np.concatenate([np.array([CODE["CONSTANTS"], *load]), body, [CODE["END"]]]), end
+
+
+_NONE: Ints = np.zeros(0, dtype=np.int64)
+
+
+def _live(nodes: Nodes, roots: Ints, given: frozenset[int]) -> Ints:
+    """All nodes that `roots` are computed from, as far as those of `given`; ascending."""
+    return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
+
+
+def _loads(nodes: Nodes, live: Ints, known: Ints, first: int) -> tuple[list[Ints], Ints]:
+    """The loads of the arguments, and their local numbers in the order of their places; -1 for what nothing reads."""
+    symbols = np.flatnonzero((nodes.op[live] == Op.SYMBOL) & (known < 0))
+    groups, indices = nodes.operands[0, live[symbols]], nodes.operands[1, live[symbols]]
+    loads: list[Ints] = []
+    loaded: list[Ints] = []
+    for group in np.unique(groups).tolist():
+        members, own = symbols[groups == group], indices[groups == group]
+        start = int(own.min())
+        row = np.full(int(own.max()) + 1 - start, -1, dtype=np.int64)
+        row[own - start] = members
+        place = first + sum(map(len, loaded))
+        loads.append(np.array([CODE["LOAD"], GROUPS[Group(group)], start, len(row), place]))
+        loaded.append(row)
+    return loads, np.concatenate([_NONE, *loaded])
+
+
+def _stored(number: int, place: Ints, nonzero: Flags) -> Ints:
+    """The instruction that fills the result array `number`."""
+    if not len(place):
+        return _NONE
+    if len(place) - np.count_nonzero(nonzero) < _FEWEST_ZEROS:
+        return np.concatenate([[CODE["STORE"], number, 0, len(place)], place])
+    entries = np.flatnonzero(nonzero)
+    return np.concatenate([[CODE["SCATTER"], number, len(place), len(entries)], entries, place[entries]])
+
+
+def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Ints, Ints, int]:
+    """The instructions between loads and stores, the place of every value, and the length of the row."""
+    grouped = groups(selection)
+    order = np.array([step for group in grouped for step in group], dtype=np.int64)
+    count, turns = len(selection.made), selection.turns
+    when = np.empty(len(order), dtype=np.int64)
+    when[order] = np.arange(len(order))
+    writes = np.append(selection.made, np.full(len(turns), -1))[order].tolist()
+    several = {
+        int(when[count + number]): [*turn.sines[turn.sines >= 0].tolist(), *turn.cosines[turn.cosines >= 0].tolist()]
+        for number, turn in enumerate(turns)
+    }
+    last = np.full(selection.count + 2, -1, dtype=np.int64)
+    for number, turn in enumerate(turns):
+        last[turn.angles] = when[count + number]
+    sequence = order[order < count]
+    operands = selection.operands[sequence]
+    steps = np.broadcast_to(when[sequence][:, None], operands.shape)[operands >= 0]
+    read = np.full(selection.count + 2, -1, dtype=np.int64)
+    read[operands[operands >= 0]] = steps  # which ascend: of several the last one stays
+    last = np.maximum(last, read)
+    last[results] = len(order)
+    place, top = places(np.append(known, [ONE, MINUS_ONE]), loaded.tolist(), writes, several, last, first)
+    spare = int(any((values < 0).any() for turn in turns for values in (turn.sines, turn.cosines)))
+    padded = np.append(place, top)  # what nothing reads goes behind all others
+    return _assembled(selection, grouped, padded), place, top + spare
+
+
+def _assembled(selection: Selection, grouped: Sequence[Sequence[int]], place: Ints) -> Ints:
+    """The words of all steps."""
+    count = len(selection.made)
+    lengths = np.array([len(group) for group in grouped], dtype=np.int64)
+    order = np.array([step for group in grouped for step in group], dtype=np.int64)
+    single = order < count
+    width = np.empty(len(order), dtype=np.int64)
+    summing = (selection.code == TWO_PRODUCTS) | (selection.code == THREE_PRODUCTS)
+    before = 1 + summing  # words before the operands
+    width[single] = (before + np.count_nonzero(selection.operands >= 0, axis=1))[order[single]]
+    width[~single] = [3 * len(selection.turns[step - count].angles) for step in order[~single].tolist()]
+    heads = np.zeros(len(order), dtype=np.int64)
+    heads[np.cumsum(lengths) - lengths] = 2  # operation and number
+    start = np.cumsum(width + heads) - width
+    words = np.empty(int(width.sum()) + 2 * len(lengths), dtype=np.int64)
+    firsts = order[np.cumsum(lengths) - lengths]
+    at = start[np.cumsum(lengths) - lengths] - 2
+    words[at] = np.append(selection.code, np.full(len(selection.turns), CODE["SINCOS"]))[firsts]
+    words[at + 1] = lengths
+    made, where = order[single], start[single]
+    words[where] = place[selection.made[made]]
+    words[where[summing[made]] + 1] = selection.signs[made[summing[made]]]
+    for column, own in enumerate(selection.operands[made].T):  # operands stand from the left on
+        words[(where + before[made])[own >= 0] + column] = place[own[own >= 0]]
+    for step, begin in zip(order[~single].tolist(), start[~single].tolist(), strict=True):
+        turn = selection.turns[step - count]
+        words[begin - 1] = len(turn.angles)
+        words[begin : begin + 3 * len(turn.angles)] = place[np.concatenate([turn.angles, turn.sines, turn.cosines])]
+    return words

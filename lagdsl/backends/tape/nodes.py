@@ -1,0 +1,31 @@
+"""A graph as arrays, for passes over all its nodes at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lagdsl.graph.graph import Graph
+
+Ints = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Nodes:
+    """`op`, `groups` (nodes) and `operands` (3, nodes; -1: none), as in the graph: the first two of a symbol are its
+    group and its index."""
+
+    graph: Graph
+    op: Ints
+    operands: Ints
+    groups: Ints
+
+
+def nodes_of(graph: Graph) -> Nodes:
+    """The arrays of `graph`."""
+    operands = np.array([graph.a, graph.b, graph.c], dtype=np.int64)
+    op = np.frombuffer(bytes(graph.op), dtype=np.uint8).astype(np.int64)
+    return Nodes(graph, op, operands, np.array(graph.groups, dtype=np.int64))

@@ -1,0 +1,58 @@
+"""Independent parameters that become numbers of the model, so that no function asks for them.
+
+A fixed parameter folds into the expressions as a structural one does: what it multiplies, divides or switches is
+simplified when the equations are derived, and the program has one entry of `p` fewer.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat.admissible import require_value
+from lagdsl.flat.model import FlatModel, Parameter
+
+
+def fix_parameters(flat: FlatModel, values: Mapping[str, float]) -> FlatModel:
+    """`flat` with the independent parameters `values` (SI units, by name) fixed.
+
+    Raises KeyError for a name that is no independent parameter, ValueError for a value that it may not have.
+    """
+    independent = {parameter.name: parameter for parameter in flat.parameters if not parameter.structural}
+    for name, value in values.items():
+        if name not in independent:
+            raise KeyError(_unknown(name, flat, list(independent)))
+        require_value(independent[name], value)
+    return replace(flat, parameters=tuple(_fixed(parameter, values) for parameter in flat.parameters))
+
+
+def matching_values(flat: FlatModel, patterns: Iterable[str]) -> dict[str, float]:
+    """Default values of the independent parameters that `patterns` name; `*` in a pattern stands for any text.
+
+    Raises KeyError for a pattern that names none.
+    """
+    defaults = {parameter.name: parameter.value for parameter in flat.parameters if not parameter.structural}
+    found: dict[str, float] = {}
+    for pattern in patterns:
+        expression = re.compile(".*".join(re.escape(part) for part in pattern.split("*")), re.DOTALL)
+        names = [name for name in defaults if expression.fullmatch(name)]
+        if not names:
+            raise KeyError(_unknown(pattern, flat, list(defaults)))
+        found |= {name: defaults[name] for name in names}
+    return found
+
+
+def _fixed(parameter: Parameter, values: Mapping[str, float]) -> Parameter:
+    if parameter.structural or parameter.name not in values:
+        return parameter
+    return replace(parameter, structural=True, value=float(values[parameter.name]))
+
+
+def _unknown(name: str, flat: FlatModel, known: list[str]) -> str:
+    if any(parameter.name == name and parameter.structural for parameter in flat.parameters):
+        return f"`{name}` is structural: it is a number of the model already"
+    likely = nearest(name, known)
+    hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(known[:12]) or 'none'}"
+    return f"{flat.name} has no independent parameter `{name}`; {hint}"

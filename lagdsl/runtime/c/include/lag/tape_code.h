@@ -1,0 +1,94 @@
+/*
+ * The instructions of a tape (lag/tape.h): what a function of a model computes, over a row of doubles.
+ *
+ * An instruction is a row of 32-bit words: an operation, how often it is done, and, each time, the place in the row where the value
+ * goes and those of the operands. It is done time after time, in order. There are no jumps: END is the last one. The others are
+ *
+ *     CONSTANTS                                       the row begins with the constants of the tape
+ *     LOAD group first count place                    entries of an argument, count of them from `first` on
+ *     STORE result first count operands...            entries of a result
+ *     SCATTER result length count entries... operands...    entries of a result, zero elsewhere
+ *     SINCOS count operands... places... places...    sines and cosines of the same arguments
+ *     TWO_PRODUCTS count (place signs a b c d)...     a*b + c*d, with signs 1 a*b - c*d
+ *     THREE_PRODUCTS count (place signs a b c d e f)...    a*b + c*d + e*f, with signs 1 - e*f, with 2 - c*d, with 3 both
+ *
+ * Every value is rounded as that of separate operations, from left to right. Few operations that do much make few jumps from one
+ * to the next, which processors foresee.
+ */
+#ifndef LAG_TAPE_CODE_H
+#define LAG_TAPE_CODE_H
+
+#include <stdint.h>
+
+#include "lag/model.h"
+
+/* Name, function of single numbers. */
+#define LAG_TAPE_UNARY(X) \
+    X(TAN, tan)           \
+    X(ASIN, asin)         \
+    X(ACOS, acos)         \
+    X(ATAN, atan)         \
+    X(SINH, sinh)         \
+    X(COSH, cosh)         \
+    X(TANH, tanh)         \
+    X(EXP, exp)           \
+    X(LOG, log)           \
+    X(SQRT, sqrt)         \
+    X(ABS, fabs)          \
+    X(SIGN, lag_sign)     \
+    X(FLOOR, floor)       \
+    X(CEIL, ceil)         \
+    X(NOT, lag_not)
+
+#define LAG_TAPE_BINARY(X)          \
+    X(MULTIPLY, LAG_TAPE_PRODUCT)   \
+    X(DIVIDE, LAG_TAPE_QUOTIENT)    \
+    X(POWER, pow)                   \
+    X(ATAN2, atan2)                 \
+    X(MOD, lag_mod)                 \
+    X(MIN, lag_min)                 \
+    X(MAX, lag_max)                 \
+    X(LESS, lag_less)               \
+    X(LESS_EQUAL, lag_less_equal)   \
+    X(EQUAL, lag_equal)             \
+    X(AND, lag_and)                 \
+    X(OR, lag_or)
+
+#define LAG_TAPE_PRODUCT(x, y) ((x) * (y))
+#define LAG_TAPE_QUOTIENT(x, y) ((x) / (y))
+#define LAG_TAPE_NAME(name, function) LAG_TAPE_##name,
+
+enum {
+    LAG_TAPE_END,
+    LAG_TAPE_CONSTANTS,
+    LAG_TAPE_LOAD,
+    LAG_TAPE_STORE,
+    LAG_TAPE_SCATTER,
+    LAG_TAPE_SINCOS,
+    LAG_TAPE_TWO_PRODUCTS,
+    LAG_TAPE_THREE_PRODUCTS,
+    LAG_TAPE_UNARY(LAG_TAPE_NAME)
+    LAG_TAPE_BINARY(LAG_TAPE_NAME)
+    LAG_TAPE_SELECT,
+    LAG_TAPE_OPERATIONS
+};
+
+/* Arguments of one SINCOS at most. */
+#define LAG_TAPE_ANGLES 32
+
+/* Groups of arguments: members of lag_arguments in their order, the time first. */
+enum { LAG_TAPE_GROUPS = 16, LAG_TAPE_RESULTS = 11 /* of one function, at most */ };
+
+typedef struct lag_tape_code {
+    const uint32_t *words;
+    const double *constants;
+    size_t count; /* of constants */
+} lag_tape_code;
+
+/* The array of a group; the time is an array, too. */
+const double *lag_tape_argument(const lag_arguments *at, uint32_t group);
+
+/* Runs instructions over `row`. */
+void lag_tape_run(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results);
+
+#endif

@@ -1,0 +1,133 @@
+"""Writes the functions of a program into the C runtime: `python -m lagdsl.runtime.generate`. A tool of development.
+
+The table is `lagdsl/program/functions.py`. From it come the function pointers of lag_model, the enumeration
+lag_function and the dispatcher lag_evaluate(), each between two marks in a written file.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from itertools import pairwise
+from pathlib import Path
+
+from lagdsl.graph.operation import ARGUMENT_NAMES, Group
+from lagdsl.program.functions import FUNCTIONS, SOLVED, SOLVED_DIRECTIONS, Presence, Result, Signature
+from lagdsl.resources import c_folder
+
+_FIRST = "/* ---- the functions, generated ---- */\n"
+_LAST = "/* ---- end of what is generated ---- */\n"
+_WIDTH = 132
+
+
+def texts() -> dict[Path, str]:
+    """The written files with the present sections, by path."""
+    sections = {
+        "include/lag/model.h": ("    ", members()),
+        "include/lag/evaluate.h": ("    ", enumerators()),
+        "src/evaluate.c": ("", dispatcher()),
+    }
+    return {c_folder() / name: _with(c_folder() / name, *section) for name, section in sections.items()}
+
+
+def members() -> str:
+    """The function pointers of lag_model."""
+    return "".join(map(_member, _single()))
+
+
+def enumerators() -> str:
+    """The values of lag_function."""
+    return ",\n".join(f"    {_enumerator(function)}" for function in _single()) + "\n"
+
+
+def dispatcher() -> str:
+    """One function for each, which lays its results out, and the choice among them."""
+    cases = "".join(
+        f"    case {_enumerator(each)}:\n        return evaluate_{each.name}(model, at, results);\n"
+        for each in _single()
+    )
+    head = (
+        "lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results)"
+    )
+    chosen = f"{head}\n{{\n    switch (which) {{\n{cases}    }}\n    return LAG_MISSING;\n}}\n"
+    return "".join(map(_laid_out, _single())) + chosen
+
+
+def _single() -> list[Signature]:
+    return [function for function in FUNCTIONS if function.single]
+
+
+def _enumerator(function: Signature) -> str:
+    return f"LAG_{function.name.upper()}"
+
+
+# ---- lag/model.h -----------------------------------------------------------------------------------------------------
+
+
+def _member(function: Signature) -> str:
+    where = "" if function.presence is Presence.ALWAYS else f". {function.presence.value}"
+    shapes = ", ".join(result.name + _shape(result) for result in function.results)
+    comment = f"{_arguments(function.arguments)} -> {shapes}: {function.says}{where}"
+    parameters = ["const lag_arguments *at", *(f"double *{result.name}" for result in function.results)]
+    return _comment(comment) + _declaration(f"    lag_status (*{function.name})(", parameters)
+
+
+def _arguments(groups: Sequence[Group]) -> str:
+    """Times and states, then directions."""
+    names = [ARGUMENT_NAMES[group] for group in groups]
+    along = {ARGUMENT_NAMES[group] for group in SOLVED_DIRECTIONS}
+    given, directions = [n for n in names if n not in along], [n for n in names if n in along]
+    assert set(names) <= along | {ARGUMENT_NAMES[group] for group in SOLVED}
+    return ", ".join(" ".join(part) for part in (given, directions) if part)
+
+
+def _shape(result: Result) -> str:
+    return f" ({', '.join(result.shape)})" if result.shape else ""
+
+
+def _comment(text: str) -> str:
+    if len(text) + 10 <= _WIDTH:
+        return f"    /* {text} */\n"
+    lines = textwrap.wrap(text, _WIDTH - 7, break_long_words=False, break_on_hyphens=False)
+    return "    /*\n" + "".join(f"     * {line}\n" for line in lines) + "     */\n"
+
+
+def _declaration(head: str, parameters: Sequence[str]) -> str:
+    whole = f"{head}{', '.join(parameters)});\n"
+    if len(whole) <= _WIDTH:
+        return whole
+    joined = ", ".join(parameters).replace("double *", "double\N{NO-BREAK SPACE}*") + ");"
+    wrapped = textwrap.fill(joined, _WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 8)
+    return f"{head}\n{wrapped}\n".replace("\N{NO-BREAK SPACE}", " ")
+
+
+# ---- src/evaluate.c --------------------------------------------------------------------------------------------------
+
+
+def _laid_out(function: Signature) -> str:
+    names = [result.name for result in function.results]
+    lines = [f"double *const {names[0]} = results;"]
+    for before, after in pairwise(function.results):
+        length = " * ".join(f"model->{length}" for length in before.shape) or "1"
+        lines.append(f"double *const {after.name} = {before.name} + {length};")
+    if len(names) == 1:
+        lines, names = [], ["results"]
+    call = f"model->{function.name} == NULL ? LAG_MISSING : model->{function.name}(at, {', '.join(names)});"
+    head = (
+        f"static lag_status evaluate_{function.name}(const lag_model *model, const lag_arguments *at, double *results)"
+    )
+    body = "".join(f"    {line}\n" for line in (*lines, f"return {call}"))
+    return f"{head}\n{{\n{body}}}\n\n"
+
+
+def _with(path: Path, indent: str, section: str) -> str:
+    text = path.read_text(encoding="utf-8")
+    before, first, rest = text.partition(indent + _FIRST)
+    _, last, after = rest.partition(indent + _LAST)
+    assert first and last, f"{path.name} has no marks"
+    return before + first + section + last + after
+
+
+if __name__ == "__main__":
+    for path, text in texts().items():
+        path.write_text(text, encoding="utf-8")

@@ -1,0 +1,21 @@
+"""The engine over a tape: the functions of a program interpreted by the C runtime, at once and without a compiler."""
+
+from __future__ import annotations
+
+from lagdsl.backends.tape.emit import tape
+from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.native_model import NativeModel
+from lagdsl.runtime.tape_model import load_tape
+
+
+class TapeEngine(CEngine):
+    """As CEngine. Nothing is compiled."""
+
+    name: EngineName = "tape"
+
+    def _provide(self, part: str | None = None) -> NativeModel:
+        return self._load(tape(self._program))
+
+    def _load(self, made: bytes) -> NativeModel:
+        return load_tape(made)

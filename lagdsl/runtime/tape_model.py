@@ -1,0 +1,29 @@
+"""A tape as a lag_model in memory."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_size_t
+
+import numpy as np
+
+from lagdsl.runtime.buffers import aligned
+from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.native_model import NativeModel, native_model
+from lagdsl.runtime.structures import Model
+
+
+class DamagedTape(ValueError):  # noqa: N818  it says what is the matter
+    """Bytes that are no tape, of another version, or that were changed."""
+
+
+def load_tape(tape: bytes) -> NativeModel:
+    """The model of the bytes that `lagdsl.backends.tape` made. Raises DamagedTape."""
+    runtime = runtime_library()
+    held = aligned(len(tape) // 8 + 1)  # the C side wants them on an address that is a multiple of 8
+    held.view(np.uint8)[: len(tape)] = np.frombuffer(tape, dtype=np.uint8)
+    needed = c_size_t(0)
+    if runtime.tape_check(held.ctypes.data, len(tape), byref(needed)) != 0:
+        raise DamagedTape("these bytes are no tape of this version, or were changed")
+    memory = aligned(needed.value // 8 + 1)
+    runtime.tape_model(held.ctypes.data, len(tape), memory.ctypes.data)
+    return native_model(Model.from_address(memory.ctypes.data), (held, memory))

@@ -1,0 +1,147 @@
+"""What the parser has read and not yet completed: looks into the stack of Lark's interactive parser, and cuts it."""
+
+from __future__ import annotations
+
+from copy import copy
+from functools import cache
+from typing import Any
+
+from lark import Token
+from lark.exceptions import UnexpectedInput, UnexpectedToken
+from lark.parsers.lalr_analysis import Shift
+
+from lagdsl.syntax.language import language
+from lagdsl.syntax.tokens import as_text
+from lagdsl.syntax.vocabulary import vocabulary
+
+STATEMENTS = ("_item", "_element", "_section_item", "when_equation")  # where the parser may begin anew after an error
+
+
+class Stack:
+    """The stack of `parser`. A height counts its states; the start state is the first and has no value."""
+
+    def __init__(self, parser: Any) -> None:
+        self.parser = parser  # Lark's InteractiveParser, which has no types
+        self.states: list[int] = parser.parser_state.state_stack
+        self.values: list[Any] = parser.parser_state.value_stack  # tokens and parts; one less than states
+
+    # ---- what may follow ---------------------------------------------------------------------------------------------
+
+    def accepts(self, terminal: str) -> bool:
+        """Whether a token of that terminal would be shifted; nothing changes."""
+        if terminal not in self.parser.choices():
+            return False
+        try:
+            self._trial(len(self.states)).feed_token(Token(terminal, ""))
+        except UnexpectedToken:
+            return False
+        return True
+
+    def accepted(self) -> set[str]:
+        """All terminals of which a token would be shifted."""
+        accepted: set[str] = self.parser.accepts()
+        return accepted
+
+    def goes_on(self, height: int, first: Token, word: str, until: int) -> bool:
+        """Whether the text is read on beyond the token at `until` if the stack is cut and `first` is `word`."""
+        trial = self._trial(height)
+        terminal = next((t for t in vocabulary().words[word] if t in trial.choices()), None)
+        if terminal is None:
+            return False
+        position = first.start_pos
+        trial.lexer_thread.state.line_ctr.char_pos = first.end_pos
+        try:
+            trial.feed_token(Token(terminal, word))
+            for token in trial.lexer_thread.lex(trial.parser_state):
+                if position == until:
+                    break
+                trial.feed_token(as_text(token))
+                position = token.start_pos
+        except UnexpectedInput:
+            pass
+        return position == until
+
+    def _trial(self, height: int) -> Any:
+        """A copy of the parser with the stack cut at `height`, which makes no nodes."""
+        trial = self.parser.copy(deepcopy_values=False)
+        trial.parser_state.parse_conf = copy(trial.parser_state.parse_conf)
+        trial.parser_state.parse_conf.callbacks = {}
+        del trial.parser_state.state_stack[height:]
+        del trial.parser_state.value_stack[height - 1 :]
+        return trial
+
+    # ---- the unfinished statement ------------------------------------------------------------------------------------
+
+    def boundary(self) -> int:
+        """Height at which the innermost unfinished statement began, 0 if there is none."""
+        kinds = boundaries()
+        for height in range(len(self.states), 0, -1):
+            if self.states[height - 1] in kinds:
+                return height
+        return 0
+
+    def at_boundary(self) -> bool:
+        """Whether a statement may begin here."""
+        return self.states[-1] in boundaries()
+
+    def kind(self) -> str | None:
+        """What kind of statement is unfinished: one of STATEMENTS."""
+        height = self.boundary()
+        return boundaries()[self.states[height - 1]] if height else None
+
+    def is_complete(self) -> bool:
+        """Whether the whole text is one tree already."""
+        state: int = self.parser.parser_state.parse_conf.end_state
+        return self.states[-1] == state
+
+    def above(self, height: int) -> list[Any]:
+        """Tokens and parts above that height."""
+        return self.values[height - 1 :]
+
+    # ---- moves -------------------------------------------------------------------------------------------------------
+
+    def settle(self) -> None:
+        """Make the reductions that any next token would ask for: finish what is complete before an error is judged."""
+        while True:
+            actions = set(self.parser.choices().values())
+            if len(actions) != 1:
+                return
+            kind, rule = actions.pop()
+            if kind is Shift:
+                return
+            self._reduce(rule)
+
+    def _reduce(self, rule: Any) -> None:
+        conf = self.parser.parser_state.parse_conf
+        height = len(self.states) - len(rule.expansion)
+        value = conf.callbacks[rule](self.above(height))
+        self.cut(height)
+        self.states.append(conf.states[self.states[-1]][rule.origin.name][1])
+        self.values.append(value)
+
+    def cut(self, height: int) -> None:
+        """Forget everything above `height`."""
+        del self.states[height:]
+        del self.values[height - 1 :]
+
+
+@cache
+def boundaries() -> dict[int, str]:
+    """States of the automaton in which a statement may begin, with the kind of the statement."""
+    frontend: Any = language().parser
+    table = frontend.parser._parse_table.states
+    kinds = {state: next((kind for kind in STATEMENTS if kind in row), None) for state, row in table.items()}
+    return {state: kind for state, kind in kinds.items() if kind is not None}
+
+
+@cache
+def statement_words() -> frozenset[str]:
+    """Words that begin a statement or end a list of statements."""
+    frontend: Any = language().parser
+    table = frontend.parser._parse_table.states
+    begins = {terminal for state in boundaries() for terminal in table[state]}
+    return frozenset(
+        word
+        for word, terminals in vocabulary().words.items()
+        if word not in ("true", "false", "not", "if") and any(terminal in begins for terminal in terminals)
+    )

@@ -1,0 +1,119 @@
+"""Small models, each with a reference that uses nothing of lagdsl: closed forms, or a few lines of NumPy.
+
+A model either moves as its reference says, in bounded time, or is refused with an error that names the cause where the
+row allows that. `check` runs one row in a process of its own, so that a run that does not end is a failure like others.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, get_args
+
+import pytest
+from attack.awaited import AWAITED
+
+import lagdsl
+from lagdsl.pipeline import EngineName
+
+KNOWN: tuple[str, ...] = get_args(EngineName)
+EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))
+FIRST = "tape" if "tape" in KNOWN else "c"
+ENGINES: tuple[str, ...] = tuple(e for e in ("tape", "c", "numpy") if e in KNOWN) if EXPLORE else (FIRST,)
+SECONDS = 10  # of the processor
+
+
+@dataclass(frozen=True)
+class Attack:
+    """`ends` are values of columns at the end, `counts` numbers of events by (name, kind), `never` less than no event
+    of a kind. `refused` are codes of errors that are an answer, too; "any" of them."""
+
+    name: str
+    text: str
+    stop: float
+    ends: Mapping[str, float] = field(default_factory=dict)
+    counts: Mapping[tuple[str, str], int] = field(default_factory=dict)
+    inputs: Mapping[str, Any] = field(default_factory=dict)
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    refused: tuple[str, ...] = ()
+    tolerance: float = 1e-10
+    near: float = 1e-8
+    interval: float | None = None
+
+
+def model(body: str, clauses: str = "", units: bool = False) -> str:
+    """A text from its statements and equations, without units unless asked for."""
+    equation = f"\nequation\n{clauses}" if clauses else ""
+    free = "" if units else 'annotation(units = "none");'
+    return f"model Attacked\n{body}\n{free}{equation}\nend Attacked;\n"
+
+
+def rows(table: list[Attack]) -> pytest.MarkDecorator:
+    """Every row with every engine."""
+    ready = [row for row in table if row.name not in AWAITED or os.environ.get("LAGDSL_AWAITED")]
+    cases = [pytest.param(row, engine, id=f"{row.name}-{engine}") for row in ready for engine in ENGINES]
+    return pytest.mark.parametrize(("row", "engine"), cases)
+
+
+def check(row: Attack, engine: str) -> None:
+    code, found = in_bounded_time(lambda: _run(row, engine))
+    if code is not None and (code in row.refused or "any" in row.refused):
+        return
+    assert code is None, f"refused: {code} {found}"
+    ends, events = found
+    for name, value in row.ends.items():
+        assert abs(ends[name] - value) <= row.near * max(1.0, abs(value)), f"{name}: {ends[name]!r}, exact {value!r}"
+    for event, count in row.counts.items():
+        assert events.count(event) == count, f"{event}: {events.count(event)} times, exact {count}"
+
+
+def _run(row: Attack, engine: str) -> tuple[str | None, Any]:
+    """The code of an error and its text; or values at the end, and events."""
+    try:
+        attacked = lagdsl.compile(row.text, engine=engine)  # type: ignore[arg-type]
+        motion = attacked.simulate(
+            stop=row.stop,
+            tolerance=row.tolerance,
+            interval=row.interval or row.stop / 10,
+            inputs=row.inputs or None,
+            parameters=row.parameters or None,
+        )
+    except lagdsl.CompilationFailed as failed:
+        return failed.diagnostics[0].code, str(failed)
+    except lagdsl.SimulationFailed as failed:
+        return failed.diagnostic.code, str(failed)
+    assert abs(motion.time[-1] - row.stop) <= 1e-12 * row.stop, f"ended at {motion.time[-1]}"
+    ends = {column.name: float(column.values[-1]) for column in motion.columns}
+    return None, (ends, [(event.name, event.kind) for event in motion.events])
+
+
+def in_bounded_time(work: Callable[[], Any], seconds: int = SECONDS) -> Any:
+    """What `work` returns, computed in a child of this process that the system ends after so many seconds."""
+    read, write = os.pipe()
+    child = os.fork()
+    if child == 0:
+        _work(work, write, seconds)
+    os.close(write)
+    with os.fdopen(read, "rb") as pipe:
+        answer = pipe.read()
+    _, status = os.waitpid(child, 0)
+    assert not os.WIFSIGNALED(status), f"ended by {signal.Signals(os.WTERMSIG(status)).name}, {seconds} s are allowed"
+    result, raised = pickle.loads(answer)
+    assert raised is None, raised
+    return result
+
+
+def _work(work: Callable[[], Any], write: int, seconds: int) -> None:
+    """The child: never returns."""
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    try:
+        answer = (work(), None)
+    except BaseException as error:
+        answer = (None, f"{type(error).__name__}: {error}")
+    with os.fdopen(write, "wb") as pipe:
+        pipe.write(pickle.dumps(answer))
+    os._exit(0)

@@ -1,0 +1,131 @@
+"""Events that come and go inside one step: relations bound the step, as states do."""
+
+from __future__ import annotations
+
+from math import acos, floor, log, pi, sin
+
+from attack.rows import Attack, check, model, rows
+
+TURNING = "coordinate Real phi(der(start = {})); kinetic 1/2*der(phi)^2; discrete Integer n(start = 0);"
+
+
+def counter(name: str, rate: float, condition: str, count: int, stop: float, **more: float) -> Attack:
+    """A wheel that turns at `rate` rad/s and is counted whenever the condition becomes true."""
+    body = TURNING.format(repr(rate))
+    return Attack(name, model(body, f"when {condition} then n = pre(n) + 1; end when;"), stop, {"n": count}, **more)  # type: ignore[arg-type]
+
+
+def _rising(rate: float, stop: float, phase: float) -> int:
+    """How often rate*t passes phase + 2 pi k, in 0 < t < stop."""
+    return floor((rate * stop - phase) / (2 * pi)) + (1 if phase > 0 else 0)
+
+
+COUNTERS = [
+    # that of the start is true from the first moment and does not become true
+    counter("teeth", 20 * pi, "sin(phi) > 0.1", 1000, 100.0, tolerance=1e-6),
+    counter("teeth_fine", 20 * pi, "sin(phi) > 0.1", 1000, 100.0),
+    counter("teeth_at_noon", 7.3, "cos(phi) < 0", _rising(7.3, 100, pi / 2), 100.0, tolerance=1e-6),
+    counter("narrow_teeth", 20 * pi, "sin(phi) > 0.999", 200, 20.0, tolerance=1e-6),
+    counter("very_narrow_teeth", 20 * pi, "sin(phi) > 0.999999", 200, 20.0, tolerance=1e-6),
+    counter("narrow_gaps", 20 * pi, "sin(phi) > -0.9999", 200, 20.0, tolerance=1e-6),
+    counter("fast_wheel", 2000 * pi, "sin(phi) > 0.5", 1000, 1.0, tolerance=1e-6),
+    counter(
+        "slow_then_fast", 31.0, "sin(phi*phi) > 0.3", floor(((31.0 * 2) ** 2 - 0.3046926540153975) / (2 * pi)) + 1, 2.0
+    ),
+    counter("two_teeth", 20 * pi, "sin(phi) > 0.5 and sin(phi) < 0.6", 400, 20.0, tolerance=1e-6),
+    counter("either_of_two", 20 * pi, "{sin(phi) > 0.9, cos(phi) > 0.9}", 400, 20.0, tolerance=1e-6),
+    counter("teeth_by_mod", 20 * pi, "mod(phi, 2*pi) > 6.28", 200, 20.0, tolerance=1e-6),
+    counter("teeth_of_time", 1.0, "sin(62.83185307179586*time) > 0.5", 1000, 100.0, tolerance=1e-6),
+    counter("narrow_teeth_of_time", 1.0, "sin(62.83185307179586*time) > 0.99999", 200, 20.0, tolerance=1e-6),
+    counter("a_pulse_of_time", 1.0, "abs(time - 57) < 1e-4", 1, 100.0, tolerance=1e-6),
+    counter("a_pulse_of_place", 1.0, "abs(phi - 57) < 1e-4", 1, 100.0, tolerance=1e-6),
+    counter("a_pulse_of_a_product", 1.0, "(phi - 57)*(phi - 57.0002) < 0", 1, 100.0, tolerance=1e-6),
+]
+
+# Of the cam: the angle before its tip, the slope there, the impulse of an elastic blow.
+FLANK = acos(1 - log(2) / 100)
+SLOPE = 5 * sin(FLANK)
+BLOW = 2 * 100 * SLOPE / (1 + SLOPE**2)
+
+OSCILLATORS = [
+    Attack(
+        "tips_of_an_oscillator",
+        model(
+            "coordinate Real x(start = 1); discrete Integer n(start = 0); kinetic 1/2*der(x)^2; "
+            "potential 1/2*400*pi^2*x^2;",
+            "when x > 0.9999 then n = pre(n) + 1; end when;",
+        ),
+        10.05,
+        {"n": 100},
+        tolerance=1e-8,
+    ),
+    Attack(
+        "fast_state",
+        model(
+            "state Real z; discrete Integer n(start = 0);",
+            "der(z) = 200; when sin(z) > 0.99 then n = pre(n) + 1; end when;",
+        ),
+        10.0,
+        {"n": floor((2000 - 1.429256853470469) / (2 * pi)) + 1},
+        tolerance=1e-6,
+    ),
+    Attack(
+        "fast_turn_slow_mass",
+        model(
+            "coordinate Real phi(der(start = 62.83185307179586)), x; kinetic 1/2*(der(phi)^2 + der(x)^2); "
+            "force (if sin(phi) > 0 then 1 else 0) on x;"
+        ),
+        100.0,
+        {"der(x)": 50.0, "x": 2500.0 + 1000 * 0.05 * 0.05 / 2},
+        tolerance=1e-8,
+        near=1e-7,
+    ),
+    Attack(
+        "force_on_a_narrow_tooth",
+        model(
+            "coordinate Real phi(der(start = 62.83185307179586)), x; kinetic 1/2*(der(phi)^2 + der(x)^2); "
+            "force (if cos(phi) > 0.9999 then 1 else 0) on x;"
+        ),
+        20.025,
+        {"der(x)": 200.5 * 2 * 0.014142253479665764 / 62.83185307179586},
+    ),
+    Attack(
+        "rotating_arm_hits_a_pin",
+        # each turn the arm takes 1 from the speed of a slide that it meets
+        model(
+            "coordinate Real phi(der(start = 62.83185307179586)), x(der(start = 50)); "
+            "kinetic 1/2*(der(phi)^2 + der(x)^2);",
+            "when sin(phi) > 0.9999 then reinit(der(x), pre(der(x)) - 1); end when;",
+        ),
+        4.01,
+        {"der(x)": 10.0},
+        tolerance=1e-8,
+    ),
+    Attack(
+        "contact_with_a_fast_cam",
+        # the flank of the cam meets the resting ball where it is half as high as its tip; both share the blow
+        model(
+            "coordinate Real h(start = 0.05), phi(start = 3.141592653589793, der(start = 100));"
+            "kinetic 1/2*(der(h)^2 + der(phi)^2);"
+            "contact c: h >= 0.1*exp(100*(cos(phi) - 1)) with restitution = 1;"
+        ),
+        0.035,
+        {"der(h)": BLOW, "der(phi)": 100 - BLOW * SLOPE, "h": 0.05 + BLOW * (0.035 - (pi - FLANK) / 100)},
+        counts={("c", "impact"): 1},
+    ),
+    Attack(
+        "ball_between_near_walls",
+        model(
+            "coordinate Real x(der(start = 1000)); kinetic 1/2*der(x)^2; contact l: x >= -0.5 with restitution = 1; "
+            "contact r: x <= 0.5 with restitution = 1;"
+        ),
+        0.1002,
+        {"der(x)": 1000.0, "x": 0.2},
+        counts={("l", "impact"): 50, ("r", "impact"): 50},
+    ),
+]
+
+
+@rows([*COUNTERS, *OSCILLATORS])
+def test_missed_events(row: Attack, engine: str) -> None:
+    check(row, engine)

@@ -1,0 +1,160 @@
+"""What is near and what is small is judged by what enters, not by what else is in the model."""
+
+from __future__ import annotations
+
+from math import cos, sin, sqrt
+
+from attack.rows import Attack, check, model, rows
+
+G = 9.81
+
+
+def fall(name: str, height: float, odometer: str, stop: float, e: float = 1.0) -> Attack:
+    """A ball dropped from a height, one bounce within `stop`; beside it something else in another scale."""
+    first = sqrt(2 * height / G)
+    speed = G * first
+    rest = stop - first
+    assert 0 < rest < 2 * e * speed / G
+    text = model(
+        f"coordinate Real h(start = {height!r}); kinetic 1/2*der(h)^2; potential 9.81*h; "
+        f"contact floor: h >= 0 with restitution = {e}; {odometer}"
+    )
+    ends = {"h": e * speed * rest - G * rest**2 / 2, "der(h)": e * speed - G * rest}
+    return Attack(name, text, stop, ends, counts={("floor", "impact"): 1})
+
+
+def far(start: float, rate: float = 0.0, mass: float = 1.0) -> str:
+    return f"coordinate Real odo(start = {start!r}, der(start = {rate!r})); kinetic 1/2*{mass!r}*der(odo)^2;"
+
+
+def tiny(height: float) -> Attack:
+    """A fall from next to nothing in its own time: heights and rates relative to their own size."""
+    first = sqrt(2 * height / G)
+    stop = 2.0 * first
+    scale = repr(1 / height)
+    text = model(
+        f"coordinate Real h(start = {height!r}, nominal = {height!r}); kinetic 1/2*der(h)^2; potential 9.81*h;"
+        f"contact floor: h >= 0 with restitution = 1; output Real part = {scale}*h;"
+    )
+    return Attack(f"fall_from_{height:g}", text, stop, {"part": 1.0}, counts={("floor", "impact"): 1})
+
+
+FALLS = [
+    fall("alone", 0.01, "", 0.08),
+    *(fall(f"beside_an_odometer_at_{x:g}", 0.01, far(x), 0.08) for x in (1e-9, 1e3, 1e5, 1e7, 1e9)),
+    *(fall(f"beside_one_that_runs_at_{v:g}", 0.01, far(0.0, v), 0.08) for v in (1e-9, 1e3, 1e6, 1e9)),
+    *(fall(f"beside_a_mass_of_{m:g}", 0.01, far(1.0, 1.0, m), 0.08) for m in (1e-18, 1e-9, 1e9, 1e18)),
+    *(tiny(h) for h in (1e-12, 1e-9, 1e-6, 1e-3, 1e3, 1e9)),
+]
+
+DOCKING = [
+    Attack(
+        "craft_far_from_the_origin",
+        model(
+            "coordinate Real a(start = 7e6), b(start = 7000000.005, der(start = -0.01)); "
+            "kinetic 1/2*(der(a)^2 + der(b)^2);"
+            "contact dock: b - a >= 0 with restitution = 0; output Real gap = b - a;"
+        ),
+        1.0,
+        {"a": 7e6 - 0.5 * 0.005, "der(a)": -0.005, "der(b)": -0.005},
+        counts={("dock", "closed"): 1},
+        near=1e-9,
+    ),
+    Attack(
+        "craft_far_from_the_origin_bounce",
+        model(
+            "coordinate Real a(start = 7e6), b(start = 7000000.005, der(start = -0.01)); "
+            "kinetic 1/2*(der(a)^2 + der(b)^2);"
+            "contact dock: b - a >= 0 with restitution = 1;"
+        ),
+        1.0,
+        {"der(a)": -0.01, "der(b)": 0.0},
+        counts={("dock", "impact"): 1},
+    ),
+    Attack(
+        "relation_far_from_the_origin",
+        model(
+            "coordinate Real a(start = 7e6), b(start = 7000000.005, der(start = -0.01)); "
+            "kinetic 1/2*(der(a)^2 + der(b)^2);"
+            "discrete Integer n(start = 0); discrete Real at(start = 0);",
+            "when b - a < 0 then n = pre(n) + 1; at = time; end when;",
+        ),
+        1.0,
+        {"n": 1, "at": 0.5},
+        near=1e-6,
+    ),
+    Attack(
+        "relation_of_something_small",
+        model(
+            "coordinate Real x(der(start = 1e-9)), odo(start = 1e9, der(start = 1)); "
+            "kinetic 1/2*(der(x)^2 + der(odo)^2);"
+            "discrete Real at(start = 0);",
+            "when x > 1e-9 then at = time; end when;",
+        ),
+        2.0,
+        {"at": 1.0},
+    ),
+    Attack(
+        "light_beside_heavy",
+        # a gnat meets a planet
+        model(
+            "coordinate Real x(start = -1, der(start = 1)), y; kinetic 1/2*1e-18*der(x)^2 + 1/2*1e20*der(y)^2;"
+            "contact c: y >= x with restitution = 0.5;"
+        ),
+        2.0,
+        {"x": -0.5, "der(x)": -0.5, "der(y)": 0.0},
+        counts={("c", "impact"): 1},
+    ),
+    Attack(
+        "light_on_a_rod",
+        # a pendulum of 1e-12 kg beside an oscillator of 1e12 kg
+        model(
+            "coordinate Real x(start = 0.6), y(start = -0.8), s(start = 1);"
+            "kinetic 1/2*1e-12*(der(x)^2 + der(y)^2) + 1/2*1e12*der(s)^2; potential 1e-12*9.81*y + 1/2*4e12*s^2;"
+            "constraint rod: x^2 + y^2 = 1; output Real E = 1/2*(der(x)^2 + der(y)^2) + 9.81*y;"
+        ),
+        2.0,
+        {"s": cos(4.0), "der(s)": -2 * sin(4.0), "E": -0.8 * 9.81},
+    ),
+    Attack(
+        "constraint_in_micrometres",
+        model(
+            "coordinate Real x(start = 6e-7, nominal = 1e-6), y(start = -8e-7, nominal = 1e-6), odo(start = 1e7, "
+            "der(start = 1)); kinetic 1/2*(der(x)^2 + der(y)^2 + der(odo)^2);"
+            "potential 9.81e-6*y; constraint rod: x^2 + y^2 = 1e-12; output Real r = (x^2 + y^2)*1e12;"
+            "output Real E = (1/2*(der(x)^2 + der(y)^2) + 9.81e-6*y)*1e12;"
+        ),
+        2.0,
+        {"r": 1.0, "E": -0.8 * 9.81},
+        near=1e-7,
+    ),
+    Attack(
+        "bounces_of_a_giant",
+        # 19 bounces from 1e9: the time scale is 1e4.5
+        model(
+            "coordinate Real h(start = 1e9); kinetic 1/2*der(h)^2; potential 9.81*h; "
+            "contact floor: h >= 0 with restitution = 0.8;"
+        ),
+        sqrt(2e9 / G) * (1 + 2 * sum(0.8**k for k in range(1, 19)) + 0.8**19),
+        {"der(h)": 0.0},
+        counts={("floor", "impact"): 19},
+        near=1e-3,
+    ),
+    Attack(
+        "two_floors_of_two_scales",
+        model(
+            "coordinate Real h(start = 1), g(start = 1e-6, nominal = 1e-6); kinetic 1/2*(der(h)^2 + 1e12*der(g)^2); "
+            "potential 9.81*h + 9.81e6*g;"
+            "contact one: h >= 0 with restitution = 1; contact two: g >= 0 with restitution = 1; "
+            "output Real part = 1e6*g - h;"
+        ),
+        1.0,
+        {"part": 0.0},
+        counts={("one", "impact"): 1, ("two", "impact"): 1},
+    ),
+]
+
+
+@rows([*FALLS, *DOCKING])
+def test_scales(row: Attack, engine: str) -> None:
+    check(row, engine)

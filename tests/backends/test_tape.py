@@ -1,0 +1,157 @@
+"""The interpreter of tapes computes what the evaluator of the graph does."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from random_programs import EXACT, SMOOTH, SYMBOLS, Step, as_outputs, grow, steps, values
+
+from lagdsl.backends.c.emit import Start
+from lagdsl.backends.tape.emit import SIZES, tape
+from lagdsl.backends.tape.instructions import ANGLES, CODE
+from lagdsl.diagnostics import Sink
+from lagdsl.graph import Graph, Group
+from lagdsl.graph.evaluate import evaluate_with_size
+from lagdsl.pipeline import front, middle, read, with_names
+from lagdsl.program.program import Program
+from lagdsl.resources import c_folder
+from lagdsl.runtime.tape_engine import TapeEngine
+from lagdsl.runtime.tape_model import DamagedTape, load_tape
+
+ROOT = Path(__file__).parents[2]
+EVERY = sorted(path.relative_to(ROOT) for path in (ROOT / "models").glob("**/*.lag"))
+# Contacts, clauses with clocks, closed loops, rows left to run time, outputs, inputs, states, tables.
+SOME = [
+    Path("models", f"{name}.lag")
+    for name in (
+        "double_pendulum",
+        "four_bar",
+        "robot_arm",
+        "pick_and_place",
+        "newtons_cradle",
+        "clutch",
+        "library/blocks_pid",
+    )
+]
+EMPTY = np.zeros(0)
+
+
+def _outputs(engine: TapeEngine, q: np.ndarray) -> np.ndarray:
+    nothing = (EMPTY,) * 4
+    return engine.evaluate("output", 0.75, q, np.zeros(SYMBOLS), *nothing, np.zeros(SYMBOLS), EMPTY)[0]
+
+
+def _check(program: Program, exact: int, found: np.ndarray, q: np.ndarray) -> None:
+    """The first `exact` outputs to the bit (up to the sign of zero), the others to roundings of their size."""
+    roots = program.function("output").results[0].elements
+    expected = evaluate_with_size(program.graph, roots, {Group.Q: q, Group.TIME: 0.75})
+    for index, (value, (meaning, size)) in enumerate(zip(found, expected, strict=True)):
+        if index < exact or not np.isfinite(size):
+            same = value == meaning or (np.isnan(value) and np.isnan(meaning))
+            assert same or (index >= exact and not np.isfinite(size)), (index, value, meaning)
+        else:
+            assert abs(value - meaning) <= 1e-12 * size + 1e-300, (index, value, meaning, size)
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(steps, steps, values)
+def test_a_tape_means_what_the_evaluator_means(a: list[Step], b: list[Step], state: list[float]) -> None:
+    graph = Graph()
+    exact, smooth = grow(graph, a, b)
+    program = as_outputs(graph, exact + smooth)
+    _check(program, len(exact), _outputs(TapeEngine(program), np.array(state)), np.array(state))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_every_operation_many_times(seed: int) -> None:
+    draw = np.random.default_rng(seed)
+    graph = Graph()
+
+    def walk(count: int) -> list[Step]:
+        return [(i, *(int(x) for x in draw.integers(0, 25, 3))) for i in range(count)]
+
+    exact, smooth = grow(graph, walk(20 * len(EXACT)), walk(6 * len(SMOOTH)))
+    program = as_outputs(graph, exact + smooth)
+    engine = TapeEngine(program)
+    for state in draw.normal(size=(20, SYMBOLS)) * 3.0:
+        _check(program, len(exact), _outputs(engine, state), state)
+
+
+def _program(path: Path) -> Program:
+    sink = Sink()
+    source = read(ROOT / path, sink)
+    assert source is not None
+    flat = front(source, sink)
+    assert flat is not None
+    compilation = middle(flat, sink)
+    assert compilation is not None
+    return with_names(compilation)
+
+
+@pytest.mark.parametrize("path", EVERY if os.environ.get("LAGDSL_EXPLORE") else SOME, ids=str)
+def test_every_function_of_a_model(path: Path) -> None:
+    program = _program(path)
+    engine = TapeEngine(program)
+    draw = np.random.default_rng(1)
+    numbers = 0
+    for function in program.functions:
+        if function.name == "acceleration_tangent":  # for many directions only
+            continue
+        arguments = {g: draw.normal(size=program.layout.size(g)) for g in function.arguments}
+        arguments[Group.P] = np.array(program.layout.defaults) * draw.uniform(0.9, 1.1, len(program.layout.defaults))
+        arguments = {g: arguments[g] for g in function.arguments}
+        arguments[Group.TIME] = 0.7
+        found = [block.ravel() for block in engine.evaluate(function.name, *arguments.values())]
+        roots = [node for block in function.results for node in block.elements]
+        with np.errstate(all="ignore"):
+            expected = evaluate_with_size(program.graph, roots, arguments)
+        for value, (meaning, size) in zip(np.concatenate([*found, EMPTY]), expected, strict=True):
+            assert not np.isfinite(size) or abs(value - meaning) <= 1e-13 * size + 1e-300, function.name
+        numbers += len(roots)
+    assert numbers > 20
+
+
+def test_the_same_bytes_under_any_hash_seed() -> None:
+    text = (
+        "import sys, hashlib; sys.path.insert(0, 'tests/backends'); from test_tape import _program, SOME; "
+        "from lagdsl.backends.tape.emit import tape; print(hashlib.sha256(tape(_program(SOME[1]))).hexdigest())"
+    )
+    found = {
+        subprocess.run(
+            [sys.executable, "-c", text],
+            cwd=ROOT,
+            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": os.pathsep.join(sys.path)},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(found) == 1
+
+
+def test_what_is_changed_or_cut_is_refused() -> None:
+    whole = tape(_program(SOME[0]), Start(0.5, (1.0, 2.0, 3.0, 4.0)))
+    load_tape(whole)
+    for damaged in (b"", whole[:-1], whole[:40], whole + bytes(8), whole[:100] + b"\xff" + whole[101:]):
+        with pytest.raises(DamagedTape):
+            load_tape(damaged)
+
+
+def test_instructions_are_those_of_the_header() -> None:
+    header = (c_folder() / "include" / "lag" / "tape_code.h").read_text(encoding="utf-8")
+    special = re.findall(r"^    LAG_TAPE_(\w+),$", header, re.M)
+    functions = re.findall(r"^    X\((\w+), ", header, re.M)
+    assert [*special[:-1], *functions, special[-1]] == list(CODE)
+    assert f"#define LAG_TAPE_ANGLES {ANGLES}\n" in header
+    head = (c_folder() / "include" / "lag" / "tape.h").read_text(encoding="utf-8")
+    sizes = re.search(r"enum lag_tape_size \{(.*?)LAG_TAPE_NUMBER_OF_SIZES", head, re.S)
+    assert sizes is not None
+    assert re.findall(r"LAG_TAPE_(\w+),", sizes[1]) == [name.upper() for name in SIZES]

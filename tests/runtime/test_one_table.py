@@ -1,0 +1,119 @@
+"""The functions of a program stand once: C is written from the table, and ctypes sees what C has."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from ctypes import Structure
+from pathlib import Path
+
+import pytest
+
+from lagdsl.graph.operation import ARGUMENT_NAMES, Group
+from lagdsl.program.functions import ALONG_MANY, COUNTED, FUNCTIONS, OPTIONAL, SIGNATURES
+from lagdsl.resources import c_folder
+from lagdsl.runtime import generate
+from lagdsl.runtime.build import build
+from lagdsl.runtime.native_model import native_model
+from lagdsl.runtime.run_structures import (
+    WHAT,
+    Initial,
+    InitialFault,
+    Note,
+    Results,
+    RunChange,
+    RunFault,
+    RunOptions,
+    RunReport,
+    Start,
+    Status,
+)
+from lagdsl.runtime.structures import VECTORS, VERSION, Arguments, Batch, Model, Range
+
+MIRRORED: dict[str, type[Structure]] = {
+    "lag_arguments": Arguments,
+    "lag_batch": Batch,
+    "lag_change": RunChange,
+    "lag_fault": RunFault,
+    "lag_initial": Initial,
+    "lag_model": Model,
+    "lag_note": Note,
+    "lag_range": Range,
+    "lag_results": Results,
+    "lag_run_options": RunOptions,
+    "lag_run_report": RunReport,
+    "lag_start": Start,
+}
+
+
+@pytest.mark.parametrize("path", generate.texts(), ids=lambda path: path.name)
+def test_generated_sections_are_those_of_the_table(path: Path) -> None:
+    """`make update` writes them."""
+    assert generate.texts()[path] == path.read_text(encoding="utf-8")
+
+
+def test_a_file_without_marks_is_not_written(tmp_path: Path) -> None:
+    path = tmp_path / "model.h"
+    path.write_text("nothing\n")
+    with pytest.raises(AssertionError, match=r"model\.h has no marks"):
+        generate._with(path, "", "")
+
+
+@pytest.fixture(scope="module")
+def layouts() -> dict[str, list[tuple[int, int]]]:
+    """For every structure its size, then the offsets and sizes of its members, as C has them."""
+    headers = ["model.h", "batch.h", "run.h", "initial.h"]
+    lines = ["#include <stddef.h>", *(f'#include "lag/{name}"' for name in headers)]
+    for name, mirror in MIRRORED.items():
+        members = [f"{{offsetof({name}, {field[0]}), sizeof((({name} *)0)->{field[0]})}}" for field in mirror._fields_]
+        entries = ", ".join([f"{{sizeof({name}), {len(members)}}}", *members])
+        lines.append(f"const size_t layout_of_{name}[][2] = {{{entries}}};")
+    texts = {f"lag/{path.name}": path.read_text() for path in (c_folder() / "include" / "lag").glob("*.h")}
+    library = ctypes.CDLL(str(build({"layouts.c": "\n".join(lines) + "\n", **dict(sorted(texts.items()))})))
+    pair = ctypes.c_size_t * 2
+    return {
+        name: [tuple(row) for row in (pair * (1 + len(mirror._fields_))).in_dll(library, f"layout_of_{name}")]
+        for name, mirror in MIRRORED.items()
+    }
+
+
+@pytest.mark.parametrize("name", MIRRORED)
+def test_structures_lie_as_in_c(name: str, layouts: dict[str, list[tuple[int, int]]]) -> None:
+    mirror = MIRRORED[name]
+    fields = [getattr(mirror, field[0]) for field in mirror._fields_]
+    assert layouts[name] == [(ctypes.sizeof(mirror), len(fields)), *((f.offset, f.size) for f in fields)]
+
+
+@pytest.mark.parametrize(
+    ("header", "kind", "names"),
+    [
+        ("status.h", "LAG", [each.name for each in Status]),
+        ("initial.h", "LAG_INITIAL", [each.name for each in InitialFault]),
+        ("happening.h", "LAG", [each.upper() for each in WHAT]),
+    ],
+)
+def test_enumerations_are_those_of_c(header: str, kind: str, names: list[str]) -> None:
+    text = (c_folder() / "include" / "lag" / header).read_text(encoding="utf-8")
+    (body,) = re.findall(
+        r"typedef enum lag_\w+ \{(.*?)\n\}", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL), re.DOTALL
+    )
+    assert [entry.split("=")[0].strip() for entry in body.split(",")] == [f"{kind}_{name}" for name in names]
+
+
+def test_the_table_is_whole() -> None:
+    assert len({function.name for function in FUNCTIONS}) == len(FUNCTIONS) == len(SIGNATURES) + len(OPTIONAL)
+    assert [function.name for function in FUNCTIONS] == [*SIGNATURES, *OPTIONAL]
+    for function in FUNCTIONS:
+        names = [result.name for result in function.results]
+        assert len(set(names)) == len(names)
+        for result in function.results:
+            for length in result.shape:
+                assert length in COUNTED or hasattr(Model, length), f"{length} of {function.name} is no member"
+    assert {name for name in OPTIONAL if not hasattr(Model, name)} == set(ALONG_MANY)
+    assert {ARGUMENT_NAMES[group] for group in VECTORS} < {field[0] for field in Arguments._fields_}
+    assert Group.TIME not in VECTORS
+
+
+def test_a_model_of_another_version_is_refused() -> None:
+    with pytest.raises(OSError, match=f"version {VERSION + 1} of lag/model.h"):
+        native_model(Model(version=VERSION + 1), None)

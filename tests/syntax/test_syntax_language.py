@@ -1,0 +1,94 @@
+"""What is stored is Lark's parser of the grammar, and nothing computes it anew at run time."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from texts_of_syntax import TEXTS
+
+from lagdsl import resources
+from lagdsl.syntax import generate, language
+from lagdsl.syntax.vocabulary import vocabulary
+from lagdsl.units.vocabulary import UNITS
+
+ROOT = Path(__file__).parents[2]
+
+
+def run(code: str, **environment: str) -> str:
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, **environment},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=60,
+    )
+    return done.stdout
+
+
+def test_what_is_stored_is_the_parser_of_the_grammar():
+    text = generate.stored_text(resources.grammar_file().read_text(encoding="utf-8"))
+    assert text == language.STORED.read_text(encoding="utf-8"), "run `python -m lagdsl.syntax.generate`"
+
+
+def test_what_is_stored_does_not_depend_on_the_hash_seed():
+    code = (
+        "import hashlib; from lagdsl.resources import grammar_file; from lagdsl.syntax.generate import stored_text;"
+        "print(hashlib.sha256(stored_text(grammar_file().read_text(encoding='utf-8')).encode()).hexdigest())"
+    )
+    assert run(code, PYTHONHASHSEED="1") == run(code, PYTHONHASHSEED="2")
+
+
+def test_main_writes_what_is_stored(tmp_path, monkeypatch):
+    monkeypatch.setattr(generate, "STORED", tmp_path / "grammar.json")
+    generate.main()
+    assert (tmp_path / "grammar.json").read_bytes() == language.STORED.read_bytes()
+
+
+def test_what_another_version_of_lark_has_stored_is_not_read(tmp_path, monkeypatch):
+    """Nothing of it is looked at but the version; the parser is that of the grammar."""
+    (tmp_path / "grammar.json").write_text(json.dumps({"lark": "0.1"}))
+    monkeypatch.setattr(language, "STORED", tmp_path / "grammar.json")
+    anew, stored = language.language.__wrapped__(), language.language()
+    assert [t.name for t in anew.terminals] == [t.name for t in stored.terminals]
+    text = "model M Real x = 3 kg; mass m at {x, 0}; end M;"
+    assert anew.parse(text, start="start") == stored.parse(text, start="start")
+
+
+def test_the_stored_parser_and_that_of_the_grammar_read_the_same():
+    grammar = language.compiled(resources.grammar_file().read_text(encoding="utf-8"))
+    for path in TEXTS:
+        text = path.read_text(encoding="utf-8")
+        assert grammar.parse(text, start="start") == language.language().parse(text, start="start"), path.name
+
+
+def test_parsing_loads_nothing_heavy():
+    code = (
+        "import sys; from lagdsl.source import SourceFile; from lagdsl.diagnostics import Sink;"
+        "from lagdsl.syntax.parser import parse;"
+        "assert parse(SourceFile('t', 'model M Real x = 3 kg; end M;'), Sink());"
+        "print([name for name in ('lark.tools', 'numpy', 'sympy', 'scipy', 'rich', 'pint') if name in sys.modules])"
+    )
+    assert run(code) == "[]\n"
+
+
+def test_units_are_no_keywords():
+    words, _, reserved = vocabulary()
+    assert not set(UNITS) & (set(words) | reserved)
+
+
+def test_units_are_those_of_the_vocabulary():
+    from lagdsl.units.generate import unit_names
+
+    assert len(unit_names()) > 60
+    assert sorted(unit_names()) == sorted(UNITS)
+
+
+def test_no_state_takes_a_word_for_two_keywords():
+    table = language.language().parser.parser._parse_table.states
+    for state, accepted in table.items():
+        for word, terminals in vocabulary().words.items():
+            assert sum(terminal in accepted for terminal in terminals) <= 1, (state, word)
