@@ -84,7 +84,7 @@ static void the_leapfrog_keeps_energy(void)
 static void the_rosenbrock_method_is_stable(void)
 {
     static double epsilon = 1e-6;
-    static const lag_ode ode = {2, &epsilon, van_der_pol_rates, van_der_pol_jacobian};
+    static const lag_ode ode = {2, &epsilon, van_der_pol_rates, van_der_pol_jacobian, 0};
     double x[2] = {2.0, -0.66};
     go(lag_ros2, &ode, 1, 0.5, 500, x);
     CHECK_NEAR(x[1], x[0] / (1.0 - x[0] * x[0]), 1e-4);

@@ -53,8 +53,8 @@ static double distance(size_t size, const double *x, const double *y)
     return most;
 }
 
-static const lag_ode SMOOTH = {3, NULL, smooth_rates, smooth_jacobian};
-static const lag_ode LINEAR = {3, NULL, linear_rates, linear_jacobian};
+static const lag_ode SMOOTH = {3, NULL, smooth_rates, smooth_jacobian, 0};
+static const lag_ode LINEAR = {3, NULL, linear_rates, linear_jacobian, 0};
 
 typedef struct errors {
     double at_end, inside; /* inside the steps by dense output */
@@ -120,7 +120,7 @@ static double arenstorf_error(double tolerance)
 static void van_der_pol(double tolerance, double worst, size_t most)
 {
     static double epsilon = 1e-6;
-    static const lag_ode ode = {2, &epsilon, van_der_pol_rates, van_der_pol_jacobian};
+    static const lag_ode ode = {2, &epsilon, van_der_pol_rates, van_der_pol_jacobian, 0};
     static const double start[2] = {2.0, 0.0};
     static const double exact[2] = {0.1706167732170483e1, -0.8928097010247975};
     lag_stepper s;

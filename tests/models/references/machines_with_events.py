@@ -117,8 +117,8 @@ def escapement(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 
 def valve_train(p: Parameters, t: Floats) -> dict[str, Floats]:
-    """On its seat, on the cam, in flight between. A contact that was struck holds where what is left of the series of its
-    bounces is shorter than a millionth of the experiment."""
+    """On its seat, on the cam, in flight between. A contact that was struck holds where what is left of
+    the series of its bounces is shorter than a millionth of the experiment."""
     m, J, k, preload = p["m"], p["J"], p["k"], p["preload"]
     lift = _Lift(p["lift"], p["lash"], p["duration"])
     tappet, seat = (_Contact(e, 1e-6 * (t[-1] - t[0])) for e in (0.2, 0.3))
@@ -199,7 +199,7 @@ class _Contact:
         self._e, self._rest = e, rest
 
     def struck(self, approach: float, back: float) -> tuple[float, bool]:
-        """Speed of rebound, and whether the contact holds, which ends it; `back` is the acceleration towards it in flight."""
+        """Speed of rebound, and whether the contact holds, which ends it; `back`: acceleration towards it in flight."""
         after = self._e * approach
         holds = after <= 0 or (back > 0 and 2 * after / back / (1 - self._e) < self._rest)
         return (0.0 if holds else after), holds
