@@ -229,7 +229,7 @@ size_t lag_run_saved_size(const lag_model *model, const lag_run_options *options
 void lag_run_save(const lag_run *run, unsigned char *bytes)
 {
     lag_record record = {bytes, NULL, sizeof(head)};
-    head first = {lag_run_signature(run->motion.model, &run->options), 0};
+    head first = {lag_run_is_changed(run) ? 0 : lag_run_signature(run->motion.model, &run->options), 0};
     lag_run_record((lag_run *)run, &record); /* which writes to the bytes only */
     first.sum = lag_record_sum(bytes + sizeof first, record.count - sizeof first);
     memcpy(bytes, &first, sizeof first);
@@ -238,8 +238,11 @@ void lag_run_save(const lag_run *run, unsigned char *bytes)
 lag_status lag_run_load(lag_run *run, const unsigned char *bytes)
 {
     lag_record record = {NULL, bytes, sizeof(head)};
-    const size_t size = lag_run_saved_size(run->motion.model, &run->options);
     head first;
+    if (lag_run_is_changed(run)) {
+        return LAG_FOREIGN;
+    }
+    const size_t size = lag_run_saved_size(run->motion.model, &run->options);
     memcpy(&first, bytes, sizeof first);
     if (first.signature != lag_run_signature(run->motion.model, &run->options) ||
         first.sum != lag_record_sum(bytes + sizeof first, size - sizeof first)) {

@@ -239,6 +239,13 @@ lag_status lag_run_finish(lag_run *run, double stop);
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
     double *memory);
 
+/*
+ * Between two calls: the functions of `model` from now on, another filling of the same equations, such as compiled C after a tape.
+ * `workspace` (model->workspace) and the model must outlive the run, which can no longer be saved. Where both round alike, the motion
+ * is the same to the bit. LAG_FOREIGN: it is another model.
+ */
+lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspace);
+
 void lag_run_tell(const lag_run *run, lag_run_report *report);
 
 /* Why a run ended with a status that is not LAG_OK. */
@@ -272,6 +279,9 @@ size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 lag_status lag_run_watch(lag_run *run, double t, const double *x);
 /* The state x at time t is lost: what lag_run_explain() tells of. */
 void lag_run_lose(lag_run *run, double t, const double *x);
+/* Whether its model is another than the one that it was placed with. */
+int lag_run_is_changed(const lag_run *run);
+
 /* Whether it goes across singular positions by itself. */
 int lag_run_crosses(const lag_model *model, const lag_run_options *options);
 
