@@ -61,6 +61,12 @@ class AutoEngine(TapeEngine):
             self._build = BackgroundBuild(lambda: engine_sources(program), (ALIKE,), name)
             weakref.finalize(self, self._build.cancel)
 
+    @property
+    def native(self) -> NativeModel:
+        """The compiled model where there is one, else that of the tape."""
+        self.hasten()
+        return self._model
+
     def hasten(self) -> NativeModel | None:
         """The compiled model, when it has just been finished; from then on everything is computed by it."""
         if self._build is None or self._build.is_running or self._compiled is not None:

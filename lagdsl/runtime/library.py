@@ -46,6 +46,7 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_find": (_STATUS, (_AT, c_double, _AT, _AT, _AT)),
     "run_enter": (_STATUS, (_AT,)),
     "run_jump": (_STATUS, (_AT,)),
+    "run_change": (_STATUS, (_AT, _AT, _AT)),
     "run_end": (_STATUS, (_AT,)),
     "run_explain": (None, (_AT, c_int, _AT)),
     "run_evaluate": (_STATUS, (_AT, c_int, c_double, _AT, _AT)),
