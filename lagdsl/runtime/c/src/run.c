@@ -120,6 +120,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     run->stepper.length = options->h_fixed;
+    run->stepper.nq = model->nq;
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->group = lag_take(&memory, size);
     run->natural = lag_take(&memory, size);
