@@ -312,7 +312,7 @@ static void of_a_run(void)
     const unsigned char written[SIZE] = {0, 1, 0, 0, 0, 0, 0, 0, 0};
     const lag_start said = {.written = written};
     const double larger[2] = {2.0, 2.0};
-    const lag_run_options options = {.p = larger, .start = &said, .careful = 2};
+    const lag_run_options options = {.p = larger, .start = &said, .careful = 1};
     double x[SIZE];
     CHECK(find(&model, &said, larger, NULL, NULL, x, NULL) == LAG_OK);
     lag_run *run = lag_run_place(malloc(lag_run_size(&model, &options)), &model, &options);
