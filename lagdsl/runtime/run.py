@@ -128,7 +128,7 @@ class Run:
             tolerance=settings.tolerance,
             part=settings.part,
             h_fixed=settings.step,
-            careful=2,
+            careful=1,
             general=settings.general,
             length=settings.length,
             count=len(settings.times),
