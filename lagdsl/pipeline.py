@@ -8,12 +8,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
+from lagdsl.runtime.engine import ENGINES, EngineName
 from lagdsl.semantics.flatten import flatten
 from lagdsl.semantics.library import read_source
 from lagdsl.semantics.selection import complete_models
@@ -31,11 +32,8 @@ if TYPE_CHECKING:
     from lagdsl.runtime.broadcast import BatchEngine
 
 Derivation: TypeAlias = Literal["graph", "textbook"]
-EngineName: TypeAlias = Literal["auto", "numpy", "c"]
 
 _DEEPEST_RECURSION = 20_000
-# Operations of one evaluation from which on a run takes longer in Python than the C compiler does.
-_WORTH_COMPILING = 3_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -154,17 +152,21 @@ def with_names(compilation: Compilation) -> Program:
     return named(compilation.derivation, compilation.program)
 
 
-def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
-    """What computes the functions of `program`; `auto` is C for a large one, where there is a compiler, else NumPy.
+def engine_of(program: Program, name: EngineName = "auto") -> BatchEngine:
+    """What computes the functions of `program`: `tape` at once and without a compiler, `c` compiled for this processor,
+    `auto` the tape, and C where that pays; `numpy` functions in Python, to compare with.
 
     Raises CompilationFailed where `c` is asked for and no C compiler is found.
     """
     match name:
         case "auto":
-            if _operations(program) >= _WORTH_COMPILING:
-                with suppress(CompilationFailed):
-                    return engine_of(program, "c")
-            return engine_of(program, "numpy")
+            from lagdsl.runtime.auto_engine import AutoEngine
+
+            return AutoEngine(program)
+        case "tape":
+            from lagdsl.runtime.tape_engine import TapeEngine
+
+            return TapeEngine(program)
         case "numpy":
             from lagdsl.runtime.numpy_engine import NumpyEngine
 
@@ -174,14 +176,7 @@ def engine_of(program: Program, name: EngineName = "numpy") -> BatchEngine:
 
             return CEngine(program)
         case _:
-            raise ValueError(f"there is no engine `{name}`; there are auto, numpy, c")
-
-
-def _operations(program: Program) -> int:
-    """Of one evaluation of the accelerations."""
-    name = next(name for name in ("elimination", "dynamics", "residual") if program.has(name))
-    roots = [node for block in program.function(name).results for node in block.elements]
-    return len(program.graph.live(roots))
+            raise ValueError(f"there is no engine `{name}`; there are {', '.join(ENGINES)}")
 
 
 def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:

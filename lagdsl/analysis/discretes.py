@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.analysis.point import Point, Subject
 from lagdsl.mechanics.rank import Floats
-from lagdsl.simulate.events.standing import standing
+from lagdsl.simulate.standing import standing
 
 _MOST_TOLD = 4
 
@@ -13,9 +13,8 @@ def discretes_at(subject: Subject, point: Point) -> Floats:
     """w (nw,) as it is at the point; contacts that it lies beyond are closed in it."""
     state = (point.q, point.qd, point.z)
     found = standing(subject.flat, subject.engine, point.t, state, point.u, point.p)
-    entries = [k for k, kind in enumerate(subject.engine.layout.kinds) if kind == "contact"]
     w = found.w.copy()
-    w[[entries[k] for k in found.pierced]] = 1.0
+    w[list(found.pierced)] = 1.0
     return w
 
 

@@ -16,8 +16,8 @@ from lagdsl.mechanics.structure_points import natural_sizes
 from lagdsl.program.program import Program
 from lagdsl.runtime.broadcast import BatchEngine
 from lagdsl.runtime.engine import SingularSystem
-from lagdsl.simulate.events.standing import standing
 from lagdsl.simulate.initialize import initial_state
+from lagdsl.simulate.standing import standing
 
 
 @dataclass(frozen=True, slots=True)

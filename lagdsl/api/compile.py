@@ -11,26 +11,28 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import Derivation, EngineName, engine_of, front, middle, read
+from lagdsl.pipeline import Derivation, engine_of, front, middle, read
+from lagdsl.runtime.engine import EngineName
 
 
 def compile(
     source: Path | str,
     *,
     model: str | None = None,
-    engine: EngineName = "numpy",
+    engine: EngineName = "auto",
     derivation: Derivation = "graph",
     structural: Mapping[str, float] | None = None,
     fix: bool | Iterable[str] | Mapping[str, float] = False,
 ) -> Model:
     """The model in `source`: a path, or a text (a string with a line end or a semicolon).
 
-    `model` names one of several; the default is the last complete one that no other uses. `structural` replaces
-    structural parameters. `fix` makes parameters numbers of the model, which then has shorter equations and no such
-    entry of `p`: all of them (True), those that names and patterns such as `arm.*` choose, or those of a mapping, with
-    its values in SI units. Raises CompilationFailed with everything that was found wrong; KeyError and ValueError for
-    a parameter that cannot be fixed so.
-    """
+    `engine` computes the functions: `auto` begins with the tape, at once and without a compiler, and takes C where the
+    work that is foreseen pays for it; `tape`, `c`; `numpy` to compare with. `model` names one of several; the default
+    is the last complete one that no other uses. `structural` replaces structural parameters. `fix` makes parameters
+    numbers of the model, which then has shorter equations and no such entry of `p`: all of them (True), those that
+    names and patterns such as `arm.*` choose, or those of a mapping, with its values in SI units. Raises
+    CompilationFailed with everything that was found wrong; KeyError and ValueError for a parameter that cannot be fixed
+    so."""
     sink = Sink()
     file = read(source, sink)
     flat = front(file, sink, model=model, structural=structural) if file is not None else None

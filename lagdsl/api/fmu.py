@@ -9,6 +9,7 @@ from typing import Literal
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.export import export
 from lagdsl.pipeline import Compilation
+from lagdsl.runtime.engine import EngineName
 from lagdsl.source import SourceFile
 
 VERSIONS: dict[int, Literal[2, 3]] = {2: 2, 3: 3}
@@ -18,29 +19,32 @@ KINDS: dict[str, tuple[Literal["me", "cs"], ...]] = {"me": ("me",), "cs": ("cs",
 def export_fmu(
     compilation: Compilation,
     path: Path,
-    fmi: int,
+    *,
+    version: int,
     kind: str,
     platforms: Sequence[str],
     parameters: Mapping[str, float],
     start: Mapping[str, float],
     source: SourceFile | None,
+    engine: EngineName,
     sink: Sink | None,
     progress: Callable[[float], None] | None,
 ) -> None:
     """`export`, with ValueError for a version and a kind that there are not."""
-    if fmi not in VERSIONS:
-        raise ValueError(f"there is no FMI {fmi}; there are 2, 3")
+    if version not in VERSIONS:
+        raise ValueError(f"there is no FMI {version}; there are 2, 3")
     if kind not in KINDS:
         raise ValueError(f"there is no kind `{kind}`; there are {', '.join(KINDS)}")
     export(
         compilation,
         path,
-        version=VERSIONS[fmi],
+        version=VERSIONS[version],
         kinds=KINDS[kind],
         platforms=tuple(platforms),
         parameters=parameters,
         start=start,
         source=source,
+        engine=engine,
         sink=Sink() if sink is None else sink,
         progress=progress,
     )

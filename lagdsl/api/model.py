@@ -244,13 +244,12 @@ class Model(Interface):
         ModuleNotFoundError without the extra `sweep`.
         """
         from lagdsl.api.sweep import run_sweep
-        from lagdsl.runtime.numpy_engine import NumpyEngine
 
         return run_sweep(
             self._compilation,
             values,
             samples or {},
-            engine="numpy" if isinstance(self._engine, NumpyEngine) else "c",
+            engine=self._engine.name,
             stop=stop,
             interval=interval,
             tolerance=tolerance,
@@ -385,7 +384,19 @@ class Model(Interface):
         self._parameter_vector(parameters)
         source = self._source if with_source else None
         chosen, starts = known("parameter", parameters, self.parameters), self._start_values(start)
-        export_fmu(self._compilation, Path(path), fmi, kind, platforms, chosen, starts, source, sink, progress)
+        export_fmu(
+            self._compilation,
+            Path(path),
+            version=fmi,
+            kind=kind,
+            platforms=platforms,
+            parameters=chosen,
+            start=starts,
+            source=source,
+            engine=self._engine.name,
+            sink=sink,
+            progress=progress,
+        )
 
     @property
     def _subject(self) -> Subject:

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 
 from lagdsl.api.names import known
 from lagdsl.flat.admissible import require_value
-from lagdsl.pipeline import Compilation, EngineName
+from lagdsl.pipeline import Compilation
+from lagdsl.runtime.engine import EngineName
 from lagdsl.simulate.signals import Signal
 from lagdsl.sweep.plan import Axis, Plan, Target
 from lagdsl.sweep.run import Options, Subject

@@ -90,7 +90,7 @@ def _start(compilation: Compilation) -> Start | None:
     from lagdsl.simulate.initialize import initial_state
 
     sink = Sink()
-    initial = initial_state(compilation.flat, engine_of(compilation.program, "numpy"), sink=sink)
+    initial = initial_state(compilation.flat, engine_of(compilation.program), sink=sink)
     if sink.has_errors:
         return None
     return start_of(compilation.flat, initial.t, (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist()))

@@ -8,11 +8,13 @@ import click
 
 from lagdsl.cli.assignments import split
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.engine import takes_engine
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.output import Unwritable, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import findings
+from lagdsl.runtime.engine import EngineName
 from lagdsl.runtime.platforms import PLATFORMS
 
 
@@ -43,6 +45,7 @@ from lagdsl.runtime.platforms import PLATFORMS
     metavar="NAME=VALUE",
     help="Another default of a parameter or start value: 'm=2 kg', 'x.start=1 m'; or a structural parameter.",
 )
+@takes_engine
 @click.option("--with-source", is_flag=True, help="Put the text of the model into the FMU.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), metavar="F.fmu", help="Default: MODEL.fmu, here.")
 def command(
@@ -53,6 +56,7 @@ def command(
     kind: str,
     platforms: tuple[str, ...],
     assignments: tuple[str, ...],
+    engine: EngineName,
     with_source: bool,
     output: Path | None,
 ) -> None:
@@ -71,7 +75,17 @@ def command(
     try:
         with progress(path.name) as report:
             export_fmu(
-                compilation, path, int(version), kind, machines, chosen.parameters, chosen.start, text, sink, report
+                compilation,
+                path,
+                version=int(version),
+                kind=kind,
+                platforms=machines,
+                parameters=chosen.parameters,
+                start=chosen.start,
+                source=text,
+                engine=engine,
+                sink=sink,
+                progress=report,
             )
     except CompilationFailed as failure:
         leave_with_errors(findings(sink, failure), style)

@@ -16,7 +16,7 @@ from lagdsl.cli.small_motions import finish, request, require_form, takes_state
 from lagdsl.cli.state_text import point_text, steadiness_text
 from lagdsl.cli.text_table import number, text_table
 from lagdsl.mechanics.rank import Floats
-from lagdsl.pipeline import EngineName
+from lagdsl.runtime.engine import EngineName
 
 
 @click.command("linearize")

@@ -16,7 +16,7 @@ from lagdsl.cli.model_file import Format
 from lagdsl.cli.modes_text import modes_text, variation_text
 from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.cli.small_motions import finish, grid, request, require_form, takes_state
-from lagdsl.pipeline import EngineName
+from lagdsl.runtime.engine import EngineName
 
 
 @click.command("modes")

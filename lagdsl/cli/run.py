@@ -11,12 +11,14 @@ import click
 from lagdsl.api.model import Model
 from lagdsl.cli.assignments import seconds, split
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.engine import takes_engine
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.pipeline import Derivation, EngineName, engine_of, findings
+from lagdsl.pipeline import Derivation, engine_of, findings
+from lagdsl.runtime.engine import EngineName
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.table_io import Tables, has_writer, read_inputs, write_events, write_table
 from lagdsl.simulate.trajectory import Trajectory
@@ -37,9 +39,7 @@ _SECONDS = "e.g. 10, '500 ms'"
     help="Parameter or start value: 'm=2 kg', 'x.start=1 m'.",
 )
 @click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
-@click.option(
-    "--engine", type=click.Choice(["auto", "numpy", "c"]), default="auto", show_default=True, help="auto: C if large."
-)
+@takes_engine
 @click.option(
     "--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf, cvode."
 )

@@ -15,11 +15,13 @@ from lagdsl.analysis.point import Subject
 from lagdsl.analysis.where import Where
 from lagdsl.cli.assignments import constants, fitting, seconds, split
 from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.engine import takes_engine
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.output import draft_of, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import EngineName, engine_of, findings
+from lagdsl.pipeline import engine_of, findings
+from lagdsl.runtime.engine import EngineName
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 _Result = TypeVar("_Result")
@@ -46,7 +48,7 @@ def takes_state(command: _Command) -> _Command:
             metavar="NAME=VALUE",
             help="Parameter or start value: 'm=2 kg', 'x.start=1 m'.",
         ),
-        click.option("--engine", type=click.Choice(["numpy", "c"]), default="numpy", show_default=True),
+        takes_engine,
         click.option(
             "-o", "--output", type=click.Path(path_type=Path), help="Write the numbers to this .json, .npz or .csv."
         ),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from lagdsl.cli.assignments import seconds, split
+from lagdsl.cli.engine import takes_engine
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.output import Unwritable, require_writable
 from lagdsl.cli.progress import progress
@@ -16,7 +17,8 @@ from lagdsl.cli.status import FAILED_RUN, INTERRUPTED, USAGE
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import Compilation, EngineName, front, middle
+from lagdsl.pipeline import Compilation, front, middle
+from lagdsl.runtime.engine import EngineName
 from lagdsl.simulate.table_io import Tables, read_inputs
 from lagdsl.source import SourceFile
 
@@ -45,7 +47,7 @@ _MOST_REASONS = 3
 @click.option("--interval", metavar="H", help="Time between rows [s].")
 @click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration.")
 @click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
-@click.option("--engine", type=click.Choice(["numpy", "c"]), default="numpy", show_default=True)
+@takes_engine
 @click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf.")
 @click.option("--column", "columns", multiple=True, metavar="NAME", help="Keep this column only; may be repeated.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the dataset: .nc, .parquet or .csv.")

@@ -17,7 +17,7 @@ from lagdsl.cli.small_motions import finish, request, require_form, takes_state
 from lagdsl.cli.state_text import steadiness_text
 from lagdsl.cli.text_table import number, text_table
 from lagdsl.mechanics.structure_display import display, display_rate
-from lagdsl.pipeline import EngineName
+from lagdsl.runtime.engine import EngineName
 
 
 @click.command("trim")

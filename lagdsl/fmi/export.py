@@ -22,6 +22,7 @@ from lagdsl.fmi.trial import try_out
 from lagdsl.fmi.variables import KINDS, Kind, Version
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.compiler import failure
+from lagdsl.runtime.engine import EngineName
 from lagdsl.runtime.platforms import PLATFORMS, Platform, platform_of, this_machine
 from lagdsl.source import SourceFile
 from lagdsl.source.whole_file import whole_file
@@ -41,6 +42,7 @@ def export(
     start: Mapping[str, float] | None = None,
     source: SourceFile | None = None,
     documented: bool = True,
+    engine: EngineName = "auto",
     sink: Sink | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> None:
@@ -49,9 +51,9 @@ def export(
     `platforms` are names of `lagdsl.runtime.platforms.PLATFORMS`; none: that of this machine. `parameters` and `start`,
     by name in SI units, become the defaults. `source` is put into the file with all else that the model was read from.
     Without `documented` there is neither documentation nor a picture nor a motion to compare with, which take most of
-    the time. `progress` is called with the part of the work that is done. The file appears when the validator of fmpy
-    found nothing and its own library, if it is for this machine, came through its first steps; the same model gives the
-    same bytes.
+    the time. `engine` finds the start and that motion. `progress` is called with the part of the work that is done. The
+    file appears when the validator of fmpy found nothing and its own library, if it is for this machine, came through
+    its first steps; the same model gives the same bytes.
 
     Raises CompilationFailed with E09xx, ValueError for a platform that there is not, OSError where `path` cannot be
     written.
@@ -62,7 +64,7 @@ def export(
     require_fmpy()
     refuse(compilation.flat, version, parameters or {}, own)
     own.raise_if_errors()
-    exported = subject(compilation, version, kinds, parameters or {}, start or {}, own)
+    exported = subject(compilation, version, kinds, parameters or {}, start or {}, own, engine)
     description, sources = texts(exported)
     told(_WRITTEN)
     objects = objects_of(sources, exported.stem, machines, lambda part: told(_WRITTEN + (_COMPILED - _WRITTEN) * part))
@@ -75,7 +77,7 @@ def export(
     }
     written = {} if source is None else model_texts(compilation.flat, source)
     if documented:
-        known = reference(exported, objects)
+        known = reference(exported, objects, engine)
         header = sources["fmi2Functions.h" if version == 2 else "fmi3Functions.h"]
         files |= {**documentation_files(exported, known, header), **extra_files(known, written)}
     else:

@@ -8,6 +8,7 @@ from lagdsl.fmi.subject import Subject
 from lagdsl.pipeline import engine_of
 from lagdsl.record import record
 from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.engine import EngineName
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.simulate import simulate
 from lagdsl.simulate.table_io import csv_text, events_text
@@ -36,18 +37,22 @@ class Reference:
         return {**tables, "reference.opt": "".join(f"{name}, {float(value)!r}\n" for name, value in settings.items())}
 
 
-def reference(subject: Subject, objects: Objects) -> Reference | None:
+def reference(subject: Subject, objects: Objects, engine: EngineName = "auto") -> Reference | None:
     """The motion of the experiment with the chosen defaults and starts; None where there is not even a beginning.
 
-    It comes from the same `objects` as the library for this machine, if there is one: nothing is compiled twice.
+    Without another choice of engine it comes from the same `objects` as the library for this machine, if there is one:
+    nothing is compiled twice.
     """
     flat = subject.compilation.flat
     tolerance = max(_PART * flat.experiment.tolerance, _LEAST)
     ended = None
     with objects.open_library() as library:
-        engine = engine_of(subject.plain, "c") if library is None else CEngine(subject.program, library)
+        compiled = library is not None and engine in ("auto", "c")
+        computing = CEngine(subject.program, library) if compiled else engine_of(subject.plain, engine)
     try:
-        motion = simulate(engine, flat, tolerance=tolerance, start=subject.chosen, max_steps=_MOST_STEPS, sink=Sink())
+        motion = simulate(
+            computing, flat, tolerance=tolerance, start=subject.chosen, max_steps=_MOST_STEPS, sink=Sink()
+        )
     except SimulationFailed as failed:
         motion, ended = failed.trajectory, failed.diagnostics[0].message
     except CompilationFailed:

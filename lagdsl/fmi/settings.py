@@ -17,7 +17,7 @@ from lagdsl.mechanics.structure_points import geometry
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
-from lagdsl.simulate.accuracy import Accuracy
+from lagdsl.simulate.scales import scales_of
 
 
 @record(kw_only=True)
@@ -45,9 +45,9 @@ def settings(
     flat, layout = compilation.flat, compilation.program.layout
     functions = ProgramFunctions(compilation.program) if engine is None else engine
     space = geometry(flat, functions)
-    accuracy = Accuracy(flat, space.sizes, flat.experiment.tolerance)
+    scales = scales_of(flat, space.q)
     loose = contact_rows(flat)
-    natural = accuracy.sizes
+    natural = scales.sizes
     return Settings(
         start=start,
         inputs=_floats(space.u),
@@ -57,9 +57,9 @@ def settings(
             *(s.fixed for s in flat.states),
         ),
         nominal=_floats(np.where(natural > 0.0, natural, 1.0)),
-        groups=_floats(accuracy.groups.astype(np.float64)),
+        groups=_floats(scales.groups),
         natural=_floats(natural),
-        caps=_floats(accuracy.caps),
+        caps=_floats(scales.caps),
         row_sizes=_floats(space.row_sizes),
         lasting=tuple(row not in loose for row in range(len(layout.constraints))),
         general=sum(not (flag or row in loose) for row, flag in enumerate(redundant or layout.redundant)),

@@ -15,6 +15,7 @@ from lagdsl.fmi.variables import Kind, Table, Version, table
 from lagdsl.pipeline import Compilation, engine_of, middle, with_names
 from lagdsl.program.program import Program
 from lagdsl.record import record
+from lagdsl.runtime.engine import EngineName
 from lagdsl.simulate.initialize import initial_state
 
 
@@ -42,17 +43,19 @@ def subject(
     parameters: Mapping[str, float],
     start: Mapping[str, float],
     sink: Sink,
+    engine: EngineName = "auto",
 ) -> Subject:
-    """`parameters` and `start` (SI) become the defaults. Raises CompilationFailed where nothing starts from them."""
+    """`parameters` and `start` (SI) become the defaults, `engine` finds where the motion starts. Raises
+    CompilationFailed where nothing starts from them."""
     graph = _by_graph(compilation)
     plain = _with_defaults(graph.program, parameters)
     defaults = plain.layout.defaults
     names = (slot.name for slot in plain.layout.parameters)
     check_limits(graph.flat, dict(zip(names, defaults, strict=True)), sink)
     _raise(sink)
-    engine = engine_of(plain)
+    computing = engine_of(plain, engine)
     with np.errstate(all="ignore"):
-        initial = initial_state(graph.flat, engine, start=start, sink=sink)
+        initial = initial_state(graph.flat, computing, start=start, sink=sink)
     _raise(sink)
     state = (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist())
     where = start_of(graph.flat, initial.t, [float(value) for value in state], start)
@@ -62,7 +65,7 @@ def subject(
         plain=plain,
         chosen=start,
         start=where,
-        table=table(whole, version, where, kinds=kinds, engine=engine, redundant=initial.redundant),
+        table=table(whole, version, where, kinds=kinds, engine=computing, redundant=initial.redundant),
         stem=stem_of(whole.program),
     )
 

@@ -11,11 +11,13 @@ import os
 import platform
 import stat
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from lagdsl.record import record
 from lagdsl.runtime.compiler import (
     FLAGS,
+    Cancellation,
     Compiler,
     compile_object,
     failure,
@@ -26,24 +28,33 @@ from lagdsl.runtime.compiler import (
 )
 
 
-def build(sources: Mapping[str, str], *, fresh: bool = False) -> Path:
+def build(
+    sources: Mapping[str, str],
+    flags: Sequence[str] = (),
+    *,
+    fresh: bool = False,
+    name: str | None = None,
+    cancellation: Cancellation | None = None,
+) -> Path:
     """The shared library of C `sources` (text by relative path), from the cache unless `fresh`.
 
-    Raises CompilationFailed: E0911 no compiler, E0912 it failed, E0913 nowhere to write.
+    `flags` come beside those that all libraries are compiled with. `name` is that of the file; without one it follows
+    from everything that the library is made of. Raises CompilationFailed: E0911 no compiler, E0912 it failed, E0913
+    nowhere to write; Cancelled.
     """
     compiler = find_compiler()
     folder = cache_folder()
-    library = folder / f"{content_hash(sources, compiler)}.so"
+    library = folder / f"{name or content_hash(sources, compiler, flags)}.so"
     if fresh or not library.exists():
-        _build_into(library, sources, compiler)
+        _build_into(library, sources, compiler, flags, cancellation)
     return library
 
 
-def content_hash(sources: Mapping[str, str], compiler: Compiler) -> str:
+def content_hash(sources: Mapping[str, str], compiler: Compiler, flags: Sequence[str] = ()) -> str:
     """Hexadecimal digest of sources, flags, compiler and machine, its processor too: the folder may be shared."""
     digest = hashlib.sha256()
     machine = (platform.platform(), platform.machine(), processor())
-    for part in (*compiler.command, compiler.identity, *FLAGS, *native_flags(compiler), *machine):
+    for part in (*compiler.command, compiler.identity, *FLAGS, *flags, *native_flags(compiler), *machine):
         digest.update(part.encode() + b"\0")
     for path, text in sources.items():
         data = text.encode()
@@ -67,28 +78,44 @@ def cache_folder() -> Path:
     return folder
 
 
-def _build_into(library: Path, sources: Mapping[str, str], compiler: Compiler) -> None:
+def _build_into(
+    library: Path,
+    sources: Mapping[str, str],
+    compiler: Compiler,
+    flags: Sequence[str],
+    cancellation: Cancellation | None,
+) -> None:
     try:
         with tempfile.TemporaryDirectory(dir=library.parent, prefix="build-") as name:
             folder = Path(name)
             for path, text in sources.items():
                 (folder / path).parent.mkdir(parents=True, exist_ok=True)
                 (folder / path).write_text(text, encoding="utf-8")
-            objects = [
-                _object(path, library.parent, folder, sources, compiler) for path in sources if path.endswith(".c")
-            ]
+            call = _Call(compiler, folder, tuple(flags), cancellation)
+            objects = [_object(call, library.parent, path, sources) for path in sources if path.endswith(".c")]
             link_shared(compiler, folder, [str(path) for path in objects], library.name)
             (folder / library.name).replace(library)
     except OSError as problem:
         raise failure("E0913", reason=str(problem)) from None
 
 
-def _object(path: str, cache: Path, folder: Path, sources: Mapping[str, str], compiler: Compiler) -> Path:
+@record()
+class _Call:
+    compiler: Compiler
+    folder: Path
+    flags: tuple[str, ...]
+    cancellation: Cancellation | None
+
+
+def _object(call: _Call, cache: Path, path: str, sources: Mapping[str, str]) -> Path:
     """The object file of one C file; those of the runtime are the same for all models, and compiled once."""
-    headers = [name for name in sources if name.startswith("lag/") or name == path.removesuffix(".c") + ".h"]
-    read = {name: sources[name] for name in (path, *(name for name in headers if name.endswith(".h")))}
-    kept = cache / f"{content_hash(read, compiler)}.o"
+    shared = path.startswith("lag/")
+    read = {
+        name: text for name, text in sources.items() if name == path or (name.startswith("lag/") and name[-1] == "h")
+    }
+    made = call.folder / f"{path.removesuffix('.c')}.o"
+    kept = cache / f"{content_hash(read, call.compiler, call.flags)}.o" if shared else made
     if not kept.exists():
-        compile_object(compiler, folder, path, "one.o")
-        (folder / "one.o").replace(kept)
+        compile_object(call.compiler, call.folder, path, str(made), call.flags, call.cancellation)
+        made.replace(kept)
     return kept

@@ -21,9 +21,8 @@ from lagdsl.program.verify import sizes
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.build import build
-from lagdsl.runtime.c_run import CRun, RunSettings
 from lagdsl.runtime.cores import Part, cores, share_out
-from lagdsl.runtime.engine import Floats, SingularSystem
+from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel, load_compiled
 from lagdsl.runtime.state_jacobian import StateJacobian
@@ -47,21 +46,24 @@ class CEngine:
     Raises CompilationFailed (E0911, E0912, E0913) where the model cannot be compiled.
     """
 
+    name: EngineName = "c"
+
     def __init__(self, program: Program, library: Path | None = None) -> None:
         self.layout = program.layout
         self._program, self._sizes = program, motion_sizes(program)
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
-        self._model = self._provide() if library is None else load_compiled(library, model_symbol(program))
-        self._buffers = Buffers(self._model)
         self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
         self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._number = {function.name: index for index, function in enumerate(FUNCTIONS)}
-        self._allocate()
+        self._use(self._provide() if library is None else load_compiled(library, model_symbol(program)))
 
-    def _allocate(self) -> None:
+    def _use(self, model: NativeModel) -> None:
+        """Everything is computed by this model from now on."""
         layout = self.layout
+        self._model = model
+        self._buffers = Buffers(model)
         sizes = [layout.size(group) for group in VECTORS]
         ends = np.cumsum([0, *sizes])
         # one number more than needed everywhere, so that every pointer points at something
@@ -76,11 +78,16 @@ class CEngine:
             setattr(self._arguments, ARGUMENT_NAMES[group], self._vectors.ctypes.data + 8 * int(ends[i]))
         self._prepared: bytes | None = None
         self._state_jacobian: StateJacobian | None = None
-        at, model, index = byref(self._arguments), self._model.model, byref(self._coordinate)
-        self._prepare_call = (model, at)
+        at, index = byref(self._arguments), byref(self._coordinate)
+        self._prepare_call = (model.model, at)
         memory = self._buffers.memory.ctypes.data
-        self._solve_call = (model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
+        self._solve_call = (model.model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
         self._evaluate_call = (at, self._results.ctypes.data)
+
+    @property
+    def native(self) -> NativeModel:
+        """The compiled model."""
+        return self._model
 
     # ---- one state ---------------------------------------------------------------------------------------------------
 
@@ -131,10 +138,6 @@ class CEngine:
     def _check(self, status: int) -> None:
         if status == _SINGULAR:
             raise SingularSystem(self._coordinate.value, self.layout)
-
-    def run(self, settings: RunSettings) -> CRun:
-        """A simulation in C, independent of this engine's own memory."""
-        return CRun(self._model, settings, self.layout.size(Group.U), self.layout.size(Group.W))
 
     # ---- many states -------------------------------------------------------------------------------------------------
 

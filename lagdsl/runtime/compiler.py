@@ -9,6 +9,8 @@ import shlex
 import shutil
 import subprocess
 import sys
+import threading
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -17,13 +19,18 @@ from lagdsl.diagnostics import CompilationFailed, Sink
 
 _CANDIDATES = ("cc", "gcc", "clang")
 # No -ffast-math: results must be those of the order of operations in the text, the same in every run. For the same
-# reason the compiler chooses no fused multiply-adds (the text says which there are, docs/adr/0011), nor vectors: GCC
+# reason the compiler replaces no function of the library of mathematics by another, or by its value at a constant, and
+# chooses no fused multiply-adds (the text says which there are, docs/adr/0011), nor vectors: GCC
 # (seen with 12.2) fuses in those it finds all the same, and Clang takes a quarter longer to look for them. Nobody reads
 # errno or the traps of the floating-point unit.
+_ROUNDED = ("tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "pow")
 FLAGS = (
     *("-std=c11", "-fPIC", "-O2", "-ffp-contract=off"),
     *("-fno-tree-vectorize", "-fno-tree-slp-vectorize", "-fno-math-errno", "-fno-trapping-math", "-DLAG_QUICK"),
+    *(f"-fno-builtin-{name}" for name in _ROUNDED),
 )
+# Sums are not fused with their products either: results are those of a tape, to the bit.
+ALIKE = "-DLAG_ALIKE"
 # Wider registers and shorter code: libraries in the cache run where they were compiled.
 _NATIVE = {"x86_64": "-march=native", "AMD64": "-march=native", "aarch64": "-mcpu=native"}
 _PROCESSORS = Path("/proc/cpuinfo")
@@ -60,9 +67,49 @@ def machine_compiler() -> Compiler | None:
     return None
 
 
-def compile_object(compiler: Compiler, folder: Path, source: str, target: str) -> None:
+class Cancelled(Exception):  # noqa: N818  it is what somebody wanted
+    """The compiler was ended because nobody waits for it any more."""
+
+
+class Cancellation:
+    """Ends a compiler that runs in another thread, and lets no other one begin."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._process: subprocess.Popen[str] | None = None
+        self._done = False
+
+    def cancel(self) -> None:
+        """From any thread."""
+        with self._lock:
+            self._done = True
+            if self._process is not None:
+                self._process.kill()
+
+    def begin(self, process: subprocess.Popen[str]) -> None:
+        """This one may be ended from now on."""
+        with self._lock:
+            self._process = process
+            if self._done:
+                process.kill()
+
+    def raise_if_cancelled(self) -> None:
+        """Raises Cancelled."""
+        if self._done:
+            raise Cancelled
+
+
+def compile_object(
+    compiler: Compiler,
+    folder: Path,
+    source: str,
+    target: str,
+    flags: Sequence[str] = (),
+    cancellation: Cancellation | None = None,
+) -> None:
     """Compile the C file `source` of `folder` into the object file `target`. Raises CompilationFailed (E0912)."""
-    run_compiler(compiler, folder, [*FLAGS, *native_flags(compiler), "-I.", "-c", "-o", target, source])
+    arguments = [*FLAGS, *flags, *native_flags(compiler), "-I.", "-c", "-o", target, source]
+    run_compiler(compiler, folder, arguments, cancellation)
 
 
 def link_shared(compiler: Compiler, folder: Path, objects: list[str], target: str) -> None:
@@ -87,16 +134,26 @@ def processor() -> str:
     return "\n".join(line for line in first.splitlines() if line.startswith(_KINDS_OF_PROCESSOR))
 
 
-def run_compiler(compiler: Compiler, folder: Path, arguments: list[str]) -> None:
-    """Call the compiler in `folder`. Raises CompilationFailed (E0912) with what it says."""
+def run_compiler(
+    compiler: Compiler, folder: Path, arguments: Sequence[str], cancellation: Cancellation | None = None
+) -> None:
+    """Call the compiler in `folder`. Raises CompilationFailed (E0912) with what it says, Cancelled where it was
+    ended."""
     name = Path(compiler.command[0]).name
     command = [*compiler.command, *arguments]
+    own = Cancellation() if cancellation is None else cancellation
+    own.raise_if_cancelled()
     try:
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", check=False)
+        with subprocess.Popen(
+            command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace"
+        ) as process:
+            own.begin(process)
+            said = process.communicate()[1]
     except OSError as problem:
         raise failure("E0912", notes=(str(problem),), compiler=name) from None
-    if done.returncode != 0:
-        raise failure("E0912", notes=(done.stderr.strip()[:_LONGEST_NOTE],), compiler=name)
+    own.raise_if_cancelled()
+    if process.returncode != 0:
+        raise failure("E0912", notes=(said.strip()[:_LONGEST_NOTE],), compiler=name)
 
 
 def _identity(program: str) -> str:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import TYPE_CHECKING, Literal, Protocol, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.program.program import Layout
 
+if TYPE_CHECKING:
+    from lagdsl.runtime.native_model import NativeModel
+
 Floats = NDArray[np.float64]
+EngineName: TypeAlias = Literal["auto", "tape", "c", "numpy"]
+ENGINES: tuple[EngineName, ...] = get_args(EngineName)
 
 
 class SingularSystem(ArithmeticError):  # noqa: N818  it is a state of the mechanism, not always a mistake
@@ -29,6 +34,12 @@ class Engine(Protocol):
     """
 
     layout: Layout
+    name: EngineName
+
+    @property
+    def native(self) -> NativeModel:
+        """The model as the runtime in C takes it."""
+        ...
 
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats

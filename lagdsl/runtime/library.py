@@ -9,7 +9,8 @@ from functools import cache
 from lagdsl.resources import is_checkout, runtime_library_folder
 from lagdsl.runtime.compiler import failure
 from lagdsl.runtime.platforms import library_name, this_machine
-from lagdsl.runtime.structures import METHODS, Range
+from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
+from lagdsl.runtime.structures import Range
 
 _STATUS = c_int
 _SIZE = c_size_t
@@ -41,12 +42,16 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_move": (_STATUS, (_AT, c_double, _AT, c_double)),
     "run_to": (_STATUS, (_AT, c_double, _SIZE)),
     "run_tell": (None, (_AT, _AT)),
-    "run_skip": (None, (_AT, _SIZE)),
+    "run_start": (_STATUS, (_AT, c_double, _AT)),
+    "run_find": (_STATUS, (_AT, c_double, _AT, _AT, _AT)),
     "run_enter": (_STATUS, (_AT,)),
-    "run_event": (_STATUS, (_AT, c_double, _AT)),
-    "run_ticks": (_STATUS, (_AT,)),
-    "run_due": (c_int, (_AT, c_double)),
+    "run_jump": (_STATUS, (_AT,)),
+    "run_change": (_STATUS, (_AT, _AT, _AT)),
     "run_end": (_STATUS, (_AT,)),
+    "run_explain": (None, (_AT, c_int, _AT)),
+    "run_evaluate": (_STATUS, (_AT, c_int, c_double, _AT, _AT)),
+    "run_rank": (_SIZE, (_AT, _AT, _AT)),
+    "results_width": (_SIZE, (_AT,)),
     "run_fixed": (_STATUS, (_AT, c_double, _AT, _AT)),
     "run_saved_size": (_SIZE, (_AT, _AT)),
     "run_save": (None, (_AT, _AT)),
@@ -54,17 +59,20 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "tape_check": (_STATUS, (_AT, _SIZE, _AT)),
     "tape_model": (_AT, (_AT, _SIZE, _AT)),
     "tape_start": (_AT, (_AT,)),
+    "tape_states": (_AT, (_AT,)),
+    "tape_tangents": (_AT, (_AT, c_int)),
 }
 
 
 class Runtime:
-    """The functions of PROTOTYPES as attributes; `methods` are the addresses of those of METHODS by name."""
+    """The functions of PROTOTYPES as attributes; `methods` are the addresses of METHODS and FIXED_METHODS by name."""
 
     methods: dict[str, int]
 
     def __init__(self, library: ctypes.CDLL) -> None:
         self._library = library
-        self.methods = {name: ctypes.addressof(c_char.in_dll(library, f"lag_{name}")) for name in METHODS}
+        known = {**METHODS, **FIXED_METHODS}
+        self.methods = {name: ctypes.addressof(c_char.in_dll(library, symbol)) for name, symbol in known.items()}
 
     def __getattr__(self, name: str) -> ctypes._NamedFuncPointer:
         """Found once, kept as an attribute."""

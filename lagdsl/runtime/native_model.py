@@ -17,7 +17,7 @@ class NativeModel:
     its functions need beside their arguments.
 
     `workspace`, `memory` and `lanes` are the doubles that functions of the runtime need for them. `held` is what must
-    live as long.
+    live as long; `raised` is where functions of Python leave what they raised.
     """
 
     model: object
@@ -27,9 +27,17 @@ class NativeModel:
     memory: int
     lanes: int
     held: object
+    raised: list[BaseException] | None = None
 
 
-def native_model(at: Model, held: object, *, states: object = None, tangents: object = None) -> NativeModel:
+def native_model(
+    at: Model,
+    held: object,
+    *,
+    states: object = None,
+    tangents: object = None,
+    raised: list[BaseException] | None = None,
+) -> NativeModel:
     """The lag_model `at`, with at most one of its parts.
 
     Raises OSError where it was made for another version of lag/model.h.
@@ -45,6 +53,7 @@ def native_model(at: Model, held: object, *, states: object = None, tangents: ob
         memory=int(runtime.jacobian_memory(model, tangents)),
         lanes=0 if states is None else int(runtime.batch_memory(model, states)),
         held=held,
+        raised=raised,
     )
 
 

@@ -24,7 +24,9 @@ from lagdsl.program.functions import STATE
 from lagdsl.program.program import Block, Program
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.cores import share_out
-from lagdsl.runtime.engine import Floats, SingularSystem
+from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
+from lagdsl.runtime.native_model import NativeModel
+from lagdsl.runtime.numpy_model import numpy_model
 
 # What bodies call on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat
 # what is no number as NumPy and C do.
@@ -42,6 +44,8 @@ _ON_NUMBERS = SimpleNamespace(
 class NumpyEngine:
     """Engine that needs no compiler. The functions named `..._many` broadcast over leading axes."""
 
+    name: EngineName = "numpy"
+
     def __init__(self, program: Program) -> None:
         self.layout = program.layout
         self._program = program
@@ -49,8 +53,16 @@ class NumpyEngine:
         self._bodies: dict[str, Callable[..., Sequence[float]]] = {}
         self._varied: dict[str, tuple[NDArray[np.intp], Floats]] = {}
         self._functions = {f.name: f for f in program.functions}
+        self._native: NativeModel | None = None
         self._signature = {f.name: signature(program, f) for f in program.functions}
         self._shapes = {f.name: shapes(f) for f in program.functions}
+
+    @property
+    def native(self) -> NativeModel:
+        """The model with functions that are called back."""
+        if self._native is None:
+            self._native = numpy_model(self, self._program)
+        return self._native
 
     def solve(
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats

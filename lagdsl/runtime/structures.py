@@ -11,9 +11,6 @@ from lagdsl.program.functions import FUNCTIONS
 # Of lag/model.h.
 VERSION = 2
 
-# Methods of the runtime that choose their steps.
-METHODS = ("dop853", "radau")
-
 # The vectors of lag_arguments, in its order.
 VECTORS: tuple[Group, ...] = (
     Group.Q,
@@ -64,84 +61,6 @@ class Batch(Structure):
         ("workspace", c_void_p),
         ("memory", c_void_p),
         ("lanes", c_void_p),
-    ]
-
-
-# lag_what, as results of a simulation call it; "before" and "after" are the states around an event.
-WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
-
-# What tells the inputs at a time: (context, t, u).
-INPUTS = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double))
-
-
-class Happening(Structure):
-    """lag_happening."""
-
-    _fields_ = [
-        ("t", c_double),
-        ("what", c_int),
-        ("which", c_size_t),
-        ("row", c_size_t),
-        ("x", POINTER(c_double)),
-        ("w", POINTER(c_double)),
-    ]
-
-
-# To whom it is told what happens: (context, run, happening), a lag_status.
-TELL = CFUNCTYPE(c_int, c_void_p, c_void_p, POINTER(Happening))
-
-
-class RunOptions(Structure):
-    """lag_run_options."""
-
-    _fields_ = [
-        ("tolerance", c_double),
-        ("method", c_void_p),
-        ("h_first", c_double),
-        ("h_most", c_double),
-        ("part", c_double),
-        ("p", c_void_p),
-        ("context", c_void_p),
-        ("inputs", INPUTS),
-        *((name, c_void_p) for name in ("u", "group", "natural", "cap", "row_sizes")),
-        ("careful", c_int),
-        ("lasting", c_void_p),
-        ("general", c_size_t),
-        ("tell", TELL),
-        ("length", c_double),
-        ("count", c_size_t),
-        *((name, c_void_p) for name in ("times", "rows", "output")),
-        ("indicators", c_size_t),
-        ("indicate", c_void_p),
-        ("clocks", c_size_t),
-        *((name, c_void_p) for name in ("first", "period", "event")),
-        ("looks", c_uint),
-        ("time_tolerance", c_double),
-        *((f"invariant_{name}", c_void_p) for name in ("tolerance", "start", "size", "drift")),
-        ("continued", c_int),
-        ("start", c_void_p),
-    ]
-
-
-class RunChange(Structure):
-    """lag_change."""
-
-    _fields_ = [("t", c_double), ("implicit", c_int)]
-
-
-class RunReport(Structure):
-    """lag_run_report."""
-
-    _fields_ = [
-        *((name, c_double) for name in ("t", "h", "trouble_time")),
-        ("x", POINTER(c_double)),
-        *((name, c_size_t) for name in ("row", "steps", "all_steps", "rejections", "evaluations", "jacobians")),
-        *((name, c_size_t) for name in ("decompositions", "projections", "events", "changes")),
-        *((name, POINTER(c_double)) for name in ("w", "changed", "guilty", "slack")),
-        ("fault", c_size_t),
-        ("next", c_double),
-        ("change", POINTER(RunChange)),
-        ("implicit", c_int),
     ]
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from lagdsl.backends.tape.emit import tape
+from lagdsl.backends.tape.emit import PARTS, tape
 from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.engine import EngineName
 from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.tape_model import load_tape
 
@@ -11,5 +12,11 @@ from lagdsl.runtime.tape_model import load_tape
 class TapeEngine(CEngine):
     """As CEngine. Nothing is compiled."""
 
+    name: EngineName = "tape"
+
     def _provide(self, part: str | None = None) -> NativeModel:
-        return load_tape(tape(self._program))
+        return load_tape(self._made(part), part)
+
+    def _made(self, part: str | None) -> bytes:
+        """The tape with the functions that are called `part`; those of several states are on every tape."""
+        return tape(self._program, parts=(part,) if part in PARTS else ())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
@@ -89,6 +89,8 @@ def _read(
     name = prefix + ".".join(modifier.name.parts)
     if not prefix and name in ("der", "omega") and modifier.modifiers and _fits(symbol, f"{name}.start"):
         for nested in modifier.modifiers:
+            if isinstance(nested, nodes.Modifier) and "each" in modifier.prefixes and "each" not in nested.prefixes:
+                nested = replace(nested, prefixes=("each", *nested.prefixes))  # noqa: PLW2901 `each` is for all inside
             _read(ctx, symbol, nested, scope, f"{name}.", found, inherited=inherited)
         return
     if not _fits(symbol, name):

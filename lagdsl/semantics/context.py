@@ -88,6 +88,7 @@ class Context:
     functions: list[nodes.Function] = field(default_factory=list)
     turns: int = 0
     calls: int = 0
+    components: int = 0
     exceeded: set[str] = field(default_factory=set)
     reported: set[str] = field(default_factory=set)
     withheld: Span | None = None

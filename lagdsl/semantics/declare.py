@@ -14,7 +14,7 @@ from lagdsl.semantics.contents import Contents
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import declared, enter
 from lagdsl.semantics.inheritance import Body, Part, body_of, enter_class, expand_short, names_in
-from lagdsl.semantics.limits import another_turn
+from lagdsl.semantics.limits import another_component, another_turn
 from lagdsl.semantics.modification import (
     Changes,
     Given,
@@ -147,6 +147,8 @@ class Declarer:
         qualified = scope.qualify(name)
         splits = Splits(ctx, name, shape, given)
         if not shape:
+            if not another_component(ctx, declarator.name_span):
+                return
             made = self._instance(declarator, scope, qualified, definition, condition)
             if enter(ctx, scope, name, made, declarator.name_span):
                 self._keep(part, name, made)
@@ -157,7 +159,7 @@ class Declarer:
             return
         self._keep(part, name, array)
         for indices in cartesian(*(range(1, extent + 1) for extent in shape)):
-            if not another_turn(ctx, declarator.name_span):
+            if not another_turn(ctx, declarator.name_span) or not another_component(ctx, declarator.name_span):
                 return
             made = self._instance(declarator, scope, element_name(qualified, indices), definition, condition)
             array.elements[indices] = made

@@ -27,6 +27,7 @@ from lagdsl.semantics.expressions import elaborate
 from lagdsl.semantics.inheritance import expand_short
 from lagdsl.semantics.inline import check_function
 from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
+from lagdsl.semantics.limits import MAX_COMPONENTS
 from lagdsl.semantics.rates import check_inputs, check_linear
 from lagdsl.semantics.scale_points import check_difference
 from lagdsl.semantics.selection import file_scope, functions_of, select
@@ -100,6 +101,8 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     contents = collect(ctx, root, modifiers)
     if any(diagnostic.code == "E0239" for diagnostic in ctx.sink.diagnostics):
         return None  # dimensions mean nothing then
+    if ctx.components > MAX_COMPONENTS:
+        return None  # what is there already is too much to be looked at
     check_switched(ctx, contents)
     assembly = assemble(ctx, root, contents)
     check_splits(ctx)

@@ -13,6 +13,9 @@ MAX_ELEMENTS = 100_000
 MAX_TURNS = 200_000
 """Turns of all loops, comprehensions and reductions of a model together."""
 
+MAX_COMPONENTS = 20_000
+"""Components of a model, those of components included."""
+
 MAX_CALLS = 50_000
 """Calls of the user's functions that are expanded in place, nested ones included."""
 
@@ -30,6 +33,12 @@ def another_turn(ctx: Context, span: Span) -> bool:
     """Count a turn of a loop."""
     ctx.turns += 1
     return _fits(ctx, span, "the number of loop turns", ctx.turns, MAX_TURNS)
+
+
+def another_component(ctx: Context, span: Span) -> bool:
+    """Count a component."""
+    ctx.components += 1
+    return _fits(ctx, span, "the number of components", ctx.components, MAX_COMPONENTS)
 
 
 def another_call(ctx: Context, span: Span) -> bool:

@@ -8,6 +8,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.semantics import labels
+from lagdsl.semantics.arguments import named_element
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, hidden_variables, report_unequal
 from lagdsl.semantics.geometry import as_frame, as_point
@@ -200,13 +201,16 @@ def _noun_fits(ctx: Context, scope: Scope, node: nodes.Load, value: Scalar, targ
     wanted = ENERGY / shown
     name = node.on.span.text
     on = f"angle `{name}`" if shown.is_dimensionless else f"`{name}`"
-    place = Label(
-        node.on.span, f"`{name}` is {quantity(shown)}" if not shown.is_dimensionless else f"`{name}` is an angle"
-    )
+    is_number = _is_plain_number(ctx, scope, node.on)
+    if is_number:
+        on = f"number `{name}`"
+    described = "an angle" if shown.is_dimensionless and not is_number else quantity(shown)
+    place = Label(node.on.span, f"`{name}` is {described}")
     if not fits(value.dimension, wanted):
-        words = "a moment [N.m]" if shown.is_dimensionless else quantity(wanted)
+        angle = shown.is_dimensionless and not is_number
+        words = "a moment [N.m]" if angle else quantity(wanted)
         found = quantity(value.dimension)
-        hint = "did you mean `force ... at P`?" if shown.is_dimensionless and node.keyword == "force" else None
+        hint = "did you mean `force ... at P`?" if angle and node.keyword == "force" else None
         notes = hidden_variables(scope, node.value)
         span, keyword = node.value.span, node.keyword
         ctx.sink.report(
@@ -214,8 +218,15 @@ def _noun_fits(ctx: Context, scope: Scope, node: nodes.Load, value: Scalar, targ
         )
         return False
     noun = "torque" if wanted == labels.MOMENT else "force"
-    if noun != node.keyword:
+    if noun != node.keyword and not is_number:
         described = "a moment [N.m]" if noun == "torque" else f"{describe(wanted)} [{unit_text(wanted)}]"
         ctx.sink.report("E0412", node.value.span, place, keyword=node.keyword, noun=noun, found=described, target=name)
         return False
     return True
+
+
+def _is_plain_number(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:
+    """Whether the target is declared without a unit: no angle, so that what acts on it is a force or a torque alike."""
+    found = named_element(ctx, scope, node)
+    info = found[0].info if found is not None else None
+    return info is not None and info.unit == "1" and (info.dimension or DIMENSIONLESS).is_dimensionless

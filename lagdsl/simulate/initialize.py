@@ -1,25 +1,23 @@
-"""A consistent state to start from (language reference, section 5 and rulings 26 and 27)."""
+"""A consistent state to start from (language reference, section 5 and rulings 26 and 27): found in C, told here."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
 from lagdsl.diagnostics import Severity, Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats, rank
+from lagdsl.mechanics.rank import Floats
+from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
-from lagdsl.simulate.initial_equations import joint_state
-from lagdsl.simulate.initial_positions import positions
-from lagdsl.simulate.initial_problem import Problem, problem
-from lagdsl.simulate.initial_ranks import redundant_rows
-from lagdsl.simulate.initial_rates import rates
-from lagdsl.simulate.moved import MovedRow, loops_of, moved_rows, moved_text, report_moved
+from lagdsl.runtime.run import Found, Run
+from lagdsl.simulate.initial_words import report_no_start, report_numbers
+from lagdsl.simulate.moved import MovedRow, Starts, loops_of, moved_rows, moved_text, report_moved
+from lagdsl.simulate.placed import placed
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class InitialState:
     """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the
     rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant` flags the
@@ -34,6 +32,11 @@ class InitialState:
     moved: tuple[MovedRow, ...]
     redundant: tuple[bool, ...]
     loops: tuple[str, ...] = ()
+
+    @property
+    def x(self) -> Floats:
+        """(q, qd, z)."""
+        return np.concatenate([self.q, self.qd, self.z])
 
     def __str__(self) -> str:
         return moved_text(self.model, self.freedom, self.moved, self.loops)
@@ -56,33 +59,40 @@ def initial_state(
     errors raise CompilationFailed.
     """
     own = Sink() if sink is None else sink
-    before = len(own.diagnostics)
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else p
-    task = problem(flat, engine, parameters, t0=t0, u=u, start=start or {}, sink=own)
-    if not _finite(task, own):
-        q, qd, z = task.space.q, task.space.qd, task.space.z
-    elif flat.initial_equations:
-        q, qd, z = joint_state(task, own)
-    else:
-        q = positions(task, own)
-        qd, z = (task.space.qd if _wrong(own, before) else rates(task, q, own)), task.space.z
-    redundant = engine.layout.redundant
-    if not _wrong(own, before) and (start or not np.array_equal(parameters, engine.layout.defaults)):
-        redundant = redundant_rows(task, q, own)
+    t = flat.experiment.start_time if t0 is None else t0
+    with np.errstate(all="ignore"):
+        inputs = engine.evaluate("start", t, parameters)[3] if u is None else u
+        run = placed(flat, engine, parameters, inputs, t0=t)
+        found = find_start(flat, engine, run, t, inputs, start or {}, own)
     if sink is None:
         own.raise_if_errors()
-    rows = () if _wrong(own, before) else moved_rows(task, q, qd)
+    return found
+
+
+def find_start(
+    flat: FlatModel, engine: Engine, run: Run, t: float, u: Floats, start: Mapping[str, float], sink: Sink
+) -> InitialState:
+    """The same for a run that has not begun; `u` are its inputs then."""
+    before = len(sink.diagnostics)
+    given = _by_place(flat, start, sink)
+    found = run.find(t, given, equations=bool(flat.initial_equations))
+    if not report_numbers(flat, found.starts, u, sink):
+        report_no_start(flat, engine.layout, run, t, found, sink)
+    n = len(flat.coordinates)
+    starts = _starts(flat, run, found, given)
+    rows = () if _wrong(sink, before) else moved_rows(starts, found.x, _cut_joints(flat, run, t, found))
     if not flat.initial_equations:  # these say themselves that starts are to be moved
-        report_moved(task, rows, own)
+        report_moved(starts, rows, sink)
     return InitialState(
         model=flat.name,
-        t=task.space.t,
-        q=q,
-        qd=qd,
-        z=z,
-        freedom=_freedom(task, q),
+        t=t,
+        q=found.x[:n],
+        qd=found.x[n : 2 * n],
+        z=found.x[2 * n :],
+        freedom=found.freedom,
         moved=rows,
-        redundant=redundant,
+        redundant=tuple(found.dependent.tolist()),
         loops=loops_of(flat),
     )
 
@@ -91,26 +101,35 @@ def _wrong(sink: Sink, before: int) -> bool:
     return any(d.severity is Severity.ERROR for d in sink.diagnostics[before:])
 
 
-def _freedom(task: Problem, q: Floats) -> int:
-    space = task.space
-    jacobian = space.velocity(q, space.qd)[1] * space.sizes / space.row_sizes[:, None]
-    return len(q) - (rank(jacobian) if np.all(np.isfinite(jacobian)) else 0)
+def _by_place(flat: FlatModel, start: Mapping[str, float], sink: Sink) -> dict[int, float]:
+    """Start values by their place in (q, qd, z); E0805 for a name that has none."""
+    coordinates = [c.name for c in flat.coordinates]
+    names = [*coordinates, *(f"der({name})" for name in coordinates), *(s.name for s in flat.states)]
+    places = {name: place for place, name in enumerate(names)}
+    for name in start:
+        if name not in places:
+            sink.report("E0805", None, name=name, known=", ".join(names))
+    return {places[name]: value for name, value in start.items() if name in places}
 
 
-def _finite(task: Problem, sink: Sink) -> bool:
-    """E0816 for a start value or a constraint that is not a number at the start."""
-    space = task.space
-    named = [
-        *zip(space.q.tolist(), (c.name for c in task.flat.coordinates), strict=True),
-        *zip(space.qd.tolist(), (f"der({c.name})" for c in task.flat.coordinates), strict=True),
-        *zip(space.z.tolist(), (s.name for s in task.flat.states), strict=True),
-        *zip(space.u.tolist(), (i.name for i in task.flat.inputs), strict=True),
-    ]
-    wrong = [name for value, name in named if not np.isfinite(value)]
-    if not wrong:
-        residuals = np.abs(space.position(space.q)[0]) + np.abs(space.velocity(space.q, space.qd)[0])
-        slots = space.functions.layout.constraints
-        wrong = [slot.name for slot, value in zip(slots, residuals.tolist(), strict=True) if not np.isfinite(value)]
-    for name in wrong:
-        sink.report("E0816", None, name=name)
-    return not wrong
+def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float]) -> Starts:
+    n = len(flat.coordinates)
+    told = run.settings.start
+    written = np.array(told.written, dtype=np.bool_)
+    written[list(given)] = True
+    return Starts(
+        flat=flat,
+        x=found.starts,
+        sizes=run.settings.natural,
+        fixed=np.array(told.fixed, dtype=np.bool_),
+        written=written,
+        pattern=found.pattern,
+        count=n,
+    )
+
+
+def _cut_joints(flat: FlatModel, run: Run, t: float, found: Found) -> Floats:
+    """Outputs at the start, which hold the coordinates of cut joints, where there are some."""
+    if not any(output.joint for output in flat.outputs):
+        return np.zeros(0)
+    return run.evaluate("output", t, found.x, len(flat.outputs))

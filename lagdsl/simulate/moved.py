@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import Display, display, display_rate
 from lagdsl.mechanics.structure_names import located
-from lagdsl.simulate.initial_problem import Problem
+from lagdsl.record import record
+
+Flags = NDArray[np.bool_]
+Kind: TypeAlias = Literal["fixed", "explicit", "default", "derived"]
 
 # Parts of the natural size: what counts as moved at all, and as more than the digits of a typed number.
 _MOVED = 1e-9
@@ -27,7 +31,7 @@ class MovedRow:
     name: str
     start: float
     value: float
-    kind: Literal["fixed", "explicit", "default", "derived"]
+    kind: Kind
     unit: Display
 
     @property
@@ -43,48 +47,47 @@ class MovedRow:
         return f"{noun} moved by {digits} {self.unit.unit}".rstrip()
 
 
-def moved_rows(task: Problem, q: Floats, qd: Floats) -> tuple[MovedRow, ...]:
-    """Rows of everything that moved and, if anything did, of what was fixed; positions first."""
-    space = task.space
-    groups = (
-        (q, space.q, task.fixed, task.explicit, display, "{}"),
-        (qd, space.qd, task.rate_fixed, task.rate_explicit, display_rate, "der({})"),
-    )
+@record(kw_only=True)
+class Starts:
+    """Start values x (2 nq + nz,) with their natural sizes, and which of them are fixed or written; `pattern` (nc, nq)
+    tells which coordinates a row depends on, `count` is nq."""
+
+    flat: FlatModel
+    x: Floats
+    sizes: Floats
+    fixed: Flags
+    written: Flags
+    pattern: Flags
+    count: int
+
+
+def moved_rows(starts: Starts, x: Floats, outputs: Floats) -> tuple[MovedRow, ...]:
+    """Rows of everything that moved to `x` and, if anything did, of what was fixed, positions first; then those of cut
+    joints, whose values stand in `outputs`."""
     rows: list[MovedRow] = []
     anything = False
-    guesses = _in_loops(task)
-    for values, starts, fixed, explicit, shown, pattern in groups:
-        for index, coordinate in enumerate(task.flat.coordinates):
-            start, value = float(starts[index]), float(values[index])
-            moved = abs(value - start) > _MOVED * max(abs(start), float(space.sizes[index]))
+    guesses = _in_loops(starts)
+    for first, shown, pattern in ((0, display, "{}"), (starts.count, display_rate, "der({})")):
+        for place, coordinate in enumerate(starts.flat.coordinates, start=first):
+            start, value = float(starts.x[place]), float(x[place])
+            moved = abs(value - start) > _MOVED * max(abs(start), float(starts.sizes[place]))
             anything = anything or moved
-            if moved or fixed[index]:
+            if moved or starts.fixed[place]:
                 name = pattern.format(coordinate.name)
-                kind: Literal["fixed", "explicit", "default"] = (
-                    "fixed" if fixed[index] else "explicit" if explicit[index] and name not in guesses else "default"
-                )
+                written = starts.written[place] and name not in guesses
+                kind: Kind = "fixed" if starts.fixed[place] else "explicit" if written else "default"
                 rows.append(MovedRow(name=name, start=start, value=value, kind=kind, unit=shown(coordinate)))
-    return (*rows, *_derived(task, q, qd)) if anything else ()
-
-
-def _derived(task: Problem, q: Floats, qd: Floats) -> list[MovedRow]:
-    """The coordinates of cut joints, which follow from the motion of their frames."""
-    outputs = task.flat.outputs
-    if not any(output.joint for output in outputs):
-        return []
-    space = task.space
-    at_rest = np.zeros_like(q), np.zeros(len(space.row_sizes))
-    (values,) = space.functions.evaluate("output", space.t, q, qd, space.z, space.u, space.w, space.p, *at_rest)
-    return [
+    derived = [
         MovedRow(name=output.name, start=value, value=value, kind="derived", unit=display(output))
-        for output, value in zip(outputs, values.tolist(), strict=True)
+        for output, value in zip(starts.flat.outputs, outputs.tolist(), strict=False)
         if output.joint
     ]
+    return (*rows, *derived) if anything else ()
 
 
-def report_moved(task: Problem, rows: tuple[MovedRow, ...], sink: Sink) -> None:
+def report_moved(starts: Starts, rows: tuple[MovedRow, ...], sink: Sink) -> None:
     """W0814 for explicit starts that were moved by more than the digits they were typed with."""
-    coordinates = {c.name: (c, size) for c, size in zip(task.flat.coordinates, task.space.sizes.tolist(), strict=True)}
+    coordinates = {c.name: (c, size) for c, size in zip(starts.flat.coordinates, starts.sizes.tolist(), strict=False)}
     for row in rows:
         rate = row.name.startswith("der(")
         if row.kind != "explicit":
@@ -97,12 +100,12 @@ def report_moved(task: Problem, rows: tuple[MovedRow, ...], sink: Sink) -> None:
         sink.report("W0814", span, name=row.name, start=_shown(row, row.start), value=_shown(row, row.value))
 
 
-def _in_loops(task: Problem) -> set[str]:
+def _in_loops(starts: Starts) -> set[str]:
     """Names of the coordinates that closures of loops hold: their starts choose how the loop is assembled, and are
     guesses even where they are written."""
-    items = [item for item in located(task.flat) if item.constraint.closure is not None]
-    held = np.any(task.space.pattern[[row for item in items for row in item.rows]], axis=0)
-    return {c.name for c, inside in zip(task.flat.coordinates, held.tolist(), strict=True) if inside}
+    items = [item for item in located(starts.flat) if item.constraint.closure is not None]
+    held = np.any(starts.pattern[[row for item in items for row in item.rows]], axis=0)
+    return {c.name for c, inside in zip(starts.flat.coordinates, held.tolist(), strict=True) if inside}
 
 
 def _shown(row: MovedRow, si: float) -> str:

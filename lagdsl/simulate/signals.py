@@ -44,11 +44,6 @@ class Signals:
         return np.array([function(t, before) for function in self.functions]) if self.functions else _NONE
 
 
-def steady(values: Floats) -> Signals:
-    """Inputs that keep their values."""
-    return Signals(tuple(_Constant(value) for value in values.tolist()), ())
-
-
 def signals(
     flat: FlatModel, defaults: Floats, inputs: Mapping[str, Signal], span: tuple[float, float], sink: Sink
 ) -> Signals:

@@ -12,15 +12,17 @@ from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.engine import Engine
-from lagdsl.simulate.initialize import initial_state
+from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
+from lagdsl.simulate.initialize import find_start
 from lagdsl.simulate.instants import Instants
-from lagdsl.simulate.integrators import METHODS
-from lagdsl.simulate.integrators.cvode import CVODE, SUNDIALS_VARIABLE, has_sundials
 from lagdsl.simulate.motion import Motion, Task
+from lagdsl.simulate.placed import placed
 from lagdsl.simulate.signals import Signal, signals
 from lagdsl.simulate.trajectory import Trajectory
 
-SOLVERS = ("auto", *METHODS)
+SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
+# Solvers of SciPy and SUNDIALS that there were, and what takes their place.
+_GONE = {"rk45": "dop853", "bdf": "radau", "cvode": "radau"}
 DEFAULT_ROWS = 500
 LARGEST_ROWS = 20_000_000
 
@@ -57,8 +59,7 @@ def simulate(
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
     with np.errstate(all="ignore"), warnings.catch_warnings():
-        # What is not a number is found by looking at the numbers; SciPy's LU decomposition warns of singular
-        # matrices that the next, shorter step avoids.
+        # What is not a number is found by looking at the numbers.
         warnings.simplefilter("ignore", RuntimeWarning)
         names = (slot.name for slot in engine.layout.parameters)
         check_limits(flat, dict(zip(names, parameters.tolist(), strict=True)), own)
@@ -66,24 +67,24 @@ def simulate(
         defaults = engine.evaluate("start", t0, parameters)[3]
         given = signals(flat, defaults, inputs or {}, (t0, end), own)
         own.raise_if_errors()
-        initial = initial_state(flat, engine, parameters, u=given.at(t0), start=start, sink=own)
-        own.raise_if_errors()
         times = grid(t0, end, experiment.interval if interval is None else float(interval))
+        course = given.at(t0) if given.constant else lambda t, before: given.at(t, before=before)
+        run = placed(flat, engine, parameters, course, t0=t0, times=times, tolerance=relative, solver=solver, step=step)
+        initial = find_start(flat, engine, run, t0, given.at(t0), start or {}, own)
+        own.raise_if_errors()
         task = Task(
             flat=flat,
             engine=engine,
-            p=parameters,
+            run=run,
             signals=given,
             initial=initial,
             times=times,
             sink=own,
-            tolerance=relative,
             solver=solver,
-            step=step,
             max_steps=max_steps,
             progress=progress,
         )
-        return Motion(task).run()
+        return Motion(task).trajectory()
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:
@@ -105,22 +106,19 @@ def check_options(t0: float, stop: float, tolerance: float, solver: str, step: f
         raise ValueError(f"the stop time {stop:g} s must be after the start time {t0:g} s")
     if not 1e-13 <= tolerance <= 0.1:
         raise ValueError(f"the tolerance {tolerance:g} must be between 1e-13 and 0.1")
+    if solver in _GONE:
+        raise ValueError(f"the solver `{solver}` is no longer there: use `{_GONE[solver]}`")
     if solver not in SOLVERS:
         raise ValueError(f"there is no solver `{solver}`; there are {', '.join(SOLVERS)}")
     _check_step(solver, step, stop - t0)
-    if solver == CVODE.name and not has_sundials():
-        raise ValueError(
-            "the solver `cvode` is that of SUNDIALS, which is not found: install its libraries, or let the environment "
-            f"variable {SUNDIALS_VARIABLE} be the path of libsundials_cvode; `radau` and `bdf` are always there"
-        )
 
 
 def _check_step(solver: str, step: float | None, span: float) -> None:
-    fixed = solver in METHODS and METHODS[solver].fixed is not None
+    fixed = solver in FIXED_METHODS
     if fixed and step is None:
         raise ValueError(f"the solver `{solver}` does not choose the length of its steps: give a step, in seconds")
     if step is not None and not fixed:
-        names = ", ".join(name for name, method in METHODS.items() if method.fixed is not None)
+        names = ", ".join(FIXED_METHODS)
         raise ValueError(f"the solver `{solver}` chooses the length of its steps; those that do not are {names}")
     if step is not None and not 1e-9 * span <= step <= span:
         raise ValueError(f"the step {step:g} s must be positive and no longer than the simulation")

@@ -13,8 +13,9 @@ from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
-from lagdsl.pipeline import EngineName, engine_of
+from lagdsl.pipeline import engine_of
 from lagdsl.program.program import Program
+from lagdsl.runtime.engine import EngineName
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.signals import Signal
 from lagdsl.simulate.simulate import grid, simulate

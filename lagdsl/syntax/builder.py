@@ -16,11 +16,12 @@ from lagdsl.syntax.reductions import Action, actions
 
 
 class TooDeep(Exception):  # noqa: N818 not an error of the program
-    """The tree or the stack has reached its limit at `span`."""
+    """The tree or the stack has reached its limit at `span`, or too many `brackets` are open."""
 
-    def __init__(self, span: Span) -> None:
+    def __init__(self, span: Span, *, brackets: bool = False) -> None:
         super().__init__(span)
         self.span = span
+        self.brackets = brackets
 
 
 class Part:

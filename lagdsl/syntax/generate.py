@@ -16,6 +16,9 @@ from lark.parsers.lalr_analysis import IntParseTable, Shift
 from lagdsl.resources import grammar_file
 from lagdsl.syntax.language import STARTS, STORED, compiled, lark_version
 
+UNBOUNDED = 2**32 - 1
+"""Width of a pattern without a bound: versions of Python give this or more."""
+
 
 def stored_text(grammar: str) -> str:
     """The text of `grammar.json` for the text of a grammar: a state of the automaton a line."""
@@ -24,6 +27,9 @@ def stored_text(grammar: str) -> str:
     parser.parser._parse_table = _in_order(parser.parser._parse_table)
     data, memo = lark.memo_serialize([TerminalDef, Rule])
     data["options"]["postlex"] = None
+    for item in memo.values():
+        if "pattern" in item and "_width" in item["pattern"]:
+            item["pattern"]["_width"] = [min(width, UNBOUNDED) for width in item["pattern"]["_width"]]
     states = data["parser"]["parser"].pop("states")
     rows = ",\n".join(f'"{state}":{_json(row)}' for state, row in states.items())
     rest = _json({"lark": lark_version(), "memo": memo, "data": data})

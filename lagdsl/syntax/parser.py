@@ -6,6 +6,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile
 from lagdsl.syntax import limits, nodes
 from lagdsl.syntax.builder import TooDeep
+from lagdsl.syntax.direction import turned_text
 from lagdsl.syntax.faults import ends_outer_class, recover
 from lagdsl.syntax.session import Session
 
@@ -31,11 +32,16 @@ def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
         sink.report("E0130", None, name=file.name, limit=limits.MAX_CHARACTERS)
         return None
     found = Sink()
+    if turned_text(file, sink):
+        return None
     session = Session(file, found, start)
     try:
         _read(session)
     except TooDeep as fault:
-        found.report("E0109", fault.span, limit=limits.MAX_DEPTH)
+        if fault.brackets:
+            found.report("E0138", fault.span, limit=limits.MAX_BRACKETS)
+        else:
+            found.report("E0109", fault.span, limit=limits.MAX_DEPTH)
     if len(found.diagnostics) >= limits.MAX_ERRORS:
         found.report("N0199", None, count=limits.MAX_ERRORS)
     for diagnostic in found.diagnostics:

@@ -111,7 +111,7 @@ class Session:
         if token.type in _OPENING_TERMINALS:
             self.brackets.append(token)
             if len(self.brackets) > limits.MAX_BRACKETS:
-                raise TooDeep(self.span(token))
+                raise TooDeep(self.span(token), brackets=True)
         elif token.type in _CLOSING_TERMINALS and self.brackets:
             self.brackets.pop()
         self.previous = token

@@ -11,6 +11,7 @@ from lark.exceptions import UnexpectedInput, UnexpectedToken
 from lark.parsers.lalr_analysis import Shift
 
 from lagdsl.syntax.language import language
+from lagdsl.syntax.tokens import as_text
 from lagdsl.syntax.vocabulary import vocabulary
 
 STATEMENTS = ("_item", "_element", "_section_item", "when_equation")  # where the parser may begin anew after an error
@@ -54,7 +55,7 @@ class Stack:
             for token in trial.lexer_thread.lex(trial.parser_state):
                 if position == until:
                     break
-                trial.feed_token(token)
+                trial.feed_token(as_text(token))
                 position = token.start_pos
         except UnexpectedInput:
             pass

@@ -62,7 +62,9 @@ def as_name(token: Token) -> Token:
 
 
 def as_text(token: Token) -> Token:
-    """A text in quotes that the end of its line closes."""
+    """The token; a text in quotes that is not closed ends with its line."""
+    if token.type != "UNCLOSED_STRING":
+        return token
     return token.update(type="STRING", value=token.value.replace("\\", "") + '"')
 
 
@@ -80,7 +82,7 @@ def plain_tokens(text: str, position: int = 0) -> Iterator[Token]:
         try:
             for token in lexer.lex(state, None):
                 if token.type != "UNCLOSED_COMMENT":
-                    yield as_text(token) if token.type == "UNCLOSED_STRING" else as_name(token)
+                    yield as_text(as_name(token))
         except UnexpectedCharacters as fault:
             state.line_ctr.char_pos = strange_text(text, fault)[1]
         else:

@@ -191,7 +191,7 @@ def test_inputs_from_a_file(model: Model, tmp_path: Path) -> None:
 
 
 def test_engines_and_derivations_that_are_none() -> None:
-    with pytest.raises(ValueError, match="no engine `rust`; there are auto, numpy, c"):
+    with pytest.raises(ValueError, match="no engine `rust`; there are auto, tape, c, numpy"):
         lagdsl.compile(TEXT, engine="rust")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="no derivation `guess`; there are graph, textbook"):
         lagdsl.compile(TEXT, derivation="guess")  # type: ignore[arg-type]

@@ -9,9 +9,6 @@ import pytest
 from scipy.special import ellipj, ellipk
 
 import lagdsl
-from lagdsl.simulate.integrators import METHODS
-from lagdsl.simulate.right_hand_side import RightHandSide
-from lagdsl.simulate.signals import Signals
 
 
 def motion(text: str, **options: Any) -> lagdsl.Trajectory:
@@ -232,27 +229,6 @@ def test_dependent_constraints_change_nothing() -> None:
     )
     assert np.max(np.abs(once["x"] - doubled["x"])) < 1e-8
     assert np.max(doubled.position_residual) < 1e-12
-
-
-def test_order_of_convergence_of_every_method() -> None:
-    """Fixed steps on the pendulum; the error falls by 2^order when they are halved."""
-    model = lagdsl.compile(PENDULUM)
-    p = model.defaults
-    system = RightHandSide(model._engine, Signals((), ()), np.zeros(0), p)
-    k2 = np.sin(1.0) ** 2
-    exact = 2.0 * np.arcsin(np.sqrt(k2) * ellipj(ellipk(k2) - np.sqrt(9.81 / 0.5) * 1.0, k2)[0])
-    for name, steps in {"dop853": 8, "rk45": 20, "radau": 40}.items():
-        errors = []
-        for count in (steps, 2 * steps):
-            stepper = METHODS[name].start(system, 0.0, np.array([2.0, 0.0]), 1.0, np.full(2, 1e9), 1.0 / count)
-            stepper.max_step = 1.0 / count
-            if name == "radau":
-                stepper.newton_tol = 1e-22
-            while stepper.status == "running":
-                stepper.step()
-            errors.append(abs(stepper.y[0] - exact))
-        measured = np.log2(errors[0] / errors[1])
-        assert abs(measured - METHODS[name].order) < 1.2, (name, measured)
 
 
 FOUR_BAR = """

@@ -6,6 +6,8 @@ slightly other lengths, which does turn. So branches are compared, by closed for
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import linkages
 import numpy as np
 import pytest
@@ -159,3 +161,21 @@ def test_parameters_may_make_dimensions_special() -> None:
     assert model.redundant.count(False) == 4
     motion = model.simulate(parameters={"x": 0.5}, stop=1.2, tolerance=1e-8)
     assert np.max(np.abs(motion["A"] + motion["B"])) < 1e-7 and motion["A"].min() < -1.0
+
+
+def test_out_of_a_singular_start() -> None:
+    """Both cranks of a parallelogram that starts flat turn with the same rate for good."""
+    text = (Path(__file__).parents[2] / "models" / "parallelogram.lag").read_text(encoding="utf-8")
+    motion = lagdsl.compile(text).simulate(stop=0.7, tolerance=1e-10)
+    assert np.max(np.abs(motion["a"] - motion["c"])) < 1e-8 and np.max(np.abs(motion["b"])) < 1e-8
+    assert motion["a"] == pytest.approx(4.0 * motion.time, abs=1e-8)
+
+
+def test_rows_inside_of_a_crossing_are_on_the_motion() -> None:
+    """At other times than those of steps, as many as there are: the constraints hold at each row."""
+    model = lagdsl.compile(PARALLELOGRAM)
+    motion = model.simulate(stop=1.2, tolerance=1e-10, interval=1.2 / 5_000)
+    assert motion.statistics.steps < 1_000
+    assert np.max(np.abs(motion["A"] + motion["B"])) < 1e-9
+    reference = model.simulate(stop=1.2, tolerance=1e-10, interval=1.2 / 100)
+    assert motion["A"][::50] == pytest.approx(reference["A"], abs=1e-7)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import importlib.util
 import os
 import shutil
@@ -17,6 +18,7 @@ from sample_programs import pendulum
 from lagdsl.backends.c.emit import engine_sources, model_symbol, sources
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.runtime import compiler as compilers
+from lagdsl.runtime.background_build import BackgroundBuild
 from lagdsl.runtime.build import build, cache_folder, content_hash
 from lagdsl.runtime.c_engine import CEngine
 from lagdsl.runtime.compiler import FLAGS, Compiler, find_compiler
@@ -202,11 +204,32 @@ def test_nothing_reorders_arithmetic() -> None:
 
 
 @COMPILED_RUNTIME
-def test_the_runtime_is_compiled_once_for_all_models() -> None:
-    before = set(cache_folder().glob("*.o"))
+def test_the_runtime_is_compiled_once_for_all_modules() -> None:
+    before = set(cache_folder().iterdir())
     assert before
-    build(sources(pendulum("Second")))
-    assert len(set(cache_folder().glob("*.o")) - before) == 1
+    library = build(sources(pendulum("Second")))
+    assert set(cache_folder().iterdir()) - before == {library}
+
+
+def test_an_engine_compiles_the_model_alone() -> None:
+    library = build(engine_sources(pendulum("Third")))
+    assert list(cache_folder().iterdir()) == [library]
+    with pytest.raises(AttributeError):
+        _ = ctypes.CDLL(str(library)).lag_run_to
+
+
+def test_a_compiler_that_nobody_waits_for_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    slow = tmp_path / "slow"
+    slow.write_text("#!/bin/sh\nexec sleep 100\n")
+    slow.chmod(0o755)
+    monkeypatch.setenv("CC", str(slow))
+    work = BackgroundBuild(lambda: SOURCES, (), "name")
+    while not list(cache_folder().glob("build-*")):
+        assert work.is_running
+    work.cancel()
+    assert not work.is_running
+    assert work.library is None
+    assert list(cache_folder().iterdir()) == []
 
 
 _RUN = """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import re
 from ctypes import Structure
 from pathlib import Path
 
@@ -14,28 +15,34 @@ from lagdsl.resources import c_folder
 from lagdsl.runtime import generate
 from lagdsl.runtime.build import build
 from lagdsl.runtime.native_model import native_model
-from lagdsl.runtime.structures import (
-    VECTORS,
-    VERSION,
-    Arguments,
-    Batch,
-    Happening,
-    Model,
-    Range,
+from lagdsl.runtime.run_structures import (
+    WHAT,
+    Initial,
+    InitialFault,
+    Note,
+    Results,
     RunChange,
+    RunFault,
     RunOptions,
     RunReport,
+    Start,
+    Status,
 )
+from lagdsl.runtime.structures import VECTORS, VERSION, Arguments, Batch, Model, Range
 
 MIRRORED: dict[str, type[Structure]] = {
     "lag_arguments": Arguments,
     "lag_batch": Batch,
-    "lag_happening": Happening,
     "lag_change": RunChange,
+    "lag_fault": RunFault,
+    "lag_initial": Initial,
     "lag_model": Model,
+    "lag_note": Note,
     "lag_range": Range,
+    "lag_results": Results,
     "lag_run_options": RunOptions,
     "lag_run_report": RunReport,
+    "lag_start": Start,
 }
 
 
@@ -55,7 +62,7 @@ def test_a_file_without_marks_is_not_written(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def layouts() -> dict[str, list[tuple[int, int]]]:
     """For every structure its size, then the offsets and sizes of its members, as C has them."""
-    headers = ["model.h", "batch.h", "run.h"]
+    headers = ["model.h", "batch.h", "run.h", "initial.h"]
     lines = ["#include <stddef.h>", *(f'#include "lag/{name}"' for name in headers)]
     for name, mirror in MIRRORED.items():
         members = [f"{{offsetof({name}, {field[0]}), sizeof((({name} *)0)->{field[0]})}}" for field in mirror._fields_]
@@ -75,6 +82,22 @@ def test_structures_lie_as_in_c(name: str, layouts: dict[str, list[tuple[int, in
     mirror = MIRRORED[name]
     fields = [getattr(mirror, field[0]) for field in mirror._fields_]
     assert layouts[name] == [(ctypes.sizeof(mirror), len(fields)), *((f.offset, f.size) for f in fields)]
+
+
+@pytest.mark.parametrize(
+    ("header", "kind", "names"),
+    [
+        ("status.h", "LAG", [each.name for each in Status]),
+        ("initial.h", "LAG_INITIAL", [each.name for each in InitialFault]),
+        ("happening.h", "LAG", [each.upper() for each in WHAT]),
+    ],
+)
+def test_enumerations_are_those_of_c(header: str, kind: str, names: list[str]) -> None:
+    text = (c_folder() / "include" / "lag" / header).read_text(encoding="utf-8")
+    (body,) = re.findall(
+        r"typedef enum lag_\w+ \{(.*?)\n\}", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL), re.DOTALL
+    )
+    assert [entry.split("=")[0].strip() for entry in body.split(",")] == [f"{kind}_{name}" for name in names]
 
 
 def test_the_table_is_whole() -> None:

@@ -23,9 +23,16 @@ from lagdsl.flat.model import (
 from lagdsl.mechanics.rank import minimum_norm, null_space
 from lagdsl.program.program import Layout, Slot
 from lagdsl.runtime.engine import SingularSystem
+from lagdsl.runtime.numpy_model import Callbacks
 from lagdsl.source import SourceFile, Span
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, LENGTH
 
+# What the runtime asks a model for.
+NATIVE = (
+    *("start", "position_constraint", "velocity_constraint", "mass_matrix", "dynamics"),
+    *("residual", "residual_tangent", "state_derivative", "state_derivative_tangent"),
+    *("output", "output_tangent", "energies", "power", "monitor"),
+)
 FILE = SourceFile("hand.lag", "model Hand\n" + "  some text to point at;\n" * 40)
 
 
@@ -212,12 +219,50 @@ class Hand:
         qdd = special + free @ np.linalg.solve(inner, free.T @ (force - mass @ special)) if inner.size else special
         return qdd, minimum_norm(rows.T, mass @ qdd - force, 1e-8)
 
+    @property
+    def native(self):  # type: ignore[no-untyped-def]
+        """As the runtime in C takes it: every function is called back."""
+        names = [*NATIVE, *(("initial_equation",) if self.flat.initial_equations else ())]
+        return Callbacks(self, "Hand", names, {"ne": len(self.flat.initial_equations)}).native()
+
+    def tangent(self, function, *arguments):  # type: ignore[no-untyped-def]
+        """Along the directions that come last, by differences."""
+        t, q, qd, z, u, w, p, qdd, lam, dq, dqd, dz, du, _, *solved = arguments
+        dqdd, dlam = solved or (0.0 * qdd, 0.0 * lam)
+        step = 1e-6
+
+        def moved(by):  # type: ignore[no-untyped-def]
+            state = (t, q + by * dq, qd + by * dqd, z + by * dz, u + by * du, w, p, qdd + by * dqdd, lam + by * dlam)
+            return self.evaluate(function, *state)
+
+        return tuple((a - b) / (2.0 * step) for a, b in zip(moved(step), moved(-step), strict=True))
+
     def evaluate(self, function, *arguments):  # type: ignore[no-untyped-def]
+        if function.endswith("_tangent"):
+            return self.tangent(function.removesuffix("_tangent"), *arguments)
         if function == "start":
             q = np.array([c.start.value for c in self.flat.coordinates])
             qd = np.array([c.rate_start.value for c in self.flat.coordinates])
             return q, qd, np.array(self.start_z, dtype=float), np.array(self.start_u, dtype=float)
         t, q, qd, z, u, _, _, *solved = arguments
+        if function in ("position_constraint", "velocity_constraint", "dynamics", "mass_matrix", "residual"):
+            return self.mechanics(function, t, q, qd, z, u, *solved)
+        match function:
+            case "state_derivative":
+                return (self.zdot(t, q, qd, z, u),)
+            case "output":
+                return (self.output(t, q, qd, z, u, *solved),)
+            case "energies":
+                return np.float64(self.energy(q, qd)), np.float64(0.0), np.float64(0.0), np.float64(0.0)
+            case "monitor":
+                return self.monitor(t, q, qd, z)
+            case "power":
+                return self.force(t, q, qd, z, u) * qd, np.zeros(len(q))
+            case "initial_equation":
+                return (np.asarray(self.initial(t, q, qd, z, u, *solved), dtype=float),)
+        raise AssertionError(function)
+
+    def mechanics(self, function, t, q, qd, z, u, *solved):  # type: ignore[no-untyped-def]
         rows = np.real(self.rows(t, q))
         match function:
             case "position_constraint":
@@ -228,19 +273,10 @@ class Hand:
                 return self.mass(q), self.force(t, q, qd, z, u), rows, self.gamma(t, q, qd)
             case "mass_matrix":
                 return (self.mass(q),)
-            case "state_derivative":
-                return (self.zdot(t, q, qd, z, u),)
-            case "output":
-                return (self.output(t, q, qd, z, u, *solved),)
-            case "energies":
-                return (np.float64(self.energy(q, qd)),)
-            case "monitor":
-                return self.monitor(t, q, qd, z)
-            case "power":
-                return self.force(t, q, qd, z, u) * qd, np.zeros(len(q))
-            case "initial_equation":
-                return (np.asarray(self.initial(t, q, qd, z, u, *solved), dtype=float),)
-        raise AssertionError(function)
+            case _:
+                qdd, lam = solved
+                motion = self.mass(q) @ qdd - self.force(t, q, qd, z, u) - rows.T @ lam
+                return motion, rows @ qdd - self.gamma(t, q, qd)
 
     def jacobian(self, t, q, qd, z, u, w, p):  # type: ignore[no-untyped-def]
         n, y = len(q), np.concatenate([q, qd, z])

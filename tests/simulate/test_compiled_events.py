@@ -1,4 +1,4 @@
-"""Events that the C runtime carries out, against those of the NumPy engine: rows, failures, what Python still does."""
+"""Events under both engines: rows, failures, inputs that jump."""
 
 from __future__ import annotations
 
@@ -9,9 +9,7 @@ import pytest
 
 import lagdsl
 from lagdsl.pipeline import EngineName
-from lagdsl.simulate.events.passes import Passes
 from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.motion import loop
 
 G = 9.80665
 FALLING = """
@@ -59,11 +57,7 @@ def test_what_fails_fails_alike(code: str) -> None:
     assert told[0][1:] == told[1][1:]
 
 
-def test_python_carries_out_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    def never(*_: object) -> None:
-        raise AssertionError("passes in Python")
-
-    monkeypatch.setattr(Passes, "run", never)
+def test_impacts_accumulate() -> None:
     motion = falling("c", items="contact floor: h >= 0 with restitution = 0.5;").simulate(stop=3.0)
     assert motion.events[-1].kind == "closed"
     # impacts at t1 (1 + 2 (e + ... + e^k)), which accumulate at 3 t1
@@ -82,24 +76,6 @@ def test_rows_are_where_they_are_under_numpy(interval: float) -> None:
     np.testing.assert_allclose(first.time, second.time, rtol=0, atol=1e-12)
     np.testing.assert_array_equal(first["n"], second["n"])
     np.testing.assert_allclose(first["der(h)"], second["der(h)"], rtol=0, atol=1e-9)
-
-
-def test_steps_of_python_leave_events_to_c(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As near a singular position, where C hands every step over."""
-    model = falling(
-        "c",
-        "discrete Integer n(start = 0);",
-        "contact floor: h >= 0 with restitution = 0.5;",
-        "when sample(0.05 s, 0.1 s) then n = pre(n) + 1; end when;",
-    )
-    alone = model.simulate(stop=1.5)
-    monkeypatch.setattr(loop.Motion, "_leap", lambda _self, _leaps, here, _end: here)
-    monkeypatch.setattr(Passes, "run", None)
-    stepped = model.simulate(stop=1.5)
-    assert [(e.kind, e.name) for e in alone.events] == [(e.kind, e.name) for e in stepped.events]
-    np.testing.assert_allclose([e.time for e in alone.events], [e.time for e in stepped.events], rtol=0, atol=1e-8)
-    np.testing.assert_array_equal(alone["n"], stepped["n"])
-    np.testing.assert_allclose(alone["h"], stepped["h"], rtol=0, atol=1e-7)
 
 
 @pytest.mark.parametrize("engine", ["numpy", "c"])

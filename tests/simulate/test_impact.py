@@ -6,23 +6,26 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.simulate.events.impact import collide
 
 
 @pytest.mark.parametrize("seed", range(40))
 def test_impulses_push_and_obey_the_law_of_restitution(seed: int) -> None:
+    """A body of random inertia, bound by random rows, that runs into random walls at once."""
     random = np.random.default_rng(seed)
     n, contacts, rows = 6, int(random.integers(1, 6)), int(random.integers(0, 3))
     root = random.normal(size=(n, n))
     mass = root @ root.T + 0.1 * np.eye(n)
     jacobian, normal = random.normal(size=(rows, n)), random.normal(size=(contacts, n))
-    if contacts > 2:
-        normal[-1] = 0.5 * normal[0] + 0.5 * normal[1]  # a leg too many
     rates = random.normal(size=n)
     rates -= np.linalg.lstsq(jacobian, jacobian @ rates, rcond=None)[0]
-    restitution = np.full(contacts, random.uniform(0.0, 1.0))
-    after = collide(mass, jacobian, rows, rates, normal, normal @ rates, restitution)
+    normal *= -np.sign(normal @ rates)[:, None]
+    if contacts > 2:
+        normal[-1] = 0.5 * normal[0] + 0.5 * normal[1]  # a leg too many
+    restitution = float(random.uniform(0.1, 1.0))
+    motion = lagdsl.compile(_walls(mass, jacobian, normal, rates, restitution)).simulate(stop=1e-6)
+    after = np.array([motion[f"der(q{i})"][0] for i in range(n)])
 
+    assert {event.kind for event in motion.events if event.time == 0.0} == {"impact"}
     assert np.allclose(jacobian @ after, 0.0, atol=1e-10)
     left = normal @ after + restitution * (normal @ rates)
     assert np.min(left) > -1e-9
@@ -35,6 +38,28 @@ def test_impulses_push_and_obey_the_law_of_restitution(seed: int) -> None:
     if len(active) and contacts < 3:
         assert np.min(parts[: len(active)]) > -1e-8
     assert after @ mass @ after <= rates @ mass @ rates * (1.0 + 1e-12)
+
+
+def _walls(mass: np.ndarray, jacobian: np.ndarray, normal: np.ndarray, rates: np.ndarray, restitution: float) -> str:
+    """A model in numbers without units: at q = 0, where the walls `normal` q >= 0 meet."""
+    names = [f"q{i}" for i in range(len(rates))]
+
+    def line(row: np.ndarray, pattern: str = "{}") -> str:
+        return " + ".join(
+            f"({value!r})*{pattern.format(name)}" for value, name in zip(row.tolist(), names, strict=True)
+        )
+
+    starts = zip(names, rates.tolist(), strict=True)
+    coordinates = ", ".join(f"{name}(der(start = {rate!r}, fixed = true))" for name, rate in starts)
+    energy = " + ".join(f"der({name})*({line(row, 'der({})')})" for name, row in zip(names, mass, strict=True))
+    constraints = "".join(f"  constraint c{k}: {line(row)} = 0;\n" for k, row in enumerate(jacobian))
+    contacts = "".join(
+        f"  contact w{k}: {line(row)} >= 0 with restitution = {restitution!r};\n" for k, row in enumerate(normal)
+    )
+    return (
+        f"model Walls\n  coordinate Real {coordinates};\n  gravity = 0;\n  kinetic 1/2*({energy});\n"
+        f'{constraints}{contacts}  annotation(units = "none");\nend Walls;\n'
+    )
 
 
 @pytest.mark.parametrize("exponent", [1.0, 1.5])

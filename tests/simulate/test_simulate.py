@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,14 +11,8 @@ from scipy.special import ellipj, ellipk
 from simulate.hand import FourBar, Hand, Pendulum, TwiceTied, constraint, coordinate, flat_model, four_bar, length
 
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.mechanics.structure_points import geometry
-from lagdsl.simulate.departure import depart
-from lagdsl.simulate.initialize import initial_state
-from lagdsl.simulate.integrators import METHODS
-from lagdsl.simulate.projection import Projection
-from lagdsl.simulate.right_hand_side import RightHandSide
-from lagdsl.simulate.signals import signals
-from lagdsl.simulate.simulate import SOLVERS, grid, simulate
+from lagdsl.runtime.run_structures import METHODS
+from lagdsl.simulate.simulate import grid, simulate
 from lagdsl.simulate.trajectory import Trajectory
 
 
@@ -38,8 +31,8 @@ def pendulum_angle(t: np.ndarray, amplitude: float) -> np.ndarray:
     return np.asarray(2 * np.arcsin(np.sqrt(k2) * sn))
 
 
-# Those of fixed steps and SUNDIALS have tests of their own.
-ADAPTIVE = [name for name in SOLVERS if name == "auto" or (METHODS[name].fixed is None and name != "cvode")]
+# Those of fixed steps have tests of their own.
+ADAPTIVE = ("auto", *METHODS)
 
 
 @pytest.mark.parametrize("solver", ADAPTIVE)
@@ -47,7 +40,7 @@ def test_pendulum_follows_jacobi_with_every_solver(solver: str) -> None:
     motion = run(pendulum(2.0), stop=3.0, interval=0.01, tolerance=1e-8, solver=solver)
     assert np.max(np.abs(motion["theta"] - pendulum_angle(motion.time, 2.0))) < 3e-7
     assert motion.statistics.solver == ("dop853" if solver == "auto" else solver)
-    assert (motion.statistics.jacobians > 0) or not METHODS.get(solver, METHODS["rk45"]).implicit
+    assert (motion.statistics.jacobians > 0) is (solver == "radau")
 
 
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8, 1e-10])
@@ -133,7 +126,7 @@ def test_grid_ends_at_the_stop_time() -> None:
         ({"stop": float("nan")}, "must be after the start time"),
         ({"tolerance": 0.0}, "tolerance"),
         ({"tolerance": 1.0}, "tolerance"),
-        ({"solver": "euler"}, "no solver `euler`; there are auto, dop853, rk45, radau, bdf, rk4, leapfrog, ros2, c"),
+        ({"solver": "euler"}, "no solver `euler`; there are auto, dop853, radau, rk4, leapfrog, ros2"),
     ],
 )
 def test_bad_options(options: dict[str, Any], text: str) -> None:
@@ -179,7 +172,7 @@ def test_four_bar_stays_closed_and_keeps_its_energy() -> None:
     assert motion.statistics.projections > 0
 
 
-@pytest.mark.parametrize("solver", ["rk45", "radau", "bdf"])
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
 def test_projection_works_with_every_method(solver: str) -> None:
     motion = run(four_bar(), stop=1.0, tolerance=1e-6, solver=solver)
     reference = run(four_bar(), stop=1.0, tolerance=1e-11)
@@ -225,35 +218,33 @@ def test_parallelogram_started_flat_at_rest_falls_and_keeps_its_energy() -> None
     assert motion["A"][-1] < -1.0
 
 
-@pytest.mark.parametrize("seed", [1, 2, 6])
-def test_parallelogram_departs_from_rest_on_the_parallel_branch(seed: int) -> None:
-    """The branch nearest to the free accelerations, whatever points the sizes of rows are taken from; compared with the
-    pendulum it then is."""
+def test_parallelogram_departs_from_rest_on_the_parallel_branch() -> None:
+    """The branch nearest to the free accelerations; compared with the pendulum it then is."""
     engine = parallelogram(g=9.81)
-    system = RightHandSide(engine, signals(engine.flat, np.zeros(0), {}, (0.0, 1.0), Sink()), np.zeros(0), np.zeros(0))
-    space = geometry(engine.flat, engine, seed=seed)
-    found = depart(system, Projection(system, space, 0.0), space.sizes, 0.0, np.zeros(6), 1.0)
-    assert found is not None
+    motion = run(engine, stop=0.1, interval=0.001, tolerance=1e-11)
     inertia = (engine.m1 / 3 + engine.m2 + engine.m3 / 3) * engine.a**2
     weight = (engine.m1 / 2 + engine.m2 + engine.m3 / 2) * engine.g * engine.a
     fall = solve_ivp(
-        lambda t, y: [y[1], -weight * np.cos(y[0]) / inertia], (0.0, found.length), [0.0, 0.0], rtol=1e-12, atol=1e-15
+        lambda t, y: [y[1], -weight * np.cos(y[0]) / inertia],
+        (0.0, 0.1),
+        [0.0, 0.0],
+        rtol=1e-12,
+        atol=1e-15,
+        t_eval=motion.time,
     )
-    angle, rate = fall.y[:, -1]
-    assert found.y == pytest.approx([angle, 0.0, angle, rate, 0.0, rate], abs=1e-9)
+    assert np.max(np.abs(motion["A"] - fall.y[0])) < 1e-9 and np.max(np.abs(motion["C"] - fall.y[0])) < 1e-9
+    assert np.max(np.abs(motion["B"])) < 1e-9
+    assert np.max(np.abs(motion["der(A)"] - fall.y[1])[5:]) < 1e-9  # nearer to the start rates magnify round-off
 
 
 @pytest.mark.parametrize("size", [0.01, 1.0, 50.0])
-def test_projection_meets_the_residual_in_units_of_the_rows(size: float) -> None:
-    engine = four_bar()
-    system = RightHandSide(engine, signals(engine.flat, np.zeros(0), {}, (0.0, 1.0), Sink()), np.zeros(0), np.zeros(0))
-    space = geometry(engine.flat, engine)
-    projection = Projection(system, replace(space, row_sizes=size * space.row_sizes), 1e-9)
-    closed = initial_state(engine.flat, engine, sink=Sink()).q
-    for off in (3e-9, 1e-7, 1e-4):
-        moved = projection(0.0, np.concatenate([closed + np.array([0.0, off, 0.0]), np.zeros(3)]))
-        assert moved is not None
-        assert np.max(np.abs(engine.phi(0.0, moved[:3]))) <= 1e-9
+def test_residuals_of_rows_stay_below_a_part_of_the_tolerance(size: float) -> None:
+    """In meters, or as a part of the size of the mechanism where that is smaller."""
+    engine = four_bar(rate=2.0)
+    engine.a, engine.b, engine.c, engine.d = (size * each for each in (engine.a, engine.b, engine.c, engine.d))
+    motion = run(engine, stop=1.0, interval=0.01, tolerance=1e-6)
+    assert np.ptp(motion["A"]) > 1.0
+    assert np.max(motion.position_residual) <= 2e-9 * min(1.0, size)
 
 
 def test_knife_edge_keeps_its_heading_rule() -> None:
@@ -316,25 +307,21 @@ def test_auto_changes_to_an_implicit_method_and_says_so() -> None:
     assert np.max(np.abs(motion["x"] - np.exp(-motion.time))) < 1e-6
 
 
-def test_auto_returns_where_implicit_steps_are_not_longer(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An oscillation demands short steps of any method."""
-    for estimate in ("radius_bound", "fastest_decay"):
-        monkeypatch.setattr(f"lagdsl.simulate.stiffness.{estimate}", lambda jacobian: 1e9)
-    motion = run(pendulum(2.0), stop=20.0, tolerance=1e-8)
+class Calmed(Stiff):
+    """Stiff for a second, then an oscillation, which demands short steps of any method."""
+
+    def force(self, t, q, qd, z, u):  # type: ignore[no-untyped-def]
+        part = 0.5 * (1.0 - np.tanh(50.0 * (t - 1.0)))
+        return part * super().force(t, q, qd, z, u) - (1.0 - part) * 1e4 * q
+
+
+def test_auto_returns_where_implicit_steps_are_not_longer() -> None:
+    motion = run(Calmed(flat_model([length("x", 1.0, -1.0)])), stop=20.0, tolerance=1e-6)
     assert [note.split(" at ")[0] for note in motion.statistics.notes] == [
         "changed from dop853 to radau",
         "changed from radau to dop853",
     ]
-    assert np.max(np.abs(motion["theta"] - pendulum_angle(motion.time, 2.0))) < 1e-6
-
-
-def test_steps_at_the_border_of_stability_are_what_stiffness_means() -> None:
-    from lagdsl.simulate.stiffness import fastest_decay
-
-    assert fastest_decay(np.array([[0.0, 1.0], [-1e5, -1e5 - 1]])) == pytest.approx(1e5)
-    assert fastest_decay(np.array([[0.0, 1.0], [-1e6, 0.0]])) == 0.0
-    assert fastest_decay(np.zeros((0, 0))) == 0.0
-    assert fastest_decay(np.full((2, 2), np.nan)) == 0.0
+    assert motion.statistics.solver == "dop853"
 
 
 # ---- inputs ----------------------------------------------------------------------------------------------------------

@@ -111,8 +111,8 @@ class TestRuns:
         np.testing.assert_allclose(good.values[:, 0], 1 - 5 * np.array([0, 0.1, 0.2, 0.3]) ** 2)
         assert bad.status == "failed"
         assert "on the floor" in bad.message
-        assert bad.ended == pytest.approx(0.2)  # assertions are looked at in the rows
-        np.testing.assert_allclose(bad.values[:, 0], [1, 0.5, -1])
+        assert np.sqrt(0.02) < bad.ended <= 0.2  # assertions are looked at after steps and in rows
+        np.testing.assert_allclose(bad.values[:2, 0], [1, 0.5])
 
     @pytest.mark.parametrize(
         ("chosen", "words"),
@@ -264,7 +264,8 @@ class TestDataset:
         data = model.sweep({"g": [5, 100]}, stop=0.3, interval=0.1, jobs=1, columns=["h"])
         assert list(data["status"].values) == ["ok", "failed"]
         assert "on the floor" in str(data["message"].values[1])
-        np.testing.assert_allclose(data["h"].values[1], [1, 0.5, -1, np.nan])
+        np.testing.assert_allclose(data["h"].values[1, :2], [1, 0.5])
+        assert np.isnan(data["h"].values[1, 3])
         assert "der(h)" not in data
 
     @pytest.mark.parametrize(

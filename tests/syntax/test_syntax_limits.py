@@ -6,8 +6,10 @@ import pytest
 from texts_of_syntax import expression, parsed
 
 from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.render import render_all
 from lagdsl.source import SourceFile
 from lagdsl.syntax import limits
+from lagdsl.syntax.parser import parse
 from lagdsl.syntax.printer import format_text, print_expression
 from lagdsl.syntax.recursion import deep_recursion
 
@@ -46,7 +48,51 @@ def codes(text: str) -> list[str]:
     ],
 )
 def test_depth_has_a_limit(body):
-    assert codes(model(body)) == ["E0109"]
+    assert codes(model(body)) in (["E0109"], ["E0138"])
+
+
+@pytest.mark.parametrize(("opening", "closing"), [("(", ")"), ("{", "}"), ("f(", ")"), ("((", "))"), ("a[", "]")])
+def test_brackets_are_told_as_brackets(opening: str, closing: str) -> None:
+    text = model("  Real x = " + opening * 500 + "1" + closing * 500 + ";")
+    sink = Sink()
+    assert parse(SourceFile("deep.lag", text), sink) is None
+    (found,) = sink.diagnostics
+    assert found.code == "E0138" and f"{limits.MAX_BRACKETS} brackets" in found.message
+
+
+HIDDEN = [chr(code) for code in (0x061C, 0x200E, 0x200F, *range(0x202A, 0x202F), *range(0x2066, 0x206A))]
+
+
+@pytest.mark.parametrize("character", HIDDEN)
+@pytest.mark.parametrize(
+    "place", ["  // {} note", "  /* a\n {} */", '  Real x = 1 "{} doc";', '  Real x = 1 "{}"; // "', "  Real {}x = 1;"]
+)
+def test_hidden_turns_of_the_text_are_refused(place: str, character: str) -> None:
+    assert codes(model(place.format(character))) == ["E0137"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("\u05d0\u05d1", []),
+        ("\u2067\u05d0\u05d1\u2069", []),
+        ("\u202b\u0627\u202c and \u200f", []),
+        ("\u2067\u05d0", ["E0137"]),
+        ("\u05d0\u2069", ["E0137"]),
+        ("\u202e\u2066\u05d0\u202c\u2069", ["E0137"]),
+        ("\u2067abc\u2069", ["E0137"]),
+    ],
+)
+def test_strings_from_right_to_left_may_say_so(text: str, expected: list[str]) -> None:
+    assert codes(model(f'  Real x = 1 "{text}";')) == expected
+    assert codes(model(f'  Real x = 1; // "{text}"')) == (expected or (["E0137"] if text != "\u05d0\u05d1" else []))
+
+
+def test_the_message_shows_no_such_character() -> None:
+    sink = Sink()
+    parse(SourceFile("turned.lag", model("  Real x = 1; // \u202e\u2066 text")), sink)
+    shown = render_all(sink.diagnostics)
+    assert "U+202E, U+2066" in shown and not any(character in shown for character in HIDDEN)
 
 
 def test_just_within_the_limits():

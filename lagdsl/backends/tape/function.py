@@ -3,63 +3,71 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from lagdsl.backends.tape.instructions import CODE, FIRST_ARITHMETIC, FIRST_FUNCTION, GROUPS, ON_V, REMAINING
+from lagdsl.backends.tape.instructions import CODE, GROUPS, THREE_PRODUCTS, TWO_PRODUCTS
 from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
 from lagdsl.backends.tape.registers import places
-from lagdsl.backends.tape.selection import Selection, live_of, select
-from lagdsl.graph.operation import Group, Op
+from lagdsl.backends.tape.schedule import groups
+from lagdsl.backends.tape.selection import Selection, select
+from lagdsl.backends.tape.settled import MINUS_ONE, ONE, Settled
+from lagdsl.graph.operation import FIRST_UNARY, Group, Op
 
 # Results with so many zeros are cleared before the others are written.
 _FEWEST_ZEROS = 8
 
 
-@dataclass(frozen=True, slots=True)
-class Settled:
-    """`place` of every node of the graph that is in the row before a function starts, -1 for others; `nodes` are those
-    among them that are computed from others. Parameters stand from the place `parameters` on, what belongs to the
-    function alone from `first` on."""
+def words_of(
+    nodes: Nodes, blocks: Sequence[Sequence[int]], settled: Settled, kept: Ints | None = None
+) -> tuple[Ints, int]:
+    """The instructions that fill the result arrays `blocks`, and the length of the row that they need.
 
-    place: Ints
-    nodes: frozenset[int]
-    parameters: int
-    first: int
-
-
-def words_of(nodes: Nodes, blocks: Sequence[Sequence[int]], settled: Settled) -> tuple[Ints, int]:
-    """The instructions that fill the result arrays `blocks`, and the length of the row that they need."""
+    The nodes `kept`, ascending, are put into places in a row: the last ones before those of the function itself.
+    """
     elements = [np.array(block, dtype=np.int64) for block in blocks]
-    roots = np.unique(np.concatenate([_NONE, *elements]))
-    live = live_of(nodes, roots.tolist(), settled.nodes)
+    kept = _NONE if kept is None else kept
+    roots = np.unique(np.concatenate([_NONE, kept, *elements]))
+    live = _live(nodes, roots, settled.nodes)
     known = settled.place[live]
-    selection = select(nodes, live, known >= 0, np.searchsorted(live, roots))
+    results = np.searchsorted(live, roots)
+    selection = select(nodes, live, known >= 0, results)
+    own = np.searchsorted(live, kept)
+    places = settled.first - len(kept) + np.arange(len(kept))
+    computed = nodes.op[kept] >= FIRST_UNARY
+    known[own[computed]] = places[computed]
     loads, loaded = _loads(nodes, live, known, settled.first)
-    body, place, end = _body(selection, known, loaded, settled.first)
+    body, place, end = _body(selection, known, loaded, results, settled.first)
+    copies = [CODE["MULTIPLY"], np.count_nonzero(~computed)] if not computed.all() else []
+    for to, of in zip(places[~computed].tolist(), place[own[~computed]].tolist(), strict=True):
+        copies += [to, of, ONE]
     stores = [
         _stored(number, place[np.searchsorted(live, block)], block != nodes.graph.zero)
         for number, block in enumerate(elements)
     ]
-    return np.concatenate([*loads, body, *stores, [CODE["END"]]]), end
+    return np.concatenate([*loads, body, np.array(copies, dtype=np.int64), *stores, [CODE["END"]]]), end
 
 
-def words_into(nodes: Nodes, wanted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
-    """The instructions that put the nodes `wanted`, ascending, into their places, after the constants and as many
-    parameters, which have places in a row."""
-    live = live_of(nodes, wanted.tolist(), frozenset())
+def preparation(nodes: Nodes, hoisted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
+    """The instructions that put the nodes `hoisted`, ascending, into their places, after the constants and as many
+    parameters."""
+    live = _live(nodes, hoisted, frozenset())
     at_hand = settled.place[live] >= 0
-    results = np.searchsorted(live, wanted)
+    results = np.searchsorted(live, hoisted)
     at_hand[results] = False
     selection = select(nodes, live, at_hand, results)
-    body, _, end = _body(selection, settled.place[live], _NONE, settled.first)
+    body, _, end = _body(selection, settled.place[live], _NONE, results, settled.first)
     own = [GROUPS[Group.P], 0, parameters, settled.parameters]
     load = [CODE["LOAD"], *own] if parameters else []
     return np.concatenate([np.array([CODE["CONSTANTS"], *load]), body, [CODE["END"]]]), end
 
 
 _NONE: Ints = np.zeros(0, dtype=np.int64)
+
+
+def _live(nodes: Nodes, roots: Ints, given: frozenset[int]) -> Ints:
+    """All nodes that `roots` are computed from, as far as those of `given`; ascending."""
+    return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
 
 
 def _loads(nodes: Nodes, live: Ints, known: Ints, first: int) -> tuple[list[Ints], Ints]:
@@ -89,100 +97,60 @@ def _stored(number: int, place: Ints, nonzero: Flags) -> Ints:
     return np.concatenate([[CODE["SCATTER"], number, len(place), len(entries)], entries, place[entries]])
 
 
-def _body(selection: Selection, known: Ints, loaded: Ints, first: int) -> tuple[Ints, Ints, int]:
-    """The instructions between loads and stores, the place of every value, and the length of the row.
-
-    Step 0 are the loads; every instruction and every turn is one step.
-    """
-    code, operands = _forwarded(selection)
-    step = 1 + np.arange(len(code)) + np.searchsorted([turn.phase for turn in selection.turns], selection.phase)
-    at_turn = [
-        1 + int(np.searchsorted(selection.phase, turn.phase, "right")) + number
-        for number, turn in enumerate(selection.turns)
-    ]
-    end = 1 + len(code) + len(at_turn)
-    stores = ~_passes_on(code)
-    writes: list[Sequence[int]] = [()] * end
-    writes[0] = loaded.tolist()
-    for where, value in zip(step[stores].tolist(), selection.made[stores].tolist(), strict=True):
-        writes[where] = (value,)
-    for where, turn in zip(at_turn, selection.turns, strict=True):
-        writes[where] = [value for value in (*turn.sines.tolist(), *turn.cosines.tolist()) if value >= 0]
-    values, when = _reads(selection, operands, step, at_turn, end)
-    place, top = places(known, writes, values, when, first)
-    spare = int(any((turn.sines < 0).any() or (turn.cosines < 0).any() for turn in selection.turns))
-    padded = np.append(place, top)  # what nothing reads goes to the last place
-    turns = [
-        np.concatenate(
-            [[CODE["SINCOS"], len(turn.angles)], padded[turn.angles], padded[turn.sines], padded[turn.cosines]]
-        )
-        for turn in selection.turns
-    ]
-    return (
-        _assembled(code, np.where(stores, place[selection.made], -1), padded, operands, step, at_turn, turns),
-        place,
-        top + spare,
-    )
+def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Ints, Ints, int]:
+    """The instructions between loads and stores, the place of every value, and the length of the row."""
+    grouped = groups(selection)
+    order = np.array([step for group in grouped for step in group], dtype=np.int64)
+    count, turns = len(selection.made), selection.turns
+    when = np.empty(len(order), dtype=np.int64)
+    when[order] = np.arange(len(order))
+    writes = np.append(selection.made, np.full(len(turns), -1))[order].tolist()
+    several = {
+        int(when[count + number]): [*turn.sines[turn.sines >= 0].tolist(), *turn.cosines[turn.cosines >= 0].tolist()]
+        for number, turn in enumerate(turns)
+    }
+    last = np.full(selection.count + 2, -1, dtype=np.int64)
+    for number, turn in enumerate(turns):
+        last[turn.angles] = when[count + number]
+    sequence = order[order < count]
+    operands = selection.operands[sequence]
+    steps = np.broadcast_to(when[sequence][:, None], operands.shape)[operands >= 0]
+    read = np.full(selection.count + 2, -1, dtype=np.int64)
+    read[operands[operands >= 0]] = steps  # which ascend: of several the last one stays
+    last = np.maximum(last, read)
+    last[results] = len(order)
+    place, top = places(np.append(known, [ONE, MINUS_ONE]), loaded.tolist(), writes, several, last, first)
+    spare = int(any((values < 0).any() for turn in turns for values in (turn.sines, turn.cosines)))
+    padded = np.append(place, top)  # what nothing reads goes behind all others
+    return _assembled(selection, grouped, padded), place, top + spare
 
 
-def _reads(selection: Selection, operands: Ints, step: Ints, at_turn: Sequence[int], end: int) -> tuple[Ints, Ints]:
-    """Values and the steps that read them, ascending; results are read at the end."""
-    read = operands >= 0
-    values = [operands[read], *(turn.angles for turn in selection.turns), selection.results]
-    steps = [
-        np.broadcast_to(step[:, None], operands.shape)[read],
-        *(np.full(len(turn.angles), where) for where, turn in zip(at_turn, selection.turns, strict=True)),
-        np.full(len(selection.results), end),
-    ]
-    value, when = np.concatenate(values), np.concatenate(steps)
-    order = np.argsort(when, kind="stable")
-    return value[order], when[order]
-
-
-def _passes_on(code: Ints) -> Flags:
-    """Instructions that store nothing."""
-    second: Flags = (code - FIRST_ARITHMETIC) % 2 == 1
-    return second & (code < FIRST_FUNCTION)
-
-
-def _forwarded(selection: Selection) -> tuple[Ints, Ints]:
-    """Instructions and operands where a value is handed to the next instruction, if that reads it."""
-    code, operands = selection.form.copy(), selection.operands.copy()
-    before = np.full(len(code), -2, dtype=np.int64)
-    before[1:] = np.where(selection.phase[1:] == selection.phase[:-1], selection.made[:-1], -2)
-    taken = np.zeros(len(code), dtype=np.bool_)
-    for which in range(operands.shape[1]):
-        rows = np.flatnonzero((selection.operands[:, which] == before) & ~taken & (ON_V[selection.form, which] >= 0))
-        taken[rows] = True
-        remaining = REMAINING[selection.form[rows], which]
-        operands[rows] = np.where(
-            remaining >= 0, np.take_along_axis(selection.operands[rows], np.maximum(remaining, 0), 1), -1
-        )
-        code[rows] = ON_V[selection.form[rows], which]
-    ends = np.zeros(len(code), dtype=np.bool_)
-    ends[:-1] = taken[1:] & (selection.uses[selection.made[:-1]] == 1) & (code[:-1] < FIRST_FUNCTION)
-    code[ends] += 1
-    return code, operands
-
-
-def _assembled(
-    code: Ints, target: Ints, place: Ints, operands: Ints, step: Ints, at_turn: Sequence[int], turns: Sequence[Ints]
-) -> Ints:
-    """The words of all steps after the loads."""
-    width = np.zeros(1 + len(code) + len(turns), dtype=np.int64)
-    read = operands >= 0
-    width[step] = 1 + (target >= 0) + read.sum(axis=1)
-    width[list(at_turn)] = [len(turn) for turn in turns]
-    start = np.cumsum(width) - width
-    words = np.zeros(int(width.sum()), dtype=np.int64)
-    where = start[step]
-    words[where] = code
-    stored = target >= 0
-    words[where[stored] + 1] = target[stored]
-    where = where + 1 + stored
-    for column in range(operands.shape[1]):  # operands stand from the left on
-        there = read[:, column]
-        words[where[there] + column] = place[operands[there, column]]
-    for at, turn in zip(at_turn, turns, strict=True):
-        words[start[at] : start[at] + len(turn)] = turn
+def _assembled(selection: Selection, grouped: Sequence[Sequence[int]], place: Ints) -> Ints:
+    """The words of all steps."""
+    count = len(selection.made)
+    lengths = np.array([len(group) for group in grouped], dtype=np.int64)
+    order = np.array([step for group in grouped for step in group], dtype=np.int64)
+    single = order < count
+    width = np.empty(len(order), dtype=np.int64)
+    summing = (selection.code == TWO_PRODUCTS) | (selection.code == THREE_PRODUCTS)
+    before = 1 + summing  # words before the operands
+    width[single] = (before + np.count_nonzero(selection.operands >= 0, axis=1))[order[single]]
+    width[~single] = [3 * len(selection.turns[step - count].angles) for step in order[~single].tolist()]
+    heads = np.zeros(len(order), dtype=np.int64)
+    heads[np.cumsum(lengths) - lengths] = 2  # operation and number
+    start = np.cumsum(width + heads) - width
+    words = np.empty(int(width.sum()) + 2 * len(lengths), dtype=np.int64)
+    firsts = order[np.cumsum(lengths) - lengths]
+    at = start[np.cumsum(lengths) - lengths] - 2
+    words[at] = np.append(selection.code, np.full(len(selection.turns), CODE["SINCOS"]))[firsts]
+    words[at + 1] = lengths
+    made, where = order[single], start[single]
+    words[where] = place[selection.made[made]]
+    words[where[summing[made]] + 1] = selection.signs[made[summing[made]]]
+    for column, own in enumerate(selection.operands[made].T):  # operands stand from the left on
+        words[(where + before[made])[own >= 0] + column] = place[own[own >= 0]]
+    for step, begin in zip(order[~single].tolist(), start[~single].tolist(), strict=True):
+        turn = selection.turns[step - count]
+        words[begin - 1] = len(turn.angles)
+        words[begin : begin + 3 * len(turn.angles)] = place[np.concatenate([turn.angles, turn.sines, turn.cosines])]
     return words

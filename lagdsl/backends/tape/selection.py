@@ -1,13 +1,17 @@
-"""The instructions of a function: products join the sums that they are terms of, nodes follow one another in trees."""
+"""The instructions of a function: one for every node, but that sums take in their terms.
+
+Products join the sums that they are terms of, and a sum takes in the one that it goes on from: up to three products are
+added in one instruction, with the roundings of separate ones. A term that is no product is multiplied by one, which
+changes no bit.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from lagdsl.backends.tape.instructions import ALONE, ANGLES, MOST_OPERANDS, Form
+from lagdsl.backends.tape.instructions import ANGLES, INSTRUCTION, MOST_OPERANDS, THREE_PRODUCTS, TWO_PRODUCTS
 from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
 from lagdsl.graph.operation import FIRST_UNARY, Op
 
@@ -17,9 +21,8 @@ _MOST_SUMS = 3
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """Sines and cosines of angles, after the instructions of `phase`; local numbers, -1 for what nothing reads."""
+    """Sines and cosines of angles; local numbers, -1 for what nothing reads."""
 
-    phase: int
     angles: Ints
     sines: Ints
     cosines: Ints
@@ -27,44 +30,43 @@ class Turn:
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """The instructions of a function in order, by the local number of the node that each computes.
+    """The instructions of a function, by the local number of the node that each computes, ascending.
 
-    Local numbers count the nodes that the function needs. `form` and `operands` (instructions, MOST_OPERANDS), local
-    numbers or -1, are by instruction. `uses` counts, by local number, how often a value is read,
-    `results` last.
-    `phase` is that of every instruction, ascending; those of `turns` come between the phases.
+    Local numbers count the `count` nodes that the function needs; the next two are one and minus one. `code` and
+    `operands` (instructions, MOST_OPERANDS), local numbers or -1, are by instruction; `signs` where these are sums: 1
+    the last product is subtracted; of three products, 2 the second one is.
     """
 
+    count: int
     made: Ints
-    form: Ints
+    code: Ints
     operands: Ints
-    uses: Ints
-    results: Ints
-    phase: Ints
+    signs: Ints
     turns: tuple[Turn, ...]
 
 
 def select(nodes: Nodes, live: Ints, at_hand: Flags, results: Ints) -> Selection:
     """Instructions for the nodes `live` that are not `at_hand`; `results` are asked for, by local number."""
     op = nodes.op[live]
-    local = np.zeros(int(live[-1]) + 1 if len(live) else 0, dtype=np.int64)
-    local[live] = np.arange(len(live))
+    count = len(live)
+    local = np.zeros(int(live[-1]) + 1 if count else 0, dtype=np.int64)
+    local[live] = np.arange(count)
     computed = (op >= FIRST_UNARY) & ~at_hand
-    operands = np.full((3, len(live)), -1, dtype=np.int64)
+    operands = np.full((3, count), -1, dtype=np.int64)
     raw = nodes.operands[:, live]
     there = (raw >= 0) & computed
     operands[there] = local[raw[there]]
     turned = computed & ((op == Op.SIN) | (op == Op.COS))
     joined = _joined(op, operands, computed, results)
     made = np.flatnonzero(computed & ~turned & ~joined)
-    form, terms = _forms(op, operands, joined, made)
-    turns, phase = _turns(op, operands, turned, computed)
+    code, own = INSTRUCTION[op[made]], _operands(op, operands, joined, made)
+    signs = (op[made] == Op.SUBTRACT).astype(np.int64)
+    turns = _turns(op, operands, turned, computed)
     kept = np.concatenate([results, *(turn.angles for turn in turns)])
-    uses = np.bincount(np.concatenate([terms[terms >= 0], kept]), minlength=len(live))
-    only = uses == 1
-    only[kept] = False
-    order = _order(made, terms, only, phase)
-    return Selection(made[order], form[order], terms[order], uses, results, phase[made][order], turns)
+    once = np.bincount(own[own >= 0], minlength=count + 2) == 1
+    once[kept] = False
+    remaining = _take_in(made, code, own, signs, once)
+    return Selection(count, made[remaining], code[remaining], own[remaining], signs[remaining], turns)
 
 
 def _joined(op: Ints, operands: Ints, computed: Flags, results: Ints) -> Flags:
@@ -80,74 +82,73 @@ def _joined(op: Ints, operands: Ints, computed: Flags, results: Ints) -> Flags:
     return joined
 
 
-def _forms(op: Ints, operands: Ints, joined: Flags, made: Ints) -> tuple[Ints, Ints]:
-    """Instructions of the nodes `made`, and their operands."""
-    form = ALONE[op[made]]
-    terms = np.full((len(made), MOST_OPERANDS), -1, dtype=np.int64)
-    terms[:, :3] = operands[:, made].T
-    sums = np.flatnonzero((form == Form.ADD) | (form == Form.SUBTRACT))
-    x, y = terms[sums, 0], terms[sums, 1]
-    of_x, of_y = joined[x], joined[y]
-    adds = form[sums] == Form.ADD
-    for which, into in (
-        (of_x & of_y, (Form.MUL_ADD_MUL, Form.MUL_SUB_MUL)),
-        (of_x & ~of_y, (Form.MUL_ADD, Form.MUL_SUB)),
-        (~of_x & of_y, (Form.MUL_ADD, Form.SUB_MUL)),
-    ):
-        rows = sums[which]
-        first, second = (x[which], y[which]) if into[1] is not Form.SUB_MUL else (y[which], x[which])
-        form[rows] = np.where(adds[which], *into)
-        terms[rows, 0], terms[rows, 1] = operands[0, first], operands[1, first]
-        if into[0] is Form.MUL_ADD_MUL:
-            terms[rows, 2], terms[rows, 3] = operands[0, second], operands[1, second]
-        else:
-            terms[rows, 2] = second
-    return form, terms
+def _operands(op: Ints, operands: Ints, joined: Flags, made: Ints) -> Ints:
+    """The operands of the instructions for the nodes `made`."""
+    one, minus_one = len(op), len(op) + 1
+    own = np.full((len(made), MOST_OPERANDS), -1, dtype=np.int64)
+    own[:, :3] = operands[:, made].T
+    own[op[made] == Op.NEGATE, 1] = minus_one
+    sums = np.flatnonzero((op[made] == Op.ADD) | (op[made] == Op.SUBTRACT))
+    for column, term in zip((0, 2), operands[:2, made[sums]], strict=True):
+        own[sums, column] = np.where(joined[term], operands[0, term], term)
+        own[sums, column + 1] = np.where(joined[term], operands[1, term], one)
+    return own
 
 
-def _order(made: Ints, terms: Ints, only: Flags, phase: Ints) -> Ints:
-    """Trees of values that are read once stand together, before what reads their roots; as far as phases let them."""
-    place = np.full(len(only), -1, dtype=np.int64)
-    place[made] = np.arange(len(made))
-    above = np.arange(len(made))
-    for column in terms.T:
-        inner = (column >= 0) & (place[column] >= 0) & only[column]
-        above[place[column[inner]]] = np.flatnonzero(inner)
-    while True:
-        further = above[above]
-        if np.array_equal(further, above):
-            break
-        above = further
-    return np.lexsort((made, above, phase[made]))
+def _take_in(made: Ints, code: Ints, own: Ints, signs: Ints, once: Flags) -> Ints:
+    """Sums take in the sum of two products that they go on from, if it is read `once`. Returns what remains."""
+    one = len(once) - 2
+    maker = np.full(len(once), -1, dtype=np.int64)
+    maker[made] = np.arange(len(made))
+    rows = np.flatnonzero(code == TWO_PRODUCTS)
+    pairs = []
+    for column in (0, 2):
+        value = own[rows, column]
+        inner = maker[value]
+        fits = (own[rows, column + 1] == one) & once[value] & (inner >= 0) & (code[inner] == TWO_PRODUCTS)
+        fits &= (column == 0) | (signs[rows] == 0)  # x - (y + z) is none
+        pairs.append(np.array([rows[fits], inner[fits], np.full(np.count_nonzero(fits), 2 - column)]))
+    outer, inner, rest = _apart(np.concatenate(pairs, axis=1), len(made))
+    last = own[outer, rest], own[outer, rest + 1]
+    own[outer, :4] = own[inner, :4]
+    own[outer, 4], own[outer, 5] = last
+    signs[outer] += 2 * signs[inner]
+    code[outer] = THREE_PRODUCTS
+    return np.setdiff1d(np.arange(len(made)), inner, assume_unique=True)
 
 
-# ---- sines and cosines -----------------------------------------------------------------------------------------------
+def _apart(pairs: Ints, count: int) -> Ints:
+    """Those pairs, in the order of their first members, that share no member with the ones before."""
+    pairs = pairs[:, np.argsort(pairs[0], kind="stable")]
+    used = bytearray(count)
+    kept = []
+    for index, (outer, inner) in enumerate(zip(pairs[0].tolist(), pairs[1].tolist(), strict=True)):
+        if not (used[outer] or used[inner]):
+            used[outer] = used[inner] = 1
+            kept.append(index)
+    return pairs[:, kept]
 
 
-def _turns(op: Ints, operands: Ints, turned: Flags, computed: Flags) -> tuple[tuple[Turn, ...], Ints]:
-    """Sines and cosines together, those first whose angles hold no others; and the phase of every node."""
+def _turns(op: Ints, operands: Ints, turned: Flags, computed: Flags) -> tuple[Turn, ...]:
+    """Sines and cosines together, those first whose angles hold no others."""
     where = np.flatnonzero(turned)
     if not len(where):
-        return (), np.zeros(len(turned), dtype=np.int64)
+        return ()
     angles = np.unique(operands[0, where])
     values = np.full((2, len(turned)), -1, dtype=np.int64)
     values[np.where(op[where] == Op.SIN, 0, 1), operands[0, where]] = where
     level = _levels(operands, turned, computed, angles)
-    of_angle = np.array([level.get(angle, 0) for angle in angles.tolist()])
-    depth = int(of_angle.max()) + 1
-    phase = np.full(len(turned), depth, dtype=np.int64)
-    phase[list(level)] = list(level.values())
     turns = []
-    for k in range(depth):
-        members = angles[of_angle == k]
+    for k in range(int(level.max()) + 1):
+        members = angles[level == k]
         for start in range(0, len(members), ANGLES):
             own = members[start : start + ANGLES]
-            turns.append(Turn(k, own, *values[:, own]))
-    return tuple(turns), phase
+            turns.append(Turn(own, *values[:, own]))
+    return tuple(turns)
 
 
-def _levels(operands: Ints, turned: Flags, computed: Flags, angles: Ints) -> dict[int, int]:
-    """For all that angles are computed from: how many sines are one inside the other."""
+def _levels(operands: Ints, turned: Flags, computed: Flags, angles: Ints) -> Ints:
+    """How many sines are one inside the other in each of `angles`."""
     columns = operands.tolist()
     wanted = set[int]()
     stack: list[int] = angles.tolist()
@@ -160,9 +161,4 @@ def _levels(operands: Ints, turned: Flags, computed: Flags, angles: Ints) -> dic
     for node in sorted(wanted):
         inner = max((level.get(column[node], 0) for column in columns if column[node] >= 0), default=0)
         level[node] = inner + bool(turned[node])
-    return level
-
-
-def live_of(nodes: Nodes, roots: Sequence[int], given: frozenset[int]) -> Ints:
-    """All nodes that `roots` are computed from, as far as those of `given`; ascending."""
-    return np.array(nodes.graph.live(roots, given), dtype=np.int64)
+    return np.array([level.get(angle, 0) for angle in angles.tolist()], dtype=np.int64)

@@ -83,6 +83,16 @@ ROWS: dict[str, Row] = {
     "E0136": error(
         "{name} contains the character NUL (position {position}) and is no model text", help="give a `.lag` file"
     ),
+    "E0137": error(
+        "the text holds characters that change its direction and are not seen ({codes})",
+        label="here, or beside it",
+        help="remove them; they may stand in a string with letters from right to left, each closed in it",
+    ),
+    "E0138": error(
+        "more than {limit} brackets are open",
+        label="one more than the limit",
+        help="name parts of the expression",
+    ),
     "N0106": note("`{literal}` is a number with a unit, not a product with {names}; write `{meant}` for that"),
     "N0199": note("stopped after {count} errors", help="repair the first ones; later ones often follow from them"),
 }

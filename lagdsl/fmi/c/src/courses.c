@@ -19,8 +19,9 @@ void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
 }
 
 /* As lag_motion wants them. */
-static void course(void *context, double t, double *u)
+static void course(void *context, double t, int before, double *u)
 {
+    (void)before; /* a jump is an event */
     const lag_instance *instance = context;
     lag_instance_inputs_at(instance, t, u);
 }

@@ -8,11 +8,15 @@
 #include "lag/discretes.h"
 #include "lag/finite.h"
 #include "lag/memory.h"
+#include "lag/svd.h"
 
 /* A written start value weighs 100 times another: the square of this. */
 static const double SHARP = 10.0;
 /* Rows that are smaller than this part of the largest are zero but for round-off. */
 static const double ROUNDING = 1e-12;
+/* An entry of J that is smaller, as a part of its row, at every point looked at is none. */
+static const double ABSENT = 1e-13;
+static const double RANK = 1e-9;
 /* Beside the start, rows are measured at so many points: the median of their lengths hardly depends on which they are. */
 enum { SIZED_AT = 9 };
 
@@ -24,7 +28,7 @@ static size_t numbers(const lag_model *model)
 size_t lag_beginning_memory(const lag_model *model)
 {
     return 5 * numbers(model) + 3 * model->nc + model->nc * model->nq + 2 * model->nq + model->nz + model->nu + model->nw + model->nq +
-           model->nc + SIZED_AT * model->nc;
+           model->nc + SIZED_AT * model->nc + model->nc * model->nq;
 }
 
 void lag_beginning_place(lag_beginning *b, lag_motion *motion, double *memory)
@@ -49,6 +53,7 @@ void lag_beginning_place(lag_beginning *b, lag_motion *motion, double *memory)
     b->w = lag_take(&memory, model->nw);
     b->still = lag_take(&memory, model->nq + model->nc);
     b->lengths = lag_take(&memory, SIZED_AT * model->nc);
+    b->pattern = lag_take(&memory, model->nc * model->nq);
     b->memory = memory;
     for (size_t i = 0; i < model->nc; ++i) {
         if (model->position_level[i]) {
@@ -107,14 +112,13 @@ void lag_beginning_point(const lag_beginning *b, unsigned long long *seed, size_
     }
 }
 
-void lag_beginning_pattern(const lag_beginning *b, double *pattern)
+size_t lag_beginning_rank(size_t count, size_t width, const double *matrix, double *memory)
 {
-    const lag_model *model = b->motion->model;
-    const lag_pattern *entries = model->jacobian_pattern;
-    lag_fill(model->nc * model->nq, entries != NULL ? 0.0 : 1.0, pattern);
-    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
-        pattern[entries->row[k] * model->nq + entries->column[k]] = 1.0;
+    if (count == 0 || width == 0 || !lag_finite(count * width, matrix)) {
+        return 0;
     }
+    const lag_svd svd = lag_svd_of(count, width, matrix, memory);
+    return lag_svd_rank(&svd, RANK);
 }
 
 /* ---- sizes ---- */
@@ -151,6 +155,20 @@ static double usual(size_t count, double *lengths)
     return some > 0 ? lengths[(some - 1) / 2] : 0.0;
 }
 
+/* The model may know better where J vanishes everywhere. Which coordinates a row ties is not seen while it is off. */
+static void find_pattern(lag_beginning *b)
+{
+    const lag_model *model = b->motion->model;
+    const lag_pattern *entries = model->jacobian_pattern;
+    lag_fill(entries != NULL ? model->nc * model->nq : 0, 0.0, b->pattern);
+    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
+        b->pattern[entries->row[k] * model->nq + entries->column[k]] = 1.0;
+    }
+    for (size_t k = 0; entries == NULL && k < model->nswitched; ++k) {
+        lag_fill(model->nq, 1.0, b->pattern + model->switched_rows[k] * model->nq);
+    }
+}
+
 /* Rows are as large as their derivatives usually come out, at the start and at points about it. */
 static void find_row_sizes(lag_beginning *b, const double *q)
 {
@@ -160,6 +178,7 @@ static void find_row_sizes(lag_beginning *b, const double *q)
     double most = 0.0;
     unsigned long long seed = 20011;
     memcpy(b->q, q, n * sizeof(double));
+    lag_fill(model->nc * n, 0.0, b->pattern);
     for (size_t k = 0; k < SIZED_AT; ++k) {
         if (k > 0) {
             lag_beginning_point(b, &seed, k - 1, q, b->q);
@@ -169,7 +188,9 @@ static void find_row_sizes(lag_beginning *b, const double *q)
             double sum = 0.0;
             for (size_t j = 0; j < n; ++j) {
                 const double entry = b->jacobian[i * n + j] * b->sizes[j];
+                const double seen = b->pattern[i * n + j];
                 sum += entry * entry;
+                b->pattern[i * n + j] = fabs(entry) <= seen ? seen : isfinite(entry) ? fabs(entry) : (double)INFINITY;
             }
             lengths[i * SIZED_AT + k] = sqrt(sum);
         }
@@ -179,8 +200,12 @@ static void find_row_sizes(lag_beginning *b, const double *q)
         most = fmax(most, b->row_sizes[i]);
     }
     for (size_t i = 0; i < model->nc; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], ROUNDING * most);
+        }
         b->row_sizes[i] = b->row_sizes[i] > ROUNDING * most ? b->row_sizes[i] : 1.0;
     }
+    find_pattern(b);
 }
 
 static void find_widths(lag_beginning *b, const unsigned char *set)

@@ -6,6 +6,7 @@
 
 #include "lag/beginning.h"
 #include "lag/memory.h"
+#include "lag/svd.h"
 
 /* Where residuals are no larger than this, as a part of the rows' sizes, nothing is moved. */
 static const double THERE = 1e-15;
@@ -14,6 +15,8 @@ static size_t larger(size_t a, size_t b)
 {
     return a > b ? a : b;
 }
+
+enum { SAMPLES = 3 };
 
 /* ---- positions ---- */
 
@@ -36,7 +39,7 @@ size_t lag_beginning_q_memory(const lag_model *model)
 {
     const size_t m = count_rows(model);
     const size_t n = model->nq;
-    return n + m * n + model->nc * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + lag_nearest_memory(m, n);
+    return n + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + larger(lag_nearest_memory(m, n), m * n + lag_svd_memory(m, n));
 }
 
 static void put(const positions *p, const double *y)
@@ -76,9 +79,49 @@ static int already_there(lag_beginning *b)
     return there;
 }
 
-/* The row that is farthest off is told. */
-static void tell(lag_beginning *b)
+/* J of the rows of position level at b->q, of the free coordinates only if so asked, in natural sizes. */
+static void gather(const positions *p, int only_free, double *matrix)
 {
+    const lag_beginning *b = p->b;
+    const size_t n = b->motion->model->nq;
+    const size_t width = only_free ? p->count : n;
+    for (size_t i = 0; i < b->rows; ++i) {
+        const size_t row = (size_t)b->row[i];
+        for (size_t k = 0; k < width; ++k) {
+            const size_t j = only_free ? (size_t)p->free[k] : k;
+            matrix[i * width + k] = b->jacobian[row * n + j] * b->sizes[j] / b->row_sizes[row];
+        }
+    }
+}
+
+/* So many fixed coordinates are too many: by ranks in general positions, since a search stalls where the mechanism is stretched out. */
+static void count_excess(const positions *p, double *point, double *memory)
+{
+    lag_beginning *b = p->b;
+    const size_t n = b->motion->model->nq;
+    double *matrix = lag_take(&memory, b->rows * n);
+    unsigned long long seed = 20011;
+    size_t excess = n;
+    size_t most = 0;
+    for (size_t k = 0; k < SAMPLES; ++k) {
+        lag_beginning_point(b, &seed, k, b->x, point);
+        memcpy(b->q, point, n * sizeof(double));
+        lag_beginning_positions(b);
+        gather(p, 0, matrix);
+        const size_t whole = lag_beginning_rank(b->rows, n, matrix, memory);
+        gather(p, 1, matrix);
+        const size_t part = lag_beginning_rank(b->rows, p->count, matrix, memory);
+        excess = whole - part < excess ? whole - part : excess;
+        most = whole > most ? whole : most;
+    }
+    b->told.excess = excess;
+    b->told.general = n - most;
+}
+
+/* The row that is farthest off is told. */
+static void tell(const positions *p, double *point, double *memory)
+{
+    lag_beginning *b = p->b;
     double worst = -1.0;
     lag_beginning_positions(b);
     for (size_t i = 0; i < b->rows; ++i) {
@@ -91,6 +134,7 @@ static void tell(lag_beginning *b)
         }
     }
     b->told.fault = LAG_INITIAL_POSITIONS;
+    count_excess(p, point, memory);
 }
 
 void lag_beginning_find_q(lag_beginning *b, double *x)
@@ -108,14 +152,12 @@ void lag_beginning_find_q(lag_beginning *b, double *x)
             p.free[p.count++] = (double)j;
         }
     }
-    double *every = lag_take(&memory, model->nc * n);
     double *pattern = lag_take(&memory, b->rows * p.count);
     double *point = lag_take(&memory, n);
     double *others = lag_take(&memory, LAG_NEAREST_OTHERS * p.count);
-    lag_beginning_pattern(b, every);
     for (size_t i = 0; i < b->rows; ++i) {
         for (size_t k = 0; k < p.count; ++k) {
-            pattern[i * p.count + k] = every[(size_t)b->row[i] * n + (size_t)p.free[k]];
+            pattern[i * p.count + k] = b->pattern[(size_t)b->row[i] * n + (size_t)p.free[k]];
         }
     }
     unsigned long long seed = 20011;
@@ -133,7 +175,7 @@ void lag_beginning_find_q(lag_beginning *b, double *x)
     put(&p, search.best.point);
     memcpy(x, b->q, n * sizeof(double));
     if (!(worst <= LAG_HOLDS)) {
-        tell(b);
+        tell(&p, point, memory);
     }
 }
 
@@ -143,7 +185,8 @@ size_t lag_initial_memory(const lag_model *model)
 {
     const size_t q = larger(lag_beginning_q_memory(model), lag_beginning_qd_memory(model));
     const size_t all = model->ne > 0 ? lag_beginning_all_memory(model) : 0;
-    return model->nc + model->ne == 0 ? 0 : lag_beginning_memory(model) + larger(larger(q, all), lag_beginning_rank_memory(model));
+    const size_t ranks = larger(lag_beginning_rank_memory(model), model->nc * model->nq + lag_svd_memory(model->nc, model->nq));
+    return model->nc + model->ne == 0 ? 0 : lag_beginning_memory(model) + larger(larger(q, all), ranks);
 }
 
 static size_t first_wrong(size_t count, const double *x)
@@ -197,7 +240,7 @@ static void find(lag_beginning *b, const unsigned char *set, double *x)
     if (find_no_number(b)) {
         return;
     }
-    if (model->ne > 0) {
+    if (model->ne > 0 && !b->told.given) {
         lag_beginning_find_all(b, x);
     } else {
         lag_beginning_find_q(b, x);
@@ -207,6 +250,30 @@ static void find(lag_beginning *b, const unsigned char *set, double *x)
     }
     if (b->told.fault == LAG_INITIAL_NONE && b->rows > 0 && !as_compiled(b, set)) {
         lag_beginning_find_rank(b, x);
+    }
+}
+
+/* Rates that the constraints leave free at x. */
+static size_t find_freedom(lag_beginning *b, const double *x)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    double *memory = b->memory;
+    double *matrix = lag_take(&memory, model->nc * n);
+    memcpy(b->q, x, n * sizeof(double));
+    lag_beginning_velocities(b);
+    for (size_t i = 0; i < model->nc; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            matrix[i * n + j] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
+        }
+    }
+    return n - lag_beginning_rank(model->nc, n, matrix, memory);
+}
+
+static void copy(size_t count, const double *x, double *to)
+{
+    if (to != NULL) {
+        memcpy(to, x, count * sizeof(double));
     }
 }
 
@@ -224,7 +291,13 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
 {
     const lag_model *model = motion->model;
     lag_beginning b;
-    lag_initial found = {LAG_INITIAL_NONE, 0, 0.0, model->rank, 0, told != NULL ? told->dependent : NULL};
+    lag_initial found = {.rank = model->rank, .freedom = model->nq};
+    if (told != NULL) {
+        found.given = told->given;
+        found.dependent = told->dependent;
+        found.row_sizes = told->row_sizes;
+        found.pattern = told->pattern;
+    }
     for (size_t i = 0; found.dependent != NULL && i < model->nc; ++i) {
         found.dependent[i] = model->redundant != NULL && model->redundant[i];
     }
@@ -235,6 +308,9 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
         status = lag_beginning_at(&b, start, set, t, x);
         if (status == LAG_OK) {
             find(&b, set, x);
+            b.told.freedom = find_freedom(&b, x);
+            copy(model->nc, b.row_sizes, found.row_sizes);
+            copy(model->nc * model->nq, b.pattern, found.pattern);
             found = b.told;
             found.moved = differ(lag_motion_size(model), b.x, x);
             status = found.fault == LAG_INITIAL_NONE ? LAG_OK : found.fault == LAG_INITIAL_NUMBERS ? LAG_NOT_FINITE : LAG_OFF;

@@ -4,6 +4,7 @@
 
 #include "lag/beginning.h"
 #include "lag/memory.h"
+#include "lag/svd.h"
 
 static const double TARGET = 1e-11;
 static const double DIFFERENCE = 1e-6;
@@ -33,7 +34,9 @@ size_t lag_beginning_all_memory(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
     const size_t rows = count_rows(model);
-    return 6 * size + 3 * rows + 2 * model->nq + model->nc + lag_parts_memory(rows, size) + lag_descent_memory(rows, size);
+    const size_t search = lag_parts_memory(rows, size) + lag_descent_memory(rows, size);
+    const size_t ranks = rows * size + size + lag_svd_memory(rows, size);
+    return 6 * size + 3 * rows + 2 * model->nq + model->nc + (search > ranks ? search : ranks);
 }
 
 static void put(const joint *all, const double *y)
@@ -152,6 +155,29 @@ static void tell(lag_beginning *b, const joint *all, const double *residual)
     }
 }
 
+/* So many fixed values are too many, by ranks at the state that was found. */
+static void count_excess(joint *all, const double *best, double *memory)
+{
+    lag_beginning *b = all->b;
+    const size_t size = lag_motion_size(b->motion->model);
+    double *matrix = lag_take(&memory, all->rows * size);
+    double *point = lag_take(&memory, size);
+    lag_fill(size, 0.0, point);
+    for (size_t k = 0; k < all->count; ++k) {
+        point[(size_t)all->free[k]] = best[k];
+    }
+    differentiate(all, best, matrix);
+    const size_t part = lag_beginning_rank(all->rows, all->count, matrix, memory);
+    for (size_t k = 0; k < size; ++k) {
+        all->free[k] = (double)k;
+    }
+    all->count = size;
+    differentiate(all, point, matrix);
+    const size_t whole = lag_beginning_rank(all->rows, size, matrix, memory);
+    b->told.excess = whole > part ? whole - part : 0;
+    b->told.general = size - whole;
+}
+
 static double length_of(size_t count, const double *y)
 {
     double sum = 0.0;
@@ -214,5 +240,6 @@ void lag_beginning_find_all(lag_beginning *b, double *x)
             all.one[i] /= all.scale[i];
         }
         tell(b, &all, all.one);
+        count_excess(&all, best, for_parts);
     }
 }

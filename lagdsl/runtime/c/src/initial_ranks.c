@@ -95,7 +95,7 @@ static void place(walk *w, lag_beginning *b)
     lag_fill(m * n, 0.0, w->best);
     lag_fill(m + n, 0.0, w->ranks);
     lag_fill(m + n, 0.0, w->rough);
-    lag_beginning_pattern(b, w->jacobian);
+    memcpy(w->jacobian, b->pattern, m * n * sizeof(double));
     for (size_t i = 0; i < b->rows; ++i) {
         memcpy(pattern + i * n, w->jacobian + (size_t)b->row[i] * n, n * sizeof(double));
     }

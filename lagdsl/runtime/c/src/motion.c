@@ -1,5 +1,6 @@
 #include "lag/motion.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "lag/jacobian.h"
@@ -49,7 +50,8 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->at.w = motion->w;
     motion->at.qdd = motion->qdd;
     motion->at.lam = motion->lam;
-    motion->ode = (lag_ode){lag_motion_size(model), motion, rates, jacobian};
+    motion->until = (double)INFINITY;
+    motion->ode = (lag_ode){lag_motion_size(model), motion, rates, jacobian, model->nq};
 }
 
 lag_status lag_motion_parameters(lag_motion *motion, const double *p)
@@ -75,7 +77,7 @@ void lag_motion_look(lag_motion *motion, double t, const double *x)
     motion->at.qd = x + n;
     motion->at.z = x + 2 * n;
     if (motion->inputs != NULL) {
-        motion->inputs(motion->context, t, motion->u);
+        motion->inputs(motion->context, t, t >= motion->until, motion->u);
     }
 }
 

@@ -67,6 +67,7 @@ static lag_status take_jacobian(lag_stepper *s, const lag_radau_places *at, doub
     if (status != LAG_OK) {
         s->trouble = status;
         s->trouble_time = t;
+        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
     }
     return status;
 }

@@ -1,5 +1,6 @@
 #include "lag/run.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "lag/initial.h"
@@ -19,7 +20,7 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
-           lag_stiffness_memory(size) + 5 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
+           lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
            model->nindicator + model->ncontact + 1;
 }
 
@@ -61,8 +62,12 @@ static lag_status tell(void *context, const lag_happening *happening)
 {
     lag_run *run = context;
     lag_happening told = *happening;
+    lag_status status = LAG_OK;
+    if (run->options.results != NULL) {
+        status = lag_results_tell(run->options.results, run, happening);
+    }
     told.row = run->row;
-    return run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : LAG_OK;
+    return status == LAG_OK && run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : status;
 }
 
 static void place_instants(lag_run *run, const lag_model *model, double **memory)
@@ -70,7 +75,7 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     const lag_run_options *options = &run->options;
     double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock + options->clocks, own);
-    lag_alert_place(&run->alert, &run->motion, run->instants.contacts.slack, lag_take(memory, lag_alert_memory(model)));
+    lag_alert_place(&run->alert, &run->motion, &run->instants.contacts, &run->instants.noise, lag_take(memory, lag_alert_memory(model)));
     run->instants.passes.tell = tell;
     run->instants.passes.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
@@ -114,6 +119,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->motion.context = options->context;
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
+    run->stepper.length = options->h_fixed;
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->group = lag_take(&memory, size);
     run->natural = lag_take(&memory, size);
@@ -131,6 +137,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     place_instants(run, model, &memory);
     run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&memory, size), 0.0};
     run->point = lag_take(&memory, size);
+    run->lost = lag_take(&memory, size);
+    run->lost_time = (double)INFINITY;
     place_watch(run, model, &memory);
     lag_stiffness_place(&run->stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
     run->sign = lag_take(&memory, options->indicators);

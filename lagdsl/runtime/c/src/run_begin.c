@@ -36,10 +36,10 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
     return status;
 }
 
-lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
+/* Parameters and inputs, once; the start values of the model into run->point. */
+static lag_status prepare(lag_run *run, double t)
 {
     const lag_model *model = run->motion.model;
-    lag_stepper *s = &run->stepper;
     lag_status status = LAG_OK;
     if (run->motion.at.p == NULL) {
         status = lag_motion_parameters(&run->motion, run->options.p != NULL ? run->options.p : model->defaults);
@@ -50,6 +50,30 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
             memcpy(run->motion.u, run->options.u, model->nu * sizeof(double));
         }
     }
+    return status;
+}
+
+lag_status lag_run_start(lag_run *run, double t, double *x)
+{
+    const lag_status status = prepare(run, t);
+    memcpy(x, run->point, lag_motion_size(run->motion.model) * sizeof(double));
+    return status;
+}
+
+lag_status lag_run_find(lag_run *run, double t, const unsigned char *set, double *x, lag_initial *told)
+{
+    const lag_status status = lag_initial_find(&run->motion, run->options.start, set, t, x, run->initial, told);
+    if (told->dependent != NULL) {
+        lag_run_depend(run, told->dependent);
+    }
+    return status;
+}
+
+lag_status lag_run_move(lag_run *run, double t, const double *x, double h)
+{
+    const lag_model *model = run->motion.model;
+    lag_stepper *s = &run->stepper;
+    lag_status status = prepare(run, t);
     memcpy(s->x, x != NULL ? x : run->point, lag_motion_size(model) * sizeof(double));
     s->t = s->t_before = run->event_time = t;
     s->h = h;
@@ -66,9 +90,7 @@ static lag_status find_start(lag_run *run, double t)
     if (run->options.start == NULL) {
         return lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
     }
-    const lag_status status = lag_initial_find(&run->motion, run->options.start, NULL, t, run->stepper.x, run->initial, &told);
-    lag_run_depend(run, run->dependent);
-    return status;
+    return lag_run_find(run, t, NULL, run->stepper.x, &told);
 }
 
 lag_status lag_run_begin(lag_run *run, double t, const double *x)
@@ -99,7 +121,10 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
         status = lag_run_fire(run, 0, &happened);
     }
     if (status == LAG_OK) {
-        status = lag_watch_look(&run->watch, t, s->x);
+        status = lag_stepper_rates(s, t, s->x, s->f);
+    }
+    if (status == LAG_OK) {
+        status = lag_run_watch(run, t, s->x);
     }
     if (status == LAG_OK) {
         status = lag_run_rows(run, t, 1);

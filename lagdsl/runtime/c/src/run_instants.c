@@ -1,6 +1,8 @@
 /* What happens at instants of a run: told before and after. */
+#include <math.h>
 #include <string.h>
 
+#include "lag/memory.h"
 #include "lag/run.h"
 
 static int has_instants(const lag_run *run)
@@ -28,10 +30,11 @@ lag_status lag_run_enter(lag_run *run)
     return has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
 }
 
-lag_status lag_run_event(lag_run *run, double h, const double *changed)
+static lag_status carry_out(lag_run *run, double h, const double *changed, int ticks)
 {
     const lag_model *model = run->motion.model;
-    lag_instants_after(&run->instants, h);
+    double *x = run->stepper.x;
+    lag_instants_after(&run->instants, run->stepper.t, h);
     if (changed == NULL) {
         return LAG_OK;
     }
@@ -39,9 +42,19 @@ lag_status lag_run_event(lag_run *run, double h, const double *changed)
     memmove(run->alert.changed, changed, (model->nindicator + model->ncontact) * sizeof(double));
     lag_status status = tell(run, LAG_BEFORE);
     if (status == LAG_OK) {
-        status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, run->stepper.x, run->alert.changed));
+        status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->alert.changed, ticks));
     }
     return status;
+}
+
+lag_status lag_run_event(lag_run *run, double h, const double *changed)
+{
+    return carry_out(run, h, changed, 0);
+}
+
+lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed)
+{
+    return carry_out(run, h, changed, 1);
 }
 
 int lag_run_due(const lag_run *run, double t)
@@ -64,8 +77,35 @@ lag_status lag_run_ticks(lag_run *run)
     return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, run->stepper.t, run->stepper.x)) : status;
 }
 
+lag_status lag_run_jump(lag_run *run)
+{
+    const lag_model *model = run->motion.model;
+    lag_stepper *s = &run->stepper;
+    run->motion.until = (double)INFINITY;
+    if (model->nindicator == 0) {
+        return LAG_OK;
+    }
+    lag_status status = lag_alert_look(&run->alert, s->t, s->x);
+    for (size_t i = 0; i < model->ncontact; ++i) { /* these follow, or show in the next step */
+        run->alert.changed[model->nindicator + i] = 0.0;
+    }
+    if (status != LAG_HAPPENS || !lag_any(model->nindicator, run->alert.changed)) {
+        return status == LAG_HAPPENS ? LAG_OK : status;
+    }
+    memcpy(run->pending, run->alert.changed, (model->nindicator + model->ncontact) * sizeof(double));
+    run->motion.until = s->t; /* the row before has the inputs before */
+    status = tell(run, LAG_BEFORE);
+    run->motion.until = (double)INFINITY;
+    ++run->events;
+    if (status == LAG_OK) {
+        status = over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0));
+    }
+    return status == LAG_OK ? lag_run_watch(run, s->t, s->x) : status;
+}
+
 lag_status lag_run_end(lag_run *run)
 {
+    run->motion.until = (double)INFINITY;
     const lag_status status = lag_run_ticks(run);
     if (status != LAG_OK || !has_instants(run) || run->instants.places.terminal == run->motion.model->nw) {
         return status;

@@ -20,6 +20,12 @@ static lag_status record(lag_run *run, double t, const double *x)
         }
     }
     ++run->row;
+    if (run->options.results != NULL) {
+        const lag_status status = lag_results_at(run->options.results, run, t, x);
+        if (status != LAG_OK) {
+            return status;
+        }
+    }
     return run->options.output != NULL ? run->options.output(run->options.context, run, t, x) : LAG_OK;
 }
 
@@ -31,7 +37,7 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
         const double time = options->times[run->row];
         status = lag_run_inside(run, time, run->point);
         if (status == LAG_OK && run->motion.model->na > 0) {
-            status = lag_watch_look(&run->watch, time, run->point);
+            status = lag_run_watch(run, time, run->point);
         }
         if (status == LAG_OK) {
             status = record(run, time, run->point);

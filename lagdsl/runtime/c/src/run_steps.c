@@ -3,14 +3,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/memory.h"
 #include "lag/run.h"
 
 /* Steps are at least so many units in the last place of time. */
 static const double ULPS = 16.0;
 /* A step from which the constraints are out of reach is tried again with this part of its length. */
 static const double SHORTER = 0.25;
-/* So many steps a run has at least where relations or contacts are looked for. */
-static const double LEAST_STEPS = 50.0;
 
 static double least_length(const lag_run *run, double stop)
 {
@@ -98,6 +97,9 @@ static lag_status step_once(lag_run *run, double limit)
             lag_stepper_undo(s, SHORTER * h);
             continue;
         }
+        if (status == LAG_OFF) {
+            lag_run_lose(run, s->t, s->x);
+        }
         if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
             status = look_around(run, limit, &shorter);
         }
@@ -108,7 +110,7 @@ static lag_status step_once(lag_run *run, double limit)
     }
 }
 
-/* The same, with what must stay true. */
+/* The same, unless something is known that comes first. */
 static lag_status advance(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
@@ -117,9 +119,6 @@ static lag_status advance(lag_run *run, double limit)
     lag_status status = lag_run_crosses(run->motion.model, &run->options) ? look_ahead(run, limit, &done) : LAG_OK;
     if (status == LAG_OK && !done) {
         status = step_once(run, limit);
-    }
-    if (status == LAG_OK) {
-        status = lag_watch_look(&run->watch, s->t, s->x);
     }
     if (status != LAG_OK && s->t > t) {
         lag_stepper_undo(s, s->t - s->t_before);
@@ -172,22 +171,41 @@ static lag_status find(lag_run *run, double *own, double *other)
     return status;
 }
 
+/* The time scale of what happens at the end of a step: one that was cut short does not tell it. */
+static double scale_of(const lag_run *run, const lag_half *half)
+{
+    const double reach = run->alert.reach;
+    return reach > 0.0 ? fmin(reach, fmax(half->length, half->next)) : half->length;
+}
+
+/* Relations that pass zero with a tick do so in the event of the tick, which at `stop` is left to the next call. */
+static int left_to_ticks(const lag_run *run, double stop)
+{
+    const lag_model *model = run->motion.model;
+    return run->stepper.t >= stop && lag_run_due(run, run->stepper.t) && !lag_any(model->ncontact, run->pending + model->nindicator);
+}
+
 /* What happens at the end of a step: the model's, the caller's; clocks before `stop`. */
 static lag_status happen(lag_run *run, double stop, const lag_half *half, int *happened)
 {
+    const double t = run->stepper.t;
+    const double h = scale_of(run, half);
+    const int due = t < stop && lag_run_due(run, t);
     int fired = 0;
-    *happened = half->own;
-    lag_instants_after(&run->instants, half->length);
-    lag_status status = half->own ? lag_run_event(run, half->length, run->pending) : LAG_OK;
-    if (status == LAG_OK && run->stepper.t < stop && lag_run_due(run, run->stepper.t)) {
-        *happened = 1;
+    const int own = half->own && !left_to_ticks(run, stop);
+    *happened = own || due;
+    lag_instants_after(&run->instants, t, h);
+    lag_status status = LAG_OK;
+    if (own) {
+        status = due ? lag_run_event_and_ticks(run, h, run->pending) : lag_run_event(run, h, run->pending);
+    } else if (due) {
         status = lag_run_ticks(run);
     }
     if (status == LAG_OK) {
         status = lag_run_fire(run, half->other, &fired);
     }
     *happened = *happened || fired;
-    return status == LAG_OK && *happened ? lag_watch_look(&run->watch, run->stepper.t, run->stepper.x) : status;
+    return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
 }
 
 lag_status lag_run_step(lag_run *run, double stop)
@@ -206,6 +224,9 @@ lag_status lag_run_step(lag_run *run, double stop)
     half->t = fmin(fmin(own, other), s->t);
     if (status == LAG_OK) {
         status = lag_run_rows(run, half->t, 0);
+    }
+    if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
+        status = lag_run_watch(run, s->t, s->x);
     }
     if (status != LAG_OK) {
         return give_back(run, t, status);
@@ -241,25 +262,15 @@ lag_status lag_run_finish(lag_run *run, double stop)
     return status == LAG_OK ? lag_run_rows(run, s->t, 1) : status;
 }
 
-/* What happens at instants is looked for at a few places of a step: none is so long that much would be missed between them. */
-static double most_length(const lag_run *run)
-{
-    const lag_model *model = run->motion.model;
-    const double length = run->instants.contacts.length;
-    if (run->options.h_most > 0.0) {
-        return run->options.h_most;
-    }
-    return model->nindicator + model->ncontact > 0 && length > 0.0 ? length / LEAST_STEPS : (double)INFINITY;
-}
-
 lag_status lag_run_restart(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
+    run->motion.until = stop;
     s->h_least = least_length(run, stop);
     if (!(run->options.length > 0.0) && run->options.count < 2) {
         run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
     }
-    s->h_most = most_length(run);
+    s->h_most = run->options.h_most > 0.0 ? run->options.h_most : (double)INFINITY;
     run->half.open = 0;
     run->instants.timed.length = run->instants.contacts.length;
     lag_status status = lag_run_ticks(run);

@@ -134,6 +134,57 @@ double lag_singular_margin(lag_singular *s, double t, const double *x, double *j
     return margin;
 }
 
+/* The row with the largest share in the combination of rows that comes nearest to vanishing; J, scaled, is `now`. */
+static size_t weakest_row(lag_singular *s)
+{
+    const lag_model *model = s->run->motion.model;
+    const size_t n = model->nq;
+    double *kept = s->left;
+    size_t rows = 0;
+    size_t weakest = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        if (!(model->redundant != NULL && model->redundant[i]) && s->run->lasting[i] != 0.0) {
+            for (size_t j = 0; j < n; ++j) {
+                s->block[j * s->general + rows] = s->now[i * n + j];
+            }
+            kept[rows++] = (double)i;
+        }
+    }
+    if (rows == 0) {
+        return 0;
+    }
+    const lag_svd svd = lag_svd_of(n, rows, s->block, s->memory);
+    const double *share = svd.v + (rows - 1) * rows;
+    for (size_t k = 1; k < rows; ++k) {
+        weakest = fabs(share[k]) > fabs(share[weakest]) ? k : weakest;
+    }
+    return (size_t)kept[weakest];
+}
+
+size_t lag_singular_rank(lag_singular *s, double t, const double *x, size_t *general, size_t *weakest)
+{
+    const size_t n = s->run->motion.model->nq;
+    size_t rank = 0;
+    *general = s->general;
+    if (!jacobian_at(s, t, x, s->now)) {
+        return s->general;
+    }
+    for (size_t which = 0; which < s->parts.count; ++which) {
+        size_t first = 0;
+        const size_t rows = lag_parts_rows(&s->parts, which, &first);
+        const size_t columns = lag_parts_columns(&s->parts, which, &first);
+        if (s->counts[which] > 0.0) {
+            (void)lag_parts_block(&s->parts, which, n, s->now, s->block);
+            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->memory);
+            for (size_t k = 0; k < svd.k && (double)k < s->counts[which]; ++k) {
+                rank += svd.value[k] > LOST;
+            }
+        }
+    }
+    *weakest = weakest_row(s);
+    return rank;
+}
+
 /* Part number `which` of J, seen in the singular vectors of the one before: U'J V / values, of those that were not lost. Returns their number. */
 static size_t seen_before(lag_singular *s, size_t which, const double *jacobian)
 {

@@ -13,7 +13,9 @@ size_t lag_stepper_memory(size_t size)
 {
     const size_t explicit_work = lag_dop853.memory(size);
     const size_t implicit_work = lag_radau.memory(size);
-    return 5 * size + (explicit_work > implicit_work ? explicit_work : implicit_work);
+    const size_t fixed_work = lag_steps_rk4.memory(size);
+    const size_t work = explicit_work > implicit_work ? explicit_work : implicit_work;
+    return 6 * size + (work > fixed_work ? work : fixed_work);
 }
 
 void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory)
@@ -26,7 +28,8 @@ void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory)
     s->x_before = s->f + size;
     s->f_before = s->x_before + size;
     s->tolerance = s->f_before + size;
-    s->work = s->tolerance + size;
+    s->trouble_x = s->tolerance + size;
+    s->work = s->trouble_x + size;
     s->h_most = (double)INFINITY;
 }
 
@@ -40,6 +43,7 @@ lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *
     if (status != LAG_OK) {
         s->trouble = status;
         s->trouble_time = t;
+        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
     }
     return status;
 }
@@ -90,7 +94,7 @@ lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double sp
         return status;
     }
     if (!(s->h > 0.0)) {
-        s->h = first_length(s, span);
+        s->h = method->error_order > 0 ? first_length(s, span) : s->length;
     }
     memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
     memcpy(s->f_before, s->f, s->ode->size * sizeof(double));

@@ -66,31 +66,42 @@ static void sincos_of(const uint32_t *word, double *row)
     }
 }
 
-/* From label to label where the compiler knows addresses of labels: every instruction has its own jump, which processors foresee. */
+/*
+ * From label to label where the compiler knows addresses of labels: every instruction has its own jump, which processors foresee.
+ * GCC would make them one again.
+ */
 #if defined(__GNUC__) && !defined(__wasm__)
 #pragma GCC diagnostic ignored "-Wpedantic"
-#define BEGIN NEXT;
-#define CASE(name) at_##name
 #define NEXT goto *labels[*word]
-#define TWO_LABELS(name, count, expression) &&at_##name, &&at_##name##_ON,
-#define ONE_LABEL(name, function) &&at_##name,
-#define LABELS                                                                                                    \
-    static const void *const labels[] = {&&at_END, &&at_CONSTANTS, &&at_LOAD, &&at_STORE, &&at_SCATTER, &&at_SINCOS, \
-        LAG_TAPE_ARITHMETIC(TWO_LABELS) LAG_TAPE_UNARY(ONE_LABEL) LAG_TAPE_BINARY(ONE_LABEL) &&at_SELECT};
+#define CASE(name) at_##name
+#define LABEL(name) &&at_##name,
+#define LABEL_OF_FUNCTION(name, function) LABEL(name)
+#define LABELS                                                                                       \
+    static const void *const labels[] = {                                                            \
+        LABEL(END) LABEL(CONSTANTS) LABEL(LOAD) LABEL(STORE) LABEL(SCATTER) LABEL(SINCOS)            \
+        LABEL(TWO_PRODUCTS) LABEL(THREE_PRODUCTS) LAG_TAPE_UNARY(LABEL_OF_FUNCTION)                  \
+        LAG_TAPE_ARITHMETIC(LABEL_OF_FUNCTION) LAG_TAPE_BINARY(LABEL_OF_FUNCTION) LABEL(SELECT)};
+#define BEGIN NEXT;
 #define FINISH
 #else
-#define BEGIN for (;;) { switch (*word) {
-#define CASE(name) case LAG_TAPE_##name
 #define NEXT continue
+#define CASE(name) case LAG_TAPE_##name
 #define LABELS
+#define BEGIN for (;;) { switch (*word) {
 #define FINISH }}
 #endif
+#if defined(__GNUC__) && !defined(__clang__)
+#define KEPT_APART __attribute__((optimize("no-gcse", "no-crossjumping")))
+#else
+#define KEPT_APART
+#endif
 
-void lag_tape_run(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results)
+KEPT_APART void lag_tape_run(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results)
 {
     LABELS
+    static const double signs[4][2] = {{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}};
     const uint32_t *word = code->words;
-    double v = 0.0;
+    uint32_t times;
     BEGIN
     CASE(END): return;
     CASE(CONSTANTS):
@@ -113,42 +124,24 @@ void lag_tape_run(const lag_tape_code *code, const lag_arguments *at, double *ro
         sincos_of(word, row);
         word += 2 + 3 * word[1];
         NEXT;
-#define r(i) row[operand[i]]
-#define TWO_CASES(name, count, expression)       \
-    CASE(name): {                                \
-        const uint32_t *const operand = word + 2; \
-        (void)operand;                           \
-        v = expression;                          \
-        row[word[1]] = v;                        \
-        word += 2 + count;                       \
-        NEXT;                                    \
-    }                                            \
-    CASE(name##_ON): {                           \
-        const uint32_t *const operand = word + 1; \
-        (void)operand;                           \
-        v = expression;                          \
-        word += 1 + count;                       \
-        NEXT;                                    \
-    }
-    LAG_TAPE_ARITHMETIC(TWO_CASES)
-#define UNARY_CASE(name, function)               \
+#define r(i) row[word[i]]
+#define OPERATION(name, width, expression)       \
     CASE(name):                                  \
-        v = function(row[word[2]]);              \
-        row[word[1]] = v;                        \
-        word += 3;                               \
+        times = word[1];                         \
+        word += 2;                               \
+        do {                                     \
+            r(0) = expression;                   \
+            word += width;                       \
+        } while (--times > 0);                   \
         NEXT;
-    LAG_TAPE_UNARY(UNARY_CASE)
-#define BINARY_CASE(name, function)              \
-    CASE(name):                                  \
-        v = function(row[word[2]], row[word[3]]); \
-        row[word[1]] = v;                        \
-        word += 4;                               \
-        NEXT;
-    LAG_TAPE_BINARY(BINARY_CASE)
-    CASE(SELECT):
-        v = lag_select(row[word[2]], row[word[3]], row[word[4]]);
-        row[word[1]] = v;
-        word += 5;
-        NEXT;
+#define OF_ONE(name, function) OPERATION(name, 2, function(r(1)))
+#define OF_OPERATOR(name, operator) OPERATION(name, 3, r(1) operator r(2))
+#define OF_TWO(name, function) OPERATION(name, 3, function(r(1), r(2)))
+    OPERATION(TWO_PRODUCTS, 6, r(2) * r(3) + signs[word[1]][1] * (r(4) * r(5)))
+    OPERATION(THREE_PRODUCTS, 8, r(2) * r(3) + signs[word[1]][0] * (r(4) * r(5)) + signs[word[1]][1] * (r(6) * r(7)))
+    LAG_TAPE_UNARY(OF_ONE)
+    LAG_TAPE_ARITHMETIC(OF_OPERATOR)
+    LAG_TAPE_BINARY(OF_TWO)
+    OPERATION(SELECT, 4, lag_select(r(1), r(2), r(3)))
     FINISH
 }

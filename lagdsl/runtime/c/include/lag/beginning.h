@@ -23,6 +23,7 @@ typedef struct lag_beginning {
     double *u, *w;               /* (nu) (nw) set aside */
     double *still;               /* (nq + nc) zeros */
     double *lengths;             /* of rows at several points */
+    double *pattern;             /* (nc, nq) 1: the entry of J is not zero everywhere */
     double *memory;              /* of each part in turn */
     lag_initial told;
 } lag_beginning;
@@ -44,8 +45,8 @@ void lag_beginning_point(const lag_beginning *b, unsigned long long *seed, size_
 /* A number of normal distribution, about. */
 double lag_beginning_draw(unsigned long long *seed);
 
-/* 1: entry (row, column) of J is not zero everywhere. */
-void lag_beginning_pattern(const lag_beginning *b, double *pattern);
+/* Independent ones of the rows (count, width), whose numbers stand in `matrix`; `memory`: lag_svd_memory(). None where one is no number. */
+size_t lag_beginning_rank(size_t count, size_t width, const double *matrix, double *memory);
 
 /* The parts of lag_initial_find(): each changes x or says in `told` what stands in the way. Their doubles. */
 size_t lag_beginning_q_memory(const lag_model *model);

@@ -28,7 +28,14 @@ typedef struct lag_initial {
     double residual; /* in its SI unit */
     size_t rank;     /* independent rows near the state that was found */
     int moved;       /* whether start values were changed */
-    unsigned char *dependent; /* (nc) room that the caller gives, or null: 1 for rows that depend on others near that state */
+    size_t freedom;  /* rates that the constraints leave free at that state */
+    size_t excess;   /* LAG_INITIAL_POSITIONS, LAG_INITIAL_EQUATIONS: so many fixed values are too many, */
+    size_t general;  /* of a mechanism that has so many degrees of freedom */
+    int given;       /* told by the caller, 1: initial equations are left out */
+    /* Room that the caller gives, or null. */
+    unsigned char *dependent; /* (nc) 1 for rows that depend on others near that state */
+    double *row_sizes;        /* (nc) natural sizes of the rows: as large as their derivatives usually come out */
+    double *pattern;          /* (nc, nq) 1: the row depends on the coordinate */
 } lag_initial;
 
 /* Doubles for the search. */

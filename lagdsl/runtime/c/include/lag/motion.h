@@ -5,8 +5,8 @@
 #include "lag/dynamics.h"
 #include "lag/ode.h"
 
-/* The inputs u (nu) at time t. Where an input jumps at the end of a step, the value before the jump is wanted. */
-typedef void lag_inputs(void *context, double t, double *u);
+/* The inputs u (nu) at time t; `before`: where one jumps then, its value before the jump is wanted. */
+typedef void lag_inputs(void *context, double t, int before, double *u);
 
 typedef struct lag_motion {
     const lag_model *model;
@@ -16,6 +16,7 @@ typedef struct lag_motion {
     double *memory;      /* lag_jacobian_memory() without tangents */
     lag_inputs *inputs;  /* null: u stays as it is */
     void *context;       /* of inputs */
+    double until;        /* from this time on inputs are those before a jump */
     lag_ode ode;         /* the system that the methods see; its context is this structure */
     size_t coordinate;   /* of the last singular state */
 } lag_motion;

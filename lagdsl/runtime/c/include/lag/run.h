@@ -20,12 +20,14 @@
 #include "lag/motion.h"
 #include "lag/projection.h"
 #include "lag/rank.h"
+#include "lag/results.h"
 #include "lag/singular.h"
 #include "lag/stepper.h"
 #include "lag/stiffness.h"
 #include "lag/watch.h"
 
 typedef struct lag_run lag_run;
+struct lag_initial;
 
 /* What happened at an instant. */
 typedef struct lag_event {
@@ -38,7 +40,8 @@ typedef struct lag_event {
 typedef struct lag_run_options {
     double tolerance;         /* of the motion as a whole; 0: 1e-8 */
     const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
-    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound (with events: a fiftieth of `length`) */
+    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound */
+    double h_fixed;           /* that of methods which do not choose it */
     double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
 
     const double *p;          /* (np) parameters; null: the defaults */
@@ -65,6 +68,7 @@ typedef struct lag_run_options {
     const double *times;
     double *rows;
     lag_status (*output)(void *context, lag_run *run, double t, const double *x);
+    lag_results *results; /* whole rows at these times and at events, and what happens; null: not wanted */
 
     /* Events of the caller's. Indicators are looked at `looks` times in each step (0: 4) and located to `time_tolerance` (0: round-off). */
     size_t indicators;
@@ -124,6 +128,8 @@ struct lag_run {
     double *lasting;          /* (nc) rows that come and go, or depend on others, are 0 */
     unsigned char *dependent; /* (nc) */
     double *point;            /* (2 nq + nz) */
+    double *lost;             /* (2 nq + nz) the state that could not be accepted, at time */
+    double lost_time;         /* infinite: none */
     double *sign, *value, *crossed, *other; /* (indicators) */
     double *ticked;           /* (clocks) */
     double *pending;          /* (nindicator + ncontact) what happens at the end of `half` */
@@ -171,6 +177,14 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
 lag_status lag_run_begin(lag_run *run, double t, const double *x);
 
 /*
+ * The start values of the model at time t into x (2 nq + nz), for the parameters and inputs of the run; then from such values, of which those
+ * flagged in `set` (or null) count as written, to a state that satisfies everything: lag_initial_find(), with what it tells. It must
+ * have a `start`.
+ */
+lag_status lag_run_start(lag_run *run, double t, double *x);
+lag_status lag_run_find(lag_run *run, double t, const unsigned char *set, double *x, struct lag_initial *told);
+
+/*
  * Goes on from another state, as it is: x (null: the model's start values), with h as the length of the next step (0: to be found).
  * Nothing strikes, nothing is recorded.
  */
@@ -183,8 +197,12 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
  */
 lag_status lag_run_enter(lag_run *run);
 lag_status lag_run_event(lag_run *run, double h, const double *changed);
+lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed); /* with the ticks that are due */
 lag_status lag_run_ticks(lag_run *run);
 int lag_run_due(const lag_run *run, double t);
+
+/* Inputs may have jumped at the present time, to which lag_run_to() led with those before: relations that are other now. */
+lag_status lag_run_jump(lag_run *run);
 
 /* What happens at the end, once, where nothing more is to follow: ticks that are due, then `terminal()`. */
 lag_status lag_run_end(lag_run *run);
@@ -221,9 +239,48 @@ lag_status lag_run_finish(lag_run *run, double stop);
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
     double *memory);
 
+/*
+ * Between two calls: the functions of `model` from now on, another filling of the same equations, such as compiled C after a tape.
+ * `workspace` (model->workspace) and the model must outlive the run, which can no longer be saved. Where both round alike, the motion
+ * is the same to the bit. LAG_FOREIGN: it is another model.
+ */
+lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspace);
+
 void lag_run_tell(const lag_run *run, lag_run_report *report);
 
+/* Why a run ended with a status that is not LAG_OK. */
+typedef struct lag_fault {
+    double t;         /* where it happened */
+    const double *x;  /* (2 nq + nz) the state there */
+    /*
+     * LAG_SINGULAR: a coordinate whose acceleration is not determined. LAG_NOT_FINITE: the first number of x' that is none. LAG_STUCK: the
+     * number of x that changes fastest. LAG_OFF, LAG_TORN: the row of the constraints that is farthest off. LAG_FORKED: the one that has
+     * the largest share in the combination that vanishes. LAG_VIOLATED: an assertion, or behind all of them an invariant. LAG_CONFLICT:
+     * a reset. LAG_REFUSED: an assertion of a clause.
+     */
+    size_t which;
+    double value, limit; /* LAG_OFF, LAG_TORN: the residual, in the unit of the row. LAG_VIOLATED: the drift of the invariant and what it may be */
+} lag_fault;
+
+void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault);
+
+/*
+ * Any function of the model (lag/evaluate.h) at x at time t, with the present discretes, inputs and parameters, accelerations and multipliers
+ * solved; results stand one after the other.
+ */
+lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, double *results);
+
+/* Independent rows at the present state, of those that last, and in general; where some are lost, the row with the largest share in that. */
+size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
+
 /* For the parts of a run. */
+
+/* What must stay true at x at time t. LAG_VIOLATED: that is the state that was lost, and the last row. */
+lag_status lag_run_watch(lag_run *run, double t, const double *x);
+/* The state x at time t is lost: what lag_run_explain() tells of. */
+void lag_run_lose(lag_run *run, double t, const double *x);
+/* Whether its model is another than the one that it was placed with. */
+int lag_run_is_changed(const lag_run *run);
 
 /* Whether it goes across singular positions by itself. */
 int lag_run_crosses(const lag_model *model, const lag_run_options *options);
@@ -238,7 +295,7 @@ lag_status lag_run_crossing(lag_run *run, double *t);
 double lag_run_instant(const lag_run *run);
 /* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
 lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
-/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what. */
+/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what (see lag/scan.h). */
 lag_status lag_run_happening(lag_run *run, double *t);
 /* The state on the constraints at a time within the last step. */
 lag_status lag_run_inside(lag_run *run, double t, double *x);

@@ -60,6 +60,12 @@ void lag_singular_count(lag_singular *singular, const double *lasting);
 void lag_singular_begin(lag_singular *singular, int attention);
 
 /*
+ * Independent rows at the state x at time t, of those that last; *general: as many as there are in general. Where some are lost *weakest is
+ * the row that has the largest share in the combination that vanishes.
+ */
+size_t lag_singular_rank(lag_singular *singular, double t, const double *x, size_t *general, size_t *weakest);
+
+/*
  * Before a step, not beyond `limit`. *done: a motion across or out of a singular position is there as a step that was done. LAG_FORKED:
  * branches cannot be told apart.
  */

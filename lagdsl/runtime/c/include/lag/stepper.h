@@ -32,6 +32,8 @@ typedef struct lag_stepper {
     size_t evaluations, jacobians, decompositions, steps, rejections;
     lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
     double trouble_time;
+    double *trouble_x;  /* (size) and the state */
+    double length;      /* of the steps of methods that do not choose it */
 } lag_stepper;
 
 struct lag_method {
@@ -41,7 +43,7 @@ struct lag_method {
     unsigned dense_order; /* of the dense output */
     int implicit;         /* needs the Jacobian */
     double factor;        /* local tolerance as a part of the tolerance of the whole motion */
-    unsigned error_order; /* of the error estimate, for the first step */
+    unsigned error_order; /* of the error estimate, for the first step; 0: there is none, and steps are of the stepper's `length` */
     size_t (*memory)(size_t size);
     void (*begin)(lag_stepper *s);
     lag_status (*step)(lag_stepper *s, double limit);
@@ -51,6 +53,8 @@ struct lag_method {
 
 extern const lag_method lag_dop853; /* explicit, order 8 */
 extern const lag_method lag_radau;  /* implicit, order 5, 9 or 13, L-stable */
+/* Those of lag/fixed.h with steps of `length`, without error estimate: the last one is cut, or stretched a little, to hit the limit. */
+extern const lag_method lag_steps_rk4, lag_steps_leapfrog, lag_steps_ros2;
 
 /* Doubles for states of `size` numbers; enough for any method of this runtime. */
 size_t lag_stepper_memory(size_t size);

@@ -1,0 +1,127 @@
+"""The engine that chooses: the tape at once, compiled C where the work that is foreseen pays for the compiler.
+
+C is compiled so that every operation is rounded as on the tape. Results are the same to the bit, whichever of the two
+computes them, so that the choice may depend on the clock and on what lies in the cache.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import weakref
+from functools import cache
+from pathlib import Path
+
+import lagdsl
+from lagdsl.backends.c.emit import engine_sources, model_symbol
+from lagdsl.backends.tape.emit import PARTS, tape
+from lagdsl.diagnostics import CompilationFailed
+from lagdsl.program.program import Program
+from lagdsl.resources import c_folder
+from lagdsl.runtime.background_build import BackgroundBuild
+from lagdsl.runtime.build import cache_folder, content_hash
+from lagdsl.runtime.compiler import ALIKE, Compiler, find_compiler
+from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.native_model import NativeModel, load_compiled
+from lagdsl.runtime.tape_engine import TapeEngine
+
+# Seconds that compiling takes: always, and for each byte of a tape (GCC 12, a core of 2022).
+_ALWAYS, _PER_BYTE = 0.2, 2e-5
+# The part of the time that C saves.
+_SAVED = 2 / 3
+
+
+class AutoEngine(TapeEngine):
+    """As TapeEngine, until there is C: `worked` starts the compiler where that pays, `hasten` takes what it made.
+
+    A library that lies in the cache is taken at once. Without a compiler it stays the tape.
+    """
+
+    name: EngineName = "auto"
+
+    def __init__(self, program: Program) -> None:
+        self._tape = tape(program)
+        self._compiled: NativeModel | None = None
+        self._worked = 0.0
+        self._build: BackgroundBuild | None = None
+        self._compiler = _compiler()
+        super().__init__(program)
+
+    @property
+    def is_compiled(self) -> bool:
+        return self._compiled is not None
+
+    def worked(self, seconds: float, left: float = 0.0) -> None:
+        """So many seconds of work were done, and so many are known to come. Without better knowledge there comes as
+        much again as there was."""
+        if self._compiled is not None or self._build is not None or self._compiler is None:
+            return
+        self._worked += seconds
+        if _SAVED * max(left, self._worked) > _ALWAYS + _PER_BYTE * len(self._tape):
+            program, name = self._program, self._name(self._compiler)
+            self._build = BackgroundBuild(lambda: engine_sources(program), (ALIKE,), name)
+            weakref.finalize(self, self._build.cancel)
+
+    @property
+    def native(self) -> NativeModel:
+        """The compiled model where there is one, else that of the tape."""
+        self.hasten()
+        return self._model
+
+    def hasten(self) -> NativeModel | None:
+        """The compiled model, when it has just been finished; from then on everything is computed by it."""
+        if self._build is None or self._build.is_running or self._compiled is not None:
+            return None
+        library, self._build = self._build.library, None
+        if library is None:
+            self._compiler = None
+            return None
+        self._compiled = _loaded(library, self._program)
+        if self._compiled is not None:
+            self._use(self._compiled)
+        return self._compiled
+
+    def _provide(self, part: str | None = None) -> NativeModel:
+        if part is None and self._compiler is not None:
+            self._compiled = _cached(self._name(self._compiler), self._program)
+        return super()._provide(part) if part is not None or self._compiled is None else self._compiled
+
+    def _made(self, part: str | None) -> bytes:
+        return super()._made(part) if part in PARTS else self._tape
+
+    def _name(self, compiler: Compiler) -> str:
+        """Of the library in the cache: made of all that decides what is in it."""
+        read = {"tape": self._tape.hex(), "program": _writers()}
+        return content_hash(read, compiler, (ALIKE,))
+
+
+def _compiler() -> Compiler | None:
+    try:
+        return find_compiler()
+    except CompilationFailed:
+        return None
+
+
+def _cached(name: str, program: Program) -> NativeModel | None:
+    try:
+        library = cache_folder() / f"{name}.so"
+    except CompilationFailed:
+        return None
+    return _loaded(library, program) if library.is_file() else None
+
+
+def _loaded(library: Path, program: Program) -> NativeModel | None:
+    """None for a library that was cut short or made for another machine."""
+    try:
+        return load_compiled(library, model_symbol(program))
+    except OSError:
+        return None
+
+
+@cache
+def _writers() -> str:
+    """What writes C, and what the C is compiled against: a change of them is another library of the same tape."""
+    digest = hashlib.sha256(lagdsl.__version__.encode())
+    emitter = Path(lagdsl.__file__).parent / "backends"
+    for path in sorted([*emitter.rglob("*.py"), *(c_folder() / "include" / "lag").glob("*.h")]):
+        digest.update(f"{path.name}:".encode() + path.read_bytes())
+    return digest.hexdigest()

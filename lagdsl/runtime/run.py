@@ -1,0 +1,336 @@
+"""A run of the C runtime: one model, in one block of memory, from a start that it finds to wherever it ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from ctypes import addressof, byref, c_size_t
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lagdsl.backends.c.emit import Start as StartTold
+from lagdsl.graph.operation import Group
+from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
+from lagdsl.program.program import Layout
+from lagdsl.record import record
+from lagdsl.runtime.buffers import Buffers
+from lagdsl.runtime.engine import Floats
+from lagdsl.runtime.library import runtime_library
+from lagdsl.runtime.native_model import NativeModel
+from lagdsl.runtime.run_structures import (
+    FULL,
+    INPUTS,
+    WHAT,
+    Initial,
+    InitialFault,
+    Note,
+    Results,
+    RunFault,
+    RunOptions,
+    RunReport,
+    Start,
+    Status,
+)
+
+Flags = NDArray[np.bool_]
+
+_ALIGNED = 16
+# Rows and notes that C keeps before Python takes them.
+_ROWS, _NOTES = 256, 1024
+_FUNCTIONS = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY]
+
+
+@record(kw_only=True)
+class RunSettings:
+    """What a run is told: lag_run_options. `inputs` are the constant inputs (nu,), or a function of time and of whether
+    the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic choice;
+    `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,), see
+    lag/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are wanted at
+    `times`; `invariant_tolerance` (ni,) None: nothing is watched."""
+
+    p: Floats
+    inputs: Floats | Callable[[float, bool], Floats]
+    start: StartTold
+    group: Floats
+    natural: Floats
+    cap: Floats
+    lasting: Flags
+    general: int
+    times: Floats
+    tolerance: float
+    part: float
+    method: str | None = None
+    step: float = 0.0
+    length: float = 0.0
+    invariant_tolerance: Floats | None = None
+
+
+@record(kw_only=True)
+class Found:
+    """The start that was found, or what stands in the way: lag_initial. x (2 nq + nz,), `starts` are the values that
+    it was looked for from; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq)."""
+
+    starts: Floats
+    x: Floats
+    fault: InitialFault
+    which: int
+    residual: float
+    rank: int
+    freedom: int
+    excess: int
+    general: int
+    dependent: Flags
+    row_sizes: Floats
+    pattern: Flags
+
+
+@record(kw_only=True)
+class Fault:
+    """Why a run ended: lag_fault."""
+
+    t: float
+    x: Floats
+    which: int
+    value: float
+    limit: float
+
+
+class Run:
+    """Not to be used by several threads at once. What inputs raise is raised by the call that asked for them.
+
+    `notes` are what happened: time, kind (one of WHAT), number of the clock, relation, contact, reset or `terminate`.
+    """
+
+    def __init__(self, model: NativeModel, layout: Layout, settings: RunSettings) -> None:
+        self._library, self._model, self._layout = runtime_library(), model, layout
+        self.settings = settings
+        self.size = 2 * layout.size(Group.Q) + layout.size(Group.Z)
+        self._problem: BaseException | None = None
+        self._nothing = np.full(layout.size(Group.U), np.nan)
+        self._kept: list[object] = []
+        count = len(layout.constraints)
+        self._row_sizes = np.ones(count)
+        self._drifts = np.zeros((3, len(layout.invariants)))
+        self._width = int(self._library.results_width(model.model))
+        self._row_buffer = np.zeros((_ROWS, self._width))
+        self._note_buffer = (Note * _NOTES)()
+        self._parts: list[Floats] = []
+        self.notes: list[tuple[float, str, int]] = []
+        options = self._options(settings)
+        size = int(self._library.run_size(model.model, byref(options)))
+        self._block = np.zeros(size // 8 + _ALIGNED, dtype=np.float64)
+        start = -(-self._block.ctypes.data // _ALIGNED) * _ALIGNED
+        self._run = self._library.run_place(start, model.model, byref(options))
+        self._report = RunReport()
+
+    def _options(self, settings: RunSettings) -> RunOptions:
+        options = RunOptions(
+            tolerance=settings.tolerance,
+            part=settings.part,
+            h_fixed=settings.step,
+            careful=2,
+            general=settings.general,
+            length=settings.length,
+            count=len(settings.times),
+            method=None if settings.method is None else self._library.methods[settings.method],
+        )
+        for name in ("p", "group", "natural", "cap", "times"):
+            setattr(options, name, self._address(getattr(settings, name)))
+        options.lasting = self._address(settings.lasting)
+        options.row_sizes = self._row_sizes.ctypes.data
+        if settings.invariant_tolerance is not None:
+            # one number more, so that it is not null where there are assertions only
+            options.invariant_tolerance = self._address(np.append(settings.invariant_tolerance, 0.0))
+            for name, values in zip(("start", "size", "drift"), self._drifts, strict=True):
+                setattr(options, f"invariant_{name}", values.ctypes.data)
+        if callable(settings.inputs):
+            self._inputs = options.inputs = INPUTS(self._tell_inputs)
+        else:
+            options.u = self._address(settings.inputs)
+        self._full = FULL(self._empty)
+        self._results = Results(
+            most_rows=_ROWS,
+            most_notes=_NOTES,
+            rows=self._row_buffer.ctypes.data,
+            notes=addressof(self._note_buffer),
+            full=self._full,
+        )
+        options.results = addressof(self._results)
+        options.start = addressof(self._start_data(settings.start))
+        return options
+
+    def _start_data(self, told: StartTold) -> Start:
+        flags = {name: self._address(getattr(told, name), np.uint8) for name in ("fixed", "written")}
+        numbers = {name: self._address(getattr(told, name)) for name in ("nominal", "minimum", "maximum")}
+        start = Start(t=told.t, **flags, **numbers)
+        self._kept.append(start)
+        return start
+
+    def _address(self, values: ArrayLike, kind: type = np.float64) -> int:
+        """Of a copy that lives as long as the run."""
+        own: np.ndarray = np.array(values, dtype=kind)
+        self._kept.append(own)
+        return int(own.ctypes.data)
+
+    # ---- called from C, where nothing may be raised ------------------------------------------------------------------
+
+    def _tell_inputs(self, _context: object, t: float, before: int, u: object) -> None:
+        """Values that are not numbers end the run."""
+        assert callable(self.settings.inputs)
+        values = self._nothing
+        if self._problem is None:
+            try:
+                values = self.settings.inputs(t, bool(before))
+            except BaseException as problem:
+                self._problem = problem
+        for index, value in enumerate(values.tolist()):
+            u[index] = value  # type: ignore[index]
+
+    def _empty(self, _context: object, _results: object) -> int:
+        self._take()
+        return Status.OK
+
+    def _take(self) -> None:
+        """What stands in the buffers."""
+        self._parts.append(self._row_buffer[: self._results.row].copy())
+        for note in self._note_buffer[: self._results.note]:
+            self.notes.append((note.t, WHAT[note.what], note.which))
+        self._results.row = self._results.note = 0
+
+    # ---- what it does ------------------------------------------------------------------------------------------------
+
+    def find(self, t: float, given: dict[int, float], *, equations: bool) -> Found:
+        """The start at time t: from the start values of the model, with those `given` by their place in x instead; with
+        or without the initial equations of the model."""
+        layout, count = self._layout, len(self._layout.constraints)
+        starts = np.zeros(self.size)
+        self._checked(self._library.run_start(self._run, t, starts.ctypes.data))
+        chosen = np.zeros(self.size + 1, dtype=np.uint8)
+        for place, value in given.items():
+            starts[place], chosen[place] = value, 1
+        x, dependent = starts.copy(), np.array(layout.redundant, dtype=np.uint8)
+        pattern = np.zeros((count, len(layout.coordinates)))
+        told = Initial(
+            given=not equations,
+            dependent=dependent.ctypes.data,
+            row_sizes=self._row_sizes.ctypes.data,
+            pattern=pattern.ctypes.data,
+        )
+        at = chosen.ctypes.data if given else None
+        self._checked(self._library.run_find(self._run, t, at, x.ctypes.data, byref(told)))
+        return Found(
+            starts=starts,
+            x=x,
+            fault=InitialFault(told.fault),
+            which=told.which,
+            residual=told.residual,
+            rank=told.rank,
+            freedom=told.freedom,
+            excess=told.excess,
+            general=told.general,
+            dependent=dependent.astype(np.bool_),
+            row_sizes=self._row_sizes.copy(),
+            pattern=pattern != 0.0,
+        )
+
+    def begin(self, t: float, x: Floats) -> Status:
+        """The motion begins at the state x, with what happens there."""
+        return self._done(self._library.run_begin(self._run, t, self._state(x)))
+
+    def enter(self, t: float, x: Floats) -> Status:
+        """What happens at the start of a motion, and no more."""
+        moved = self._done(self._library.run_move(self._run, t, self._state(x), 0.0))
+        return moved or self._done(self._library.run_enter(self._run))
+
+    def to(self, stop: float, steps: int) -> Status:
+        """On to `stop`, with inputs as they are before a jump there, in at most so many steps."""
+        return self._done(self._library.run_to(self._run, stop, steps))
+
+    def jump(self) -> Status:
+        """What inputs bring that jump now."""
+        return self._done(self._library.run_jump(self._run))
+
+    def change(self, model: NativeModel) -> None:
+        """The functions of `model`, another filling of the same equations, from now on."""
+        self._changed = Buffers(model)
+        status = self._library.run_change(self._run, model.model, self._changed.workspace.ctypes.data)
+        assert status == Status.OK, "internal error: the compiled model is another one than the tape"
+        self._model = model
+
+    def end(self) -> Status:
+        """What happens at the end."""
+        return self._done(self._library.run_end(self._run))
+
+    def _state(self, x: Floats) -> int:
+        self._at = np.append(x, 0.0)
+        return int(self._at.ctypes.data)
+
+    def _checked(self, status: int) -> Status:
+        raised = [self._problem] if self._problem is not None else self._model.raised
+        if raised:
+            raise raised.pop(0)
+        return Status(status)
+
+    def _done(self, status: int) -> Status:
+        self._take()
+        return self._checked(status)
+
+    # ---- where it is -------------------------------------------------------------------------------------------------
+
+    def rows(self) -> Floats:
+        """All rows so far, as lag/results.h tells them."""
+        return np.concatenate(self._parts) if self._parts else np.zeros((0, self._width))
+
+    @property
+    def report(self) -> RunReport:
+        self._library.run_tell(self._run, byref(self._report))
+        return self._report
+
+    @property
+    def t(self) -> float:
+        return float(self.report.t)
+
+    @property
+    def x(self) -> Floats:
+        """The present state, a copy."""
+        return np.array(self.report.x[: self.size])
+
+    @property
+    def w(self) -> Floats:
+        """The discretes, a copy."""
+        return np.array(self.report.w[: len(self._layout.discretes)])
+
+    def guilty(self) -> list[int]:
+        """The discretes because of which an event came to no good end."""
+        report = self.report
+        return [k for k in range(len(self._layout.discretes)) if report.guilty[k] != 0.0]
+
+    def changes(self) -> list[tuple[float, bool]]:
+        """Time and kind (to an implicit one) of the first changes of the method."""
+        report = self.report
+        return [(float(report.change[i].t), bool(report.change[i].implicit)) for i in range(min(report.changes, 16))]
+
+    def invariants(self) -> tuple[Floats, Floats, Floats]:
+        """Of every invariant: its value at the start, its scale, its largest drift."""
+        start, size, drift = self._drifts.copy()
+        return start, size, drift
+
+    def explain(self, status: Status) -> Fault:
+        """Why it ended with this status."""
+        told = RunFault()
+        self._library.run_explain(self._run, status, byref(told))
+        x = np.array(told.x[: self.size])
+        return Fault(t=told.t, x=x, which=told.which, value=told.value, limit=told.limit)
+
+    def rank(self) -> tuple[int, int, int]:
+        """Independent rows of constraints now and in general, and the row with the largest share in what is lost."""
+        general, weakest = c_size_t(0), c_size_t(0)
+        rank = int(self._library.run_rank(self._run, byref(general), byref(weakest)))
+        return rank, general.value, weakest.value
+
+    def evaluate(self, function: str, t: float, x: Floats, count: int) -> Floats:
+        """The results of a function of the model, `count` numbers one after the other, at the state x with the present
+        discretes."""
+        results = np.zeros(count + 1)
+        self._library.run_evaluate(self._run, _FUNCTIONS.index(function), t, self._state(x), results.ctypes.data)
+        return results[:count]

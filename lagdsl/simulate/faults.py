@@ -1,0 +1,154 @@
+"""Why a run ended, in the user's names: from the status of the runtime to a diagnostic."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.event_flow import branches
+from lagdsl.flat.events import Check, Contact, Reset, entries
+from lagdsl.flat.model import Constraint, FlatModel
+from lagdsl.flat.quantity import Item
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_names import located, place
+from lagdsl.program.program import Layout
+from lagdsl.record import record
+from lagdsl.runtime.run import Fault, Run
+from lagdsl.runtime.run_structures import Status
+from lagdsl.simulate.state_words import component_name, state_text, time_text, zero_norm
+
+# Steps are at least so many units in the last place of time.
+_LEAST_STEP = 16.0 * 2.0**-52
+_BLAMED = {Status.UNSETTLED: "E0804", Status.CHATTER: "E0833", Status.PIERCED: "E0834"}
+
+
+@record()
+class Course:
+    """What is needed to tell of a run; `last` is the time to which it was to go."""
+
+    flat: FlatModel
+    layout: Layout
+    run: Run
+    last: float
+    most_steps: int
+
+
+def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: Sink) -> str | None:
+    """Reports why the run ended at `fault`, with inputs u (nu,). Returns the name at fault."""
+    flat, layout = course.flat, course.layout
+    match status:
+        case Status.SINGULAR:
+            coordinate = flat.coordinates[fault.which]
+            return _told(course, "E0806", fault, coordinate, sink, name=coordinate.name)
+        case Status.NOT_FINITE:
+            return _report_not_finite(course, fault, u, sink)
+        case Status.STUCK:
+            name = component_name(flat, fault.which)
+            return _told(course, "E0809", fault, None, sink, name=name, step=f"{_LEAST_STEP * course.last:.1g}")
+        case Status.OFF:
+            row = _row(flat, fault.which)
+            name, residual = layout.constraints[fault.which].name, f"{fault.value:.3g}"
+            return _told(course, "E0811", fault, row, sink, name=name, residual=residual)
+        case Status.TOO_LONG:
+            return _told(course, "E0812", fault, None, sink, steps=course.most_steps)
+        case Status.FORKED:
+            name = layout.constraints[fault.which].name
+            span = place(_row(flat, fault.which))
+            notes = (f"state: {state_text(flat, fault.x)}",)
+            sink.report("E0830", span, notes=notes, time=time_text(fault.t), name=name)
+            return name
+        case Status.VIOLATED:
+            return _report_violated(course, fault, sink)
+        case _:
+            code, item, text = _of_event(course, status, fault)
+            return _told(course, code, fault, item, sink, text=text)
+
+
+def _told(course: Course, code: str, fault: Fault, item: Item | None, sink: Sink, **arguments: Any) -> str | None:
+    notes = (f"state: {state_text(course.flat, fault.x)}",)
+    span = item.spans[0] if item is not None and item.spans else None
+    sink.report(code, span, notes=notes, time=time_text(fault.t), **arguments)
+    name = arguments.get("name")
+    return None if name is None else str(name)
+
+
+def _row(flat: FlatModel, row: int) -> Constraint:
+    return next(item.constraint for item in located(flat) if row in item.rows)
+
+
+def _report_not_finite(course: Course, fault: Fault, u: Floats, sink: Sink) -> str:
+    """E0813 or E0808: at this state there are no accelerations."""
+    flat, time = course.flat, time_text(fault.t)
+    norm = zero_norm(flat, course.layout, fault.t, fault.x, u, course.run.settings.p)
+    if norm is not None:
+        item, element = norm
+        sink.report("E0813", item.spans[0] if item.spans else None, time=time, element=element)
+        return element
+    n, index = len(flat.coordinates), fault.which
+    name = f"der({component_name(flat, index)})"
+    owner = flat.coordinates[index % n] if index < 2 * n else flat.states[index - 2 * n]
+    label = Label(owner.spans[0], "its acceleration" if index < 2 * n else "its derivative") if owner.spans else None
+    sink.report("E0808", label, notes=(f"state: {state_text(flat, fault.x)}",), time=time, name=name)
+    return name
+
+
+def _report_violated(course: Course, fault: Fault, sink: Sink) -> str:
+    """E0810 for a failed assertion, E0807 for an invariant beyond its tolerance."""
+    flat, time = course.flat, time_text(fault.t)
+    if fault.which < len(flat.assertions):
+        assertion = flat.assertions[fault.which]
+        sink.report("E0810", assertion.spans[0] if assertion.spans else None, time=time, text=assertion.message)
+        return assertion.message
+    index = fault.which - len(flat.assertions)
+    invariant = flat.invariants[index]
+    unit = course.layout.invariants[index].unit
+    suffix = "" if unit == "1" else f" {unit}"
+    sink.report(
+        "E0807",
+        Label(invariant.spans[0]) if invariant.spans else None,
+        notes=(_power_note(course, fault),),
+        name=invariant.name,
+        time=time,
+        drift=f"{fault.value:.2g}{suffix}",
+        limit=f"{fault.limit:.2g}{suffix}",
+    )
+    return invariant.name
+
+
+def _power_note(course: Course, fault: Fault) -> str:
+    """The largest power at this instant and where it goes in."""
+    n = len(course.flat.coordinates)
+    found = course.run.evaluate("power", fault.t, fault.x, 2 * n).tolist()
+    powers = [
+        (value * sign, kind, slot.name)
+        for values, sign, kind in ((found[:n], 1.0, "loads"), (found[n:], -1.0, "dissipation"))
+        for value, slot in zip(values, course.layout.coordinates, strict=True)
+    ]
+    value, kind, name = max(powers, key=lambda entry: abs(entry[0]), default=(0.0, "", ""))
+    if value == 0.0:
+        return "no declared load or dissipation has power now"
+    return f"largest power: {value:.3g} W by the {kind} along `{name}`"
+
+
+def _of_event(course: Course, status: Status, fault: Fault) -> tuple[str, Item, str]:
+    """Code, place and name of what came to no good end at an instant."""
+    flat = course.flat
+    actions = [action for branch in branches(flat) for action in branch.actions]
+    resets = [action for action in actions if isinstance(action, Reset)]
+    checks = [action for action in actions if isinstance(action, Check)]
+    match status:
+        case Status.UNSETTLED | Status.CHATTER | Status.PIERCED:
+            known = entries(flat.events)
+            changing = [known[k] for k in course.run.guilty()]
+            items = [entry.item for entry in changing if entry.item is not None]
+            names = [entry.item.name if isinstance(entry.item, Contact) else entry.name for entry in changing]
+            told = ", ".join(f"`{name}`" for name in dict.fromkeys(names)) or "rates"
+            return _BLAMED[status], items[0] if items else resets[0], told
+        case Status.CONFLICT:
+            return "E0832", resets[fault.which], resets[fault.which].name
+        case Status.REFUSED:
+            return "E0810", checks[fault.which], checks[fault.which].message
+        case Status.TORN:
+            return "E0835", _row(flat, fault.which), f"`{course.layout.constraints[fault.which].name}`"
+        case _:
+            raise AssertionError(f"the runtime ended a run with {status.name}")

@@ -1,0 +1,154 @@
+"""Why there is no start, in the user's names."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.model import Coordinate, FlatModel
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_names import Located, configuration, located, place, seat, unit_suffix
+from lagdsl.program.program import Layout
+from lagdsl.runtime.run import Found, Run
+from lagdsl.runtime.run_structures import InitialFault
+
+# Residuals, as a part of the row's size, above which a constraint is said to be left over (LAG_HOLDS).
+_HOLDS = 1e-7
+_MOST_JOINTS = 6
+_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
+
+
+def report_no_start(flat: FlatModel, layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
+    """E0801, E0802, E0803, E0815, E0816 or E0831, if there is no start."""
+    match found.fault:
+        case InitialFault.NONE:
+            return
+        case InitialFault.NUMBERS:
+            _report_numbers(layout, run, t, found, sink)
+        case InitialFault.POSITIONS if not found.excess:
+            _report_positions(flat, layout, run, t, found, sink)
+        case InitialFault.RATES:
+            _report_rates(flat, layout, found, sink)
+        case InitialFault.EQUATIONS if not (found.excess and any(c.fixed for c in flat.coordinates)):
+            first = flat.initial_equations[0]
+            sink.report("E0815", first.spans[0] if first.spans else None, residual=f"{found.residual:.3g}")
+        case InitialFault.POSITIONS | InitialFault.EQUATIONS:
+            _report_overdetermined(flat, found, sink)
+        case InitialFault.RANK:
+            _report_rank(flat, layout, found, sink)
+
+
+def report_numbers(flat: FlatModel, starts: Floats, u: Floats, sink: Sink) -> bool:
+    """E0816 for every start value and input that is not a number; whether there is any."""
+    names = [
+        *(c.name for c in flat.coordinates),
+        *(f"der({c.name})" for c in flat.coordinates),
+        *(s.name for s in flat.states),
+        *(i.name for i in flat.inputs),
+    ]
+    values = [*starts.tolist(), *u.tolist()]
+    wrong = [name for name, value in zip(names, values, strict=True) if not np.isfinite(value)]
+    for name in wrong:
+        sink.report("E0816", None, name=name)
+    return bool(wrong)
+
+
+def _report_numbers(layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
+    """Rows that are no numbers at the start values."""
+    count = len(layout.constraints)
+    rows = [
+        run.evaluate(function, t, found.starts, count * (1 + len(layout.coordinates)))[:count]
+        for function in ("position_constraint", "velocity_constraint")
+    ]
+    for slot, position, velocity in zip(layout.constraints, *rows, strict=True):
+        if not np.isfinite(position) or not np.isfinite(velocity):
+            sink.report("E0816", None, name=slot.name)
+
+
+def _report_positions(flat: FlatModel, layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
+    n, count = len(layout.coordinates), len(layout.constraints)
+    phi = run.evaluate("position_constraint", t, found.x, count * (1 + n))[:count]
+    sizes = np.where(np.isfinite(phi), np.abs(phi) / found.row_sizes, np.inf)
+    items = located(flat)
+    item = _item(items, found.which)
+    name = seat(item.constraint) if item.constraint.closure else layout.constraints[found.which].name
+    sink.report(
+        "E0802",
+        place(item.constraint),
+        notes=(f"configuration reached: {configuration(flat, found.x[:n])}", *_left_over(items, layout, phi, sizes)),
+        residual=f"{found.residual:.3g}{unit_suffix(item.constraint)}",
+        name=name,
+    )
+
+
+def _left_over(items: list[Located], layout: Layout, phi: Floats, sizes: Floats) -> tuple[str, ...]:
+    """What is left over at each joint or constraint, the largest first, if there are several."""
+    held = {row for row, level in enumerate(layout.position_level) if level}
+    open_ = [item for item in items if any(sizes[row] > _HOLDS for row in item.rows if row in held)]
+    open_.sort(key=lambda item: -max(float(sizes[row]) for row in item.rows))
+    parts = [
+        f"{float(np.linalg.norm(phi[list(item.rows)])):.3g}{unit_suffix(item.constraint)} at `{seat(item.constraint)}`"
+        for item in open_[:_MOST_JOINTS]
+    ]
+    more = f" and at {len(open_) - _MOST_JOINTS} more" if len(open_) > _MOST_JOINTS else ""
+    return (f"left over: {', '.join(parts)}{more}",) if len(parts) > 1 else ()
+
+
+def _report_overdetermined(flat: FlatModel, found: Found, sink: Sink) -> None:
+    """At the last fixed start, the others as labels."""
+    fixed = [c for c in flat.coordinates if c.fixed]
+    spans = [span for c in fixed if (span := c.start_span or (c.spans[0] if c.spans else None)) is not None]
+    freedom = found.general
+    degrees = f"{freedom} degree{'s' if freedom != 1 else ''} of freedom"
+    many = "one coordinate" if freedom == 1 else f"{freedom} coordinates"
+    can = f"so {many} can be fixed" if freedom else "so no coordinate can be fixed"
+    shown = [f"`{c.name}`" for c in fixed[:_MOST_JOINTS]]
+    more = f" and {len(fixed) - _MOST_JOINTS} more" if len(fixed) > _MOST_JOINTS else ""
+    sink.report(
+        "E0801",
+        Label(spans[-1], _ordinal(len(fixed), fixed[-1])) if spans else None,
+        *(Label(span, "fixed as well") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]),
+        notes=(f"the mechanism has {degrees}, {can}; fixed are {', '.join(shown)}{more}",),
+        excess=found.excess,
+    )
+
+
+def _ordinal(number: int, coordinate: Coordinate) -> str:
+    """`second fixed angle`."""
+    noun = "angle" if coordinate.type_name == "Angle" else "coordinate"
+    if number == 1:
+        return f"fixed {noun}"
+    return f"{_ORDINALS[number - 1]} fixed {noun}" if number <= len(_ORDINALS) else "one fixed start too many"
+
+
+def _report_rates(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> None:
+    rows = len(layout.constraints)
+    fixed_spans = [c.rate_start_span or c.spans[0] for c in flat.coordinates if c.rate_fixed and c.spans]
+    labels = [Label(span, "fixed rate") for span in fixed_spans]
+    size = f"{found.residual:.3g}"
+    if found.which < rows:
+        item = _item(located(flat), found.which)
+        name = layout.constraints[found.which].name if item.constraint.closure is None else seat(item.constraint)
+        unit = unit_suffix(item.constraint) + ("/s" if item.constraint.level == "position" else "")
+        sink.report("E0803", place(item.constraint), *labels, residual=size + unit, name=name)
+        return
+    coordinate = flat.coordinates[found.which - rows]
+    sink.report("E0803", labels[0] if labels else None, *labels[1:], residual=size, name=f"der({coordinate.name})")
+
+
+def _report_rank(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> None:
+    """More rows are independent than the solver counts with."""
+    rows = range(len(layout.constraints))
+    row = next((row for row in rows if layout.redundant[row] and not found.dependent[row]), 0)
+    sink.report(
+        "E0831",
+        place(_item(located(flat), row).constraint),
+        name=layout.constraints[row].name,
+        before=layout.redundant.count(False),
+        now=found.rank,
+        freedom=max(len(layout.coordinates) - found.rank, 0),
+    )
+
+
+def _item(items: list[Located], row: int) -> Located:
+    return next(item for item in items if row in item.rows)

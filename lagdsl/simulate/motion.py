@@ -1,0 +1,150 @@
+"""One motion: the runtime moves from break to break of the inputs, what it found becomes a trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from time import perf_counter
+from typing import NoReturn
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_names import located, place
+from lagdsl.record import record
+from lagdsl.runtime.auto_engine import AutoEngine
+from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.run import Run
+from lagdsl.runtime.run_structures import Status
+from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.faults import Course, report_fault
+from lagdsl.simulate.initialize import InitialState
+from lagdsl.simulate.signals import Signals
+from lagdsl.simulate.state_words import state_values, time_text
+from lagdsl.simulate.table import trajectory
+from lagdsl.simulate.trajectory import Statistics, Trajectory
+
+# Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
+_STEPS = 1000
+# Of the first call, after which it is known what a step takes.
+_FIRST_STEPS = 50
+_PROGRESS_STEP = 0.002
+
+
+@record(kw_only=True)
+class Task:
+    """Everything one motion needs; `run` has not begun."""
+
+    flat: FlatModel
+    engine: Engine
+    run: Run
+    signals: Signals
+    initial: InitialState
+    times: Floats
+    sink: Sink
+    solver: str
+    max_steps: int
+    progress: Callable[[float], None] | None
+
+
+class Motion:
+    """Not to be used twice."""
+
+    def __init__(self, task: Task) -> None:
+        self._task, self._run = task, task.run
+        self._first, self._last = float(task.times[0]), float(task.times[-1])
+        self._steps = 0
+        self._shown = 0.0
+        self._notes: list[str] = []
+
+    def trajectory(self) -> Trajectory:
+        """From the first to the last of the requested times."""
+        task, run = self._task, self._run
+        status = self._ended(run.begin(self._first, task.initial.x))
+        self._tell_lost_rank()
+        for stop in (*(b for b in task.signals.breaks if b > self._first), self._last):
+            if status is Status.OK:
+                status = self._segment(stop)
+            if status is Status.OK and stop < self._last:
+                status = self._ended(run.jump())
+        self._ended(run.end())
+        return self._so_far()
+
+    def _segment(self, stop: float) -> Status:
+        """Up to `stop`; whether the motion goes on there."""
+        while True:
+            steps = min(_STEPS if self._steps > 0 else _FIRST_STEPS, self._task.max_steps - self._steps)
+            status = self._on(stop, steps) if steps > 0 else Status.TOO_LONG
+            self._tell_progress()
+            if status is not Status.TOO_LONG or steps <= 0:
+                return self._ended(status)
+
+    def _on(self, stop: float, steps: int) -> Status:
+        """At most so many steps; those that follow are taken in C where that pays and there is C by then."""
+        engine, run, before = self._task.engine, self._run, self._run.t
+        started = perf_counter()
+        status = run.to(stop, steps)
+        self._steps += run.report.steps
+        if isinstance(engine, AutoEngine) and status in (Status.OK, Status.TOO_LONG):
+            seconds, reached = perf_counter() - started, max(run.t - before, 1e-9 * (self._last - self._first))
+            engine.worked(seconds, left=seconds * (self._last - run.t) / reached)
+            compiled = engine.hasten()
+            if compiled is not None:
+                run.change(compiled)
+        return status
+
+    def _ended(self, status: Status) -> Status:
+        """OK, or STOPPED where a `terminate` acted; all others end the run as an error."""
+        if status not in (Status.OK, Status.STOPPED):
+            self._fail(status)
+        return status
+
+    def _fail(self, status: Status) -> NoReturn:
+        task, run = self._task, self._run
+        course = Course(task.flat, task.engine.layout, run, self._last, task.max_steps)
+        fault = run.explain(status)
+        sink = Sink()
+        name = report_fault(course, status, fault, task.signals.at(fault.t), sink)
+        values = state_values(task.flat, fault.x)
+        raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
+
+    def _tell_progress(self) -> None:
+        part = (self._run.t - self._first) / (self._last - self._first)
+        if self._task.progress is not None and (part - self._shown >= _PROGRESS_STEP or part >= 1.0):
+            self._shown = part
+            self._task.progress(part)
+
+    def _tell_lost_rank(self) -> None:
+        """W0608 where rank is lost at the start."""
+        task = self._task
+        if not any(task.engine.layout.position_level):
+            return
+        rank, general, row = self._run.rank()
+        if rank < general:
+            constraint = next(item.constraint for item in located(task.flat) if row in item.rows)
+            name, time = task.engine.layout.constraints[row].name, time_text(self._first)
+            task.sink.report("W0608", place(constraint), time=time, rank=rank, general=general, name=name)
+            self._notes.append(f"the constraints lost rank at t = {time} s ({rank} instead of {general}) at {name}")
+
+    # ---- what became of it -------------------------------------------------------------------------------------------
+
+    def _so_far(self) -> Trajectory:
+        run, report = self._run, self._run.report
+        automatic = "radau" if report.implicit else "dop853"
+        statistics = Statistics(
+            solver=automatic if self._task.solver == "auto" else self._task.solver,
+            steps=self._steps,
+            evaluations=report.evaluations,
+            jacobians=report.jacobians,
+            projections=report.projections,
+            notes=(*self._notes, *self._changes()),
+        )
+        return trajectory(self._task.flat, self._task.engine.layout, run, self._task.initial.moved, statistics)
+
+    def _changes(self) -> list[str]:
+        """Changes of the method, where the runtime chooses it."""
+        names = {False: "dop853", True: "radau"}
+        why = {False: "accuracy limits the steps again", True: "stability, not accuracy, limited the steps"}
+        return [
+            f"changed from {names[not to]} to {names[to]} at t = {time_text(t)} s: {why[to]}"
+            for t, to in self._run.changes()
+        ]

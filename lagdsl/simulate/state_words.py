@@ -1,0 +1,82 @@
+"""A state in the user's names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.expression import Norm
+from lagdsl.flat.model import FlatModel
+from lagdsl.flat.quantity import Item
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_display import display_rate, quantity_text
+from lagdsl.program.program import Layout
+
+_ZERO_NORM = 1e-150
+
+
+def time_text(t: float) -> str:
+    """Six digits."""
+    return f"{t:.6g}"
+
+
+def component_name(flat: FlatModel, index: int) -> str:
+    """Name of a component of x = (q, qd, z)."""
+    n = len(flat.coordinates)
+    if index < n:
+        return flat.coordinates[index].name
+    if index < 2 * n:
+        return f"der({flat.coordinates[index - n].name})"
+    return flat.states[index - 2 * n].name
+
+
+def state_text(flat: FlatModel, x: Floats) -> str:
+    """The first few coordinates and rates, in display units."""
+    n = len(flat.coordinates)
+    parts = []
+    for index, c in list(enumerate(flat.coordinates))[:4]:
+        rate = display_rate(c)
+        parts.append(f"{c.name} = {quantity_text(float(x[index]), c)}")
+        parts.append(f"der({c.name}) = {rate(float(x[n + index])):.4g} {rate.unit}")
+    parts += [f"{s.name} = {quantity_text(float(x[2 * n + i]), s)}" for i, s in list(enumerate(flat.states))[:4]]
+    return ", ".join(parts)
+
+
+def state_values(flat: FlatModel, x: Floats) -> dict[str, float]:
+    """The state by name, SI units."""
+    return {component_name(flat, index): float(value) for index, value in enumerate(x)}
+
+
+def zero_norm(flat: FlatModel, layout: Layout, t: float, x: Floats, u: Floats, p: Floats) -> tuple[Item, str] | None:
+    """The first norm of the model that is zero at this state, with the item it stands in."""
+    n = len(flat.coordinates)
+    names = [c.name for c in flat.coordinates]
+    variables = dict(zip(names, x[:n].tolist(), strict=True))
+    variables |= dict(zip([s.name for s in flat.states], x[2 * n :].tolist(), strict=True))
+    variables |= dict(zip([i.name for i in flat.inputs], u.tolist(), strict=True))
+    variables |= dict(zip([s.name for s in layout.parameters], p.tolist(), strict=True))
+    moment = Values(variables={**variables, "time": t}, rates=dict(zip(names, x[n : 2 * n].tolist(), strict=True)))
+    evaluator = Evaluator(flat, moment)
+    for item in (*flat.named, *flat.energies, *flat.loads, *flat.constraints):
+        for norm in norms(item):
+            try:
+                length = evaluator.scalar(norm)
+            except NotEvaluable:
+                continue
+            if not length > _ZERO_NORM:
+                return item, norm.element
+    return None
+
+
+def norms(node: object) -> Iterator[Norm]:
+    """All norms inside an item or expression, in the order of its fields."""
+    if isinstance(node, Norm):
+        yield node
+    if isinstance(node, tuple):
+        for entry in node:
+            yield from norms(entry)
+    elif is_dataclass(node):
+        for field in fields(node):
+            if field.name != "spans" and not field.name.endswith("_span"):
+                yield from norms(getattr(node, field.name))

@@ -1,0 +1,87 @@
+"""From the rows and notes of a run to a trajectory."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.flat.model import FlatModel
+from lagdsl.mechanics.rank import Floats
+from lagdsl.mechanics.structure_display import Display, display, display_rate
+from lagdsl.program.program import Layout
+from lagdsl.runtime.run import Run
+from lagdsl.simulate.moved import MovedRow
+from lagdsl.simulate.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
+
+
+def trajectory(
+    flat: FlatModel, layout: Layout, run: Run, moved: tuple[MovedRow, ...], statistics: Statistics
+) -> Trajectory:
+    """All rows so far."""
+    heads = _heads(flat)
+    rows = run.rows()
+    table = np.ascontiguousarray(rows[:, : len(heads)].T)
+    _unwind(flat, table)
+    energy, *residuals = np.ascontiguousarray(rows[:, len(heads) :].T)
+    return Trajectory(
+        model=flat.name,
+        columns=tuple(
+            Column(name=name, unit=unit, kind=kind, display=shown, values=values)
+            for (name, unit, kind, shown), values in zip(heads, table, strict=True)
+        ),
+        position_residual=residuals[0],
+        velocity_residual=residuals[1],
+        energy=energy,
+        invariants=_invariants(flat, run),
+        moved=moved,
+        statistics=statistics,
+        events=tuple(Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in run.notes),
+    )
+
+
+def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
+    """How every invariant held."""
+    start, size, drift = run.invariants()
+    tolerance = run.settings.invariant_tolerance
+    limits = [] if tolerance is None else (tolerance * size).tolist()
+    return tuple(
+        InvariantRecord(name=i.name, start=at_start, drift=largest, limit=limit)
+        for i, at_start, largest, limit in zip(flat.invariants, start.tolist(), drift.tolist(), limits, strict=True)
+    )
+
+
+def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
+    """Of what something happened to."""
+    match what:
+        case "tick":
+            return flat.events.clocks[which].name
+        case "true" | "false" | "jump":
+            known = len(flat.events.relations)
+            return flat.events.relations[which].name if which < known else flat.events.timed[which - known].name
+        case "reinit":
+            return layout.instants.resets[which]
+        case "terminate":
+            return layout.instants.stops[which]
+        case _:
+            return flat.events.contacts[which].name
+
+
+def _unwind(flat: FlatModel, table: Floats) -> None:
+    """Make rows of angles that are known up to whole turns continuous; the first value stays."""
+    first = len(table) - len(flat.outputs)
+    for index, output in enumerate(flat.outputs, start=first):
+        if output.turning:
+            known = np.isfinite(table[index])
+            table[index, known] = np.unwrap(table[index, known])
+
+
+def _heads(flat: FlatModel) -> list[tuple[str, str, Kind, Display]]:
+    """Names, units and kinds of the columns, in the order of result files."""
+    heads: list[tuple[str, str, Kind, Display]] = [("time", "s", "time", Display("s"))]
+    heads += [(c.name, c.unit, "coordinate", display(c)) for c in flat.coordinates]
+    for c in flat.coordinates:
+        unit = "1/s" if c.unit == "1" else f"{c.unit}/s"
+        heads.append((f"der({c.name})", unit, "rate", display_rate(c)))
+    heads += [(s.name, s.unit, "state", display(s)) for s in flat.states]
+    heads += [(d.name, d.unit, "discrete", display(d)) for d in flat.events.discretes]
+    heads += [(o.name, o.unit, "output", display(o)) for o in flat.outputs]
+    return heads

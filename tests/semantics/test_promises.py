@@ -1,0 +1,147 @@
+"""What the text may say: `each` for all inside, both words for a load on a number, sizes met early."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+from flattening import run
+
+from lagdsl.flat.evaluate import Evaluator, Values
+
+
+def errors(text: str) -> list[str]:
+    _, sink = run(text, model="M")
+    return [d.code for d in sink.diagnostics if d.code.startswith("E")]
+
+
+@pytest.mark.parametrize(
+    "modifiers",
+    [
+        "each der(start = 1 rad/s)",
+        "each der(start = 1 rad/s, fixed = true)",
+        "der(each start = 1 rad/s)",
+        "each der(each start = 1 rad/s)",
+        "each start = 2 rad, each der(start = 1 rad/s)",
+        "der(start = {1 rad/s, 1 rad/s})",
+    ],
+)
+def test_each_counts_for_what_is_inside(modifiers: str) -> None:
+    flat, sink = run(
+        f"model M coordinate Angle q[2]({modifiers}); kinetic (1 J.s2)*(der(q[1])^2 + der(q[2])^2); end M;"
+    )
+    assert flat is not None, sink.diagnostics
+    still = Evaluator(flat, Values())
+    assert [still.scalar(c.rate_start) for c in flat.coordinates if c.rate_start is not None] == [1.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    ("modifiers", "code"),
+    [("der(start = 1 rad/s)", "E0335"), ("each der(start = {1 rad/s, 1 rad/s})", "E0415")],
+)
+def test_each_is_still_asked_for(modifiers: str, code: str) -> None:
+    found = errors(f"model M coordinate Angle q[2]({modifiers}); kinetic (1 J.s2)*(der(q[1])^2 + der(q[2])^2); end M;")
+    assert len(found) == 1
+
+
+@pytest.mark.parametrize("word", ["force", "torque"])
+@pytest.mark.parametrize("declaration", ["coordinate Real y", 'coordinate Real y(unit = "1")', "coordinate Real y[2]"])
+def test_a_number_takes_both_words(word: str, declaration: str) -> None:
+    name = "y[1]" if "[" in declaration else "y"
+    other = "kinetic (1 J.s2)*der(y[2])^2;" if "[" in declaration else ""
+    text = f"model M {declaration}; kinetic (1 J.s2)*der({name})^2; {other} {word} 2 J on {name}; end M;"
+    assert errors(text) == []
+    assert errors(text.replace("2 J", "2 N")) == ["E0403"]
+
+
+@pytest.mark.parametrize(
+    ("declaration", "load", "codes"),
+    [
+        ("coordinate Angle y", "force 2 N.m on y", ["E0412"]),
+        ("coordinate Angle y", "torque 2 N.m on y", []),
+        ('coordinate Real y(unit = "rad")', "force 2 N.m on y", ["E0412"]),
+        ("type Bend = Angle; coordinate Bend y", "force 2 N.m on y", ["E0412"]),
+        ("coordinate Length y", "torque 2 N on y", ["E0412"]),
+        ("coordinate Length y", "force 2 N on y", []),
+    ],
+)
+def test_angles_and_lengths_take_one_word(declaration: str, load: str, codes: list[str]) -> None:
+    scale = "J.s2" if "Length" not in declaration else "kg"
+    assert errors(f"model M {declaration}; kinetic (1 {scale})*der(y)^2; {load}; end M;") == codes
+
+
+def test_a_number_is_not_called_an_angle() -> None:
+    _, sink = run("model M coordinate Real y; kinetic (1 J.s2)*der(y)^2; force 2 N on y; end M;")
+    (found,) = sink.diagnostics
+    said = " ".join([found.message, *(label.text for label in found.labels), found.help or ""])
+    assert "angle" not in said and "at P" not in said
+
+
+@pytest.mark.parametrize("levels", [5, 9, 60])
+def test_too_many_components_are_told_early(levels: int) -> None:
+    classes = "".join(f"model L{k} L{k - 1} c[10]; end L{k};\n" for k in range(1, levels + 1))
+    text = f"model L0 coordinate Length x; kinetic 1/2*(1 kg)*der(x)^2; end L0;\n{classes}model M L{levels} c; end M;"
+    before = time.process_time()
+    assert errors(text) == ["E0326"]
+    assert time.process_time() - before < 30
+
+
+def test_doubling_components_are_told_early() -> None:
+    classes = "".join(f"model L{k} L{k - 1} a, b; end L{k};\n" for k in range(1, 40))
+    text = f"model L0 coordinate Length x; kinetic 1/2*(1 kg)*der(x)^2; end L0;\n{classes}model M L39 c; end M;"
+    assert errors(text) == ["E0326"]
+
+
+WHEELS = """
+model Wheel
+  parameter Real r[2] = {1, 2};
+  parameter Real k = 1;
+  coordinate Angle spin;
+  point P = {k*(1 m), 0};
+  kinetic (1 J.s2)*der(spin)^2;
+end Wheel;
+model Axle parameter Real a = 1; Wheel w[2](k = {a, 2*a}); end Axle;
+model M
+  Wheel wheel[3](k = {1, 2, 3}), one;
+  Axle axle[2](a = {10, 20});
+"""
+
+
+@pytest.mark.parametrize(
+    ("output", "expected"),
+    [
+        ("Real y[3] = wheel.k", [1, 2, 3]),
+        ("Real y[2] = wheel[2:3].k", [2, 3]),
+        ("Real y[3] = wheel[:].k", [1, 2, 3]),
+        ("Real y[2] = wheel[{3, 1}].k", [3, 1]),
+        ("Real y = sum(wheel.k)", [6]),
+        ("Real y[3, 2] = wheel.r", [1, 2, 1, 2, 1, 2]),
+        ("Real y[2, 2] = axle.w.k", [10, 20, 20, 40]),
+        ("Real y[2] = axle.w[2].k", [20, 40]),
+        ("Real y[2] = axle[2].w.k", [20, 40]),
+        ("Real y[1, 2] = axle[2:2].w.k", [20, 40]),
+        ("Length y[3, 3] = wheel.P", [1, 0, 0, 2, 0, 0, 3, 0, 0]),
+        ("AngularVelocity y[3] = der(wheel.spin)", [4, 5, 6]),
+        ("Angle y = wheel.spin*wheel.k", [14]),
+    ],
+)
+def test_members_of_arrays_of_components(output: str, expected: list[float]) -> None:
+    flat, sink = run(f"{WHEELS} output {output}; end M;", model="M")
+    assert flat is not None, sink.diagnostics
+    spins = {f"wheel[{k}].spin": float(k) for k in (1, 2, 3)}
+    rates = {f"wheel[{k}].spin": 3.0 + k for k in (1, 2, 3)}
+    there = Evaluator(flat, Values(variables=spins, rates=rates))
+    assert [there.scalar(item.value) for item in flat.outputs] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("output Real y[3] = wheel.nothing;", "E0210"),
+        ("output Real y = wheel[4:5].k;", "E0316"),
+        ("output Real y = wheel.k;", "E0334"),
+        ("output Real y[3] = wheel[1, 2].k;", "E0341"),
+    ],
+)
+def test_members_that_are_not_there(text: str, code: str) -> None:
+    assert set(errors(f"{WHEELS} {text} end M;")) == {code}
