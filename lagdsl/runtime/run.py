@@ -8,7 +8,7 @@ from ctypes import addressof, byref, c_size_t
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.backends.c.emit import Start as StartTold
+from lagdsl.backends.start import Start as StartTold
 from lagdsl.graph.operation import Group
 from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
 from lagdsl.program.program import Layout
@@ -128,7 +128,7 @@ class Run:
             tolerance=settings.tolerance,
             part=settings.part,
             h_fixed=settings.step,
-            careful=2,
+            careful=1,
             general=settings.general,
             length=settings.length,
             count=len(settings.times),
