@@ -22,7 +22,8 @@ from lagdsl.simulate.table import trajectory
 from lagdsl.simulate.trajectory import Statistics, Trajectory
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
-_STEPS = 1000
+STEPS = 1000
+MOST_STEPS = 1_000_000  # of a motion, unless said otherwise
 _PROGRESS_STEP = 0.002
 
 
@@ -69,10 +70,10 @@ class Motion:
         """Up to `stop`; whether the motion goes on there."""
         while True:
             left = self._task.max_steps - self._steps
-            status = self._run.to(stop, min(_STEPS, left)) if left > 0 else Status.TOO_LONG
+            status = self._run.to(stop, min(STEPS, left)) if left > 0 else Status.TOO_LONG
             self._steps += self._run.report.steps if left > 0 else 0
             self._tell_progress()
-            if status is not Status.TOO_LONG or left <= _STEPS:
+            if status is not Status.TOO_LONG or left <= STEPS:
                 return self._ended(status)
 
     def _ended(self, status: Status) -> Status:
