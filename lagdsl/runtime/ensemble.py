@@ -20,7 +20,8 @@ from lagdsl.runtime.run_structures import Ensemble, Status
 class EnsembleSettings:
     """What many runs are told. Of `settings` p (runs, np) and natural (runs, 2 nq + nz) are those of every run, and u
     (runs, nu) stands for its inputs. Start values x (runs, 2 nq + nz) are given where `given` (2 nq + nz,) says so.
-    Inputs may jump at `breaks`; `equations`: with the initial equations. C is called for `piece` steps at a time."""
+    Inputs may jump at `breaks`; `equations`: with the initial equations. The first `first_piece` steps
+    are taken together, then `piece` steps at a time."""
 
     settings: RunSettings
     t: float
@@ -30,6 +31,7 @@ class EnsembleSettings:
     x: Floats
     given: Flags
     equations: bool
+    first_piece: int
     piece: int
     most_steps: int
 
@@ -79,6 +81,7 @@ class Bench:
             t=told.t,
             stop=told.stop,
             breaks=len(told.breaks),
+            first_piece=told.first_piece,
             piece=told.piece,
             most_steps=told.most_steps,
             equations=told.equations,
@@ -88,7 +91,8 @@ class Bench:
             ensemble.set = address(told.given, kept, np.uint8)
         if told.settings.turning is not None:
             ensemble.turning = address(told.settings.turning, kept, np.uint8)
-        numbers = {"at": np.array(told.breaks), "p": told.settings.p, "u": told.u, "natural": told.settings.natural, "x": told.x}
+        own = told.settings
+        numbers = {"at": np.array(told.breaks), "p": own.p, "u": told.u, "natural": own.natural, "x": told.x}
         for name, values in numbers.items():
             setattr(ensemble, name, address(values, kept))
         made = Made(

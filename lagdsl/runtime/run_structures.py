@@ -146,7 +146,7 @@ class Ensemble(Structure):
         *((name, c_double) for name in ("t", "stop")),
         ("breaks", c_size_t),
         ("at", c_void_p),
-        *((name, c_size_t) for name in ("piece", "most_steps")),
+        *((name, c_size_t) for name in ("first_piece", "piece", "most_steps")),
         ("equations", c_int),
         *((name, c_void_p) for name in ("set", "turning", "stopped")),
         *((name, c_void_p) for name in ("p", "u", "natural", "x")),

@@ -8,7 +8,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics import arrays, enumerations, geometry, prelude
+from lagdsl.semantics import arrays, enumerations, geometry, prelude, slices
 from lagdsl.semantics.builtin import BUILTINS
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.imports import import_hint
@@ -132,6 +132,9 @@ def _after_unit(node: nodes.Reference) -> bool:
 
 
 def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:
+    several = slices.of_several(ctx, scope, node, _value)
+    if several is not None:
+        return several
     entry = designated(ctx, scope, node)
     if entry is not None:
         return _value(ctx, entry, node)

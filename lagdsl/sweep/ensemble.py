@@ -15,7 +15,7 @@ from lagdsl.runtime.auto_engine import AutoEngine
 from lagdsl.runtime.broadcast import BatchEngine
 from lagdsl.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
 from lagdsl.simulate.initialize import places_of
-from lagdsl.simulate.motion import MOST_STEPS, STEPS
+from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.simulate.placed import settings_of
 from lagdsl.simulate.signals import given_inputs, signals
 from lagdsl.simulate.simulate import grid
@@ -125,6 +125,7 @@ class Ensemble:
             x=x,
             given=given,
             equations=bool(flat.initial_equations),
+            first_piece=FIRST_STEPS,
             piece=STEPS,
             most_steps=MOST_STEPS,
         )

@@ -27,7 +27,7 @@ static lag_run_options options(void)
 static lag_ensemble ensemble_of(const lag_run_options *told)
 {
     return (lag_ensemble){
-        .model = &MACHINE, .options = told, .stop = times[TIMES - 1], .piece = 1000, .most_steps = 100000, .equations = 1, .set = set,
+        .model = &MACHINE, .options = told, .stop = times[TIMES - 1], .first_piece = 1000, .piece = 1000, .most_steps = 100000, .equations = 1, .set = set,
         .p = parameter, .natural = natural, .x = x, .rows = rows, .kept = kept, .ended = ended, .status = status
     };
 }

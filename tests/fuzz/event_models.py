@@ -81,7 +81,9 @@ def pendulum(d: Draft) -> None:
 def bead(d: Draft) -> None:
     """On a circle, by a constraint."""
     x, y = d.name("x"), d.name("y")
-    d.items.append(f"coordinate Real {x}(start = 0.6, der(start = {d.number(-1, 1)})), {y}(start = -0.8);")
+    speed = float(d.number(-1, 1))
+    rates = f"der(start = {speed:.4g})", f"der(start = {0.75 * speed:.17g})"
+    d.items.append(f"coordinate Real {x}(start = 0.6, {rates[0]}), {y}(start = -0.8, {rates[1]});")
     d.items.append(f"kinetic 1/2*(der({x})^2 + der({y})^2); potential 9.81*{y};")
     d.items.append(f"constraint {x}^2 + {y}^2 = 1;")
     if d.random.random() < 0.7:

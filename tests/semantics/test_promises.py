@@ -90,3 +90,58 @@ def test_doubling_components_are_told_early() -> None:
     classes = "".join(f"model L{k} L{k - 1} a, b; end L{k};\n" for k in range(1, 40))
     text = f"model L0 coordinate Length x; kinetic 1/2*(1 kg)*der(x)^2; end L0;\n{classes}model M L39 c; end M;"
     assert errors(text) == ["E0326"]
+
+
+WHEELS = """
+model Wheel
+  parameter Real r[2] = {1, 2};
+  parameter Real k = 1;
+  coordinate Angle spin;
+  point P = {k*(1 m), 0};
+  kinetic (1 J.s2)*der(spin)^2;
+end Wheel;
+model Axle parameter Real a = 1; Wheel w[2](k = {a, 2*a}); end Axle;
+model M
+  Wheel wheel[3](k = {1, 2, 3}), one;
+  Axle axle[2](a = {10, 20});
+"""
+
+
+@pytest.mark.parametrize(
+    ("output", "expected"),
+    [
+        ("Real y[3] = wheel.k", [1, 2, 3]),
+        ("Real y[2] = wheel[2:3].k", [2, 3]),
+        ("Real y[3] = wheel[:].k", [1, 2, 3]),
+        ("Real y[2] = wheel[{3, 1}].k", [3, 1]),
+        ("Real y = sum(wheel.k)", [6]),
+        ("Real y[3, 2] = wheel.r", [1, 2, 1, 2, 1, 2]),
+        ("Real y[2, 2] = axle.w.k", [10, 20, 20, 40]),
+        ("Real y[2] = axle.w[2].k", [20, 40]),
+        ("Real y[2] = axle[2].w.k", [20, 40]),
+        ("Real y[1, 2] = axle[2:2].w.k", [20, 40]),
+        ("Length y[3, 3] = wheel.P", [1, 0, 0, 2, 0, 0, 3, 0, 0]),
+        ("AngularVelocity y[3] = der(wheel.spin)", [4, 5, 6]),
+        ("Angle y = wheel.spin*wheel.k", [14]),
+    ],
+)
+def test_members_of_arrays_of_components(output: str, expected: list[float]) -> None:
+    flat, sink = run(f"{WHEELS} output {output}; end M;", model="M")
+    assert flat is not None, sink.diagnostics
+    spins = {f"wheel[{k}].spin": float(k) for k in (1, 2, 3)}
+    rates = {f"wheel[{k}].spin": 3.0 + k for k in (1, 2, 3)}
+    there = Evaluator(flat, Values(variables=spins, rates=rates))
+    assert [there.scalar(item.value) for item in flat.outputs] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("output Real y[3] = wheel.nothing;", "E0210"),
+        ("output Real y = wheel[4:5].k;", "E0316"),
+        ("output Real y = wheel.k;", "E0334"),
+        ("output Real y[3] = wheel[1, 2].k;", "E0341"),
+    ],
+)
+def test_members_that_are_not_there(text: str, code: str) -> None:
+    assert set(errors(f"{WHEELS} {text} end M;")) == {code}

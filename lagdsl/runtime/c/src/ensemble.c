@@ -100,17 +100,14 @@ static int is_stopped(const lag_ensemble *ensemble)
 /* On to `stop` in pieces. LAG_TOO_LONG: as many steps as allowed, or no more are wanted. */
 static lag_status go(const lag_ensemble *ensemble, lag_run *run, double stop, size_t *steps)
 {
-    for (;;) {
+    lag_status status = LAG_TOO_LONG;
+    while (status == LAG_TOO_LONG && *steps < ensemble->most_steps && !is_stopped(ensemble)) {
         const size_t left = ensemble->most_steps - *steps;
-        if (left == 0 || is_stopped(ensemble)) {
-            return LAG_TOO_LONG;
-        }
-        const lag_status status = lag_run_to(run, stop, left < ensemble->piece ? left : ensemble->piece);
+        const size_t piece = *steps > 0 ? ensemble->piece : ensemble->first_piece;
+        status = lag_run_to(run, stop, left < piece ? left : piece);
         *steps += run->steps;
-        if (status != LAG_TOO_LONG || left <= ensemble->piece) {
-            return status;
-        }
     }
+    return status;
 }
 
 /* From the start to the end, over the breaks. */

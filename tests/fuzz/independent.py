@@ -1,0 +1,126 @@
+"""An engine against the independent formulation of `oracle`: one motion, or the event on which both hinge."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+from compiled_programs import program_of
+from fuzz.agreement import FACTOR, INSTANT, SECONDS, HangError, Report, Run, limited, run
+from numpy.typing import NDArray
+from oracle.motion import Motion, motion
+
+import lagdsl
+from lagdsl.pipeline import EngineName
+
+Floats = NDArray[np.float64]
+Kind = Literal["impact", "closed", "opened", "tick"]
+
+TOLERANCE = 1e-10
+# What both tell by one name. Relations that are located may be others in an oracle that knows of corners only.
+TOLD = ("impact", "closed", "opened", "tick")
+# States may differ by so many times what the engine differs from itself, or by this part of the range.
+PART = 1e-7
+
+
+def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] = ()) -> Report:
+    model = lagdsl.compile(text, engine=engine)
+    try:
+        found, finer = run(model, TOLERANCE), run(model, 0.1 * TOLERANCE)
+    except HangError:
+        return Report("hang", engine)
+    if found.code == "E0834":  # two mechanisms drawn into each other
+        return Report("same", "refused")
+    if found.code is not None:
+        return Report("differs", f"ends with {found.code}")
+    times = found.motion.time[:: max(1, len(found.motion.time) // 40)]
+    try:
+        with limited(SECONDS):
+            oracle = motion(program_of(text), stop, np.unique(times), known)
+    except HangError:
+        return Report("hang", "oracle")
+    return _judged(found, finer, oracle)
+
+
+def _judged(found: Run, finer: Run, oracle: Motion) -> Report:
+    parting, why = _parting(found, [(each.time, each.name, each.kind) for each in oracle.told if each.kind in TOLD])
+    own, hinge = _parting(finer, _told(found))
+    times, wrong, value = _wrong(found, finer, oracle)
+    first = min(parting, float(times[wrong[0]]) if len(wrong) else np.inf)
+    if first == np.inf:
+        return Report("same")
+    if own <= first + INSTANT:
+        return Report("grazing", f"t = {own:.6g}: {hinge}")
+    return Report("differs", why if parting <= first else f"t = {first:.6g}: {value}")
+
+
+def _told(run: Run) -> list[tuple[float, str, str]]:
+    return [(event.time, event.name, event.kind) for event in run.motion.events if event.kind in TOLD]
+
+
+def _parting(run: Run, others: list[tuple[float, str, str]]) -> tuple[float, str]:
+    """When events begin to be others."""
+    mine = _told(run)
+    left, right = _instants(mine), _instants(others)
+    for (t, events), (s, named) in zip(left, right, strict=False):
+        if events != named or abs(t - s) > 1e-5:
+            return min(t, s), f"{events} at {t:.9g} and {named} at {s:.9g}"
+    if len(left) != len(right):
+        t, events = (left if len(left) > len(right) else right)[min(len(left), len(right))]
+        return t, f"{events} at {t:.9g} in one only"
+    return np.inf, ""
+
+
+def _instants(events: list[tuple[float, str, str]]) -> list[tuple[float, list[tuple[str, str]]]]:
+    found: list[tuple[float, list[tuple[str, str]]]] = []
+    for time, name, kind in events:
+        if not found or time - found[-1][0] > INSTANT:
+            found.append((time, []))
+        found[-1][1].append((name, kind))
+    return [(t, _named(names)) for t, names in found]
+
+
+def _named(names: list[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Where several contacts strike at once, the order of their blows tells what each of them is called; the rates
+    after it tell whether that was right."""
+    contacts = sorted({name for name, kind in names if kind != "tick"})
+    if len(contacts) < 2:
+        return sorted(names)
+    return sorted([*((name, kind) for name, kind in names if kind == "tick"), *((name, "struck") for name in contacts)])
+
+
+def _wrong(found: Run, finer: Run, oracle: Motion) -> tuple[Floats, NDArray[np.intp], str]:
+    """Rows of the oracle that no event comes near, and which of them differ."""
+    names = [c.name for c in found.motion.columns if c.kind in ("coordinate", "rate", "state")]
+    happened = np.array([*(each.time for each in found.motion.events), *oracle.instants, np.inf])
+    keep = [k for k, t in enumerate(oracle.times) if np.min(np.abs(happened - t)) > 1e-6]
+    times = np.array([oracle.times[k] for k in keep])
+    if not len(times):
+        return times, np.zeros(0, dtype=np.intp), ""
+    exact = np.array([oracle.states[k].x for k in keep])
+    rows, other = (_columns(each, names, times) for each in (found, finer))
+    span = np.maximum(np.max(np.abs(exact), axis=0), 1e-6)
+    departure = np.maximum.accumulate(np.abs(rows - other), axis=0)
+    order = _order(found, names)
+    limit = np.maximum(FACTOR * departure, PART * span[order])
+    beyond = np.abs(rows - exact[:, order]) > limit
+    wrong = np.flatnonzero(np.any(beyond, axis=1))
+    if not len(wrong):
+        return times, wrong, ""
+    row, column = int(wrong[0]), int(np.argmax(beyond[wrong[0]]))
+    return times, wrong, f"{names[column]} is {rows[row, column]:.12g}, exact {exact[row, order[column]]:.12g}"
+
+
+def _columns(run: Run, names: Sequence[str], times: Floats) -> Floats:
+    at = np.searchsorted(run.motion.time, times).clip(max=len(run.motion.time) - 1)
+    return np.column_stack([run.motion[name][at] for name in names])
+
+
+def _order(run: Run, names: Sequence[str]) -> list[int]:
+    """Where each column stands in (q, qd, z)."""
+    kinds = {c.name: c.kind for c in run.motion.columns}
+    q = [name for name in names if kinds[name] == "coordinate"]
+    z = [name for name in names if kinds[name] == "state"]
+    place = {name: i for i, name in enumerate((*q, *(f"der({name})" for name in q), *z))}
+    return [place[name] for name in names]

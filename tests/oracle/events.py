@@ -1,0 +1,236 @@
+"""What happens at an instant: passes over the clauses, resets, blows, contacts that close and open.
+
+Written from docs/events.md and docs/mechanics.md, section 9.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from oracle.balance import Balance, Floats, impact, least_impulse
+from oracle.state import AHEAD, NOW, State, System
+
+_PASSES = 100
+# What is told of a contact that struck, by whether it was closed and whether it stays.
+_KINDS = {(False, True): "closed", (False, False): "impact", (True, True): "impact", (True, False): "opened"}
+_STICK, _REST = 1e-3, 1e-6
+_ZERO = 1e-10
+
+
+@dataclass
+class Happening:
+    time: float
+    name: str
+    kind: str
+
+
+@dataclass
+class Memory:
+    """Of contacts: the largest speed of approach so far, the time of the last impact; of rates: the largest so far."""
+
+    fastest: Floats
+    last: Floats
+    speeds: Floats
+    told: list[Happening] = field(default_factory=list)
+    ended: bool = False
+
+
+class Instant:
+    """Carries out one instant."""
+
+    def __init__(self, system: System, memory: Memory) -> None:
+        self._system, self._memory = system, memory
+
+    def run(self, s: State, b: list[float], flags: list[int]) -> tuple[State, list[float]]:
+        """The state after it. `flags` are clocks and instants that are true in the first pass."""
+        system = self._system
+        w = s.w.copy()
+        w[flags] = 1.0
+        s = replace(s, w=w)
+        for _ in range(_PASSES):
+            before = s
+            s, acted = self._pass(s, b)
+            struck, s = self._strike(s, b, *acted)
+            w, b = system.standing(s, b)
+            w[flags] = 0.0
+            s = replace(s, w=w)
+            s = self._taken_hold(before, s, b)
+            s = self._opened(s, b)
+            if np.array_equal(before.w, s.w) and not struck and not acted[2]:
+                return s, system.standing(s, b)[1]
+        raise AssertionError("passes that do not settle")
+
+    def _pass(self, s: State, b: list[float]) -> tuple[State, tuple[list[int], list[float], bool]]:
+        """One look at all clauses: the state, the impacts they ask for, whether something was set."""
+        system = self._system
+        if "event" not in {f.name for f in system.functions._program.functions}:
+            return s, ([], [], False)
+        found = system.call("event", s, None, system.solved(s, b))
+        v, z, n = s.v.copy(), s.z.copy(), len(s.q)
+        held = []
+        for place, acts, value in zip(system.layout.instants.reset_places, found["reset"], found["value"], strict=True):
+            if acts and place < 2 * n:
+                v[place - n] = value
+                held.append(place - n)
+            elif acts:
+                z[place - 2 * n] = value
+        self._memory.ended |= bool(np.any(found["stop"]))
+        changed = not np.array_equal(found["w"], s.w)
+        after = replace(s, v=v, z=z, w=found["w"])
+        if held or changed:
+            rows = system.call("velocity_constraint", after, b)
+            mass = system.call("dynamics", after, b)["M"]
+            after = replace(after, v=v + least_impulse(mass, rows["J"], rows["residual"], held))
+        asked = [int(i) for i in np.flatnonzero(found["impact"])]
+        acted = bool(np.any(found["reset"]))
+        return after, (asked, [float(found["restitution"][i]) for i in asked], acted)
+
+    def _taken_hold(self, before: State, s: State, b: list[float]) -> State:
+        """Rates follow constraints that relations switch."""
+        system = self._system
+        relations = [*system.relations, *system.timed]
+        if np.array_equal(before.w[relations], s.w[relations]) or not system.layout.constraints:
+            return s
+        rows = system.call("velocity_constraint", s, b)
+        mass = system.call("dynamics", s, b)["M"]
+        return replace(s, v=s.v + least_impulse(mass, rows["J"], rows["residual"], []))
+
+    # ---- contacts ----------------------------------------------------------------------------------------------------
+
+    def _touching(self, s: State, b: list[float]) -> tuple[dict[str, Floats], np.ndarray]:
+        """Gaps and rates; which contacts touch: within a billionth of the run they meet or have met."""
+        system = self._system
+        found = system.call("contact", s, b)
+        later = system.call("contact", system.later(s, b, 1e-6), b)
+        moving = np.maximum(np.abs(found["speed"]), np.abs(later["speed"])) * system.length
+        return found, np.abs(found["gap"]) <= np.maximum(NOW * moving, 1e-13)
+
+    def _strike(self, s: State, b: list[float], asked: list[int], e: list[float], _: bool) -> tuple[bool, State]:
+        """Blows until no gap closes any more."""
+        system, count = self._system, len(self._system.contacts)
+        if not count and not asked:
+            return False, s
+        found, touching = self._touching(s, b)
+        mass, rows = system.call("dynamics", s, b)["M"], system.call("velocity_constraint", s, b)["J"].copy()
+        lam = system.solved(s, b)[1]
+        rows[system.rows] = 0.0
+        closed = s.w[system.contacts] > 0
+        scale = self._zero_speed(found["jacobian"], s.v)
+        carrying = [i for i in range(count) if closed[i] and lam[system.rows[i]] > system.no_force(s, b)]
+        approach: dict[int, float] = {}
+        v, first = s.v.copy(), True
+        for _round in range(200):
+            speed = found["speed"] + found["jacobian"] @ (v - s.v)
+            hits = [i for i in range(count) if touching[i] and i not in carrying and speed[i] < -scale[i]]
+            wanted = [(i, float(found["restitution"][i])) for i in hits]
+            wanted += [(count + i, each) for i, each in zip(asked, e, strict=True)] if first else []
+            driven = [i for i in carrying if speed[i] < -scale[i]]
+            if not wanted and not driven:
+                break
+            for i in hits:
+                approach.setdefault(i, -speed[i])
+            part = wanted + [(i, 0.0) for i in carrying]
+            index = [i for i, _ in part]
+            v = v + impact(mass, rows, found["jacobian"][index], speed[index], [each for _, each in part])[0]
+            first = False
+        else:
+            raise AssertionError("impacts without end")
+        if np.array_equal(v, s.v):
+            return False, s
+        return True, self._judged(replace(s, v=v), b, found, approach, closed, scale)
+
+    def _zero_speed(self, gaps: Floats, v: Floats) -> Floats:
+        """Rates of gaps that are round-off: against the largest terms that they ever had."""
+        self._memory.speeds = np.maximum(self._memory.speeds, np.abs(v))
+        return _ZERO * np.max(np.abs(gaps) * self._memory.speeds, axis=1, initial=0.0) + 1e-300
+
+    def _judged(
+        self,
+        s: State,
+        b: list[float],
+        found: dict[str, Floats],
+        approach: dict[int, float],
+        closed: Floats,
+        scale: Floats,
+    ) -> State:
+        """Which contacts stay together after blows, which part."""
+        system, memory = self._system, self._memory
+        speed = system.call("contact", s, b)["speed"]
+        w = s.w.copy()
+        for i, was in approach.items():
+            memory.fastest[i] = max(memory.fastest[i], was)
+            w[system.counts[i]] += 1
+            stick = self._stick(found, i)
+            rest = found["rest"][i] if found["rest"][i] >= 0 else _REST * system.length
+            interval, ratio = s.t - memory.last[i], speed[i] / was
+            stays = bool(speed[i] <= max(stick, scale[i]) or (ratio < 1 and interval * ratio / (1 - ratio) < rest))
+            w[system.contacts[i]] = float(stays)
+            memory.last[i] = s.t
+            self._tell(s.t, i, _KINDS[bool(closed[i]), stays])
+        for i in np.flatnonzero(closed):
+            if int(i) not in approach and speed[i] > max(scale[i], self._stick(found, int(i))):
+                w[system.contacts[i]] = 0.0
+                self._tell(s.t, int(i), "opened")
+        s = replace(s, w=w)
+        rows = system.call("velocity_constraint", s, b)
+        mass = system.call("dynamics", s, b)["M"]
+        return replace(s, v=s.v + least_impulse(mass, rows["J"], rows["residual"], []))
+
+    def _stick(self, found: dict[str, Floats], i: int) -> float:
+        """The speed below which a contact stays together."""
+        return float(found["stick"][i]) if found["stick"][i] >= 0 else _STICK * self._memory.fastest[i]
+
+    def _opened(self, s: State, b: list[float]) -> State:
+        """Closed contacts that pull open, the one that pulls most first; touching ones without speed that would be
+        driven in close."""
+        system = self._system
+        if not system.contacts:
+            return s
+        while True:
+            closed = np.flatnonzero(s.w[system.contacts] > 0)
+            none = system.no_force(s, b)
+            then = system.later(s, b, AHEAD)
+            now, later = (system.solved(each, b)[1][system.rows[closed]] for each in (s, then))
+            forces = np.where(np.abs(now) <= 2 * none, np.minimum(now, later), now)
+            if not len(closed) or np.min(forces) >= -2 * none:
+                return s
+            w = s.w.copy()
+            worst = int(closed[np.argmin(forces)])
+            w[system.contacts[worst]] = 0.0
+            self._tell(s.t, worst, "opened")
+            s = replace(s, w=w)
+
+    def settled(self, s: State, b: list[float]) -> State:
+        """At the start: contacts that touch and do not move apart are closed unless they pull."""
+        system = self._system
+        if not system.contacts:
+            return s
+        found, touching = self._touching(s, b)
+        scale = self._zero_speed(found["jacobian"], s.v)
+        count = len(system.contacts)
+        w = s.w.copy()
+        w[system.contacts] = (touching & (np.abs(found["speed"]) <= scale))[:count]
+        s, told = replace(s, w=w), len(self._memory.told)
+        s = self._opened(s, b)
+        del self._memory.told[told:]
+        return s
+
+    def _tell(self, t: float, contact: int, kind: str) -> None:
+        label = self._system.layout.discretes[self._system.contacts[contact]].name
+        name = label.removeprefix("closed(").removesuffix(")")
+        told = self._memory.told
+        here = next((each for each in reversed(told) if each.name == name and each.time == t), None)
+        if kind == "opened" and here is not None and here.kind == "closed":
+            here.kind = "impact"  # it struck and does not stay
+        else:
+            told.append(Happening(t, name, kind))
+
+
+def balanced(system: System, before: State, b: list[float], s: State, after: list[float]) -> State:
+    """Rates after corners changed their branches: momenta are kept but for the impulses of the constraints."""
+    kept = system.call("momenta", before, b)["momenta"]
+    mass = system.call("dynamics", s, after)["M"]
+    rows = system.call("velocity_constraint", s, after)
+    lost = kept - system.call("momenta", s, after)["momenta"]
+    return replace(s, v=s.v + Balance(mass, rows["J"]).solve(lost, -rows["residual"])[0])
