@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.interface import Interface
@@ -202,7 +203,7 @@ class Model(Interface):
                 interval=interval,
                 tolerance=tolerance,
                 p=self._parameter_vector(parameters),
-                inputs=_signals(inputs),
+                inputs=signals_of(inputs),
                 start=self._start_values(start),
                 solver=solver,
                 step=step,
@@ -253,7 +254,7 @@ class Model(Interface):
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=_signals(inputs) or {},
+            inputs=signals_of(inputs) or {},
             solver=solver,
             columns=columns,
             output=None if output is None else Path(output),
@@ -424,19 +425,6 @@ class Model(Interface):
 
     def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
         return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])
-
-
-def _signals(inputs: Mapping[str, Signal] | Path | str | None) -> Mapping[str, Signal] | None:
-    """The inputs by name; those of a file are read."""
-    if not isinstance(inputs, (Path, str)):
-        return inputs
-    from lagdsl.diagnostics import Sink
-    from lagdsl.simulate.table_io import read_inputs
-
-    sink = Sink()
-    tables = read_inputs(Path(inputs), sink)
-    sink.raise_if_errors()
-    return tables
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:

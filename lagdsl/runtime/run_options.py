@@ -8,7 +8,7 @@ from ctypes import addressof
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.backends.c.emit import Start as StartTold
+from lagdsl.backends.start import Start as StartTold
 from lagdsl.record import record
 from lagdsl.runtime.engine import Floats
 from lagdsl.runtime.library import Runtime
@@ -51,7 +51,7 @@ def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) 
         tolerance=settings.tolerance,
         part=settings.part,
         h_fixed=settings.step,
-        careful=2,
+        careful=1,
         general=settings.general,
         length=settings.length,
         count=len(settings.times),

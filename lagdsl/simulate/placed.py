@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from lagdsl.backends.c.start import start_of
+from lagdsl.backends.start import start_of
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import contact_rows
