@@ -238,7 +238,7 @@ class Model(Interface):
         sequences of them, in SI units. `samples` are drawn by the caller: entry k of all of them belongs to sample k.
         Every column has an axis for each sequence, `sample` and `time`; `status`, `message` and `ended` tell how each
         run went: a run that fails ends no sweep. With `output` (.nc, .parquet, .csv) finished runs are kept on disk,
-        and `resume` goes on after an interruption. `jobs` is the number of processes (default: the cores), `scheduler`
+        and `resume` goes on after an interruption. `jobs` is the number of threads (default: the cores), `scheduler`
         the address of a Dask cluster to use instead. The rest is as for `simulate`.
 
         Raises KeyError and ValueError for arguments that do not fit, OSError for a file that cannot be written,
