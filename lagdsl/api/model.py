@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.interface import Interface
@@ -201,7 +202,7 @@ class Model(Interface):
                 interval=interval,
                 tolerance=tolerance,
                 p=self._parameter_vector(parameters),
-                inputs=_signals(inputs),
+                inputs=signals_of(inputs),
                 start=self._start_values(start),
                 solver=solver,
                 step=step,
@@ -236,7 +237,7 @@ class Model(Interface):
         sequences of them, in SI units. `samples` are drawn by the caller: entry k of all of them belongs to sample k.
         Every column has an axis for each sequence, `sample` and `time`; `status`, `message` and `ended` tell how each
         run went: a run that fails ends no sweep. With `output` (.nc, .parquet, .csv) finished runs are kept on disk,
-        and `resume` goes on after an interruption. `jobs` is the number of processes (default: the cores), `scheduler`
+        and `resume` goes on after an interruption. `jobs` is the number of threads (default: the cores), `scheduler`
         the address of a Dask cluster to use instead. The rest is as for `simulate`.
 
         Raises KeyError and ValueError for arguments that do not fit, OSError for a file that cannot be written,
@@ -252,7 +253,7 @@ class Model(Interface):
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=_signals(inputs) or {},
+            inputs=signals_of(inputs) or {},
             solver=solver,
             columns=columns,
             output=None if output is None else Path(output),
@@ -423,19 +424,6 @@ class Model(Interface):
 
     def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
         return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])
-
-
-def _signals(inputs: Mapping[str, Signal] | Path | str | None) -> Mapping[str, Signal] | None:
-    """The inputs by name; those of a file are read."""
-    if not isinstance(inputs, (Path, str)):
-        return inputs
-    from lagdsl.diagnostics import Sink
-    from lagdsl.simulate.table_io import read_inputs
-
-    sink = Sink()
-    tables = read_inputs(Path(inputs), sink)
-    sink.raise_if_errors()
-    return tables
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:
