@@ -73,6 +73,11 @@ def signals(
     return Signals(tuple(functions), tuple(sorted(b for b in breaks if span[0] < b < span[1])))
 
 
+def given_inputs(flat: FlatModel, inputs: Mapping[str, Signal]) -> list[bool]:
+    """Which inputs of the model these signals tell; all others have their defaults."""
+    return [_source(item.name, inputs)[0] is not None for item in flat.inputs]
+
+
 def _source(name: str, inputs: Mapping[str, Signal]) -> tuple[str | None, int]:
     """The given signal that an input is made of, and how often it is differentiated for that: `der(road)` is itself if
     it is given, else the derivative of `road`."""
