@@ -59,7 +59,7 @@ def sweep(
     flat = next((subject.flat for subject in subjects if subject.flat is not None), None)
     if flat is None:
         raise ValueError(subjects[0].fault)
-    times = _grid(subjects, options)
+    times = times_of(subjects, options)
     require_room(plan.runs, len(times), _width(subjects, options), work.output)
     if work.output is None:
         if work.resume:
@@ -140,7 +140,7 @@ def _width(subjects: Sequence[Subject], options: Options) -> int:
     )
 
 
-def _grid(subjects: Sequence[Subject], options: Options) -> Floats:
+def times_of(subjects: Sequence[Subject], options: Options) -> Floats:
     """The times of the rows, which all runs share."""
     starts = {s.flat.experiment.start_time for s in subjects if s.flat is not None}
     if len(starts) > 1:
