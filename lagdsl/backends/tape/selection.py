@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lagdsl.backends.tape.instructions import ANGLES, INSTRUCTION, MOST_OPERANDS, THREE_PRODUCTS, TWO_PRODUCTS
-from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
+from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.graph.operation import FIRST_UNARY, Op
 
 # A product in more sums than this is computed once.
@@ -114,7 +114,9 @@ def _take_in(made: Ints, code: Ints, own: Ints, signs: Ints, once: Flags) -> Int
     own[outer, 4], own[outer, 5] = last
     signs[outer] += 2 * signs[inner]
     code[outer] = THREE_PRODUCTS
-    return np.setdiff1d(np.arange(len(made)), inner, assume_unique=True)
+    remains = np.ones(len(made), dtype=np.bool_)
+    remains[inner] = False
+    return np.flatnonzero(remains)
 
 
 def _apart(pairs: Ints, count: int) -> Ints:
@@ -134,7 +136,7 @@ def _turns(op: Ints, operands: Ints, turned: Flags, computed: Flags) -> tuple[Tu
     where = np.flatnonzero(turned)
     if not len(where):
         return ()
-    angles = np.unique(operands[0, where])
+    angles = distinct(len(op), operands[0, where])
     values = np.full((2, len(turned)), -1, dtype=np.int64)
     values[np.where(op[where] == Op.SIN, 0, 1), operands[0, where]] = where
     level = _levels(operands, turned, computed, angles)
