@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.graph.graph import Graph
+from lagdsl.record import record
 
 Ints = NDArray[np.int64]
 Flags = NDArray[np.bool_]
@@ -17,7 +17,7 @@ _BITS = 62
 _ALL = (1 << _BITS) - 1
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Nodes:
     """`op`, `groups` (nodes) and `operands` (3, nodes; -1: none), as in the graph: the first two of a symbol are its
     group and its index."""

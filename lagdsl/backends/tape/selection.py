@@ -7,19 +7,18 @@ changes no bit.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from lagdsl.backends.tape.instructions import ANGLES, INSTRUCTION, MOST_OPERANDS, THREE_PRODUCTS, TWO_PRODUCTS
 from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.graph.operation import FIRST_UNARY, Op
+from lagdsl.record import record
 
 # A product in more sums than this is computed once.
 _MOST_SUMS = 3
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Turn:
     """Sines and cosines of angles; local numbers, -1 for what nothing reads."""
 
@@ -28,7 +27,7 @@ class Turn:
     cosines: Ints
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Selection:
     """The instructions of a function, by the local number of the node that each computes, ascending.
 

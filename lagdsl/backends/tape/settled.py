@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.graph.operation import FIRST_UNARY, Group, Op
+from lagdsl.record import record
 
 # Where one and minus one stand: first among the constants.
 ONE = 0
@@ -16,7 +16,7 @@ MINUS_ONE = 1
 _PARAMETER = 1 << Group.P
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Settled:
     """`place` of every node of the graph that is in the row, -1 for others. Parameters stand from the place
     `parameters` on, what belongs to the function alone from `first` on. Nothing is left to do for `hidden` nodes: what
