@@ -186,11 +186,10 @@ class Model(Interface):
         happened; what is left out says the model's experiment.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
-        column `time` and one for each input. `solver`: auto, dop853, rk45, radau, bdf, or rk4, leapfrog, ros2 in steps
-        of the length `step`, or cvode, where SUNDIALS is installed. `progress` is called with the part of the time that
-        is done; warnings go to `sink`. Raises CompilationFailed before the first step, SimulationFailed after it, with
-        the motion so far;
-        KeyError and ValueError for arguments that do not fit.
+        column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
+        length `step`. `progress` is called with the part of the time that is done; warnings go to `sink`. Raises
+        CompilationFailed before the first step, SimulationFailed after it, with the motion so far; KeyError and
+        ValueError for arguments that do not fit.
         """
         from lagdsl.api.trajectory import Trajectory
         from lagdsl.simulate.failure import SimulationFailed
