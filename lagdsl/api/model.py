@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from lagdsl.analysis.trim import Equilibrium
     from lagdsl.analysis.variation import Variation
     from lagdsl.analysis.where import Where
+    from lagdsl.api.motions import Motions
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
     from lagdsl.program.program import Slot
@@ -185,11 +186,10 @@ class Model(Interface):
         happened; what is left out says the model's experiment.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
-        column `time` and one for each input. `solver`: auto, dop853, rk45, radau, bdf, or rk4, leapfrog, ros2 in steps
-        of the length `step`, or cvode, where SUNDIALS is installed. `progress` is called with the part of the time that
-        is done; warnings go to `sink`. Raises CompilationFailed before the first step, SimulationFailed after it, with
-        the motion so far;
-        KeyError and ValueError for arguments that do not fit.
+        column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
+        length `step`. `progress` is called with the part of the time that is done; warnings go to `sink`. Raises
+        CompilationFailed before the first step, SimulationFailed after it, with the motion so far; KeyError and
+        ValueError for arguments that do not fit.
         """
         from lagdsl.api.trajectory import Trajectory
         from lagdsl.simulate.failure import SimulationFailed
@@ -214,6 +214,48 @@ class Model(Interface):
             failure.trajectory = Trajectory.of(failure.trajectory)
             raise
         return Trajectory.of(motion)
+
+    def simulate_many(
+        self,
+        *,
+        parameters: Mapping[str, ArrayLike] | None = None,
+        start: Mapping[str, ArrayLike] | None = None,
+        stop: float | None = None,
+        interval: float | None = None,
+        tolerance: float | None = None,
+        inputs: Mapping[str, Signal] | Path | str | None = None,
+        solver: str = "auto",
+        columns: Sequence[str] | None = None,
+        threads: int | None = None,
+        progress: Callable[[float], None] | None = None,
+    ) -> Motions:
+        """Many motions at once, on all cores: run k has entry k of every sequence among the values.
+
+        `motions["theta"]` has the shape (runs, rows), the rows those of `simulate` at `motions.time`, to the bit.
+        `motions.failures` says why which run failed; its rows after that are nan. Names and values are those of
+        `simulate`, numbers or sequences of one length. `columns` are the names to keep, `threads` the number of
+        cores to use. Raises KeyError and ValueError for arguments that do not fit.
+        """
+        from lagdsl.api.motions import simulate_many
+
+        self._start_values(dict.fromkeys(start or {}, 0.0))
+        known("parameter", dict.fromkeys(parameters or {}, 0.0), self.parameters)
+        if threads is not None and threads < 1:
+            raise ValueError(f"threads must be at least 1, not {threads}")
+        return simulate_many(
+            self._compilation,
+            parameters or {},
+            start or {},
+            engine=self._engine.name,
+            stop=stop,
+            interval=interval,
+            tolerance=tolerance,
+            inputs=signals_of(inputs) or {},
+            solver=solver,
+            columns=columns,
+            threads=threads,
+            progress=progress,
+        )
 
     def sweep(
         self,

@@ -59,8 +59,8 @@ def sweep(
     flat = next((subject.flat for subject in subjects if subject.flat is not None), None)
     if flat is None:
         raise ValueError(subjects[0].fault)
-    times = _grid(subjects, options)
-    require_room(plan.runs, len(times), _width(subjects, options), work.output)
+    times = times_of(subjects, options)
+    require_room(plan.runs, len(times), width_of(subjects, options), work.output)
     if work.output is None:
         if work.resume:
             raise ValueError("only a sweep with an output can be resumed")
@@ -129,7 +129,7 @@ def _require_own(path: Path, fingerprint: str, resume: bool) -> None:
         raise Unfinished(f"{path} belongs to another sweep: model, values or options have changed; delete that file")
 
 
-def _width(subjects: Sequence[Subject], options: Options) -> int:
+def width_of(subjects: Sequence[Subject], options: Options) -> int:
     """Number of columns that every run has at most."""
     if options.columns is not None:
         return len(options.columns)
@@ -140,7 +140,7 @@ def _width(subjects: Sequence[Subject], options: Options) -> int:
     )
 
 
-def _grid(subjects: Sequence[Subject], options: Options) -> Floats:
+def times_of(subjects: Sequence[Subject], options: Options) -> Floats:
     """The times of the rows, which all runs share."""
     starts = {s.flat.experiment.start_time for s in subjects if s.flat is not None}
     if len(starts) > 1:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import lagdsl
+from lagdsl.api.model import Model
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.ensemble import Bench, Stop
 from lagdsl.runtime.tape_engine import TapeEngine
@@ -96,3 +97,58 @@ def test_memory_stays() -> None:
         sizes.append(tracemalloc.get_traced_memory()[0])
     tracemalloc.stop()
     assert sizes[-1] - sizes[1] < 20_000
+
+
+class TestSimulateMany:
+    @pytest.fixture
+    def model(self) -> Model:
+        return lagdsl.compile(MODELS / "bouncing_ball.lag", engine="tape")
+
+    def test_rows_are_those_of_simulate(self, model: Model) -> None:
+        (name,) = model.coordinates
+        heights = [0.5, 1.0, 1.5]
+        motions = model.simulate_many(start={name: heights}, stop=1.0, interval=0.1, threads=2)
+        assert len(motions) == 3
+        assert motions.failures == {}
+        for k, height in enumerate(heights):
+            alone = model.simulate(start={name: height}, stop=1.0, interval=0.1)
+            rows = np.searchsorted(alone.time, motions.time, side="right") - 1
+            for column in motions.names:
+                assert motions[column][k].tobytes() == alone[column][rows].tobytes()
+
+    def test_a_failure_is_told_by_its_number(self) -> None:
+        model = lagdsl.compile(
+            """model Drop
+                 parameter Acceleration g = 1 m/s2; parameter Mass m(min = 0.1 kg) = 1 kg;
+                 coordinate Length h(start = 1 m); gravity = -g*world.y; mass m at {0, h};
+               equation assert(h > 0, "on the floor"); end Drop;"""
+        )
+        motions = model.simulate_many(
+            parameters={"g": [1, 100, 1], "m": [1, 1, 0.01]}, stop=0.5, interval=0.1, columns=["h"]
+        )
+        assert list(motions.failures) == [1, 2]
+        assert "on the floor" in motions.failures[1]
+        assert "at least 0.1 kg" in motions.failures[2]
+        np.testing.assert_allclose(motions["h"][0], 1 - motions.time**2 / 2)
+        assert np.isnan(motions["h"][1, -1])
+        assert motions.names == ["h"]
+        assert motions.ended[0] == 0.5
+
+    @pytest.mark.parametrize(
+        ("given", "error", "words"),
+        [
+            ({"parameters": {"x": [1, 2]}}, KeyError, "no parameter"),
+            ({"start": {"x": [1, 2]}}, KeyError, "no start value"),
+            ({"start": {"h": 1.0}}, ValueError, "there is none"),
+            ({"start": {"h": [[1.0]]}}, ValueError, "sequence of numbers"),
+            ({"start": {"h": [1, 2], "der(h)": [1, 2, 3]}}, ValueError, "`h` has 2, `der"),
+            ({"start": {"h": [1, 2]}, "threads": 0}, ValueError, "at least 1"),
+            ({"start": {"h": [1] * 1_000_001}}, ValueError, "at most 1000000"),
+            ({"start": {"h": [1] * 1_000_000}, "stop": 1, "interval": 1e-6}, ValueError, "fewer runs, fewer rows"),
+        ],
+    )
+    def test_what_does_not_fit_is_told(
+        self, model: Model, given: dict[str, object], error: type[Exception], words: str
+    ) -> None:
+        with pytest.raises(error, match=words):
+            model.simulate_many(**given)  # type: ignore[arg-type]
