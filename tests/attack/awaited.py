@@ -142,3 +142,11 @@ AWAITED: frozenset[str] = frozenset(
         "zero_times_time",
     )
 )
+
+# Random models, by kind and seed.
+SEEDS: frozenset[tuple[str, int]] = frozenset({("of_what_is_hard", 2)})
+
+# Models beside a stranger, by what is large or small, name and scale.
+STRANGERS: frozenset[tuple[str, str, float]] = frozenset(
+    {("start", "bouncing_ball", 1e9), ("rate", "bouncing_ball", 1e9)}
+)

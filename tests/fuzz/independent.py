@@ -24,7 +24,8 @@ TOLD = ("impact", "closed", "opened", "tick")
 PART = 1e-7
 
 
-def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] = ()) -> Report:
+def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] = (), least: float = 1.0) -> Report:
+    """`known` are instants at which the integration of the oracle begins anew, `least` is the smallest scale."""
     model = lagdsl.compile(text, engine=engine)
     try:
         found, finer = run(model, TOLERANCE), run(model, 0.1 * TOLERANCE)
@@ -37,16 +38,16 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
     times = found.motion.time[:: max(1, len(found.motion.time) // 40)]
     try:
         with limited(SECONDS):
-            oracle = motion(program_of(text), stop, np.unique(times), known)
+            oracle = motion(program_of(text), stop, np.unique(times), known, least)
     except HangError:
         return Report("hang", "oracle")
-    return _judged(found, finer, oracle)
+    return _judged(found, finer, oracle, least)
 
 
-def _judged(found: Run, finer: Run, oracle: Motion) -> Report:
+def _judged(found: Run, finer: Run, oracle: Motion, least: float) -> Report:
     parting, why = _parting(found, [(each.time, each.name, each.kind) for each in oracle.told if each.kind in TOLD])
     own, hinge = _parting(finer, _told(found))
-    times, wrong, value = _wrong(found, finer, oracle)
+    times, wrong, value = _wrong(found, finer, oracle, least)
     first = min(parting, float(times[wrong[0]]) if len(wrong) else np.inf)
     if first == np.inf:
         return Report("same")
@@ -90,7 +91,7 @@ def _named(names: list[tuple[str, str]]) -> list[tuple[str, str]]:
     return sorted([*((name, kind) for name, kind in names if kind == "tick"), *((name, "struck") for name in contacts)])
 
 
-def _wrong(found: Run, finer: Run, oracle: Motion) -> tuple[Floats, NDArray[np.intp], str]:
+def _wrong(found: Run, finer: Run, oracle: Motion, least: float) -> tuple[Floats, NDArray[np.intp], str]:
     """Rows of the oracle that no event comes near, and which of them differ."""
     names = [c.name for c in found.motion.columns if c.kind in ("coordinate", "rate", "state")]
     happened = np.array([*(each.time for each in found.motion.events), *oracle.instants, np.inf])
@@ -100,7 +101,7 @@ def _wrong(found: Run, finer: Run, oracle: Motion) -> tuple[Floats, NDArray[np.i
         return times, np.zeros(0, dtype=np.intp), ""
     exact = np.array([oracle.states[k].x for k in keep])
     rows, other = (_columns(each, names, times) for each in (found, finer))
-    span = np.maximum(np.max(np.abs(exact), axis=0), 1e-6)
+    span = np.maximum(np.max(np.abs(exact), axis=0), 1e-6 * least)
     departure = np.maximum.accumulate(np.abs(rows - other), axis=0)
     order = _order(found, names)
     limit = np.maximum(FACTOR * departure, PART * span[order])

@@ -34,13 +34,17 @@ class Motion:
     instants: list[float] = field(default_factory=list)
 
 
-def motion(program: Program, stop: float, times: Sequence[float], known: Sequence[float] = ()) -> Motion:
-    """`known` are instants at which something may happen: the integration begins anew there."""
-    return _Run(System(program, stop), sorted(times), sorted(known)).run()
+def motion(
+    program: Program, stop: float, times: Sequence[float], known: Sequence[float] = (), least: float = 1.0
+) -> Motion:
+    """`known` are instants at which something may happen: the integration begins anew there. `least` is
+    the smallest scale of what moves."""
+    return _Run(System(program, stop), sorted(times), sorted(known), least).run()
 
 
 class _Run:
-    def __init__(self, system: System, times: Sequence[float], known: Sequence[float]) -> None:
+    def __init__(self, system: System, times: Sequence[float], known: Sequence[float], least: float) -> None:
+        self._least = least * _LEAST
         self._system, self._times, self._known = system, times, known
         count = len(system.contacts)
         self._memory = Memory(np.zeros(count), np.full(count, -np.inf), np.abs(system.start.v))
@@ -131,7 +135,7 @@ class _Run:
             x,
             end,
             rtol=_RTOL,
-            atol=1e-13 * np.maximum(np.abs(x), np.minimum(rates, 1.0)) + _LEAST,
+            atol=1e-13 * np.maximum(np.abs(x), np.minimum(rates, 1.0)) + self._least,
             max_step=self._system.length / _STEPS,
         )
 
