@@ -45,10 +45,13 @@ def with_stranger(s: Source, start: float, rate: float, mass: float) -> str:
 
 
 def reordered(s: Source) -> str:
-    """Its statements from the last to the first."""
+    """Its statements from the last to the first; components and what joins them stay in their order, from which merged
+    coordinates have their names and `connect` its frames, and come last."""
     items = s.model.items
-    joined = "\n  ".join(item.span.text for item in reversed(items))
-    return s.text[: items[0].span.start] + joined + s.text[items[-1].span.end :]
+    joined = [item for item in items if isinstance(item, nodes.Component | nodes.Connect | nodes.For | nodes.If)]
+    others = [item for item in reversed(items) if item not in joined]
+    text = "\n  ".join(item.span.text for item in (*others, *joined))
+    return s.text[: items[0].span.start] + text + s.text[items[-1].span.end :]
 
 
 def wrapped(s: Source) -> str:

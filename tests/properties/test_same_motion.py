@@ -24,7 +24,7 @@ NAMES = sorted(
 CHOSEN = NAMES if EXPLORE else ["pendulum", "bouncing_ball", "clutch", "four_bar", "newtons_cradle"]
 # Of a second; how far two motions of one model may be from each other, as a part of the range of a column: so much, or
 # so many times what a motion is from itself at a tenth of the tolerance.
-STOP, TOLERANCE, PART, FACTOR = 0.5, 1e-10, 1e-8, 20.0
+STOP, TOLERANCE, PART, FACTOR = 0.5, 1e-12, 1e-8, 10.0
 SCALES = [1e-9, 1e-3, 1e3, 1e9]
 Rewrite = Callable[[Source], str]
 
@@ -40,16 +40,18 @@ def moved(text: str, tolerance: float) -> Trajectory:
 
 
 def assert_same(name: str, text: str, prefix: str = "") -> None:
-    one, finer, other = original(name, TOLERANCE), original(name, 0.1 * TOLERANCE), moved(text, TOLERANCE)
+    one, coarser, other = original(name, TOLERANCE), original(name, 10 * TOLERANCE), moved(text, TOLERANCE)
     happened = [(event.name, event.kind) for event in one.events if event.time < STOP * (1 - 1e-9)]
     again = [(event.name, event.kind) for event in other.events if event.time < STOP * (1 - 1e-9)]
     assert len(happened) == len(again)
-    times = _clear(one, finer, other)
+    times = _clear(one, coarser, other)
     for column in one.columns:
         if column.kind not in ("coordinate", "rate", "state", "discrete"):
             continue
         named = f"der({prefix}{column.name[4:]}" if column.name.startswith("der(") else prefix + column.name
-        values, near, found = (_at(m, n, times) for m, n in ((one, column.name), (finer, column.name), (other, named)))
+        values, near, found = (
+            _at(m, n, times) for m, n in ((one, column.name), (coarser, column.name), (other, named))
+        )
         span = max(1e-3, float(np.ptp(column.values)))
         limit = np.maximum(FACTOR * np.maximum.accumulate(np.abs(values - near)), PART * span)
         assert np.all(np.abs(values - found) <= limit), (column.name, float(np.max(np.abs(values - found) / limit)))
