@@ -13,7 +13,7 @@ from pathlib import Path
 
 import lagdsl
 from lagdsl.backends.c.emit import engine_sources, model_symbol
-from lagdsl.backends.tape.emit import tape
+from lagdsl.backends.tape.emit import PARTS, tape
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
@@ -61,6 +61,12 @@ class AutoEngine(TapeEngine):
             self._build = BackgroundBuild(lambda: engine_sources(program), (ALIKE,), name)
             weakref.finalize(self, self._build.cancel)
 
+    @property
+    def native(self) -> NativeModel:
+        """The compiled model where there is one, else that of the tape."""
+        self.hasten()
+        return self._model
+
     def hasten(self) -> NativeModel | None:
         """The compiled model, when it has just been finished; from then on everything is computed by it."""
         if self._build is None or self._build.is_running or self._compiled is not None:
@@ -77,7 +83,10 @@ class AutoEngine(TapeEngine):
     def _provide(self, part: str | None = None) -> NativeModel:
         if part is None and self._compiler is not None:
             self._compiled = _cached(self._name(self._compiler), self._program)
-        return self._load(self._tape) if part is not None or self._compiled is None else self._compiled
+        return super()._provide(part) if part is not None or self._compiled is None else self._compiled
+
+    def _made(self, part: str | None) -> bytes:
+        return super()._made(part) if part in PARTS else self._tape
 
     def _name(self, compiler: Compiler) -> str:
         """Of the library in the cache: made of all that decides what is in it."""

@@ -46,6 +46,7 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_find": (_STATUS, (_AT, c_double, _AT, _AT, _AT)),
     "run_enter": (_STATUS, (_AT,)),
     "run_jump": (_STATUS, (_AT,)),
+    "run_change": (_STATUS, (_AT, _AT, _AT)),
     "run_end": (_STATUS, (_AT,)),
     "run_explain": (None, (_AT, c_int, _AT)),
     "run_evaluate": (_STATUS, (_AT, c_int, c_double, _AT, _AT)),
@@ -58,6 +59,8 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "tape_check": (_STATUS, (_AT, _SIZE, _AT)),
     "tape_model": (_AT, (_AT, _SIZE, _AT)),
     "tape_start": (_AT, (_AT,)),
+    "tape_states": (_AT, (_AT,)),
+    "tape_tangents": (_AT, (_AT, c_int)),
 }
 
 

@@ -13,6 +13,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
 from lagdsl.program.program import Layout
 from lagdsl.record import record
+from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.engine import Floats
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel
@@ -248,6 +249,13 @@ class Run:
     def jump(self) -> Status:
         """What inputs bring that jump now."""
         return self._done(self._library.run_jump(self._run))
+
+    def change(self, model: NativeModel) -> None:
+        """The functions of `model`, another filling of the same equations, from now on."""
+        self._changed = Buffers(model)
+        status = self._library.run_change(self._run, model.model, self._changed.workspace.ctypes.data)
+        assert status == Status.OK, "internal error: the compiled model is another one than the tape"
+        self._model = model
 
     def end(self) -> Status:
         """What happens at the end."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from time import perf_counter
 from typing import NoReturn
 
 from lagdsl.diagnostics import Sink
@@ -10,6 +11,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import located, place
 from lagdsl.record import record
+from lagdsl.runtime.auto_engine import AutoEngine
 from lagdsl.runtime.engine import Engine
 from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_structures import Status
@@ -23,6 +25,8 @@ from lagdsl.simulate.trajectory import Statistics, Trajectory
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
 _STEPS = 1000
+# Of the first call, after which it is known what a step takes.
+_FIRST_STEPS = 50
 _PROGRESS_STEP = 0.002
 
 
@@ -68,12 +72,25 @@ class Motion:
     def _segment(self, stop: float) -> Status:
         """Up to `stop`; whether the motion goes on there."""
         while True:
-            left = self._task.max_steps - self._steps
-            status = self._run.to(stop, min(_STEPS, left)) if left > 0 else Status.TOO_LONG
-            self._steps += self._run.report.steps if left > 0 else 0
+            steps = min(_STEPS if self._steps > 0 else _FIRST_STEPS, self._task.max_steps - self._steps)
+            status = self._on(stop, steps) if steps > 0 else Status.TOO_LONG
             self._tell_progress()
-            if status is not Status.TOO_LONG or left <= _STEPS:
+            if status is not Status.TOO_LONG or steps <= 0:
                 return self._ended(status)
+
+    def _on(self, stop: float, steps: int) -> Status:
+        """At most so many steps; those that follow are taken in C where that pays and there is C by then."""
+        engine, run, before = self._task.engine, self._run, self._run.t
+        started = perf_counter()
+        status = run.to(stop, steps)
+        self._steps += run.report.steps
+        if isinstance(engine, AutoEngine) and status in (Status.OK, Status.TOO_LONG):
+            seconds, reached = perf_counter() - started, max(run.t - before, 1e-9 * (self._last - self._first))
+            engine.worked(seconds, left=seconds * (self._last - run.t) / reached)
+            compiled = engine.hasten()
+            if compiled is not None:
+                run.change(compiled)
+        return status
 
     def _ended(self, status: Status) -> Status:
         """OK, or STOPPED where a `terminate` acted; all others end the run as an error."""

@@ -148,6 +148,34 @@ static void foreign_bytes(void)
     free(of_another);
 }
 
+/* A run whose model was filled anew in the middle goes on as before; it is no longer to be saved. */
+static void another_filling(void)
+{
+    const lag_run_options options = {.tolerance = 1e-8, .length = 1.0};
+    lag_run *straight = place(&MACHINE, &options);
+    lag_run *run = place(&MACHINE, &options);
+    const lag_model filling = MACHINE;
+    double *workspace = malloc((filling.workspace + 1) * sizeof *workspace);
+    CHECK(workspace != NULL);
+    CHECK(lag_run_begin(straight, 0.0, NULL) == LAG_OK && lag_run_begin(run, 0.0, NULL) == LAG_OK);
+    (void)goes_on(straight, 1.0, 7);
+    (void)goes_on(run, 1.0, 7);
+    unsigned char *good = saved(run, 0);
+    CHECK(lag_run_change(run, &OSCILLATOR, workspace) == LAG_FOREIGN && !lag_run_is_changed(run));
+    CHECK(lag_run_change(run, &filling, workspace) == LAG_OK && lag_run_is_changed(run));
+    (void)goes_on(straight, 1.0, 0);
+    (void)goes_on(run, 1.0, 0);
+    CHECK(alike(run, straight));
+    unsigned char *bytes = saved(run, 0);
+    CHECK(lag_run_load(straight, bytes) == LAG_FOREIGN && lag_run_load(run, good) == LAG_FOREIGN);
+    CHECK(lag_run_load(straight, good) == LAG_OK);
+    free(bytes);
+    free(good);
+    free(workspace);
+    free(run);
+    free(straight);
+}
+
 /* ---- another process ---- */
 
 static const double SAVED = 0.21;
@@ -218,6 +246,7 @@ int main(int count, char **arguments)
     }
     rollback();
     foreign_bytes();
+    another_filling();
     another_process(arguments[0]);
     (void)printf("saving: ok\n");
     return EXIT_SUCCESS;

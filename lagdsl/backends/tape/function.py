@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,50 +11,49 @@ from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
 from lagdsl.backends.tape.registers import places
 from lagdsl.backends.tape.schedule import groups
 from lagdsl.backends.tape.selection import Selection, select
-from lagdsl.graph.operation import Group, Op
+from lagdsl.backends.tape.settled import MINUS_ONE, ONE, Settled
+from lagdsl.graph.operation import FIRST_UNARY, Group, Op
 
-# Where one and minus one stand in the row: first among the constants.
-ONE = 0
-MINUS_ONE = 1
 # Results with so many zeros are cleared before the others are written.
 _FEWEST_ZEROS = 8
 
 
-@dataclass(frozen=True, slots=True)
-class Settled:
-    """`place` of every node of the graph that is in the row before a function starts, -1 for others; `nodes` are those
-    among them that are computed from others. Parameters stand from the place `parameters` on, what belongs to the
-    function alone from `first` on."""
+def words_of(
+    nodes: Nodes, blocks: Sequence[Sequence[int]], settled: Settled, kept: Ints | None = None
+) -> tuple[Ints, int]:
+    """The instructions that fill the result arrays `blocks`, and the length of the row that they need.
 
-    place: Ints
-    nodes: frozenset[int]
-    parameters: int
-    first: int
-
-
-def words_of(nodes: Nodes, blocks: Sequence[Sequence[int]], settled: Settled) -> tuple[Ints, int]:
-    """The instructions that fill the result arrays `blocks`, and the length of the row that they need."""
+    The nodes `kept`, ascending, are put into places in a row: the last ones before those of the function itself.
+    """
     elements = [np.array(block, dtype=np.int64) for block in blocks]
-    roots = np.unique(np.concatenate([_NONE, *elements]))
+    kept = _NONE if kept is None else kept
+    roots = np.unique(np.concatenate([_NONE, kept, *elements]))
     live = _live(nodes, roots, settled.nodes)
     known = settled.place[live]
     results = np.searchsorted(live, roots)
     selection = select(nodes, live, known >= 0, results)
+    own = np.searchsorted(live, kept)
+    places = settled.first - len(kept) + np.arange(len(kept))
+    computed = nodes.op[kept] >= FIRST_UNARY
+    known[own[computed]] = places[computed]
     loads, loaded = _loads(nodes, live, known, settled.first)
     body, place, end = _body(selection, known, loaded, results, settled.first)
+    copies = [CODE["MULTIPLY"], np.count_nonzero(~computed)] if not computed.all() else []
+    for to, of in zip(places[~computed].tolist(), place[own[~computed]].tolist(), strict=True):
+        copies += [to, of, ONE]
     stores = [
         _stored(number, place[np.searchsorted(live, block)], block != nodes.graph.zero)
         for number, block in enumerate(elements)
     ]
-    return np.concatenate([*loads, body, *stores, [CODE["END"]]]), end
+    return np.concatenate([*loads, body, np.array(copies, dtype=np.int64), *stores, [CODE["END"]]]), end
 
 
-def words_into(nodes: Nodes, wanted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
-    """The instructions that put the nodes `wanted`, ascending, into their places, after the constants and as many
-    parameters, which have places in a row."""
-    live = _live(nodes, wanted, frozenset())
+def preparation(nodes: Nodes, hoisted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
+    """The instructions that put the nodes `hoisted`, ascending, into their places, after the constants and as many
+    parameters."""
+    live = _live(nodes, hoisted, frozenset())
     at_hand = settled.place[live] >= 0
-    results = np.searchsorted(live, wanted)
+    results = np.searchsorted(live, hoisted)
     at_hand[results] = False
     selection = select(nodes, live, at_hand, results)
     body, _, end = _body(selection, settled.place[live], _NONE, results, settled.first)

@@ -75,7 +75,7 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     const lag_run_options *options = &run->options;
     double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock + options->clocks, own);
-    lag_alert_place(&run->alert, &run->motion, run->instants.contacts.slack, lag_take(memory, lag_alert_memory(model)));
+    lag_alert_place(&run->alert, &run->motion, &run->instants.contacts, &run->instants.noise, lag_take(memory, lag_alert_memory(model)));
     run->instants.passes.tell = tell;
     run->instants.passes.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length

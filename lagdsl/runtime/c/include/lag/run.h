@@ -40,7 +40,7 @@ typedef struct lag_event {
 typedef struct lag_run_options {
     double tolerance;         /* of the motion as a whole; 0: 1e-8 */
     const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
-    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound (with events: a fiftieth of `length`) */
+    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound */
     double h_fixed;           /* that of methods which do not choose it */
     double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
 
@@ -197,6 +197,7 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
  */
 lag_status lag_run_enter(lag_run *run);
 lag_status lag_run_event(lag_run *run, double h, const double *changed);
+lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed); /* with the ticks that are due */
 lag_status lag_run_ticks(lag_run *run);
 int lag_run_due(const lag_run *run, double t);
 
@@ -238,6 +239,13 @@ lag_status lag_run_finish(lag_run *run, double stop);
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
     double *memory);
 
+/*
+ * Between two calls: the functions of `model` from now on, another filling of the same equations, such as compiled C after a tape.
+ * `workspace` (model->workspace) and the model must outlive the run, which can no longer be saved. Where both round alike, the motion
+ * is the same to the bit. LAG_FOREIGN: it is another model.
+ */
+lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspace);
+
 void lag_run_tell(const lag_run *run, lag_run_report *report);
 
 /* Why a run ended with a status that is not LAG_OK. */
@@ -271,6 +279,9 @@ size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 lag_status lag_run_watch(lag_run *run, double t, const double *x);
 /* The state x at time t is lost: what lag_run_explain() tells of. */
 void lag_run_lose(lag_run *run, double t, const double *x);
+/* Whether its model is another than the one that it was placed with. */
+int lag_run_is_changed(const lag_run *run);
+
 /* Whether it goes across singular positions by itself. */
 int lag_run_crosses(const lag_model *model, const lag_run_options *options);
 
@@ -284,7 +295,7 @@ lag_status lag_run_crossing(lag_run *run, double *t);
 double lag_run_instant(const lag_run *run);
 /* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
 lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
-/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what. */
+/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what (see lag/scan.h). */
 lag_status lag_run_happening(lag_run *run, double *t);
 /* The state on the constraints at a time within the last step. */
 lag_status lag_run_inside(lag_run *run, double t, double *x);

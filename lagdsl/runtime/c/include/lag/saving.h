@@ -34,7 +34,7 @@ void lag_run_record(lag_run *run, lag_record *record);
 /* The same with signature and sum around it. Any alignment does. */
 size_t lag_run_saved_size(const lag_model *model, const lag_run_options *options);
 void lag_run_save(const lag_run *run, unsigned char *bytes);
-/* LAG_FOREIGN: the run stays as it is. */
+/* LAG_FOREIGN: the run stays as it is. So it does after lag_run_change(), of the run or of the one that was saved. */
 lag_status lag_run_load(lag_run *run, const unsigned char *bytes);
 
 #endif
