@@ -20,6 +20,8 @@ Kind = Literal["impact", "closed", "opened", "tick"]
 TOLERANCE = 1e-10
 # What both tell by one name. Relations that are located may be others in an oracle that knows of corners only.
 TOLD = ("impact", "closed", "opened", "tick")
+# Nearer to each other than this events crowd.
+CROWDED = 1e-5
 # States may differ by so many times what the engine differs from itself, or by this part of the range.
 PART = 1e-7
 
@@ -74,10 +76,13 @@ def _parting(run: Run, others: list[tuple[float, str, str]]) -> tuple[float, str
 
 
 def _instants(events: list[tuple[float, str, str]]) -> list[tuple[float, list[tuple[str, str]]]]:
+    """Events by instant; bounces that crowd before a contact rests, and their end that is told, are one."""
     found: list[tuple[float, list[tuple[str, str]]]] = []
+    last = -np.inf
     for time, name, kind in events:
-        if not found or time - found[-1][0] > INSTANT:
+        if time - last > CROWDED:
             found.append((time, []))
+        last = time
         found[-1][1].append((name, kind))
     return [(t, _named(names)) for t, names in found]
 
@@ -86,8 +91,8 @@ def _named(names: list[tuple[str, str]]) -> list[tuple[str, str]]:
     """Where several contacts strike at once, the order of their blows tells what each of them is called; the rates
     after it tell whether that was right."""
     contacts = sorted({name for name, kind in names if kind != "tick"})
-    if len(contacts) < 2:
-        return sorted(names)
+    if len(names) < 2:
+        return names
     return sorted([*((name, kind) for name, kind in names if kind == "tick"), *((name, "struck") for name in contacts)])
 
 

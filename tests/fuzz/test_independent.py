@@ -15,7 +15,7 @@ from fuzz.harder_models import harder_model
 from fuzz.independent import compare
 
 EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))
-COUNT = 1000 if EXPLORE else 8
+COUNT = 1000 if EXPLORE else 5
 MOST_GRAZING = 0.1
 
 

@@ -46,8 +46,7 @@ class _Run:
     def __init__(self, system: System, times: Sequence[float], known: Sequence[float], least: float) -> None:
         self._least = least * _LEAST
         self._system, self._times, self._known = system, times, known
-        count = len(system.contacts)
-        self._memory = Memory(np.zeros(count), np.full(count, -np.inf), np.abs(system.start.v))
+        self._memory = Memory(np.abs(system.start.v))
         self._instant = Instant(system, self._memory)
         self._motion = Motion()
 
@@ -61,7 +60,7 @@ class _Run:
         s, b = self._at_start(s, b)
         while s.t < system.length and not self._memory.ended:
             s, b = self._mode(s, b)
-        self._motion.told = self._memory.told
+        self._motion.told = sorted(self._memory.told, key=lambda each: each.time)
         return self._motion
 
     def _at_start(self, s: State, b: list[float]) -> tuple[State, list[float]]:
