@@ -13,7 +13,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from random_programs import EXACT, SMOOTH, SYMBOLS, Step, as_outputs, grow, steps, values
 
-from lagdsl.backends.c.emit import Start
+from lagdsl.backends.start import Start
 from lagdsl.backends.tape.emit import SIZES, tape
 from lagdsl.backends.tape.instructions import ANGLES, CODE
 from lagdsl.diagnostics import Sink

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from lagdsl.backends.c.emit import Start
+from lagdsl.backends.start import Start
 from lagdsl.backends.tape.function import preparation, words_of
 from lagdsl.backends.tape.nodes import Ints, Nodes, nodes_of
 from lagdsl.backends.tape.settled import Settled, settle

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from lagdsl.backends.tape.instructions import CODE, GROUPS, THREE_PRODUCTS, TWO_PRODUCTS
-from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
+from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.backends.tape.registers import places
 from lagdsl.backends.tape.schedule import groups
 from lagdsl.backends.tape.selection import Selection, select
@@ -27,7 +27,7 @@ def words_of(
     """
     elements = [np.array(block, dtype=np.int64) for block in blocks]
     kept = _NONE if kept is None else kept
-    roots = np.unique(np.concatenate([_NONE, kept, *elements]))
+    roots = distinct(np.concatenate([_NONE, kept, *elements]))
     live = _live(nodes, roots, settled.nodes)
     known = settled.place[live]
     results = np.searchsorted(live, roots)
@@ -76,7 +76,7 @@ def _loads(nodes: Nodes, live: Ints, known: Ints, first: int) -> tuple[list[Ints
     groups, indices = nodes.operands[0, live[symbols]], nodes.operands[1, live[symbols]]
     loads: list[Ints] = []
     loaded: list[Ints] = []
-    for group in np.unique(groups).tolist():
+    for group in distinct(groups).tolist():
         members, own = symbols[groups == group], indices[groups == group]
         start = int(own.min())
         row = np.full(int(own.max()) + 1 - start, -1, dtype=np.int64)

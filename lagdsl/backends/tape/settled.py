@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
+from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.graph.operation import FIRST_UNARY, Group, Op
 from lagdsl.program.program import Function, Program
+from lagdsl.record import record
 
 # Where one and minus one stand: first among the constants.
 ONE = 0
@@ -17,7 +17,7 @@ MINUS_ONE = 1
 _PARAMETER = 1 << Group.P
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Settled:
     """`place` of every node of the graph that is in the row, -1 for others; `nodes` are those among them that are
     computed from others. Parameters stand from the place `parameters` on, what belongs to the function alone from
@@ -38,7 +38,7 @@ class Settled:
 def settle(program: Program, nodes: Nodes, functions: Sequence[Function]) -> tuple[Settled, list[float], Ints]:
     """Constants, parameters and what follows from these alone; the constants; and the nodes that prepare() computes."""
     graph = program.graph
-    roots = np.unique([node for f in functions for block in f.results for node in block.elements]).astype(np.int64)
+    roots = distinct(np.array([node for f in functions for b in f.results for node in b.elements], dtype=np.int64))
     live = np.array(graph.live(roots.tolist()), dtype=np.int64)
     hoisted = _hoisted(nodes, live, roots, nodes.groups & ~_PARAMETER == 0)
     numbers = live[nodes.op[live] == Op.CONSTANT]
@@ -54,5 +54,5 @@ def settle(program: Program, nodes: Nodes, functions: Sequence[Function]) -> tup
 def _hoisted(nodes: Nodes, live: Ints, roots: Ints, alone: Flags) -> Ints:
     """Nodes computed from parameters alone that something else is computed from, or that are results; ascending."""
     operands = nodes.operands[:, live[~alone[live] & (nodes.op[live] >= FIRST_UNARY)]].ravel()
-    wanted = np.union1d(operands[operands >= 0], roots)
+    wanted = distinct(np.concatenate([operands[operands >= 0], roots]))
     return wanted[alone[wanted] & (nodes.op[wanted] >= FIRST_UNARY)]

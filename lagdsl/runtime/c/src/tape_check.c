@@ -1,21 +1,13 @@
 /* Looking at every word of a tape before any is run. */
 #include "lag/tape_model.h"
 
-/* Lengths that results are written in: sizes, or ONE for a single number. */
 enum { ONE = LAG_TAPE_NUMBER_OF_SIZES };
-
-/* What a function reads, one bit by group of arguments, and its results with their rows and columns. */
-typedef struct signature {
-    uint32_t arguments;
-    unsigned char count;
-    unsigned char results[LAG_TAPE_RESULTS][2];
-} signature;
 
 #define NUMBER {ONE, ONE}
 #define VECTOR(length) {LAG_TAPE_##length, ONE}
 #define MATRIX(rows, columns) {LAG_TAPE_##rows, LAG_TAPE_##columns}
 
-static const signature SIGNATURES[LAG_TAPE_ALONG] = {
+static const lag_tape_signature SIGNATURES[LAG_TAPE_ALONG] = {
     {1u << LAG_TAPE_PARAMETERS, 0, {NUMBER}},
     /* ---- the functions, generated ---- */
     [1 + LAG_START] = {0x0041, 4, {VECTOR(NQ), VECTOR(NQ), VECTOR(NZ), VECTOR(NU)}},
@@ -63,7 +55,7 @@ static const signature SIGNATURES[LAG_TAPE_ALONG] = {
 #define ALONG 0xfe00
 
 /* In the order of lag_tangents. */
-static const signature SIGNATURES_ALONG[LAG_TAPE_ALONG_COUNT] = {
+static const lag_tape_signature SIGNATURES_ALONG[LAG_TAPE_ALONG_COUNT] = {
     {0x01ff, 0, {NUMBER}},
     {ALONG, 2, {VECTOR(NQ), VECTOR(NC)}},
     {ALONG, 4, {VECTOR(NQ), VECTOR(NC), VECTOR(NK), NUMBER}},
@@ -72,15 +64,14 @@ static const signature SIGNATURES_ALONG[LAG_TAPE_ALONG_COUNT] = {
 };
 
 /* Instead of the first of them, where no multiplier is left to run time. */
-static const signature MOTION = {0x007f, 3, {VECTOR(NQ), VECTOR(NC), NUMBER}};
+static const lag_tape_signature MOTION = {0x007f, 3, {VECTOR(NQ), VECTOR(NC), NUMBER}};
 
 static uint64_t length_of(const uint32_t *size, unsigned which)
 {
     return which == ONE ? 1u : size[which];
 }
 
-/* Entries of a group of arguments. */
-static uint64_t argument_length(const uint32_t *size, uint32_t group)
+uint64_t lag_tape_argument_length(const uint32_t *size, uint32_t group)
 {
     static const unsigned char which[LAG_TAPE_GROUPS] = {
         ONE, LAG_TAPE_NQ, LAG_TAPE_NQ, LAG_TAPE_NZ, LAG_TAPE_NU, LAG_TAPE_NW, LAG_TAPE_NP, LAG_TAPE_NQ, LAG_TAPE_NC,
@@ -88,12 +79,26 @@ static uint64_t argument_length(const uint32_t *size, uint32_t group)
     return length_of(size, which[group]);
 }
 
+uint64_t lag_tape_result_length(const uint32_t *size, const lag_tape_signature *of, uint32_t which)
+{
+    return length_of(size, of->results[which][0]) * length_of(size, of->results[which][1]);
+}
+
+const lag_tape_signature *lag_tape_signature_of(const lag_tape_parts *parts, size_t function)
+{
+    if (function < LAG_TAPE_ALONG) {
+        return SIGNATURES + function;
+    }
+    const size_t which = (function - LAG_TAPE_ALONG) % LAG_TAPE_ALONG_COUNT;
+    return which == LAG_TAPE_PRIMAL && lag_tape_moves(parts) ? &MOTION : SIGNATURES_ALONG + which;
+}
+
 /* What is looked at: words up to `end`, of a function that may write from `first` on in a row of `row` places. */
 typedef struct view {
     const uint32_t *word, *end;
     const uint32_t *size;
     uint64_t first, row, constants;
-    const signature *own; /* of the function */
+    const lag_tape_signature *own; /* of the function */
 } view;
 
 /* Whether `count` words follow the present one. */
@@ -132,15 +137,8 @@ static uint64_t load(const view *at)
     if (!enough(at, 4) || w[1] >= LAG_TAPE_GROUPS || (at->own->arguments >> w[1] & 1u) == 0) {
         return 0;
     }
-    const uint64_t length = argument_length(at->size, w[1]);
+    const uint64_t length = lag_tape_argument_length(at->size, w[1]);
     return w[2] <= length && w[3] <= length - w[2] && writable(at, w[4], w[3]) ? 5 : 0;
-}
-
-/* Entries of a result of the function. */
-static uint64_t result_length(const view *at, uint32_t which)
-{
-    const unsigned char *shape = at->own->results[which];
-    return length_of(at->size, shape[0]) * length_of(at->size, shape[1]);
 }
 
 static uint64_t store(const view *at)
@@ -149,14 +147,14 @@ static uint64_t store(const view *at)
     if (!enough(at, 3) || w[1] >= at->own->count || !enough(at, 3 + (uint64_t)w[3])) {
         return 0;
     }
-    const uint64_t length = result_length(at, w[1]);
+    const uint64_t length = lag_tape_result_length(at->size, at->own, w[1]);
     return w[2] <= length && w[3] <= length - w[2] && readable(at, w + 4, w[3]) ? 4 + (uint64_t)w[3] : 0;
 }
 
 static uint64_t scatter(const view *at)
 {
     const uint32_t *w = at->word;
-    if (!enough(at, 3) || w[1] >= at->own->count || !enough(at, 3 + 2 * (uint64_t)w[3]) || w[2] > result_length(at, w[1])) {
+    if (!enough(at, 3) || w[1] >= at->own->count || !enough(at, 3 + 2 * (uint64_t)w[3]) || w[2] > lag_tape_result_length(at->size, at->own, w[1])) {
         return 0;
     }
     for (uint32_t i = 0; i < w[3]; ++i) {
@@ -237,18 +235,11 @@ static int function_runs(view *at)
 static void look_at(view *at, const lag_tape_parts *parts, size_t function)
 {
     const uint32_t *size = parts->size;
+    at->own = lag_tape_signature_of(parts, function);
     at->first = function == 0 ? 0 : size[LAG_TAPE_PREPARED];
     at->row = size[LAG_TAPE_ROW];
-    if (function < LAG_TAPE_ALONG) {
-        at->own = SIGNATURES + function;
-        return;
-    }
-    const size_t part = (function - LAG_TAPE_ALONG) / LAG_TAPE_ALONG_COUNT;
-    const size_t which = (function - LAG_TAPE_ALONG) % LAG_TAPE_ALONG_COUNT;
-    at->own = SIGNATURES_ALONG + which;
-    if (which == LAG_TAPE_PRIMAL) {
-        at->own = lag_tape_moves(parts) ? &MOTION : at->own;
-    } else {
+    if (function >= LAG_TAPE_ALONG && (function - LAG_TAPE_ALONG) % LAG_TAPE_ALONG_COUNT != LAG_TAPE_PRIMAL) {
+        const size_t part = (function - LAG_TAPE_ALONG) / LAG_TAPE_ALONG_COUNT;
         at->first = size[LAG_TAPE_SHARED + 2 * part];
         at->row = size[LAG_TAPE_ALONG_ROW + 2 * part];
     }

@@ -47,6 +47,23 @@ typedef struct lag_tape_parts {
     const uint32_t *size; /* (LAG_TAPE_NUMBER_OF_SIZES) */
 } lag_tape_parts;
 
+/*
+ * What a function reads, one bit by group of arguments, and how many results it has, with their rows and columns: sizes, or
+ * LAG_TAPE_NUMBER_OF_SIZES for a single one.
+ */
+typedef struct lag_tape_signature {
+    uint32_t arguments;
+    unsigned char count;
+    unsigned char results[LAG_TAPE_RESULTS][2];
+} lag_tape_signature;
+
+/* Of the function in that place of LAG_TAPE_FUNCTIONS. */
+const lag_tape_signature *lag_tape_signature_of(const lag_tape_parts *parts, size_t function);
+
+/* Entries of a group of arguments, and of a result. */
+uint64_t lag_tape_argument_length(const uint32_t *size, uint32_t group);
+uint64_t lag_tape_result_length(const uint32_t *size, const lag_tape_signature *of, uint32_t which);
+
 /* Whether primal() tells the motion, too: no multiplier is left to run time. */
 static inline int lag_tape_moves(const lag_tape_parts *parts)
 {
