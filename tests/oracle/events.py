@@ -14,8 +14,8 @@ from oracle.state import AHEAD, NOW, State, System
 _PASSES = 100
 # What is told of a contact that struck, by whether it was closed and whether it stays.
 _KINDS = {(False, True): "closed", (False, False): "impact", (True, True): "impact", (True, False): "opened"}
-# Of the run: how long bounces may still go on in a contact that is at rest; of that, how long one flight of bounces that
-# do not become shorter.
+# Of the run: how long bounces may still go on in a contact that is at rest; of that, how long the next flight is
+# where bounces do not become shorter.
 _REST, _SHORT = 1e-6, 1e-3
 _ZERO = 1e-10
 
