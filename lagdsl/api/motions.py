@@ -13,10 +13,10 @@ from lagdsl.record import record
 from lagdsl.runtime.cores import cores
 from lagdsl.runtime.engine import EngineName
 from lagdsl.simulate.signals import Signal
-from lagdsl.sweep.dataset import collect
-from lagdsl.sweep.plan import Task
+from lagdsl.sweep.dataset import collect, require_room
+from lagdsl.sweep.plan import Task, require_few
 from lagdsl.sweep.run import Options, Outcome, Subject
-from lagdsl.sweep.sweep import options_of, times_of
+from lagdsl.sweep.sweep import options_of, times_of, width_of
 from lagdsl.sweep.threads import in_threads
 
 
@@ -74,6 +74,8 @@ def simulate_many(
     subjects = [Subject(flat=compilation.flat, program=compilation.program)]
     times = times_of(subjects, options)
     count, (chosen, starts) = _runs(parameters, start)
+    require_few(count)
+    require_room(count, len(times), width_of(subjects, options), None)
     tasks = (
         Task(
             index=k,

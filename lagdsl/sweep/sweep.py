@@ -60,7 +60,7 @@ def sweep(
     if flat is None:
         raise ValueError(subjects[0].fault)
     times = times_of(subjects, options)
-    require_room(plan.runs, len(times), _width(subjects, options), work.output)
+    require_room(plan.runs, len(times), width_of(subjects, options), work.output)
     if work.output is None:
         if work.resume:
             raise ValueError("only a sweep with an output can be resumed")
@@ -129,7 +129,7 @@ def _require_own(path: Path, fingerprint: str, resume: bool) -> None:
         raise Unfinished(f"{path} belongs to another sweep: model, values or options have changed; delete that file")
 
 
-def _width(subjects: Sequence[Subject], options: Options) -> int:
+def width_of(subjects: Sequence[Subject], options: Options) -> int:
     """Number of columns that every run has at most."""
     if options.columns is not None:
         return len(options.columns)

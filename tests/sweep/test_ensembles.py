@@ -143,6 +143,8 @@ class TestSimulateMany:
             ({"start": {"h": [[1.0]]}}, ValueError, "sequence of numbers"),
             ({"start": {"h": [1, 2], "der(h)": [1, 2, 3]}}, ValueError, "`h` has 2, `der"),
             ({"start": {"h": [1, 2]}, "threads": 0}, ValueError, "at least 1"),
+            ({"start": {"h": [1] * 1_000_001}}, ValueError, "at most 1000000"),
+            ({"start": {"h": [1] * 1_000_000}, "stop": 1, "interval": 1e-6}, ValueError, "fewer runs, fewer rows"),
         ],
     )
     def test_what_does_not_fit_is_told(

@@ -11,12 +11,12 @@ import numpy as np
 
 from lagdsl.backends.start import Start
 from lagdsl.backends.tape.function import preparation, words_of
-from lagdsl.backends.tape.nodes import Ints, Nodes, nodes_of
+from lagdsl.backends.tape.nodes import Ints, Nodes, distinct, live_sets, nodes_of
 from lagdsl.backends.tape.settled import Settled, settle
 from lagdsl.flat.events import INITIAL
 from lagdsl.program import functions as known
 from lagdsl.program.passes.along import Along, along, elements, shared
-from lagdsl.program.program import Function, Layout, Program, Slot
+from lagdsl.program.program import Layout, Program, Slot
 from lagdsl.program.verify import counted, sizes
 
 VERSION: Final = 1
@@ -47,17 +47,30 @@ def tape(program: Program, start: Start | None = None, parts: Collection[str] = 
     """
     found = [along(program, parameters=part == PARTS[1]) if part in parts else None for part in PARTS]
     nodes = nodes_of(program.graph)
-    functions = [program.function(name) if program.has(name) else None for name in FUNCTIONS]
-    several = [function for each in found if each is not None for function in each.functions.values()]
-    settled, constants, hoisted = settle(program, nodes, [f for f in functions if f is not None] + several)
-    codes, row = _codes(program, nodes, functions, settled, hoisted)
+    single = [program.function(name).results if program.has(name) else () for name in FUNCTIONS]
+    several = [each.functions[name].results for each in found if each is not None for name in each.functions]
+    blocks = [[np.array(block.elements, dtype=np.int64) for block in results] for results in (*single, *several)]
+    roots = [distinct(len(nodes.op), *own) for own in blocks]
+    lives = live_sets(nodes, roots)
+    settled, constants, hoisted = settle(nodes, len(program.layout.parameters), lives, roots)
+    (live,) = live_sets(nodes, [hoisted])
+    first, row = preparation(nodes, live, hoisted, settled, len(program.layout.parameters))
+    codes, ends = [first], [row]
+    made: dict[tuple[tuple[int, bytes], ...], tuple[Ints, int]] = {}  # without constraints two functions are one
+    for name, live, own in zip(FUNCTIONS, lives, blocks, strict=False):
+        key = tuple((number, block.tobytes()) for number, block in enumerate(own) if len(block))
+        if program.has(name) and key not in made:
+            made[key] = words_of(nodes, live, own, settled)
+        words, end = made[key] if program.has(name) else (_NONE, 0)
+        codes.append(words)
+        ends.append(end)
     rows = []
     for each in found:
-        words, single, shared_end, own = _codes_along(program, nodes, each, settled)
-        codes += words
-        row = max(row, single)
-        rows += [shared_end, own]
-    return _written(program, constants, start, codes, [row, settled.first, *rows])
+        words_along, end, shared_end, own_row = _codes_along(nodes, each, settled)
+        codes += words_along
+        ends.append(end)
+        rows += [shared_end, own_row]
+    return _written(program, constants, start, codes, [max(ends), settled.first, *rows])
 
 
 def _written(
@@ -66,6 +79,7 @@ def _written(
     """All sections."""
     texts = _Texts()
     layout = program.layout
+    table, words = _written_once(codes)
     lengths = {
         **sizes(layout),
         **counted(program),
@@ -84,8 +98,8 @@ def _written(
             _words(texts.of_slots(_slots(layout))),
             _words(map(texts.place, _messages(layout))),
             texts.section(),
-            _words(_table(codes)),
-            _words(np.concatenate([*codes, _NONE])),
+            _words(table),
+            _words(words),
         ]
     )
 
@@ -95,48 +109,47 @@ def _written(
 _NONE: Ints = np.zeros(0, dtype=np.int64)
 
 
-def _codes(
-    program: Program, nodes: Nodes, functions: Sequence[Function | None], settled: Settled, hoisted: Ints
-) -> tuple[list[Ints], int]:
-    """The words of prepare() and of every function, none where the program lacks it; and the length of the row."""
-    first, row = preparation(nodes, hoisted, settled, len(program.layout.parameters))
-    codes = [first]
-    for function in functions:
-        words = _NONE
-        if function is not None:
-            words, end = words_of(nodes, [block.elements for block in function.results], settled)
-            row = max(row, end)
-        codes.append(words)
-    return codes, row
-
-
-def _codes_along(
-    program: Program, nodes: Nodes, found: Along | None, settled: Settled
-) -> tuple[list[Ints], int, int, int]:
+def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[list[Ints], int, int, int]:
     """The words of the functions of several directions; the row of what they share, how much that is, their own row."""
     if found is None:
         return [_NONE] * (1 + len(ALONG)), 0, 0, 0
-    common = np.array(shared(program.graph, elements(found.functions.values()), settled.nodes), dtype=np.int64)
-    common = common[settled.place[common] < 0]
+    functions = [found.functions[name] for name in ALONG if name in found.functions]
+    common = np.array(shared(nodes.graph, elements(functions), ()), dtype=np.int64)
+    common = common[(settled.place[common] < 0) & ~settled.hidden[common]]
     after = settled.with_more(common)
     before = replace(settled, first=after.first)
-    primal, single = words_of(nodes, [block.elements for block in found.motion], before, common)
+    motion = [np.array(block.elements, dtype=np.int64) for block in found.motion]
+    (live,) = live_sets(nodes, [distinct(len(nodes.op), common, *motion)])
+    primal, single = words_of(nodes, live, motion, before, common)
     codes, row = [primal], after.first
     for name in ALONG:
         words = _NONE
         if name in found.functions:
-            words, end = words_of(nodes, [block.elements for block in found.functions[name].results], after)
+            own = [np.array(block.elements, dtype=np.int64) for block in found.functions[name].results]
+            live = _reached(nodes, distinct(len(nodes.op), *own), after)
+            words, end = words_of(nodes, live, own, after)
             row = max(row, end)
         codes.append(words)
     return codes, single, after.first, row
 
 
-def _table(codes: Sequence[Ints]) -> Iterable[int]:
-    """First word and number of words of every function."""
-    first = 0
-    for words in codes:
-        yield from (first, len(words))
-        first += len(words)
+def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
+    """What `roots` are computed from, as far as what is in the row."""
+    given = frozenset(np.flatnonzero(settled.place >= 0).tolist())
+    return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
+
+
+def _written_once(codes: Sequence[Ints]) -> tuple[list[int], Ints]:
+    """First word and number of words of every function, and all words; those of the same array stand there once."""
+    table: list[int] = []
+    start: dict[int, int] = {}
+    words: list[Ints] = [_NONE]
+    for code in codes:
+        if id(code) not in start:
+            start[id(code)] = sum(map(len, words))
+            words.append(code)
+        table += (start[id(code)], len(code))
+    return table, np.concatenate(words)
 
 
 # ---- tables ----------------------------------------------------------------------------------------------------------

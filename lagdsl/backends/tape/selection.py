@@ -113,7 +113,9 @@ def _take_in(made: Ints, code: Ints, own: Ints, signs: Ints, once: Flags) -> Int
     own[outer, 4], own[outer, 5] = last
     signs[outer] += 2 * signs[inner]
     code[outer] = THREE_PRODUCTS
-    return np.delete(np.arange(len(made)), inner)
+    remains = np.ones(len(made), dtype=np.bool_)
+    remains[inner] = False
+    return np.flatnonzero(remains)
 
 
 def _apart(pairs: Ints, count: int) -> Ints:
@@ -133,7 +135,7 @@ def _turns(op: Ints, operands: Ints, turned: Flags, computed: Flags) -> tuple[Tu
     where = np.flatnonzero(turned)
     if not len(where):
         return ()
-    angles = distinct(operands[0, where])
+    angles = distinct(len(op), operands[0, where])
     values = np.full((2, len(turned)), -1, dtype=np.int64)
     values[np.where(op[where] == Op.SIN, 0, 1), operands[0, where]] = where
     level = _levels(operands, turned, computed, angles)
