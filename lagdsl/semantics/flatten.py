@@ -203,7 +203,7 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     warn_unused(ctx, contents.symbols)
     check_events(flat, dependence, ctx.sink)
     check_limits(flat, {}, ctx.sink)
-    check_corners(ctx.corners, flat, ctx.sink)
+    check_corners(ctx.corners, flat, dependence, ctx.sink)
     check_changing_inertia(flat, dependence, ctx.sink)
     if ctx.jump is not None:
         ctx.sink.report("N0309", ctx.jump.span, name=ctx.jump.function.span.text)

@@ -13,6 +13,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.events import Relation
 from lagdsl.flat.traversal import operands, step_expressions
 from lagdsl.source import Span
 
@@ -21,9 +22,10 @@ Corner = tuple[fx.FlatExpression, Span]
 _JUMPING = ("floor", "ceil", "mod")
 
 
-def check_corners(corners: Sequence[Corner], flat: fm.FlatModel, sink: Sink) -> None:
+def check_corners(corners: Sequence[Corner], flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """W0520 for each text with a corner over which velocities or energies jump; `corners` are those that move."""
-    if not corners:
+    branching = _relations_of_the_motion(flat, dependence)
+    if not corners and not branching:
         return
     places = [mass.position for mass in flat.masses] + [fx.FrameOrigin(body.frame) for body in flat.bodies]
     energies = [term.value for term in flat.energies if term.kind != "dissipation"]
@@ -33,8 +35,11 @@ def check_corners(corners: Sequence[Corner], flat: fm.FlatModel, sink: Sink) -> 
         ("velocities of masses jump", [*places, *differentiated], False),
         ("an energy jumps", energies, True),
     ):
-        found = {id(x) for x in _reached(flat, roots)}
+        found = {id(x): x for x in _reached(flat, roots)}
         told: set[Span] = set()
+        for name in [] if jumps_only else dict.fromkeys(x.name for x in found.values() if isinstance(x, fx.Variable)):
+            if name in branching:
+                sink.report("W0520", branching[name].spans[0], name=branching[name].spans[0].text, what=what)
         for expression, span in corners:
             if id(expression) in found and span not in told and (_jumps(expression) or not jumps_only):
                 told.add(span)
@@ -50,6 +55,16 @@ def check_changing_inertia(flat: fm.FlatModel, dependence: Dependence, sink: Sin
     for discrete in flat.events.discretes:
         if discrete.name in found:
             sink.report("N0521", discrete.spans[0], name=discrete.name)
+
+
+def _relations_of_the_motion(flat: fm.FlatModel, dependence: Dependence) -> dict[str, Relation]:
+    """Relations that coordinates or states turn, by name."""
+    moving = {item.name for item in (*flat.coordinates, *flat.states)}
+    return {
+        each.name: each
+        for each in flat.events.relations
+        if each.spans and not moving.isdisjoint(dependence.of(each.difference))
+    }
 
 
 def _jumps(expression: fx.FlatExpression) -> bool:
