@@ -56,9 +56,14 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_saved_size": (_SIZE, (_AT, _AT)),
     "run_save": (None, (_AT, _AT)),
     "run_load": (_STATUS, (_AT, _AT)),
+    "ensemble_size": (_SIZE, (_AT,)),
+    "ensemble_width": (_SIZE, (_AT,)),
+    "ensemble_run": (_SIZE, (_AT, _SIZE, _SIZE, _AT)),
     "tape_check": (_STATUS, (_AT, _SIZE, _AT)),
     "tape_model": (_AT, (_AT, _SIZE, _AT)),
     "tape_start": (_AT, (_AT,)),
+    "tape_states": (_AT, (_AT,)),
+    "tape_tangents": (_AT, (_AT, c_int)),
 }
 
 

@@ -43,7 +43,7 @@ static void go(lag_fixed_step *step, const lag_ode *ode, size_t nq, double stop,
 
 static void order(lag_fixed_step *step, const char *name, double nominal)
 {
-    static const lag_ode ode = {3, NULL, driven_rates, driven_jacobian, 0};
+    static const lag_ode ode = {3, NULL, driven_rates, driven_jacobian};
     double error[2] = {0.0, 0.0};
     double exact[3] = {0.5, 0.0, 0.2};
     go(lag_rk4, &ode, 1, 2.0, 2000, exact);
@@ -70,7 +70,7 @@ static lag_status pendulum_rates(void *context, double t, const double *x, doubl
 /* 2000 s of a pendulum at 25 steps per swing: the energy comes back. */
 static void the_leapfrog_keeps_energy(void)
 {
-    static const lag_ode ode = {2, NULL, pendulum_rates, NULL, 0};
+    static const lag_ode ode = {2, NULL, pendulum_rates, NULL};
     double x[2] = {1.0, 0.0};
     double most = 0.0;
     for (size_t i = 0; i < 8000; ++i) {
@@ -84,7 +84,7 @@ static void the_leapfrog_keeps_energy(void)
 static void the_rosenbrock_method_is_stable(void)
 {
     static double epsilon = 1e-6;
-    static const lag_ode ode = {2, &epsilon, van_der_pol_rates, van_der_pol_jacobian, 0};
+    static const lag_ode ode = {2, &epsilon, van_der_pol_rates, van_der_pol_jacobian};
     double x[2] = {2.0, -0.66};
     go(lag_ros2, &ode, 1, 0.5, 500, x);
     CHECK_NEAR(x[1], x[0] / (1.0 - x[0] * x[0]), 1e-4);
@@ -108,7 +108,7 @@ static lag_status one_jacobian(void *context, double t, const double *x, double 
 
 static void what_fails_changes_nothing(lag_fixed_step *step)
 {
-    static const lag_ode ode = {1, NULL, failing_rates, one_jacobian, 0};
+    static const lag_ode ode = {1, NULL, failing_rates, one_jacobian};
     double x[1] = {1.0};
     CHECK(step(&ode, 0, 0.0, 0.4, x, memory) == LAG_OK);
     const double before = x[0];

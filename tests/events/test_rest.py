@@ -49,7 +49,7 @@ def test_rest_knows_no_scale(height: float, mass: float) -> None:
 
 @pytest.mark.parametrize("ground", [-3.0, 1.0, 1e5, 1e9])
 def test_rest_far_from_zero(ground: float) -> None:
-    """Bounces end where they are lower than the round-off of the position; a fall through that is the error of the time."""
+    """Bounces end where they are lower than round-off of the position: a fall through that is the error of the time."""
     exact = 3.0 * sqrt(2.0 / G)
     motion = lagdsl.compile(BALL, engine="c").simulate(stop=2.0, parameters={"ground": ground})
     assert closing(motion) == pytest.approx(exact, abs=1e-9 + sqrt(2.0 * np.spacing(abs(ground)) / G))

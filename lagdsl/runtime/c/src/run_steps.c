@@ -54,13 +54,15 @@ static lag_status look_around(lag_run *run, double limit, double *shorter)
 {
     lag_stepper *s = &run->stepper;
     lag_status status = lag_look_at(&run->look, run->projection.jacobian);
-    if (status != LAG_ATTENTION || !lag_run_crosses(run->motion.model, &run->options)) {
+    if (status != LAG_ATTENTION) {
         return status;
     }
     status = lag_singular_after(&run->singular, limit, shorter);
     if (status == LAG_ATTENTION && *shorter > s->h_least) {
         lag_stepper_undo(s, *shorter);
         status = LAG_TOO_LONG;
+    } else if (status == LAG_ATTENTION) {
+        status = LAG_STUCK;
     }
     const lag_status seen = see(run);
     return status == LAG_OK && seen != LAG_ATTENTION ? seen : status;
@@ -100,7 +102,7 @@ static lag_status step_once(lag_run *run, double limit)
         if (status == LAG_OFF) {
             lag_run_lose(run, s->t, s->x);
         }
-        if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
+        if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
             status = look_around(run, limit, &shorter);
         }
         if (status == LAG_TOO_LONG) {
@@ -280,9 +282,9 @@ lag_status lag_run_restart(lag_run *run, double stop)
     if (status == LAG_OK) {
         status = restart(run, s->method, stop - s->t);
     }
-    if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
+    if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
         status = see(run);
-        if (lag_run_crosses(run->motion.model, &run->options) && (status == LAG_OK || status == LAG_ATTENTION)) {
+        if (status == LAG_OK || status == LAG_ATTENTION) {
             lag_singular_begin(&run->singular, status == LAG_ATTENTION);
             status = LAG_OK;
         }
