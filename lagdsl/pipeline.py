@@ -9,11 +9,12 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
+from lagdsl.record import record
 from lagdsl.runtime.engine import ENGINES, EngineName
 from lagdsl.semantics.flatten import flatten
 from lagdsl.semantics.library import read_source
@@ -36,7 +37,7 @@ Derivation: TypeAlias = Literal["graph", "textbook"]
 _DEEPEST_RECURSION = 20_000
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Compilation:
     """A model that compiled: `diagnostics` are its warnings and notes, `derivation` what the graph route made it of."""
 

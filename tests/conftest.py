@@ -13,7 +13,7 @@ settings.load_profile("explore" if os.environ.get("LAGDSL_EXPLORE") else "same")
 
 ROOT = Path(__file__).parents[1]
 # Whole motions and random models execute what the tests of the floors execute, too: untraced, in a third of the time.
-UNTRACED = ("attack", "benchmarks", "fuzz", "models", "packaging", "physics")
+UNTRACED = ("attack", "benchmarks", "fuzz", "models", "oracle", "packaging", "physics", "properties")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

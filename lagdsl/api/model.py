@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.interface import Interface
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from lagdsl.analysis.trim import Equilibrium
     from lagdsl.analysis.variation import Variation
     from lagdsl.analysis.where import Where
+    from lagdsl.api.motions import Motions
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
     from lagdsl.program.program import Slot
@@ -184,11 +186,10 @@ class Model(Interface):
         happened; what is left out says the model's experiment.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
-        column `time` and one for each input. `solver`: auto, dop853, rk45, radau, bdf, or rk4, leapfrog, ros2 in steps
-        of the length `step`, or cvode, where SUNDIALS is installed. `progress` is called with the part of the time that
-        is done; warnings go to `sink`. Raises CompilationFailed before the first step, SimulationFailed after it, with
-        the motion so far;
-        KeyError and ValueError for arguments that do not fit.
+        column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
+        length `step`. `progress` is called with the part of the time that is done; warnings go to `sink`. Raises
+        CompilationFailed before the first step, SimulationFailed after it, with the motion so far; KeyError and
+        ValueError for arguments that do not fit.
         """
         from lagdsl.api.trajectory import Trajectory
         from lagdsl.simulate.failure import SimulationFailed
@@ -202,7 +203,7 @@ class Model(Interface):
                 interval=interval,
                 tolerance=tolerance,
                 p=self._parameter_vector(parameters),
-                inputs=_signals(inputs),
+                inputs=signals_of(inputs),
                 start=self._start_values(start),
                 solver=solver,
                 step=step,
@@ -213,6 +214,48 @@ class Model(Interface):
             failure.trajectory = Trajectory.of(failure.trajectory)
             raise
         return Trajectory.of(motion)
+
+    def simulate_many(
+        self,
+        *,
+        parameters: Mapping[str, ArrayLike] | None = None,
+        start: Mapping[str, ArrayLike] | None = None,
+        stop: float | None = None,
+        interval: float | None = None,
+        tolerance: float | None = None,
+        inputs: Mapping[str, Signal] | Path | str | None = None,
+        solver: str = "auto",
+        columns: Sequence[str] | None = None,
+        threads: int | None = None,
+        progress: Callable[[float], None] | None = None,
+    ) -> Motions:
+        """Many motions at once, on all cores: run k has entry k of every sequence among the values.
+
+        `motions["theta"]` has the shape (runs, rows), the rows those of `simulate` at `motions.time`, to the bit.
+        `motions.failures` says why which run failed; its rows after that are nan. Names and values are those of
+        `simulate`, numbers or sequences of one length. `columns` are the names to keep, `threads` the number of
+        cores to use. Raises KeyError and ValueError for arguments that do not fit.
+        """
+        from lagdsl.api.motions import simulate_many
+
+        self._start_values(dict.fromkeys(start or {}, 0.0))
+        known("parameter", dict.fromkeys(parameters or {}, 0.0), self.parameters)
+        if threads is not None and threads < 1:
+            raise ValueError(f"threads must be at least 1, not {threads}")
+        return simulate_many(
+            self._compilation,
+            parameters or {},
+            start or {},
+            engine=self._engine.name,
+            stop=stop,
+            interval=interval,
+            tolerance=tolerance,
+            inputs=signals_of(inputs) or {},
+            solver=solver,
+            columns=columns,
+            threads=threads,
+            progress=progress,
+        )
 
     def sweep(
         self,
@@ -237,7 +280,7 @@ class Model(Interface):
         sequences of them, in SI units. `samples` are drawn by the caller: entry k of all of them belongs to sample k.
         Every column has an axis for each sequence, `sample` and `time`; `status`, `message` and `ended` tell how each
         run went: a run that fails ends no sweep. With `output` (.nc, .parquet, .csv) finished runs are kept on disk,
-        and `resume` goes on after an interruption. `jobs` is the number of processes (default: the cores), `scheduler`
+        and `resume` goes on after an interruption. `jobs` is the number of threads (default: the cores), `scheduler`
         the address of a Dask cluster to use instead. The rest is as for `simulate`.
 
         Raises KeyError and ValueError for arguments that do not fit, OSError for a file that cannot be written,
@@ -253,7 +296,7 @@ class Model(Interface):
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=_signals(inputs) or {},
+            inputs=signals_of(inputs) or {},
             solver=solver,
             columns=columns,
             output=None if output is None else Path(output),
@@ -424,19 +467,6 @@ class Model(Interface):
 
     def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
         return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])
-
-
-def _signals(inputs: Mapping[str, Signal] | Path | str | None) -> Mapping[str, Signal] | None:
-    """The inputs by name; those of a file are read."""
-    if not isinstance(inputs, (Path, str)):
-        return inputs
-    from lagdsl.diagnostics import Sink
-    from lagdsl.simulate.table_io import read_inputs
-
-    sink = Sink()
-    tables = read_inputs(Path(inputs), sink)
-    sink.raise_if_errors()
-    return tables
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:

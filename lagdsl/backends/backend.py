@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Protocol
 
 from lagdsl.program.program import Program
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Artifact:
     """Texts by relative path (`/` between folders), in the order of writing; the same program gives the same bytes."""
 

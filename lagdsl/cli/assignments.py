@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import click
 
@@ -12,6 +12,7 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.model import Coordinate, FlatModel, Parameter
 from lagdsl.flat.quantity import Quantity
+from lagdsl.record import record
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse_expression
@@ -23,7 +24,7 @@ from lagdsl.units.parse import parse_unit
 _MOST_TOLD = 12
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Settings:
     """Values in SI units by name; starts by `theta` or `der(theta)`."""
 
@@ -32,7 +33,7 @@ class Settings:
     structural: dict[str, float] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class _Literal:
     """A number as written; without a unit (`dimension` None) it takes that of what it is bound to."""
 

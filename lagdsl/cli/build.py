@@ -15,7 +15,7 @@ from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.pipeline import Compilation, Derivation, engine_of, front, middle
 
 if TYPE_CHECKING:
-    from lagdsl.backends.c.emit import Start
+    from lagdsl.backends.start import Start
     from lagdsl.flat.model import FlatModel
 
 _TARGETS = ("numpy", "c")
@@ -86,7 +86,7 @@ def _with_fixed(flat: FlatModel, fixed: tuple[str, ...]) -> FlatModel:
 
 def _start(compilation: Compilation) -> Start | None:
     """Where the motion starts; None where there is no such state, which does not keep the equations from being used."""
-    from lagdsl.backends.c.start import start_of
+    from lagdsl.backends.start import start_of
     from lagdsl.simulate.initialize import initial_state
 
     sink = Sink()

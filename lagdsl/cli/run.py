@@ -41,7 +41,7 @@ _SECONDS = "e.g. 10, '500 ms'"
 @click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
 @takes_engine
 @click.option(
-    "--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf, cvode."
+    "--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau, rk4, leapfrog, ros2."
 )
 @click.option("--step", metavar="H", help="Length of steps [s], for the solvers rk4, leapfrog and ros2.")
 @click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")

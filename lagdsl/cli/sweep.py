@@ -48,10 +48,10 @@ _MOST_REASONS = 3
 @click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration.")
 @click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
 @takes_engine
-@click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, rk45, radau, bdf.")
+@click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau.")
 @click.option("--column", "columns", multiple=True, metavar="NAME", help="Keep this column only; may be repeated.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the dataset: .nc, .parquet or .csv.")
-@click.option("--jobs", type=click.IntRange(min=1), metavar="N", help="Processes; default: one for each core.")
+@click.option("--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one for each core.")
 @click.option("--scheduler", metavar="ADDRESS", help="Make the runs on the Dask cluster there.")
 @click.option("--resume", is_flag=True, help="Go on with an interrupted sweep to the same output.")
 def command(

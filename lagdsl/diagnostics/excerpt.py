@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from unicodedata import category, combining, east_asian_width
 
+from lagdsl.record import record
 from lagdsl.source import SourceFile
 
 TAB = 4
@@ -12,7 +12,7 @@ WIDEST = 160  # characters of a line that are shown; what lies beyond is clipped
 _BEFORE = 60  # characters kept before the marked place of a clipped line
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Piece:
     """Part of one source line: 0-based characters `start` to `end` (exclusive)."""
 
@@ -21,7 +21,7 @@ class Piece:
     end: int
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Excerpt:
     """A shown line. `columns[i]` is the terminal column of character `first + i`; one entry more than characters."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from itertools import groupby
 
 from lagdsl.diagnostics.diagnostic import Diagnostic, Label, Severity
 from lagdsl.diagnostics.excerpt import Excerpt, Piece, excerpt, printable
+from lagdsl.record import record
 from lagdsl.source import SourceFile
 
 _COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.NOTE: "1;36"}
@@ -28,7 +28,7 @@ def render(diagnostic: Diagnostic, color: bool = False) -> str:
     return "".join(f"{line}\n" for line in _Painter(diagnostic.severity, color).diagnostic(diagnostic))
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class _Mark:
     """What stands under one line: a piece of a label, the label's text on its last line only."""
 
@@ -38,7 +38,7 @@ class _Mark:
     joins: bool  # the label began on an earlier line
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class _Painter:
     severity: Severity
     color: bool

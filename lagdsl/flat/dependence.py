@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import reduce
 from itertools import zip_longest
 from operator import or_
@@ -11,6 +11,7 @@ from operator import or_
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.traversal import operands, postorder, step_expressions
+from lagdsl.record import record
 
 
 class Orders(Mapping[str, int]):
@@ -73,7 +74,7 @@ class _Variables:
             bits ^= last
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Dependence:
     """Answers for one flat model; named elements and shared nodes are looked at once."""
 

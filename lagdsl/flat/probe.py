@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from random import Random
 
 from lagdsl.flat import model as fm
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Moment:
     """Values and rates of the coordinates, values of states, inputs and time."""
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from lagdsl.backends.c.emit import Start
+from lagdsl.backends.start import Start
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.mechanics.structure_names import contact_rows

@@ -6,7 +6,8 @@ import importlib.util
 from collections.abc import Mapping
 from pathlib import Path
 
-from lagdsl.backends.c.emit import Start, started_sources
+from lagdsl.backends.c.emit import started_sources
+from lagdsl.backends.start import Start
 from lagdsl.program.program import Program
 from lagdsl.resources import fmi_folder
 from lagdsl.runtime.compiler import failure

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.backends.c.emit import Start, stem_of
-from lagdsl.backends.c.start import start_of
+from lagdsl.backends.c.emit import stem_of
+from lagdsl.backends.start import Start, start_of
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.limits import check_limits
 from lagdsl.fmi.variables import Kind, Table, Version, table

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain
 from typing import Literal, TypeAlias
 
-from lagdsl.backends.c.emit import Start
+from lagdsl.backends.start import Start
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi import declared, moving, provided
 from lagdsl.fmi.arrays import grouped

@@ -5,8 +5,6 @@ The constraint force of `a = b` is +lambda d(a - b)/dq: a positive multiplier pu
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from lagdsl.eliminate.rows import Row
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import adjoints, jacobian
@@ -14,9 +12,10 @@ from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.symbols import Directions
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Rows:
     """One entry per row in source order; `position_level` rows restrict the coordinates themselves."""
 

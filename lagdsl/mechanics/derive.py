@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from lagdsl.eliminate.count import flops
 from lagdsl.flat.expression import FlatExpression
@@ -27,9 +27,10 @@ from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
 from lagdsl.program.program import Block, Function, Program
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Derivation:
     """A model's equations as nodes, before they are arranged in functions."""
 
@@ -61,7 +62,7 @@ def form_equations(flat: FlatModel) -> Derivation:
 _MANY = 40
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Derived:
     """A program, and what it was made from. `forming` are the operations for M, f, J and gamma at run time."""
 

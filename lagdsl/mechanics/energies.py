@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from lagdsl.graph.differentiate import Tangent
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.lagrange import Dynamics
 from lagdsl.mechanics.symbols import Directions
+from lagdsl.record import record
 
 EnergyKind = Literal["total", "kinetic", "potential", "jacobi"]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class SystemEnergies:
     """Nodes [J]. `total` is T + V and, for each `lagrangian` term Lx, qd.dLx/dqd - Lx, so that velocity-linear terms
     add nothing; `jacobi` is qd.dL/dqd - L."""

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.carriers import Carrier, carriers, kinetic_energy
 from lagdsl.mechanics.lowering import Lowering
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Energies:
     """Nodes [J], `dissipation` [W]. `extra` is the sum of the `lagrangian` terms."""
 

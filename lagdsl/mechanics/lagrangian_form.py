@@ -10,7 +10,6 @@ p = dL/dv and l = dL/domega their equations are those of Hamel and Poincare (Ham
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from lagdsl.eliminate.form import AccelerationForm
 from lagdsl.graph.differentiate import adjoints, mask_of
@@ -19,12 +18,13 @@ from lagdsl.graph.operation import Group, Op
 from lagdsl.graph.substitute import Substitution
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.vectors import Vector, add, cross, negate
+from lagdsl.record import record
 
 VELOCITY = (Group.QD, Group.RELEASE_RATE)
 _HOLONOMIC = mask_of((Group.P, Group.TIME, Group.Q, Group.U, Group.W))
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Component:
     """A component of a twist: `node` times `sign`; `node` -1 where it does not depend on the rates."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TypeVar, assert_never
 
 from lagdsl.flat.expression import FlatExpression
@@ -22,11 +22,12 @@ from lagdsl.mechanics import frames, velocities
 from lagdsl.mechanics.frames import Loosened, Motion, Pose, Put, Released, SetTo, Shift
 from lagdsl.mechanics.vectors import Axes, Vector, add, scale, to_own, to_world
 from lagdsl.mechanics.velocities import Rates, Twist
+from lagdsl.record import record
 
 Value = TypeVar("Value", Vector, Twist)
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Release:
     """Indices of RELEASE symbols: three for the origin or the turning of a frame, one for a point along a direction."""
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from lagdsl.flat.model import FlatModel
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Count:
     """N particles and B bodies have 3N + 6B coordinates in space; k conditions, stated or built into the choice of
     coordinates, leave `freedom`."""

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from lagdsl.flat.model import Coordinate
 from lagdsl.flat.quantity import Quantity
+from lagdsl.record import record
 from lagdsl.units.parse import parse_unit
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Display:
     """shown = si * scale + shift, in `unit`."""
 

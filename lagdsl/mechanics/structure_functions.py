@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -10,9 +10,10 @@ from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.tape import Tape
 from lagdsl.mechanics.rank import Floats
 from lagdsl.program.program import Layout, Program
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class ProgramFunctions:
     """`evaluate` as an engine has it, for one state at a time."""
 

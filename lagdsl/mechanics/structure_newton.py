@@ -8,12 +8,12 @@ Source: Nocedal and Wright, Numerical Optimization, 2nd ed., section 10.3.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from lagdsl.mechanics.partition import Partition, entries, whole
 from lagdsl.mechanics.rank import Floats, minimum_norms
+from lagdsl.record import record
 
 Equations = Callable[[Floats], tuple[Floats, Floats]]
 
@@ -21,7 +21,7 @@ _SMALLEST_DAMPING = 1e-3
 _LARGEST_DAMPING = 1e8
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class Descent:
     """Where the search ended: the point, the residuals there and their Euclidean norm (infinite where nothing is a
     number)."""

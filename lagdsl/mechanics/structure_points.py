@@ -45,18 +45,16 @@ class Functions(Protocol):
 
 def natural_sizes(coordinates: tuple[Coordinate, ...], start: Floats) -> Floats:
     """What counts as a change of order one: `nominal`, else 1 for angles and numbers, else the largest start of the
-    same unit."""
-    sizes = np.ones(len(coordinates))
+    same unit. `start` and the result (..., nq)."""
+    sizes = np.ones(start.shape)
+    lengths = np.where(np.isfinite(start), np.abs(start), 0.0)
     for index, coordinate in enumerate(coordinates):
         if coordinate.nominal is not None and coordinate.nominal != 0.0:
-            sizes[index] = abs(coordinate.nominal)
+            sizes[..., index] = abs(coordinate.nominal)
         elif not coordinate.dimension.is_dimensionless:
-            alike = [
-                abs(value)
-                for value, other in zip(start.tolist(), coordinates, strict=True)
-                if other.dimension == coordinate.dimension and np.isfinite(value)
-            ]
-            sizes[index] = max(alike) if max(alike, default=0.0) > 0.0 else 1.0
+            alike = [other.dimension == coordinate.dimension for other in coordinates]
+            largest = np.max(lengths[..., alike], axis=-1)
+            sizes[..., index] = np.where(largest > 0.0, largest, 1.0)
     return sizes
 
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.events import entries
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Directions:
     """Generalized coordinates to form equations for, with their rates: those of the model, or released ones."""
 

@@ -10,19 +10,22 @@ import hashlib
 import weakref
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import lagdsl
-from lagdsl.backends.c.emit import engine_sources, model_symbol
-from lagdsl.backends.tape.emit import tape
+from lagdsl.backends.tape.emit import PARTS, tape
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
-from lagdsl.runtime.background_build import BackgroundBuild
 from lagdsl.runtime.build import cache_folder, content_hash
+from lagdsl.runtime.c_engine import opened
 from lagdsl.runtime.compiler import ALIKE, Compiler, find_compiler
 from lagdsl.runtime.engine import EngineName
-from lagdsl.runtime.native_model import NativeModel, load_compiled
+from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.tape_engine import TapeEngine
+
+if TYPE_CHECKING:
+    from lagdsl.runtime.background_build import BackgroundBuild
 
 # Seconds that compiling takes: always, and for each byte of a tape (GCC 12, a core of 2022).
 _ALWAYS, _PER_BYTE = 0.2, 2e-5
@@ -57,8 +60,7 @@ class AutoEngine(TapeEngine):
             return
         self._worked += seconds
         if _SAVED * max(left, self._worked) > _ALWAYS + _PER_BYTE * len(self._tape):
-            program, name = self._program, self._name(self._compiler)
-            self._build = BackgroundBuild(lambda: engine_sources(program), (ALIKE,), name)
+            self._build = _building(self._program, self._name(self._compiler))
             weakref.finalize(self, self._build.cancel)
 
     @property
@@ -83,7 +85,10 @@ class AutoEngine(TapeEngine):
     def _provide(self, part: str | None = None) -> NativeModel:
         if part is None and self._compiler is not None:
             self._compiled = _cached(self._name(self._compiler), self._program)
-        return self._load(self._tape) if part is not None or self._compiled is None else self._compiled
+        return super()._provide(part) if part is not None or self._compiled is None else self._compiled
+
+    def _made(self, part: str | None) -> bytes:
+        return super()._made(part) if part in PARTS else self._tape
 
     def _name(self, compiler: Compiler) -> str:
         """Of the library in the cache: made of all that decides what is in it."""
@@ -98,6 +103,14 @@ def _compiler() -> Compiler | None:
         return None
 
 
+def _building(program: Program, name: str) -> BackgroundBuild:
+    """What writes and compiles C is loaded where it is used: most models run shorter than that takes."""
+    from lagdsl.backends.c.emit import engine_sources
+    from lagdsl.runtime.background_build import BackgroundBuild
+
+    return BackgroundBuild(lambda: engine_sources(program), (ALIKE,), name)
+
+
 def _cached(name: str, program: Program) -> NativeModel | None:
     try:
         library = cache_folder() / f"{name}.so"
@@ -109,7 +122,7 @@ def _cached(name: str, program: Program) -> NativeModel | None:
 def _loaded(library: Path, program: Program) -> NativeModel | None:
     """None for a library that was cut short or made for another machine."""
     try:
-        return load_compiled(library, model_symbol(program))
+        return opened(library, program)
     except OSError:
         return None
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.program.program import Program
+from lagdsl.record import record
 from lagdsl.runtime.engine import Engine, Floats
 
 
@@ -43,7 +43,7 @@ def interface(program: Program, engine: BatchEngine) -> Interface:
     )
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Spread:
     """Arguments with common leading axes, `count` states in all.
 

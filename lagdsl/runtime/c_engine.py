@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.backends.c.emit import engine_sources, model_symbol, part_symbol
 from lagdsl.backends.python.emit import motion_sizes
 from lagdsl.backends.python.support.derivatives import variables
 from lagdsl.backends.python.support.vectorize import split
@@ -57,7 +56,7 @@ class CEngine:
         self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
         self._number = {function.name: index for index, function in enumerate(FUNCTIONS)}
-        self._use(self._provide() if library is None else load_compiled(library, model_symbol(program)))
+        self._use(self._provide() if library is None else opened(library, program))
 
     def _use(self, model: NativeModel) -> None:
         """Everything is computed by this model from now on."""
@@ -235,7 +234,16 @@ class CEngine:
         return batch
 
 
+def opened(library: Path, program: Program) -> NativeModel:
+    """The model in a library that was compiled from the C files of `program`. Raises OSError where it is damaged."""
+    from lagdsl.backends.c.emit import model_symbol
+
+    return load_compiled(library, model_symbol(program))
+
+
 def _loaded(program: Program, part: str | None = None) -> NativeModel:
+    from lagdsl.backends.c.emit import engine_sources, model_symbol, part_symbol
+
     texts = engine_sources(program, () if part is None else (part,))
     constant = None if part is None else part_symbol(program, part)
     try:

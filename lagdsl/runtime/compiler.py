@@ -11,11 +11,11 @@ import subprocess
 import sys
 import threading
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.record import record
 
 _CANDIDATES = ("cc", "gcc", "clang")
 # No -ffast-math: results must be those of the order of operations in the text, the same in every run. For the same
@@ -38,7 +38,7 @@ _KINDS_OF_PROCESSOR = ("vendor_id", "cpu family", "model", "stepping", "flags", 
 _LONGEST_NOTE = 2000
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Compiler:
     """A command that takes the arguments of a C compiler; `identity` changes when it is replaced by another version."""
 

@@ -1,7 +1,8 @@
 """Writes the functions of a program into the C runtime: `python -m lagdsl.runtime.generate`. A tool of development.
 
 The table is `lagdsl/program/functions.py`. From it come the function pointers of lag_model, the enumeration
-lag_function and the dispatcher lag_evaluate(), each between two marks in a written file.
+lag_function and the dispatcher lag_evaluate(), and what tapes check and call, each between two marks in a written
+file.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
 
+from lagdsl.backends.tape.instructions import GROUPS
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import FUNCTIONS, SOLVED, SOLVED_DIRECTIONS, Presence, Result, Signature
 from lagdsl.resources import c_folder
@@ -26,6 +28,8 @@ def texts() -> dict[Path, str]:
         "include/lag/model.h": ("    ", members()),
         "include/lag/evaluate.h": ("    ", enumerators()),
         "src/evaluate.c": ("", dispatcher()),
+        "src/tape_check.c": ("    ", tape_signatures()),
+        "src/tape_functions.c": ("", tape_functions()),
     }
     return {c_folder() / name: _with(c_folder() / name, *section) for name, section in sections.items()}
 
@@ -51,6 +55,45 @@ def dispatcher() -> str:
     )
     chosen = f"{head}\n{{\n    switch (which) {{\n{cases}    }}\n    return LAG_MISSING;\n}}\n"
     return "".join(map(_laid_out, _single())) + chosen
+
+
+def tape_signatures() -> str:
+    """What a function of a tape may read, one bit by group of arguments, and the shapes of its results."""
+    lines = (f"[1 + {_enumerator(each)}] = {tape_signature(each)}," for each in _single())
+    return "".join(f"{_wrapped(line)}\n" for line in lines)
+
+
+def _wrapped(line: str) -> str:
+    kept = line.replace(", N", ",\N{NO-BREAK SPACE}N") if len(line) + 4 > _WIDTH else line
+    filled = textwrap.fill(kept, _WIDTH, initial_indent=" " * 4, subsequent_indent=" " * 8, break_on_hyphens=False)
+    return filled.replace("\N{NO-BREAK SPACE}", " ")
+
+
+def tape_signature(function: Signature) -> str:
+    """Arguments, number of results, and rows and columns of each."""
+    arguments = sum(1 << GROUPS[group] for group in function.arguments)
+    kinds = ("NUMBER", "VECTOR", "MATRIX")
+    shapes = [f"{kinds[len(r.shape)]}({', '.join(r.shape).upper()})" for r in function.results]
+    return f"{{0x{arguments:04x}, {len(shapes)}, {{{', '.join(shapes)}}}}}".replace("NUMBER()", "NUMBER")
+
+
+def tape_functions() -> str:
+    """The functions of models that are filled from tapes, and what gives a model those that it has."""
+    given = "".join(
+        f"    tape->model.{each.name} = lag_tape_has(tape, {_enumerator(each)}) ? {each.name} : NULL;\n"
+        for each in _single()
+    )
+    return "".join(map(_of_tape, _single())) + f"static void give(lag_tape *tape)\n{{\n{given}}}\n"
+
+
+def _of_tape(function: Signature) -> str:
+    names = ", ".join(result.name for result in function.results)
+    parameters = ["const lag_arguments *at", *(f"double *{result.name}" for result in function.results)]
+    head = _declaration(f"static lag_status {function.name}(", parameters).rstrip(";\n")
+    return (
+        f"{head}\n{{\n    double *const results[] = {{{names}}};\n"
+        f"    return run(at, 1 + {_enumerator(function)}, results);\n}}\n\n"
+    )
 
 
 def _single() -> list[Signature]:

@@ -66,9 +66,14 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "session_jump": (_STATUS, (_AT,)),
     "session_row": (_AT, (_AT,)),
     "session_width": (_SIZE, (_AT,)),
+    "ensemble_size": (_SIZE, (_AT,)),
+    "ensemble_width": (_SIZE, (_AT,)),
+    "ensemble_run": (_SIZE, (_AT, _SIZE, _SIZE, _AT)),
     "tape_check": (_STATUS, (_AT, _SIZE, _AT)),
     "tape_model": (_AT, (_AT, _SIZE, _AT)),
     "tape_start": (_AT, (_AT,)),
+    "tape_states": (_AT, (_AT,)),
+    "tape_tangents": (_AT, (_AT, c_int)),
 }
 
 

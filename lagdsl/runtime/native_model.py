@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from ctypes import byref, c_size_t
 from pathlib import Path
+from typing import Any, cast
 
 from lagdsl.record import record
 from lagdsl.runtime.library import runtime_library
@@ -28,6 +29,11 @@ class NativeModel:
     lanes: int
     held: object
     raised: list[BaseException] | None = None
+
+    @property
+    def address(self) -> int:
+        """That of the lag_model."""
+        return ctypes.cast(cast(Any, self.model), ctypes.c_void_p).value or 0
 
 
 def native_model(

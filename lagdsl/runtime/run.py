@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from ctypes import addressof, byref, c_size_t
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.backends.c.emit import Start as StartTold
 from lagdsl.graph.operation import Group
 from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
 from lagdsl.program.program import Layout
@@ -17,6 +14,7 @@ from lagdsl.runtime.buffers import Buffers
 from lagdsl.runtime.engine import Floats
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel
+from lagdsl.runtime.run_options import Flags, RunSettings, address, shared_options
 from lagdsl.runtime.run_structures import (
     FULL,
     INPUTS,
@@ -28,41 +26,13 @@ from lagdsl.runtime.run_structures import (
     RunFault,
     RunOptions,
     RunReport,
-    Start,
     Status,
 )
-
-Flags = NDArray[np.bool_]
 
 _ALIGNED = 16
 # Rows and notes that C keeps before Python takes them.
 _ROWS, _NOTES = 256, 1024
 _FUNCTIONS = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY]
-
-
-@record(kw_only=True)
-class RunSettings:
-    """What a run is told: lag_run_options. `inputs` are the constant inputs (nu,), or a function of time and of whether
-    the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic choice;
-    `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,), see
-    lag/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are wanted at
-    `times`; `invariant_tolerance` (ni,) None: nothing is watched."""
-
-    p: Floats
-    inputs: Floats | Callable[[float, bool], Floats]
-    start: StartTold
-    group: Floats
-    natural: Floats
-    cap: Floats
-    lasting: Flags
-    general: int
-    times: Floats
-    tolerance: float
-    part: float
-    method: str | None = None
-    step: float = 0.0
-    length: float = 0.0
-    invariant_tolerance: Floats | None = None
 
 
 @record(kw_only=True)
@@ -124,29 +94,17 @@ class Run:
         self._report = RunReport()
 
     def _options(self, settings: RunSettings) -> RunOptions:
-        options = RunOptions(
-            tolerance=settings.tolerance,
-            part=settings.part,
-            h_fixed=settings.step,
-            careful=2,
-            general=settings.general,
-            length=settings.length,
-            count=len(settings.times),
-            method=None if settings.method is None else self._library.methods[settings.method],
-        )
-        for name in ("p", "group", "natural", "cap", "times"):
-            setattr(options, name, self._address(getattr(settings, name)))
-        options.lasting = self._address(settings.lasting)
+        options = shared_options(self._library, settings, self._kept)
+        for name in ("p", "natural"):
+            setattr(options, name, address(getattr(settings, name), self._kept))
         options.row_sizes = self._row_sizes.ctypes.data
         if settings.invariant_tolerance is not None:
-            # one number more, so that it is not null where there are assertions only
-            options.invariant_tolerance = self._address(np.append(settings.invariant_tolerance, 0.0))
             for name, values in zip(("start", "size", "drift"), self._drifts, strict=True):
                 setattr(options, f"invariant_{name}", values.ctypes.data)
         if callable(settings.inputs):
             self._inputs = options.inputs = INPUTS(self._tell_inputs)
         else:
-            options.u = self._address(settings.inputs)
+            options.u = address(settings.inputs, self._kept)
         self._full = FULL(self._empty)
         self._results = Results(
             most_rows=_ROWS,
@@ -155,22 +113,11 @@ class Run:
             notes=addressof(self._note_buffer),
             full=self._full,
         )
+        if settings.turning is not None:
+            self._results.turning = address(settings.turning, self._kept, np.uint8)
+            self._results.angle = address(np.full(len(settings.turning), np.nan), self._kept)
         options.results = addressof(self._results)
-        options.start = addressof(self._start_data(settings.start))
         return options
-
-    def _start_data(self, told: StartTold) -> Start:
-        flags = {name: self._address(getattr(told, name), np.uint8) for name in ("fixed", "written")}
-        numbers = {name: self._address(getattr(told, name)) for name in ("nominal", "minimum", "maximum")}
-        start = Start(t=told.t, **flags, **numbers)
-        self._kept.append(start)
-        return start
-
-    def _address(self, values: ArrayLike, kind: type = np.float64) -> int:
-        """Of a copy that lives as long as the run."""
-        own: np.ndarray = np.array(values, dtype=kind)
-        self._kept.append(own)
-        return int(own.ctypes.data)
 
     # ---- called from C, where nothing may be raised ------------------------------------------------------------------
 

@@ -78,6 +78,8 @@ class Results(Structure):
         ("any", c_int),
         ("last", c_double),
         ("after", c_double),
+        ("turning", c_void_p),
+        ("angle", c_void_p),
     ]
 
 
@@ -132,6 +134,23 @@ class RunOptions(Structure):
         *((f"invariant_{name}", c_void_p) for name in ("tolerance", "start", "size", "drift")),
         ("continued", c_int),
         ("start", c_void_p),
+    ]
+
+
+class Ensemble(Structure):
+    """lag_ensemble."""
+
+    _fields_ = [
+        ("model", c_void_p),
+        ("options", c_void_p),
+        *((name, c_double) for name in ("t", "stop")),
+        ("breaks", c_size_t),
+        ("at", c_void_p),
+        *((name, c_size_t) for name in ("first_piece", "piece", "most_steps")),
+        ("equations", c_int),
+        *((name, c_void_p) for name in ("set", "turning", "stopped")),
+        *((name, c_void_p) for name in ("p", "u", "natural", "x")),
+        *((name, c_void_p) for name in ("rows", "kept", "ended", "status")),
     ]
 
 

@@ -26,6 +26,7 @@ class StateJacobian:
         self._buffers = Buffers(model)
         self._arguments = Arguments.from_buffer_copy(arguments)
         self._arguments.workspace = self._buffers.workspace.ctypes.data
+        self._arguments.context = model.context
         self._prepared: bytes | None = None
         self._rates = np.zeros((size, size))
         self.coordinate = c_size_t(0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagdsl.backends.tape.emit import tape
+from lagdsl.backends.tape.emit import PARTS, tape
 from lagdsl.runtime.c_engine import CEngine
 from lagdsl.runtime.engine import EngineName
 from lagdsl.runtime.native_model import NativeModel
@@ -15,7 +15,8 @@ class TapeEngine(CEngine):
     name: EngineName = "tape"
 
     def _provide(self, part: str | None = None) -> NativeModel:
-        return self._load(tape(self._program))
+        return load_tape(self._made(part), part)
 
-    def _load(self, made: bytes) -> NativeModel:
-        return load_tape(made)
+    def _made(self, part: str | None) -> bytes:
+        """The tape with the functions that are called `part`; those of several states are on every tape."""
+        return tape(self._program, parts=(part,) if part in PARTS else ())

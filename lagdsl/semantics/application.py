@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from lagdsl.record import record
 from lagdsl.semantics.arithmetic import Operand
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, report_unequal
@@ -13,7 +12,7 @@ from lagdsl.semantics.values import NUMERIC, Array, Numeric, Poison, Scalar, Vec
 from lagdsl.syntax import nodes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Application:
     """A call with its elaborated arguments."""
 

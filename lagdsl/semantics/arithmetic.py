@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.record import record
 from lagdsl.semantics import corners
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
@@ -40,7 +41,7 @@ from lagdsl.units.dimension import DIMENSIONLESS
 RELATIONS = ("<", "<=", ">", ">=", "==", "<>")
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Operand:
     """A value and the text it comes from."""
 
@@ -333,7 +334,7 @@ def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: S
     return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Located:
     """Where a relation stands that is located, and the dimension of its sides."""
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
+from lagdsl.record import record
 from lagdsl.semantics.bindings import Expected, conform
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
@@ -37,7 +38,7 @@ KNOWN = ("start", "fixed", "min", "max", "nominal", "unit", "displayUnit", "symb
 LATER = {"stateSelect": "joints whose coordinates are the unknowns are chosen by `prefer = always` or `prefer = never`"}
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Attribute:
     node: nodes.Modifier
     scope: Scope

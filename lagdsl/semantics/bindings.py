@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from lagdsl.flat import expression as flat
+from lagdsl.record import record
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.dimensions import fits, require
 from lagdsl.semantics.naming import an, kind_of
@@ -14,7 +15,7 @@ from lagdsl.semantics.values import POISON, AnyDimension, Array, Poison, Scalar,
 from lagdsl.syntax import nodes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Expected:
     """What a declaration promises. `dimension` None: to be inferred. `unit`: as declared, to tell Hz from rad/s."""
 

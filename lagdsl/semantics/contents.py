@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from lagdsl.record import record
 from lagdsl.semantics.scope import FunctionSymbol, Instance, Scope, Symbol
 from lagdsl.syntax import nodes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Placed:
     """An item with the scope it stands in, the instance it belongs to and, if it has a label, its symbol.
 

@@ -9,6 +9,7 @@ from typing import Protocol
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.occurrences import Mode, Occurrences
 from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
 from lagdsl.semantics.values import AnyDimension, ContactValue, Value
@@ -55,6 +56,7 @@ class Context:
     `home` is the file of the model: advice is not given about texts of libraries.
     `splits` are modifiers whose values are split over an array of components, `split_values` what they are worth: by
     the scope in which they stand, as every instance of a class has its own, and the identity of their node.
+    `corners` are what has one along the motion, with its text.
     `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
     `withheld` is an unknown name about which nothing was said, as something before must have been.
     `named` is therefore sorted: what a definition uses was complete before it.
@@ -76,6 +78,7 @@ class Context:
     splits: list[tuple[nodes.Modifier, Indices, Scope]] = field(default_factory=list)
     split_values: dict[tuple[Scope, int], Value] = field(default_factory=dict)
     jump: nodes.Call | None = None
+    corners: list[tuple[FlatExpression, Span]] = field(default_factory=list)
     quiet: bool = False
     mode: Mode = Mode.ALWAYS
     occurrences: Occurrences = field(default_factory=Occurrences)

@@ -31,6 +31,13 @@ def has_corner(ctx: Context, *values: Numeric) -> bool:
     return is_timed(ctx, *values) and ctx.mode is not Mode.EVENT
 
 
+def met(ctx: Context, node: nodes.Node, expression: FlatExpression, *values: Numeric) -> FlatExpression:
+    """The same expression, remembered as one with a corner where the motion can meet it."""
+    if highest(*values) >= Order.CONFIGURATION and not ctx.quiet and ctx.mode is Mode.ALWAYS:
+        ctx.corners.append((expression, node.span))
+    return expression
+
+
 def truth(
     ctx: Context, text: str, spans: Spans, difference: FlatExpression, *, strict: bool, told: bool
 ) -> flat.Variable:

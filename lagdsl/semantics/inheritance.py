@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from lagdsl.diagnostics import Label
+from lagdsl.record import record
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import enter
 from lagdsl.semantics.imports import check_imports, declare_imports
@@ -16,7 +17,7 @@ from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Part:
     """One item of a class or of a base; `scope` shares the entries of the instance but sees what its class sees."""
 
@@ -36,7 +37,7 @@ class Body:
     ways: dict[int, Way] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Way:
     """How a base came in: its names, the `extends` that says so, the modifiers on the way there."""
 

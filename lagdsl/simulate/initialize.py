@@ -101,14 +101,19 @@ def _wrong(sink: Sink, before: int) -> bool:
     return any(d.severity is Severity.ERROR for d in sink.diagnostics[before:])
 
 
-def _by_place(flat: FlatModel, start: Mapping[str, float], sink: Sink) -> dict[int, float]:
-    """Start values by their place in (q, qd, z); E0805 for a name that has none."""
+def places_of(flat: FlatModel) -> dict[str, int]:
+    """The places in (q, qd, z) by the names of start values."""
     coordinates = [c.name for c in flat.coordinates]
     names = [*coordinates, *(f"der({name})" for name in coordinates), *(s.name for s in flat.states)]
-    places = {name: place for place, name in enumerate(names)}
+    return {name: place for place, name in enumerate(names)}
+
+
+def _by_place(flat: FlatModel, start: Mapping[str, float], sink: Sink) -> dict[int, float]:
+    """Start values by their place in (q, qd, z); E0805 for a name that has none."""
+    places = places_of(flat)
     for name in start:
         if name not in places:
-            sink.report("E0805", None, name=name, known=", ".join(names))
+            sink.report("E0805", None, name=name, known=", ".join(places))
     return {places[name]: value for name, value in start.items() if name in places}
 
 

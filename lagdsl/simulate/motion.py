@@ -24,9 +24,10 @@ from lagdsl.simulate.table import trajectory
 from lagdsl.simulate.trajectory import Statistics, Trajectory
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
-_STEPS = 1000
+STEPS = 1000
 # Of the first call, after which it is known what a step takes.
-_FIRST_STEPS = 50
+FIRST_STEPS = 50
+MOST_STEPS = 1_000_000  # of a motion, unless said otherwise
 _PROGRESS_STEP = 0.002
 
 
@@ -72,7 +73,7 @@ class Motion:
     def _segment(self, stop: float) -> Status:
         """Up to `stop`; whether the motion goes on there."""
         while True:
-            steps = min(_STEPS if self._steps > 0 else _FIRST_STEPS, self._task.max_steps - self._steps)
+            steps = min(STEPS if self._steps > 0 else FIRST_STEPS, self._task.max_steps - self._steps)
             status = self._on(stop, steps) if steps > 0 else Status.TOO_LONG
             self._tell_progress()
             if status is not Status.TOO_LONG or steps <= 0:

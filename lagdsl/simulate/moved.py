@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -24,7 +23,7 @@ _NOTICED = 1e-3
 _MOST_LOOPS = 4
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record(kw_only=True)
 class MovedRow:
     """One coordinate or rate (`der(x)`) that is fixed or whose start was moved; values in SI units."""
 

@@ -6,12 +6,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from lagdsl.backends.c.start import start_of
+from lagdsl.backends.start import start_of
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import contact_rows
+from lagdsl.program.program import Layout
 from lagdsl.runtime.engine import Engine
-from lagdsl.runtime.run import Run, RunSettings
+from lagdsl.runtime.run import Run
+from lagdsl.runtime.run_options import RunSettings
 from lagdsl.simulate.scales import scales_of
 
 # Language reference, section 6.4: residuals below this part of the tolerance need no projection.
@@ -33,15 +35,37 @@ def placed(
     step: float | None = None,
 ) -> Run:
     """A run that has not begun. Without `times` no rows are wanted; the rest that is left out says the experiment."""
-    layout, experiment = engine.layout, flat.experiment
+    t = flat.experiment.start_time if t0 is None else t0
+    q = engine.evaluate("start", t, p)[0]
+    settings = settings_of(
+        flat, engine.layout, p, q, inputs, t=t, times=times, tolerance=tolerance, solver=solver, step=step
+    )
+    return Run(engine.native, engine.layout, settings)
+
+
+def settings_of(
+    flat: FlatModel,
+    layout: Layout,
+    p: Floats,
+    q: Floats,
+    inputs: Floats | Callable[[float, bool], Floats],
+    *,
+    t: float,
+    times: Floats | None,
+    tolerance: float | None,
+    solver: str,
+    step: float | None,
+) -> RunSettings:
+    """What a run is told; q (nq,) are the start values for the parameters p. With leading axes of p, q and the inputs
+    those of many runs."""
+    experiment = flat.experiment
     relative = experiment.tolerance if tolerance is None else tolerance
-    t = experiment.start_time if t0 is None else t0
-    scales = scales_of(flat, engine.evaluate("start", t, p)[0])
+    scales = scales_of(flat, q)
     loose = contact_rows(flat)
     invariants = [_INVARIANT_FACTOR * relative if i.tolerance is None else i.tolerance for i in flat.invariants]
     asked = np.zeros(0) if times is None else times
     length = float(asked[-1] - asked[0]) if len(asked) > 1 else max(experiment.stop_time - t, np.spacing(abs(t)))
-    settings = RunSettings(
+    return RunSettings(
         p=p,
         inputs=inputs,
         start=start_of(flat, t, ()),
@@ -57,5 +81,5 @@ def placed(
         step=step or 0.0,
         length=length,
         invariant_tolerance=np.array(invariants),
+        turning=np.array([output.turning for output in flat.outputs], dtype=np.bool_),
     )
-    return Run(engine.native, layout, settings)

@@ -17,7 +17,8 @@ from lagdsl.record import record
 
 @record()
 class Scales:
-    """`groups` are whole numbers, `sizes` natural sizes, `caps` the largest scales: (2 nq + nz,) each."""
+    """`groups` are whole numbers, `sizes` natural sizes, `caps` the largest scales: (2 nq + nz,) each; `sizes` with the
+    leading axes of the start values."""
 
     groups: Floats
     sizes: Floats
@@ -25,18 +26,19 @@ class Scales:
 
 
 def scales_of(flat: FlatModel, q: Floats) -> Scales:
-    """q (nq,): the start values of the coordinates."""
+    """q (..., nq): the start values of the coordinates."""
     n = len(flat.coordinates)
     kinds: dict[object, int] = {}
     groups = [kinds.setdefault(c.dimension, len(kinds)) for c in flat.coordinates]
     first = len(kinds)
     sizes = natural_sizes(flat.coordinates, q)
-    states = np.array([abs(s.nominal) if s.nominal else 1.0 for s in flat.states])
+    nominals = np.array([abs(s.nominal) if s.nominal else 1.0 for s in flat.states])
+    states = np.broadcast_to(nominals, (*sizes.shape[:-1], len(nominals)))
     angles = np.array([c.dimension.is_dimensionless for c in flat.coordinates], dtype=bool)
     return Scales(
         groups=np.array(
             [*groups, *(g + first for g in groups), *range(2 * first, 2 * first + len(flat.states))], dtype=np.float64
         ),
-        sizes=np.concatenate([sizes, sizes, states]),
+        sizes=np.concatenate([sizes, sizes, states], axis=-1),
         caps=np.concatenate([np.where(angles, 1.0, np.inf), np.full(n + len(flat.states), np.inf)]),
     )

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, TypeAlias, cast
 
 import numpy as np
@@ -14,6 +13,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.mechanics.rank import Floats
+from lagdsl.record import record
 
 # A pair is (times, values), or an array of these two rows, see `_of_table`. Two equal times are a jump.
 Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]] | Floats"
@@ -27,7 +27,7 @@ _MOST_DERIVATIVES = 2
 _KINDS = "a number, a function of time or a pair (times, values)"
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Signals:
     """The input vector at any time; `breaks` are the times at which a step must end."""
 
@@ -71,6 +71,11 @@ def signals(
         functions.append(_function(item, source, inputs[source], (order, needed), span, breaks, sink))
     _check_given_together(names, inputs, sink)
     return Signals(tuple(functions), tuple(sorted(b for b in breaks if span[0] < b < span[1])))
+
+
+def given_inputs(flat: FlatModel, inputs: Mapping[str, Signal]) -> list[bool]:
+    """Which inputs of the model these signals tell; all others have their defaults."""
+    return [_source(item.name, inputs)[0] is not None for item in flat.inputs]
 
 
 def _source(name: str, inputs: Mapping[str, Signal]) -> tuple[str | None, int]:
@@ -205,7 +210,7 @@ def _check_whole(item: Input, values: Floats, sink: Sink) -> None:
         sink.report("E0845", item.spans[0] if item.spans else None, name=item.name, value=odd[0])
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class _Constant:
     value: float
 

@@ -15,7 +15,7 @@ from lagdsl.runtime.engine import Engine
 from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
 from lagdsl.simulate.initialize import find_start
 from lagdsl.simulate.instants import Instants
-from lagdsl.simulate.motion import Motion, Task
+from lagdsl.simulate.motion import MOST_STEPS, Motion, Task
 from lagdsl.simulate.placed import placed
 from lagdsl.simulate.signals import Signal, signals
 from lagdsl.simulate.trajectory import Trajectory
@@ -39,7 +39,7 @@ def simulate(
     start: Mapping[str, float] | None = None,
     solver: str = "auto",
     step: float | None = None,
-    max_steps: int = 1_000_000,
+    max_steps: int = MOST_STEPS,
     progress: Callable[[float], None] | None = None,
     sink: Sink | None = None,
 ) -> Trajectory:

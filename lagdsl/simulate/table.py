@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import Display, display, display_rate
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
@@ -17,10 +16,9 @@ def trajectory(
     flat: FlatModel, layout: Layout, run: Run, moved: tuple[MovedRow, ...], statistics: Statistics
 ) -> Trajectory:
     """All rows so far."""
-    heads = _heads(flat)
+    heads = heads_of(flat)
     rows = run.rows()
     table = np.ascontiguousarray(rows[:, : len(heads)].T)
-    _unwind(flat, table)
     energy, *residuals = np.ascontiguousarray(rows[:, len(heads) :].T)
     return Trajectory(
         model=flat.name,
@@ -65,16 +63,7 @@ def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
             return flat.events.contacts[which].name
 
 
-def _unwind(flat: FlatModel, table: Floats) -> None:
-    """Make rows of angles that are known up to whole turns continuous; the first value stays."""
-    first = len(table) - len(flat.outputs)
-    for index, output in enumerate(flat.outputs, start=first):
-        if output.turning:
-            known = np.isfinite(table[index])
-            table[index, known] = np.unwrap(table[index, known])
-
-
-def _heads(flat: FlatModel) -> list[tuple[str, str, Kind, Display]]:
+def heads_of(flat: FlatModel) -> list[tuple[str, str, Kind, Display]]:
     """Names, units and kinds of the columns, in the order of result files."""
     heads: list[tuple[str, str, Kind, Display]] = [("time", "s", "time", Display("s"))]
     heads += [(c.name, c.unit, "coordinate", display(c)) for c in flat.coordinates]

@@ -1,10 +1,12 @@
 """A text with a name and an index of its lines."""
 
 from bisect import bisect_right
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class SourceFile:
     """One `.lag` text. Line ends are `\\n`; the reader has normalised them before.
 

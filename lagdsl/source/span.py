@@ -1,8 +1,8 @@
 """A place in a source text: half-open character range."""
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
+from lagdsl.record import record
 from lagdsl.source.file import SourceFile
 
 
@@ -13,7 +13,7 @@ class Position(NamedTuple):
     column: int
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Span:
     """Characters `start` to `end` (exclusive) of `file`."""
 

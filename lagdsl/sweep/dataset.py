@@ -12,6 +12,7 @@ import numpy as np
 
 import lagdsl
 from lagdsl.mechanics.rank import Floats
+from lagdsl.record import record
 from lagdsl.source.whole_file import whole_file
 from lagdsl.sweep.plan import Axis, Plan
 from lagdsl.sweep.run import Outcome
@@ -32,18 +33,18 @@ def dataset(plan: Plan, times: Floats, outcomes: Iterable[Outcome], *, model: st
     """
     import xarray
 
-    columns, units, status, message, ended = _collect(plan.runs, len(times), outcomes)
-    taken = {*columns, *(axis.name for axis in (*plan.axes, *plan.samples, *plan.fixed))}
+    found = collect(plan.runs, len(times), outcomes)
+    taken = {*found.columns, *(axis.name for axis in (*plan.axes, *plan.samples, *plan.fixed))}
     sample, time = (_free(name, taken) for name in ("sample", "time"))
     dims = (*(axis.name for axis in plan.axes), *((sample,) if plan.samples else ()))
     shape = plan.shape
     data: dict[str, Any] = {
-        name: ((*dims, time), values.reshape(*shape, len(times)), {"units": units[name]})
-        for name, values in columns.items()
+        name: ((*dims, time), values.reshape(*shape, len(times)), {"units": found.units[name]})
+        for name, values in found.columns.items()
     }
-    data[_free("status", taken)] = (dims, np.array(status).reshape(shape), {"long_name": STATUS})
-    data[_free("message", taken)] = (dims, np.array(message).reshape(shape), {"long_name": MESSAGE})
-    data[_free("ended", taken)] = (dims, ended.reshape(shape), {"units": "s", "long_name": "end of the run"})
+    data[_free("status", taken)] = (dims, np.array(found.status).reshape(shape), {"long_name": STATUS})
+    data[_free("message", taken)] = (dims, np.array(found.message).reshape(shape), {"long_name": MESSAGE})
+    data[_free("ended", taken)] = (dims, found.ended.reshape(shape), {"units": "s", "long_name": "end of the run"})
     coordinates: dict[str, Any] = {axis.name: _coordinate(axis, (axis.name,)) for axis in plan.axes}
     coordinates |= {axis.name: _coordinate(axis, (sample,)) for axis in plan.samples}
     coordinates |= {axis.name: ((), axis.values[0], {"units": axis.unit}) for axis in plan.fixed}
@@ -104,10 +105,19 @@ def _memory() -> int | None:
         return None
 
 
-def _collect(
-    runs: int, rows: int, outcomes: Iterable[Outcome]
-) -> tuple[dict[str, Floats], dict[str, str], list[str], list[str], Floats]:
+@record(kw_only=True)
+class Collected:
     """Columns (runs, rows) and their units by name; status, message and end of every run."""
+
+    columns: dict[str, Floats]
+    units: dict[str, str]
+    status: list[str]
+    message: list[str]
+    ended: Floats
+
+
+def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
+    """What became of all runs; what is not there is nan."""
     columns: dict[str, Floats] = {}
     units: dict[str, str] = {}
     status, message, ended = ["missing"] * runs, [""] * runs, np.full(runs, np.nan)
@@ -118,7 +128,7 @@ def _collect(
             if name not in columns:
                 columns[name], units[name] = np.full((runs, rows), np.nan), outcome.units[i]
             columns[name][outcome.index, : len(outcome.values)] = outcome.values[:, i]
-    return columns, units, status, message, ended
+    return Collected(columns=columns, units=units, status=status, message=message, ended=ended)
 
 
 def _coordinate(axis: Axis, dims: tuple[str, ...]) -> tuple[tuple[str, ...], Floats, dict[str, str]]:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import math
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
+from itertools import groupby, islice
 from typing import Literal, TypeAlias
 
 Target: TypeAlias = Literal["parameter", "start", "structural"]
@@ -121,6 +123,21 @@ def task(plan: Plan, index: int, known: list[dict[str, float]]) -> Task:
         parameters=chosen["parameter"],
         start=chosen["start"],
     )
+
+
+def tasks_of(plan: Plan, known: list[dict[str, float]], finished: Collection[int]) -> Iterator[Task]:
+    """All runs that are not finished, those of one variant after those of another."""
+    every: Iterable[int] = range(plan.runs)
+    if len(known) > 1:
+        every = sorted(every, key=lambda index: known.index(settings(plan, index)["structural"]))
+    return (task(plan, index, known) for index in every if index not in finished)
+
+
+def parts_of(tasks: Iterable[Task], most: int) -> Iterator[list[Task]]:
+    """Tasks that follow each other, at most so many together, and of one model only."""
+    for _, alike in groupby(tasks, key=lambda task: task.subject):
+        while part := list(islice(alike, most)):
+            yield part
 
 
 def fingerprint(plan: Plan, *parts: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
@@ -14,7 +14,7 @@ from lagdsl.flat.admissible import require_value
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.pipeline import engine_of
-from lagdsl.program.program import Program
+from lagdsl.program.program import Layout, Program
 from lagdsl.runtime.engine import EngineName
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.signals import Signal
@@ -66,10 +66,18 @@ class Outcome:
     values: Floats
 
 
-class Runner:
-    """Makes runs; every model is built when it is first needed."""
+class Interrupted(BaseException):
+    """The sweep ends before this run does."""
 
-    def __init__(self, subjects: Sequence[Subject], options: Options) -> None:
+
+class Runner:
+    """Makes runs, one after the other; every model is built when it is first needed. What `progress` raises, which is
+    called with the part of a run that is done, must be Interrupted."""
+
+    def __init__(
+        self, subjects: Sequence[Subject], options: Options, progress: Callable[[float], None] | None = None
+    ) -> None:
+        self._progress = progress
         self._subjects = subjects
         self._options = options
         self._engines: dict[int, BatchEngine] = {}
@@ -91,7 +99,7 @@ class Runner:
         subject, options = self._subjects[task.subject], self._options
         if subject.flat is None or subject.program is None:
             raise ValueError(subject.fault)
-        p = _parameters(subject.flat, subject.program, task.parameters)
+        p = parameters_of(subject.flat, subject.program.layout, task.parameters)
         if task.subject not in self._engines:
             self._engines[task.subject] = engine_of(subject.program, options.engine)
         return simulate(
@@ -104,6 +112,7 @@ class Runner:
             inputs=options.inputs,
             start=task.start,
             solver=options.solver,
+            progress=self._progress,
         )
 
 
@@ -114,9 +123,9 @@ def failed(index: int, message: str) -> Outcome:
     )
 
 
-def _parameters(flat: FlatModel, program: Program, chosen: Mapping[str, float]) -> Floats:
+def parameters_of(flat: FlatModel, layout: Layout, chosen: Mapping[str, float]) -> Floats:
     """The vector of parameters. Raises ValueError for a value that a parameter may not have."""
-    values = {slot.name: value for slot, value in zip(program.layout.parameters, program.layout.defaults, strict=True)}
+    values = {slot.name: value for slot, value in zip(layout.parameters, layout.defaults, strict=True)}
     for parameter in flat.parameters:
         if parameter.name in chosen:
             require_value(parameter, chosen[parameter.name])

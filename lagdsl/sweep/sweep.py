@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,9 +16,9 @@ from lagdsl.runtime.cores import cores
 from lagdsl.simulate.simulate import check_options, grid
 from lagdsl.sweep.dataset import dataset, require_room, require_writer, write
 from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes, require_idle
-from lagdsl.sweep.plan import Plan, Task, fingerprint, require_sound, task
-from lagdsl.sweep.processes import in_processes, in_this_process
+from lagdsl.sweep.plan import Plan, fingerprint, require_sound, tasks_of
 from lagdsl.sweep.run import Options, Outcome, Subject
+from lagdsl.sweep.threads import in_threads
 
 if TYPE_CHECKING:
     import xarray
@@ -30,7 +30,7 @@ class Unfinished(ValueError):  # noqa: N818  it is not the sweep that is wrong
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Work:
-    """Who makes the runs and what is kept: `jobs` processes (None: one per core) or the scheduler at an address."""
+    """Who makes the runs and what is kept: `jobs` threads (None: one per core) or the scheduler at an address."""
 
     jobs: int | None = None
     scheduler: str | None = None
@@ -59,8 +59,8 @@ def sweep(
     flat = next((subject.flat for subject in subjects if subject.flat is not None), None)
     if flat is None:
         raise ValueError(subjects[0].fault)
-    times = _grid(subjects, options)
-    require_room(plan.runs, len(times), _width(subjects, options), work.output)
+    times = times_of(subjects, options)
+    require_room(plan.runs, len(times), width_of(subjects, options), work.output)
     if work.output is None:
         if work.resume:
             raise ValueError("only a sweep with an output can be resumed")
@@ -95,16 +95,13 @@ def _made(
     finished: frozenset[int],
 ) -> Generator[Outcome, None, None]:
     """The outcomes of what is left to do, in the order in which they end."""
+    tasks = tasks_of(plan, known, finished)
     left = plan.runs - len(finished)
-    tasks: Iterable[Task] = (task(plan, index, known) for index in range(plan.runs) if index not in finished)
     if work.scheduler is not None:
         from lagdsl.sweep.cluster import on_cluster
 
-        return on_cluster(work.scheduler, subjects, options, tasks)
-    jobs = min(cores() if work.jobs is None else work.jobs, left)
-    if jobs <= 1:
-        return in_this_process(subjects, options, tasks)
-    return in_processes(subjects, options, tasks, jobs)
+        return on_cluster(work.scheduler, subjects, options, tasks, left)
+    return in_threads(subjects, options, tasks, left, cores() if work.jobs is None else work.jobs)
 
 
 def _watched(
@@ -132,7 +129,7 @@ def _require_own(path: Path, fingerprint: str, resume: bool) -> None:
         raise Unfinished(f"{path} belongs to another sweep: model, values or options have changed; delete that file")
 
 
-def _width(subjects: Sequence[Subject], options: Options) -> int:
+def width_of(subjects: Sequence[Subject], options: Options) -> int:
     """Number of columns that every run has at most."""
     if options.columns is not None:
         return len(options.columns)
@@ -143,7 +140,7 @@ def _width(subjects: Sequence[Subject], options: Options) -> int:
     )
 
 
-def _grid(subjects: Sequence[Subject], options: Options) -> Floats:
+def times_of(subjects: Sequence[Subject], options: Options) -> Floats:
     """The times of the rows, which all runs share."""
     starts = {s.flat.experiment.start_time for s in subjects if s.flat is not None}
     if len(starts) > 1:

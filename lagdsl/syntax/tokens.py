@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
 from typing import Any, cast
 
@@ -14,6 +13,7 @@ from lark.lexer import LexerState, LineCounter
 from lark.utils import TextSlice
 
 from lagdsl.diagnostics import Sink
+from lagdsl.record import record
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import limits
 from lagdsl.syntax.language import plain_lexer
@@ -24,7 +24,7 @@ END_OF_TEXT = "$END"
 _STRANGE = re.compile(r"&&|\|\||[^\W\x00-\x7f]\w*|[\s\S]")
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Comment:
     """`text` with its marks; kept for the formatter."""
 

@@ -1,16 +1,16 @@
 """What a unit is: a dimension and an exact conversion to the coherent SI unit."""
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 
+from lagdsl.record import record
 from lagdsl.units.dimension import DIMENSIONLESS, Dimension
 
 # The float that `pi` is in a model: so `60 deg` and `pi/3` are the same number.
 PI = Fraction(math.pi)
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class UnitDefinition:
     """value in SI = (number + shift) * scale * pi**pi_power. Only `degC` has a shift."""
 

@@ -1,12 +1,13 @@
 """Dimensions as vectors of rational exponents over the seven SI base units."""
 
-from dataclasses import dataclass
 from fractions import Fraction
+
+from lagdsl.record import record
 
 BASE_UNITS = ("kg", "m", "s", "A", "K", "mol", "cd")
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Dimension:
     """Exponents of kg, m, s, A, K, mol, cd. `rad` is dimensionless."""
 

@@ -13,15 +13,18 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from random_programs import EXACT, SMOOTH, SYMBOLS, Step, as_outputs, grow, steps, values
 
-from lagdsl.backends.c.emit import Start
+from lagdsl.backends.start import Start
 from lagdsl.backends.tape.emit import SIZES, tape
 from lagdsl.backends.tape.instructions import ANGLES, CODE
 from lagdsl.diagnostics import Sink
 from lagdsl.graph import Graph, Group
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.pipeline import front, middle, read, with_names
+from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
+from lagdsl.runtime.engine import SingularSystem
+from lagdsl.runtime.numpy_engine import NumpyEngine
 from lagdsl.runtime.tape_engine import TapeEngine
 from lagdsl.runtime.tape_model import DamagedTape, load_tape
 
@@ -116,6 +119,48 @@ def test_every_function_of_a_model(path: Path) -> None:
             assert not np.isfinite(size) or abs(value - meaning) <= 1e-13 * size + 1e-300, function.name
         numbers += len(roots)
     assert numbers > 20
+
+
+def _state(program: Program, draw: np.random.Generator, count: int) -> list[np.ndarray]:
+    layout = program.layout
+    vectors = [draw.normal(size=(count, layout.size(group))) for group in STATE[1:-1]]
+    return [draw.normal(size=count), *vectors, np.array(layout.defaults) * draw.uniform(0.9, 1.1, (count, 1))]
+
+
+@pytest.mark.parametrize("path", EVERY if os.environ.get("LAGDSL_EXPLORE") else SOME, ids=str)
+def test_states_in_lanes_have_the_bits_of_single_ones(path: Path) -> None:
+    program = _program(path)
+    engine, draw = TapeEngine(program), np.random.default_rng(2)
+    state = _state(program, draw, 2053)  # more than half of the lanes of the last ones are empty
+    state[1][7] *= 1e6  # angles beyond what vectors take
+    try:
+        together = engine.solve_many(*state)
+    except SingularSystem:
+        pytest.skip("some drawn states are singular")
+    for index in (0, 1, 7, 8, 9, 2051, 2052):
+        alone = engine.solve(float(state[0][index]), *(vector[index] for vector in state[1:]))
+        for found, expected in zip(together, alone, strict=True):
+            assert np.array_equal(found[index], expected, equal_nan=True)
+
+
+@pytest.mark.parametrize("path", EVERY if os.environ.get("LAGDSL_EXPLORE") else SOME, ids=str)
+def test_directions_in_lanes(path: Path) -> None:
+    program = _program(path)
+    engine, draw = TapeEngine(program), np.random.default_rng(3)
+    state = _state(program, draw, 3)
+    for by in ("state", "input", "parameter"):
+        try:
+            expected = NumpyEngine(program).jacobian_many(by, *state)
+            found = engine.jacobian_many(by, *state)
+        except SingularSystem:
+            pytest.skip("a drawn state is singular")
+        for block, other in zip(found, expected, strict=True):
+            scale = np.max(np.abs(other), axis=(1, 2), keepdims=True, initial=1.0)
+            finite = np.isfinite(other)
+            assert np.array_equal(finite, np.isfinite(block))
+            assert np.all((np.abs(block - other) / scale)[finite] < 1e-8)
+    one = engine.jacobian(float(state[0][0]), *(vector[0] for vector in state[1:]))
+    assert np.array_equal(one, engine.jacobian_many("state", *state)[0][0], equal_nan=True)
 
 
 def test_the_same_bytes_under_any_hash_seed() -> None:

@@ -171,22 +171,6 @@ static void what_is_violated_stops(void)
     free(run);
 }
 
-static void attention_before_rank_is_lost(void)
-{
-    static const double small[2] = {100.0, 100.0}; /* rows that are small in these sizes */
-    const lag_run_options options = {.careful = 1, .row_sizes = small};
-    lag_run *run = place(&CIRCLE, &options);
-    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 1.0, 0) == LAG_ATTENTION);
-    CHECK(run->stepper.t == 0.0);
-    free(run);
-    const lag_run_options usual = {.careful = 1};
-    run = place(&CIRCLE, &usual);
-    CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
-    CHECK(lag_run_to(run, 1.0, 0) == LAG_OK);
-    free(run);
-}
-
 /* Two runs in turns are what each is alone, to the bit. */
 static void runs_do_not_know_of_each_other(void)
 {
@@ -446,7 +430,6 @@ int main(void)
     constraints_hold(&lag_radau);
     constraints_hold(NULL);
     what_is_violated_stops();
-    attention_before_rank_is_lost();
     runs_do_not_know_of_each_other();
     fixed_steps_stay_on_the_circle();
     a_ball_bounces_on_time(&lag_dop853);

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 from models.corpus import compiled
 
-from lagdsl.backends.c.emit import Start
+from lagdsl.backends.start import Start
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.fmi2_description import fmi2_description
 from lagdsl.fmi.fmi3_description import fmi3_description

@@ -20,11 +20,14 @@ Kind = Literal["impact", "closed", "opened", "tick"]
 TOLERANCE = 1e-10
 # What both tell by one name. Relations that are located may be others in an oracle that knows of corners only.
 TOLD = ("impact", "closed", "opened", "tick")
+# Nearer to each other than this events crowd.
+CROWDED = 1e-5
 # States may differ by so many times what the engine differs from itself, or by this part of the range.
 PART = 1e-7
 
 
-def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] = ()) -> Report:
+def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] = (), least: float = 1.0) -> Report:
+    """`known` are instants at which the integration of the oracle begins anew, `least` is the smallest scale."""
     model = lagdsl.compile(text, engine=engine)
     try:
         found, finer = run(model, TOLERANCE), run(model, 0.1 * TOLERANCE)
@@ -37,16 +40,16 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
     times = found.motion.time[:: max(1, len(found.motion.time) // 40)]
     try:
         with limited(SECONDS):
-            oracle = motion(program_of(text), stop, np.unique(times), known)
+            oracle = motion(program_of(text), stop, np.unique(times), known, least)
     except HangError:
         return Report("hang", "oracle")
-    return _judged(found, finer, oracle)
+    return _judged(found, finer, oracle, least)
 
 
-def _judged(found: Run, finer: Run, oracle: Motion) -> Report:
+def _judged(found: Run, finer: Run, oracle: Motion, least: float) -> Report:
     parting, why = _parting(found, [(each.time, each.name, each.kind) for each in oracle.told if each.kind in TOLD])
     own, hinge = _parting(finer, _told(found))
-    times, wrong, value = _wrong(found, finer, oracle)
+    times, wrong, value = _wrong(found, finer, oracle, least)
     first = min(parting, float(times[wrong[0]]) if len(wrong) else np.inf)
     if first == np.inf:
         return Report("same")
@@ -73,10 +76,13 @@ def _parting(run: Run, others: list[tuple[float, str, str]]) -> tuple[float, str
 
 
 def _instants(events: list[tuple[float, str, str]]) -> list[tuple[float, list[tuple[str, str]]]]:
+    """Events by instant; bounces that crowd before a contact rests, and their end that is told, are one."""
     found: list[tuple[float, list[tuple[str, str]]]] = []
+    last = -np.inf
     for time, name, kind in events:
-        if not found or time - found[-1][0] > INSTANT:
+        if time - last > CROWDED:
             found.append((time, []))
+        last = time
         found[-1][1].append((name, kind))
     return [(t, _named(names)) for t, names in found]
 
@@ -85,12 +91,12 @@ def _named(names: list[tuple[str, str]]) -> list[tuple[str, str]]:
     """Where several contacts strike at once, the order of their blows tells what each of them is called; the rates
     after it tell whether that was right."""
     contacts = sorted({name for name, kind in names if kind != "tick"})
-    if len(contacts) < 2:
-        return sorted(names)
+    if len(names) < 2:
+        return names
     return sorted([*((name, kind) for name, kind in names if kind == "tick"), *((name, "struck") for name in contacts)])
 
 
-def _wrong(found: Run, finer: Run, oracle: Motion) -> tuple[Floats, NDArray[np.intp], str]:
+def _wrong(found: Run, finer: Run, oracle: Motion, least: float) -> tuple[Floats, NDArray[np.intp], str]:
     """Rows of the oracle that no event comes near, and which of them differ."""
     names = [c.name for c in found.motion.columns if c.kind in ("coordinate", "rate", "state")]
     happened = np.array([*(each.time for each in found.motion.events), *oracle.instants, np.inf])
@@ -100,7 +106,7 @@ def _wrong(found: Run, finer: Run, oracle: Motion) -> tuple[Floats, NDArray[np.i
         return times, np.zeros(0, dtype=np.intp), ""
     exact = np.array([oracle.states[k].x for k in keep])
     rows, other = (_columns(each, names, times) for each in (found, finer))
-    span = np.maximum(np.max(np.abs(exact), axis=0), 1e-6)
+    span = np.maximum(np.max(np.abs(exact), axis=0), 1e-6 * least)
     departure = np.maximum.accumulate(np.abs(rows - other), axis=0)
     order = _order(found, names)
     limit = np.maximum(FACTOR * departure, PART * span[order])

@@ -14,7 +14,9 @@ from oracle.state import AHEAD, NOW, State, System
 _PASSES = 100
 # What is told of a contact that struck, by whether it was closed and whether it stays.
 _KINDS = {(False, True): "closed", (False, False): "impact", (True, True): "impact", (True, False): "opened"}
-_STICK, _REST = 1e-3, 1e-6
+# Of the run: how long bounces may still go on in a contact that is at rest; of that, how long the next flight is
+# where bounces do not become shorter.
+_REST, _SHORT = 1e-6, 1e-3
 _ZERO = 1e-10
 
 
@@ -27,10 +29,8 @@ class Happening:
 
 @dataclass
 class Memory:
-    """Of contacts: the largest speed of approach so far, the time of the last impact; of rates: the largest so far."""
+    """Of rates: the largest so far. What was told."""
 
-    fastest: Floats
-    last: Floats
     speeds: Floats
     told: list[Happening] = field(default_factory=list)
     ended: bool = False
@@ -155,31 +155,41 @@ class Instant:
         scale: Floats,
     ) -> State:
         """Which contacts stay together after blows, which part."""
-        system, memory = self._system, self._memory
+        system = self._system
         speed = system.call("contact", s, b)["speed"]
         w = s.w.copy()
-        for i, was in approach.items():
-            memory.fastest[i] = max(memory.fastest[i], was)
-            w[system.counts[i]] += 1
-            stick = self._stick(found, i)
-            rest = found["rest"][i] if found["rest"][i] >= 0 else _REST * system.length
-            interval, ratio = s.t - memory.last[i], speed[i] / was
-            stays = bool(speed[i] <= max(stick, scale[i]) or (ratio < 1 and interval * ratio / (1 - ratio) < rest))
-            w[system.contacts[i]] = float(stays)
-            memory.last[i] = s.t
-            self._tell(s.t, i, _KINDS[bool(closed[i]), stays])
         for i in np.flatnonzero(closed):
-            if int(i) not in approach and speed[i] > max(scale[i], self._stick(found, int(i))):
+            if speed[i] > scale[i]:
                 w[system.contacts[i]] = 0.0
-                self._tell(s.t, int(i), "opened")
+                if int(i) not in approach:
+                    self._tell(s.t, int(i), "opened")
+        flying = w.copy()
+        flying[[system.contacts[i] for i in approach]] = 0.0
+        ahead = system.later(replace(s, w=flying), b, AHEAD)
+        back = (speed - system.call("contact", ahead, b)["speed"]) / (ahead.t - s.t)
+        for i, was in approach.items():
+            w[system.counts[i]] += 1
+            left = self._left(found, i, float(speed[i]), was, float(back[i]), float(scale[i]))
+            stays = left < np.inf
+            w[system.contacts[i]] = float(stays)
+            self._tell(s.t, i, "impact" if left and stays else _KINDS[bool(closed[i]), stays])
+            if left and stays:
+                self._tell(s.t + left, i, "closed")
         s = replace(s, w=w)
         rows = system.call("velocity_constraint", s, b)
         mass = system.call("dynamics", s, b)["M"]
         return replace(s, v=s.v + least_impulse(mass, rows["J"], rows["residual"], []))
 
-    def _stick(self, found: dict[str, Floats], i: int) -> float:
-        """The speed below which a contact stays together."""
-        return float(found["stick"][i]) if found["stick"][i] >= 0 else _STICK * self._memory.fastest[i]
+    def _left(self, found: dict[str, Floats], i: int, speed: float, was: float, back: float, zero: float) -> float:
+        """Time left of the series of bounces of a contact that struck, 0 where it does not rebound, inf where it does
+        not come to rest in short: flights of 2 v/a, r times that, r^2 times that."""
+        stick = float(found["stick"][i])
+        if speed <= zero or 0 <= speed < stick:
+            return 0.0
+        rest = float(found["rest"][i]) if found["rest"][i] >= 0 else _REST * self._system.length
+        flight, ratio = 2 * speed / back if back > 0 else np.inf, speed / was
+        left = flight / (1 - ratio) if ratio < 1 else np.inf
+        return min(left, flight / _SHORT) if left < rest or flight < _SHORT * rest else np.inf
 
     def _opened(self, s: State, b: list[float]) -> State:
         """Closed contacts that pull open, the one that pulls most first; touching ones without speed that would be

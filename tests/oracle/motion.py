@@ -34,16 +34,19 @@ class Motion:
     instants: list[float] = field(default_factory=list)
 
 
-def motion(program: Program, stop: float, times: Sequence[float], known: Sequence[float] = ()) -> Motion:
-    """`known` are instants at which something may happen: the integration begins anew there."""
-    return _Run(System(program, stop), sorted(times), sorted(known)).run()
+def motion(
+    program: Program, stop: float, times: Sequence[float], known: Sequence[float] = (), least: float = 1.0
+) -> Motion:
+    """`known` are instants at which something may happen: the integration begins anew there. `least` is
+    the smallest scale of what moves."""
+    return _Run(System(program, stop), sorted(times), sorted(known), least).run()
 
 
 class _Run:
-    def __init__(self, system: System, times: Sequence[float], known: Sequence[float]) -> None:
+    def __init__(self, system: System, times: Sequence[float], known: Sequence[float], least: float) -> None:
+        self._least = least * _LEAST
         self._system, self._times, self._known = system, times, known
-        count = len(system.contacts)
-        self._memory = Memory(np.zeros(count), np.full(count, -np.inf), np.abs(system.start.v))
+        self._memory = Memory(np.abs(system.start.v))
         self._instant = Instant(system, self._memory)
         self._motion = Motion()
 
@@ -57,7 +60,7 @@ class _Run:
         s, b = self._at_start(s, b)
         while s.t < system.length and not self._memory.ended:
             s, b = self._mode(s, b)
-        self._motion.told = self._memory.told
+        self._motion.told = sorted(self._memory.told, key=lambda each: each.time)
         return self._motion
 
     def _at_start(self, s: State, b: list[float]) -> tuple[State, list[float]]:
@@ -131,7 +134,7 @@ class _Run:
             x,
             end,
             rtol=_RTOL,
-            atol=1e-13 * np.maximum(np.abs(x), np.minimum(rates, 1.0)) + _LEAST,
+            atol=1e-13 * np.maximum(np.abs(x), np.minimum(rates, 1.0)) + self._least,
             max_step=self._system.length / _STEPS,
         )
 

@@ -44,12 +44,12 @@ def _impacts(e: float, count: int) -> np.ndarray:
     return first * np.concatenate([[1.0], 1.0 + 2.0 * np.cumsum(e ** np.arange(1, count))])
 
 
-@BOTH
-def test_the_ball_bounces_on_time(engine: Engine) -> None:
-    times = _times(_model("bouncing_ball", engine).simulate(), "impact", "closed")
-    assert len(times) == 31  # 0.8^31 < 1e-3 <= 0.8^30
-    np.testing.assert_allclose(times, _impacts(0.8, 31), rtol=0, atol=1e-9)
-    times = _times(_model("bouncing_ball_modelica", engine).simulate(), "reinit")
+def test_the_ball_bounces_on_time() -> None:
+    """After 62 impacts less than a millionth of the 5 s is left; it rests at the accumulation point."""
+    times = _times(_model("bouncing_ball", "c").simulate(), "impact", "closed")
+    assert len(times) == 63
+    np.testing.assert_allclose(times, [*_impacts(0.8, 62), 9.0 * math.sqrt(2.0 / G)], rtol=0, atol=1e-9)
+    times = _times(_model("bouncing_ball_modelica", "c").simulate(), "reinit")
     np.testing.assert_allclose(times, _impacts(0.8, 6), rtol=0, atol=1e-9)
 
 
@@ -65,17 +65,16 @@ end Zeno;
 """
 
 
-@BOTH
 @pytest.mark.parametrize("e", [0.3, 0.8])
-def test_the_bounces_end_where_their_times_accumulate(engine: Engine, e: float) -> None:
+def test_the_bounces_end_where_their_times_accumulate(e: float) -> None:
     """The last impact is the first after which less than `t_eps` is left to the accumulation point."""
-    motion = _model(ZENO, engine).simulate(stop=6.0, parameters={"e": e})
+    motion = _model(ZENO, "c").simulate(stop=6.0, parameters={"e": e})
     (closed,) = _times(motion, "closed")
     accumulation = math.sqrt(2 / G) * (1 + e) / (1 - e)
     times = _impacts(e, 200)
     last = int(np.argmax(accumulation - times < 1e-5))
-    assert closed == pytest.approx(times[last], abs=1e-9)
-    assert len(_times(motion, "impact")) == last
+    assert closed == pytest.approx(accumulation, abs=1e-10)
+    assert len(_times(motion, "impact")) == last + 1
     resting = motion.time > closed
     assert np.max(np.abs(motion["h"][resting])) < 1e-12
     np.testing.assert_allclose(motion["N"][resting], 0.1 * G, rtol=1e-12)

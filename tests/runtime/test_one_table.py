@@ -17,6 +17,7 @@ from lagdsl.runtime.build import build
 from lagdsl.runtime.native_model import native_model
 from lagdsl.runtime.run_structures import (
     WHAT,
+    Ensemble,
     Initial,
     InitialFault,
     Note,
@@ -34,6 +35,7 @@ MIRRORED: dict[str, type[Structure]] = {
     "lag_arguments": Arguments,
     "lag_batch": Batch,
     "lag_change": RunChange,
+    "lag_ensemble": Ensemble,
     "lag_fault": RunFault,
     "lag_initial": Initial,
     "lag_model": Model,
@@ -62,7 +64,7 @@ def test_a_file_without_marks_is_not_written(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def layouts() -> dict[str, list[tuple[int, int]]]:
     """For every structure its size, then the offsets and sizes of its members, as C has them."""
-    headers = ["model.h", "batch.h", "run.h", "initial.h"]
+    headers = ["model.h", "batch.h", "run.h", "initial.h", "ensemble.h"]
     lines = ["#include <stddef.h>", *(f'#include "lag/{name}"' for name in headers)]
     for name, mirror in MIRRORED.items():
         members = [f"{{offsetof({name}, {field[0]}), sizeof((({name} *)0)->{field[0]})}}" for field in mirror._fields_]

@@ -88,10 +88,8 @@ def test_steps_take_as_many_evaluations_as_they_have_stages() -> None:
     assert 13 * statistics.steps < statistics.evaluations < 17 * statistics.steps + 50
 
 
-def test_events_are_the_same_under_both_engines() -> None:
-    first, second = (lagdsl.compile(BALL, engine=engine).simulate(stop=5) for engine in ("c", "numpy"))
-    assert [(e.name, e.kind) for e in first.events] == [(e.name, e.kind) for e in second.events]
-    np.testing.assert_allclose([e.time for e in first.events], [e.time for e in second.events], rtol=0, atol=1e-9)
+def test_events_of_a_leap_are_on_time() -> None:
+    first = lagdsl.compile(BALL, engine="c").simulate(stop=5)
     flight = np.sqrt(2.0 / 9.80665)
     exact = flight + np.concatenate([[0.0], np.cumsum(2.0 * flight * 0.8 ** np.arange(1, 9))])
     np.testing.assert_allclose([e.time for e in first.events][:9], exact, rtol=0, atol=1e-9)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-import pickle
+import threading
+import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,12 +12,13 @@ import pytest
 
 import lagdsl
 from lagdsl.api.model import Model
+from lagdsl.runtime.engine import EngineName
 from lagdsl.sweep.dataset import require_room
 from lagdsl.sweep.journal import Busy, Journal, fingerprint_of, outcomes
-from lagdsl.sweep.plan import Axis, Plan, place, require_few, require_sound, settings, task, variants
-from lagdsl.sweep.processes import _Worker, in_processes, in_this_process
+from lagdsl.sweep.plan import Axis, Plan, Task, place, require_few, require_sound, settings, task, tasks_of, variants
 from lagdsl.sweep.run import Options, Outcome, Runner, Subject
 from lagdsl.sweep.sweep import Unfinished, Work, journal_path
+from lagdsl.sweep.threads import in_threads
 
 TEXT = """model Drop
   parameter Mass m(min = 0.1 kg) = 1 kg;
@@ -27,7 +30,19 @@ equation
   assert(h > 0, "on the floor");
 end Drop;
 """
+OSCILLATOR = """model Oscillator
+  parameter Real k = 1;
+  coordinate Real x(start = 0.0);
+  input Real u;
+  kinetic 1/2*1 kg.m2*der(x)^2;
+  potential 1/2*k*1 N.m*x^2;
+  force (u + k)*1 N.m on x;
+end Oscillator;
+"""
 OPTIONS = Options(stop=0.3, interval=0.1, tolerance=None, solver="auto", engine="numpy", inputs={})
+ON_TAPE = replace(OPTIONS, engine="tape")
+LONG = replace(ON_TAPE, stop=1e6, interval=1e5)
+THREADS = threading.active_count()
 
 
 @pytest.fixture(scope="module")
@@ -106,7 +121,7 @@ class TestPlan:
 class TestRuns:
     def test_a_run_that_fails_says_when_and_why(self, subject: Subject) -> None:
         plan = Plan(axes=(_axis("g", 10, 100),))
-        good, bad = in_this_process([subject], OPTIONS, (task(plan, i, [{}]) for i in range(2)))
+        good, bad = sorted(in_threads([subject], OPTIONS, tasks_of(plan, [{}], ()), 2, 1), key=lambda each: each.index)
         assert (good.status, good.message, good.ended) == ("ok", "", 0.3)
         np.testing.assert_allclose(good.values[:, 0], 1 - 5 * np.array([0, 0.1, 0.2, 0.3]) ** 2)
         assert bad.status == "failed"
@@ -119,7 +134,7 @@ class TestRuns:
         [({"m": 0.01}, "at least 0.1 kg"), ({"m": "x"}, "")],
     )
     def test_nothing_is_raised(self, subject: Subject, chosen: dict[str, float], words: str) -> None:
-        (outcome,) = in_this_process([subject], OPTIONS, [_task(chosen)])
+        (outcome,) = in_threads([subject], OPTIONS, [_task(chosen)], 1, 1)
         assert outcome.status == "failed"
         assert words in outcome.message
         assert np.isnan(outcome.ended)
@@ -127,54 +142,39 @@ class TestRuns:
     def test_a_model_that_does_not_compile_fails_its_runs(self) -> None:
         assert Runner([Subject(fault="E0203: no `x`")], OPTIONS)(_task({})).message == "E0203: no `x`"
 
-    def test_processes_give_the_same(self, subject: Subject) -> None:
-        plan = _plan()
-        tasks = [task(plan, i, [{}]) for i in range(plan.runs)]
-        alone = list(in_this_process([subject], OPTIONS, tasks))
-        several = sorted(in_processes([subject], OPTIONS, tasks, 2), key=lambda outcome: outcome.index)
-        for one, other in zip(alone, several, strict=True):
+    def test_threads_give_the_same(self, subject: Subject) -> None:
+        plan = Plan(axes=(_axis("m", 1, 2), _axis("g", 5, 10, 100)))
+        runner = Runner([subject], ON_TAPE)
+        alone = [runner(each) for each in tasks_of(plan, [{}], ())]
+        several = in_threads([subject], ON_TAPE, tasks_of(plan, [{}], ()), plan.runs, 3)
+        for one, other in zip(alone, sorted(several, key=lambda outcome: outcome.index), strict=True):
             assert (one.index, one.status, one.names) == (other.index, other.status, other.names)
+            assert one.message == other.message
             np.testing.assert_array_equal(one.values, other.values)
+        assert {one.status for one in alone} == {"ok", "failed"}
 
-    def test_leaving_early_stops_the_processes(self, subject: Subject) -> None:
-        plan = Plan(axes=(_axis("g", *range(1, 500)),))
-        made = in_processes([subject], OPTIONS, (task(plan, i, [{}]) for i in range(499)), 2)
+    @pytest.mark.parametrize("engine", ["numpy", "tape"])
+    def test_leaving_early_stops_the_threads(self, engine: EngineName) -> None:
+        """The first run is short, the others take many minutes."""
+        made = in_threads([_oscillator()], replace(LONG, engine=engine), [_task({"k": k}) for k in (0, 1, 2, 3)], 4, 2)
+        begun = time.perf_counter()
         assert next(made).status == "ok"
         made.close()
+        assert time.perf_counter() - begun < 60
+        assert threading.active_count() == THREADS
 
-    def test_a_process_that_dies_takes_one_run_with_it(self, subject: Subject) -> None:
-        worker = _Worker(pickle.dumps(([subject], OPTIONS)))
-        try:
-            worker._running().kill()
-            worker._running().wait()
-            assert "died (signal 9)" in worker.run(_task({})).message
-            assert worker.run(_task({})).status == "ok"
-        finally:
-            worker.stop()
-        assert worker.run(_task({})).status == "failed"
+    def test_functions_are_inputs_too(self) -> None:
+        options = replace(LONG, stop=1.0, interval=0.5, inputs={"u": lambda t: 6 * t})
+        (outcome,) = in_threads([_oscillator()], options, [_task({"k": 0})], 1, 2)
+        np.testing.assert_allclose(outcome.values[:, 0], np.array([0, 0.5, 1]) ** 3, atol=1e-6)
 
-    def test_a_worker_whose_sweep_is_killed_ends_its_run(self, subject: Subject) -> None:
-        from dataclasses import replace
 
-        worker = _Worker(pickle.dumps(((subject,), replace(OPTIONS, stop=1e9))))
-        with worker._running() as process:
-            assert process.stdin is not None
-            pickle.dump(_task({"g": 1e-20}), process.stdin)
-            process.stdin.close()  # as the system does when its other side is killed
-            assert process.wait(timeout=60) == 0
-        worker._process = None
-
-    def test_functions_cannot_be_sent(self, subject: Subject) -> None:
-        from dataclasses import replace
-
-        options = replace(OPTIONS, inputs={"u": lambda t: t})
-        with pytest.raises(ValueError, match="takes no functions"):
-            next(in_processes([subject], options, [], 2))
+def _oscillator() -> Subject:
+    compilation = lagdsl.compile(OSCILLATOR)._compilation
+    return Subject(flat=compilation.flat, program=compilation.program)
 
 
 def _task(parameters: dict[str, float]):
-    from lagdsl.sweep.plan import Task
-
     return Task(index=0, subject=0, parameters=parameters, start={})
 
 

@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
+from lagdsl.record import record
+
 # Per run of a kernel, per lap.
 Column = Sequence[Sequence[int]]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Index:
     """The whole number `base + slope + offset`: C expressions, of a table's entry and of what a lap adds, or empty."""
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from lagdsl.backends.c.literal import number
 from lagdsl.graph.operation import ARGUMENT_NAMES, DIRECTION_OF, ELEMENTARY_NAMES, Group, Op
+from lagdsl.record import record
 
 _OWN = {
     Op.SIGN: "sign", Op.NOT: "not", Op.MOD: "mod", Op.MIN: "min", Op.MAX: "max", Op.LESS: "less",
@@ -15,7 +16,7 @@ _OWN = {
 _LIBRARY = {**ELEMENTARY_NAMES, Op.ABS: "fabs", Op.POWER: "pow"}
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Place:
     """An entry of an array, `q[3]`; the time is an array of one entry."""
 
@@ -23,7 +24,7 @@ class Place:
     index: int
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Dialect:
     """`real` is the type of a value, `memory` that of its place; arrays of `shared` hold single numbers all the same.
 

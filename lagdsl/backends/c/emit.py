@@ -11,8 +11,8 @@ from lagdsl.backends.c.lanes import states_source, tangents_source
 from lagdsl.backends.c.literal import number
 from lagdsl.backends.c.source import header, source, symbol
 from lagdsl.backends.identifier import identifier
+from lagdsl.backends.start import Start
 from lagdsl.program.program import Program
-from lagdsl.record import record
 from lagdsl.resources import c_folder
 
 PARTS: dict[str, Callable[[Program, str], str]] = {
@@ -31,20 +31,6 @@ _RESERVED = frozenset(
     }
 )
 _EXAMPLES = ("main.c", "realtime.c")
-
-
-@record()
-class Start:
-    """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
-    entries (`minimum` and `maximum`: of q), as lag/model.h tells it. What is left out is not said."""
-
-    t: float
-    x: tuple[float, ...]
-    fixed: tuple[bool, ...] = ()
-    written: tuple[bool, ...] = ()
-    nominal: tuple[float, ...] = ()
-    minimum: tuple[float, ...] = ()
-    maximum: tuple[float, ...] = ()
 
 
 class CBackend:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, Dialect, Place
 from lagdsl.backends.c.kernel import rolled_code
@@ -12,6 +11,7 @@ from lagdsl.backends.c.statement import Listing, Store, listing
 from lagdsl.backends.c.straight import pieces
 from lagdsl.graph.graph import Graph
 from lagdsl.program.passes.fuse import exact, fused
+from lagdsl.record import record
 
 # Compilers need superlinear time for long functions: above the first number of statements they are rolled, where that
 # leaves less than this part of the text, or cut into pieces of the second number.
@@ -24,7 +24,7 @@ FUSED = ("elimination",)
 _CHECK = "pivot"
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Head:
     """Name, declared parameters and their names; whether sums are fused with their products."""
 
@@ -34,7 +34,7 @@ class Head:
     fused: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Code:
     """`body` is to be put between braces, `definitions` before; they use a scratch array `s` of `scratch` values."""
 

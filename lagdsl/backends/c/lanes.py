@@ -10,21 +10,13 @@ from lagdsl.backends.c.results import Results, definition, names_of, results
 from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import DIRECTION_OF, Group, Op
-from lagdsl.graph.substitute import Substitution
+from lagdsl.graph.operation import FIRST_UNARY
+from lagdsl.program.passes.along import along, shared
 from lagdsl.program.passes.hoist import hoisted
 from lagdsl.program.program import Block, Function, Program
 
 _OF_STATES = ("dynamics", "elimination")
-# The functions of directions by their names in lag_tangents.
-_OF_DIRECTIONS = {
-    "residual": "residual_tangent",
-    "acceleration": "acceleration_tangent",
-    "state_derivative": "state_derivative_tangent",
-    "output": "output_tangent",
-}
 _FUSED = (*FUSED, "acceleration_tangent")
-_STATE_AND_INPUT = (Group.DIRECTION_Q, Group.DIRECTION_QD, Group.DIRECTION_Z, Group.DIRECTION_U)
 # Numbers in the longest vector: arrays of vectors start at multiples of it.
 _WIDEST = 8
 
@@ -54,18 +46,16 @@ def states_source(program: Program, stem: str) -> str:
 
 def tangents_source(program: Program, stem: str, *, parameters: bool) -> str:
     """Text of a file that defines `stem`_tangents or, along directions dp only, `stem`_parameter_tangents."""
-    held = _STATE_AND_INPUT if parameters else (Group.DIRECTION_P,)
-    motion = _motion(program)
-    substitution = Substitution(program.graph, {**_zeros(program, held), **_solution(program, motion)})
-    functions = {name: _substituted(f, substitution) for name, f in _directional(program).items()}
+    found = along(program, parameters=parameters)
+    functions, motion = found.functions, found.motion
     prepared = _prepared(program)
-    shared = _shared(program.graph, [results(program, f, SINGLE) for f in functions.values()], prepared)
+    values = _shared(program.graph, [results(program, f, SINGLE) for f in functions.values()], prepared)
     start = len(prepared)
-    end = -(-(start + len(shared)) // _WIDEST) * _WIDEST
-    primal, alone = _primal(program, prepared, shared, motion, f"at->workspace + {end}")
+    end = -(-(start + len(values)) // _WIDEST) * _WIDEST
+    primal, alone = _primal(program, prepared, values, motion, f"at->workspace + {end}")
     texts, members, scratch = [primal], [f".{'motion' if motion else 'primal'} = model_primal"], 0
     for name, function in functions.items():
-        text, made = _function(program, function, {**prepared, **shared}, directions(start), f"at->workspace + {end}")
+        text, made = _function(program, function, {**prepared, **values}, directions(start), f"at->workspace + {end}")
         texts.append(text)
         scratch = max(scratch, made.scratch)
         members.append(f".{name} = model_{function.name}_lanes")
@@ -73,37 +63,16 @@ def tangents_source(program: Program, stem: str, *, parameters: bool) -> str:
     return _file(program, stem, "parameter_tangents" if parameters else "tangents", texts, members)
 
 
-def _motion(program: Program) -> tuple[Block, ...]:
-    """Accelerations, multipliers and pivot where no row is left to run time: derivatives need no more than these."""
-    if program.kept_rows or not program.has("elimination"):
-        return ()
-    results = program.function("elimination").results
-    return results[0], results[1], results[-1]
-
-
-def _solution(program: Program, motion: tuple[Block, ...]) -> dict[int, int]:
-    """What stands for accelerations and multipliers."""
-    found = zip((Group.QDD, Group.LAMBDA), motion, strict=False)
-    return {
-        program.graph.symbol(group, index): node for group, block in found for index, node in enumerate(block.elements)
-    }
-
-
-def _zeros(program: Program, groups: Sequence[Group]) -> dict[int, int]:
-    graph = program.graph
-    return {graph.symbol(g, index): graph.zero for g in groups for index in range(program.layout.size(g))}
-
-
 def _primal(
     program: Program,
     prepared: Mapping[int, Place],
-    shared: Mapping[int, Place],
+    values: Mapping[int, Place],
     motion: tuple[Block, ...],
     scratch: str,
 ) -> tuple[str, int]:
     """A function that leaves the shared values behind what is prepared, and tells the motion; and its scratch."""
     names = ("qdd", "lam", "pivot") if motion else ()
-    stores = [Store(place, node) for node, place in shared.items()]
+    stores = [Store(place, node) for node, place in values.items()]
     for name, block in zip(names, motion, strict=True):
         stores += [Store(Place(name, index), node) for index, node in enumerate(block.elements)]
     results = [f"double *{name}" for name in names]
@@ -116,26 +85,6 @@ def _primal(
 
 def _prepared(program: Program) -> dict[int, Place]:
     return {node: Place(PREPARED, index) for index, node in enumerate(hoisted(program))}
-
-
-def _directional(program: Program) -> dict[str, Function]:
-    """The functions of directions that the model has something for, by their names in lag_tangents."""
-    solved = program.has("acceleration_tangent")
-    found = {}
-    for name, known in _OF_DIRECTIONS.items():
-        if program.has(known) and name != ("residual" if solved else "acceleration"):
-            function = program.function(known)
-            if name in ("residual", "acceleration") or function.results[0].elements:
-                found[name] = function
-    return found
-
-
-def _substituted(function: Function, substitution: Substitution) -> Function:
-    blocks = tuple(
-        Block(name=block.name, shape=block.shape, elements=tuple(substitution.of_all(block.elements)))
-        for block in function.results
-    )
-    return Function(name=function.name, arguments=function.arguments, results=blocks)
 
 
 def _function(
@@ -155,18 +104,8 @@ def _function(
 
 def _shared(graph: Graph, contents: Sequence[Results], prepared: Mapping[int, Place]) -> dict[int, Place]:
     """Places of the values that do not depend on a direction and that something else needs."""
-    along = sum(1 << group for group in DIRECTION_OF.values())
-    stores = [store for each in contents for store in each.stores]
-    wanted: dict[int, None] = {}
-    for node in graph.live([store.node for store in stores], prepared):
-        if graph.groups[node] & along:
-            wanted.update(dict.fromkeys(graph.arguments(node)))
-    wanted.update(dict.fromkeys(store.node for store in stores))
-    nodes = sorted(
-        node
-        for node in wanted
-        if not graph.groups[node] & along and node not in prepared and graph.op[node] not in (Op.CONSTANT, Op.SYMBOL)
-    )
+    roots = [store.node for each in contents for store in each.stores]
+    nodes = [node for node in shared(graph, roots, prepared) if graph.op[node] >= FIRST_UNARY]
     return {node: Place(PRIMAL, index) for index, node in enumerate(nodes)}
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, SINGLE, Dialect, Place
 from lagdsl.backends.c.function import Code, Head, braced
@@ -12,6 +11,7 @@ from lagdsl.backends.identifier import comment_text
 from lagdsl.graph.graph import Graph
 from lagdsl.program.functions import BY_NAME
 from lagdsl.program.program import Block, Function, Layout, Program, Slot
+from lagdsl.record import record
 
 _FEWEST_ZEROS = 8
 
@@ -21,7 +21,7 @@ def names_of(function: str) -> list[str]:
     return [result.name for result in BY_NAME[function].results]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Results:
     """How the results of a function are filled: lines before and after everything, and the stores between."""
 

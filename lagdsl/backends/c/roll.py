@@ -14,6 +14,7 @@ from lagdsl.backends.c.dialect import Place
 from lagdsl.backends.c.shape import Leaf, Shaped, Shapes
 from lagdsl.backends.c.statement import Listing
 from lagdsl.program.passes.repeat import Run, runs
+from lagdsl.record import record
 
 # Loose stretches are cut into pieces of this length.
 _LONGEST_PIECE = 150
@@ -31,7 +32,7 @@ class Kernel:
     exports: list[int]
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Rolled:
     """`order` names the kernels in the order of the calls, each with the run that it does then."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Container, Mapping, Sequence
-from dataclasses import dataclass
 
 from lagdsl.backends.c.dialect import SCRATCH, Place
 from lagdsl.graph.graph import Graph
@@ -13,7 +12,7 @@ from lagdsl.program.passes.schedule import schedule
 from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Store:
     """`target` receives the value of `node`; `comment` tells where in the user's text it comes from."""
 
@@ -22,7 +21,7 @@ class Store:
     comment: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Gather:
     """Sines and cosines of `count` arguments: in the scratch array from `first` on, arguments, sines and cosines."""
 
@@ -43,7 +42,7 @@ class Statement:
         return self.store is None and self.gather is None
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Listing:
     """`given` are the places of values that are at hand; the scratch array starts with `gathered` entries in use."""
 

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
-from lagdsl.backends.c.emit import Start
-from lagdsl.backends.tape.function import Settled, words_into, words_of
-from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, nodes_of
+from lagdsl.backends.start import Start
+from lagdsl.backends.tape.function import preparation, words_of
+from lagdsl.backends.tape.nodes import Ints, Nodes, distinct, live_sets, nodes_of
+from lagdsl.backends.tape.settled import Settled, settle
 from lagdsl.flat.events import INITIAL
-from lagdsl.graph.operation import FIRST_UNARY, Group, Op
 from lagdsl.program import functions as known
-from lagdsl.program.program import Function, Layout, Program, Slot
+from lagdsl.program.passes.along import Along, along, elements, shared
+from lagdsl.program.program import Layout, Program, Slot
 from lagdsl.program.verify import counted, sizes
 
 VERSION: Final = 1
 _MAGIC: Final = b"lagtape\n"
-_PARAMETER: Final = 1 << Group.P
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
 
@@ -30,29 +31,65 @@ FUNCTIONS: Final = tuple(function.name for function in known.FUNCTIONS if functi
 SIZES: Final = (
     *("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "nd", "ne", "rank", "nk", "nindicator", "ncontact"),
     *("ngap", "nclock", "nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance", "nswitched"),
-    *("row", "prepared", "name"),
+    *("row", "prepared", "shared", "along_row", "parameter_shared", "parameter_along_row", "name"),
 )
+_ROWS: Final = SIZES[-7:-1]
+
+# What may be there beside the functions of one state, and the functions of each part.
+PARTS: Final = ("tangents", "parameter_tangents")
+ALONG: Final = ("residual", "acceleration", "state_derivative", "output")
 
 
-def tape(program: Program, start: Start | None = None) -> bytes:
-    """The tape of `program`; the same program gives the same bytes. `start` tells where its motion begins."""
+def tape(program: Program, start: Start | None = None, parts: Collection[str] = ()) -> bytes:
+    """The tape of `program`; the same program gives the same bytes. `start` tells where its motion begins.
+
+    `parts` of PARTS are the functions of several directions of derivatives at once that are wanted.
+    """
+    found = [along(program, parameters=part == PARTS[1]) if part in parts else None for part in PARTS]
     nodes = nodes_of(program.graph)
-    functions = [program.function(name) if program.has(name) else None for name in FUNCTIONS]
-    settled, constants, hoisted = _settled(program, nodes, [f for f in functions if f is not None])
-    codes, row = _codes(program, nodes, functions, settled, hoisted)
+    single = [program.function(name).results if program.has(name) else () for name in FUNCTIONS]
+    several = [each.functions[name].results for each in found if each is not None for name in each.functions]
+    blocks = [[np.array(block.elements, dtype=np.int64) for block in results] for results in (*single, *several)]
+    roots = [distinct(len(nodes.op), *own) for own in blocks]
+    lives = live_sets(nodes, roots)
+    settled, constants, hoisted = settle(nodes, len(program.layout.parameters), lives, roots)
+    (live,) = live_sets(nodes, [hoisted])
+    first, row = preparation(nodes, live, hoisted, settled, len(program.layout.parameters))
+    codes, ends = [first], [row]
+    made: dict[tuple[tuple[int, bytes], ...], tuple[Ints, int]] = {}  # without constraints two functions are one
+    for name, live, own in zip(FUNCTIONS, lives, blocks, strict=False):
+        key = tuple((number, block.tobytes()) for number, block in enumerate(own) if len(block))
+        if program.has(name) and key not in made:
+            made[key] = words_of(nodes, live, own, settled)
+        words, end = made[key] if program.has(name) else (_NONE, 0)
+        codes.append(words)
+        ends.append(end)
+    rows = []
+    for each in found:
+        words_along, end, shared_end, own_row = _codes_along(nodes, each, settled)
+        codes += words_along
+        ends.append(end)
+        rows += [shared_end, own_row]
+    return _written(program, constants, start, codes, [max(ends), settled.first, *rows])
+
+
+def _written(
+    program: Program, constants: list[float], start: Start | None, codes: Sequence[Ints], rows: Sequence[int]
+) -> bytes:
+    """All sections."""
     texts = _Texts()
     layout = program.layout
+    table, words = _written_once(codes)
     lengths = {
         **sizes(layout),
         **counted(program),
         "rank": len(layout.constraints) - sum(layout.redundant),
         "nk": len(program.kept_rows),
         "nswitched": len(layout.instants.switched_rows),
-        "row": row,
-        "prepared": settled.first,
+        **dict(zip(_ROWS, rows, strict=True)),
         "name": texts.place(program.name),
     }
-    return _written(
+    return _joined(
         [
             _words(lengths[name] for name in SIZES),
             _doubles(constants),
@@ -61,62 +98,58 @@ def tape(program: Program, start: Start | None = None) -> bytes:
             _words(texts.of_slots(_slots(layout))),
             _words(map(texts.place, _messages(layout))),
             texts.section(),
-            _words(_table(codes)),
-            _words(np.concatenate([*codes, np.zeros(0, dtype=np.int64)])),
+            _words(table),
+            _words(words),
         ]
     )
 
 
 # ---- functions -------------------------------------------------------------------------------------------------------
 
-
-def _settled(program: Program, nodes: Nodes, functions: Sequence[Function]) -> tuple[Settled, Sequence[float], Ints]:
-    """What stands in the row before a function starts: constants, parameters, what follows from these alone."""
-    graph = program.graph
-    roots = np.unique([node for f in functions for block in f.results for node in block.elements]).astype(np.int64)
-    live = np.array(graph.live(roots.tolist()), dtype=np.int64)
-    alone = nodes.groups & ~_PARAMETER == 0
-    hoisted = _hoisted(nodes, live, roots, alone)
-    numbers = live[nodes.op[live] == Op.CONSTANT]
-    constants = [1.0, -1.0, *(graph.value[node] for node in numbers.tolist())]
-    place = np.full(len(graph), -1, dtype=np.int64)
-    place[numbers] = 2 + np.arange(len(numbers))
-    symbols = live[(nodes.op[live] == Op.SYMBOL) & (nodes.operands[0, live] == Group.P)]
-    place[symbols] = len(constants) + nodes.operands[1, symbols]
-    parameters = len(program.layout.parameters)
-    place[hoisted] = len(constants) + parameters + np.arange(len(hoisted))
-    settled = Settled(place, frozenset(hoisted.tolist()), len(constants), len(constants) + parameters + len(hoisted))
-    return settled, constants, hoisted
+_NONE: Ints = np.zeros(0, dtype=np.int64)
 
 
-def _hoisted(nodes: Nodes, live: Ints, roots: Ints, alone: Flags) -> Ints:
-    """Nodes computed from parameters alone that something else is computed from, or that are results; ascending."""
-    operands = nodes.operands[:, live[~alone[live] & (nodes.op[live] >= FIRST_UNARY)]].ravel()
-    wanted = np.union1d(operands[operands >= 0], roots)
-    return wanted[alone[wanted] & (nodes.op[wanted] >= FIRST_UNARY)]
-
-
-def _codes(
-    program: Program, nodes: Nodes, functions: Sequence[Function | None], settled: Settled, hoisted: Ints
-) -> tuple[list[Ints], int]:
-    """The words of prepare() and of every function, none where the program lacks it; and the length of the row."""
-    preparation, row = words_into(nodes, hoisted, settled, len(program.layout.parameters))
-    codes = [preparation]
-    for function in functions:
-        words = np.zeros(0, dtype=np.int64)
-        if function is not None:
-            words, end = words_of(nodes, [block.elements for block in function.results], settled)
+def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[list[Ints], int, int, int]:
+    """The words of the functions of several directions; the row of what they share, how much that is, their own row."""
+    if found is None:
+        return [_NONE] * (1 + len(ALONG)), 0, 0, 0
+    functions = [found.functions[name] for name in ALONG if name in found.functions]
+    common = np.array(shared(nodes.graph, elements(functions), ()), dtype=np.int64)
+    common = common[(settled.place[common] < 0) & ~settled.hidden[common]]
+    after = settled.with_more(common)
+    before = replace(settled, first=after.first)
+    motion = [np.array(block.elements, dtype=np.int64) for block in found.motion]
+    (live,) = live_sets(nodes, [distinct(len(nodes.op), common, *motion)])
+    primal, single = words_of(nodes, live, motion, before, common)
+    codes, row = [primal], after.first
+    for name in ALONG:
+        words = _NONE
+        if name in found.functions:
+            own = [np.array(block.elements, dtype=np.int64) for block in found.functions[name].results]
+            live = _reached(nodes, distinct(len(nodes.op), *own), after)
+            words, end = words_of(nodes, live, own, after)
             row = max(row, end)
         codes.append(words)
-    return codes, row
+    return codes, single, after.first, row
 
 
-def _table(codes: Sequence[Ints]) -> Iterable[int]:
-    """First word and number of words of every function."""
-    first = 0
-    for words in codes:
-        yield from (first, len(words))
-        first += len(words)
+def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
+    """What `roots` are computed from, as far as what is in the row."""
+    given = frozenset(np.flatnonzero(settled.place >= 0).tolist())
+    return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
+
+
+def _written_once(codes: Sequence[Ints]) -> tuple[list[int], Ints]:
+    """First word and number of words of every function, and all words; those of the same array stand there once."""
+    table: list[int] = []
+    start: dict[int, int] = {}
+    words: list[Ints] = [_NONE]
+    for code in codes:
+        if id(code) not in start:
+            start[id(code)] = sum(map(len, words))
+            words.append(code)
+        table += (start[id(code)], len(code))
+    return table, np.concatenate(words)
 
 
 # ---- tables ----------------------------------------------------------------------------------------------------------
@@ -205,7 +238,7 @@ def _doubles(values: Sequence[float]) -> bytes:
     return np.array(values, dtype="<f8").tobytes()
 
 
-def _written(sections: Sequence[bytes]) -> bytes:
+def _joined(sections: Sequence[bytes]) -> bytes:
     """Head, lengths of the sections in bytes, and the sections, each from a multiple of 8 bytes on."""
     lengths = np.array([len(section) for section in sections], dtype="<u8").tobytes()
     body = b"".join([lengths, *(section + bytes(-len(section) % 8) for section in sections)])

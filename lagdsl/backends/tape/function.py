@@ -3,62 +3,58 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from lagdsl.backends.tape.instructions import CODE, GROUPS, THREE_PRODUCTS, TWO_PRODUCTS
-from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
+from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.backends.tape.registers import places
 from lagdsl.backends.tape.schedule import groups
 from lagdsl.backends.tape.selection import Selection, select
-from lagdsl.graph.operation import Group, Op
+from lagdsl.backends.tape.settled import MINUS_ONE, ONE, Settled
+from lagdsl.graph.operation import FIRST_UNARY, Group, Op
 
-# Where one and minus one stand in the row: first among the constants.
-ONE = 0
-MINUS_ONE = 1
 # Results with so many zeros are cleared before the others are written.
 _FEWEST_ZEROS = 8
 
 
-@dataclass(frozen=True, slots=True)
-class Settled:
-    """`place` of every node of the graph that is in the row before a function starts, -1 for others; `nodes` are those
-    among them that are computed from others. Parameters stand from the place `parameters` on, what belongs to the
-    function alone from `first` on."""
+def words_of(
+    nodes: Nodes, live: Ints, blocks: Sequence[Ints], settled: Settled, kept: Ints | None = None
+) -> tuple[Ints, int]:
+    """The instructions that fill the result arrays `blocks`, which are computed from the nodes `live`, and the length
+    of the row that they need.
 
-    place: Ints
-    nodes: frozenset[int]
-    parameters: int
-    first: int
-
-
-def words_of(nodes: Nodes, blocks: Sequence[Sequence[int]], settled: Settled) -> tuple[Ints, int]:
-    """The instructions that fill the result arrays `blocks`, and the length of the row that they need."""
-    elements = [np.array(block, dtype=np.int64) for block in blocks]
-    roots = np.unique(np.concatenate([_NONE, *elements]))
-    live = _live(nodes, roots, settled.nodes)
+    The nodes `kept`, ascending, are put into places in a row: the last ones before those of the function itself.
+    """
+    kept = _NONE if kept is None else kept
+    live = live[~settled.hidden[live]]
     known = settled.place[live]
-    results = np.searchsorted(live, roots)
-    selection = select(nodes, live, known >= 0, results)
-    loads, loaded = _loads(nodes, live, known, settled.first)
-    body, place, end = _body(selection, known, loaded, results, settled.first)
+    at_hand = known >= 0
+    own = np.searchsorted(live, kept)
+    places = settled.first - len(kept) + np.arange(len(kept))
+    computed = nodes.op[kept] >= FIRST_UNARY
+    known[own[computed]] = places[computed]
+    results = distinct(len(live), own, *(np.searchsorted(live, block) for block in blocks))
+    loads, loaded = _loads(nodes, live, at_hand, settled.first)
+    body, place, end = _computed(nodes, live, known, at_hand, loaded, results, settled.first)
+    copies = [CODE["MULTIPLY"], np.count_nonzero(~computed)] if not computed.all() else []
+    for to, of in zip(places[~computed].tolist(), place[own[~computed]].tolist(), strict=True):
+        copies += [to, of, ONE]
     stores = [
         _stored(number, place[np.searchsorted(live, block)], block != nodes.graph.zero)
-        for number, block in enumerate(elements)
+        for number, block in enumerate(blocks)
     ]
-    return np.concatenate([*loads, body, *stores, [CODE["END"]]]), end
+    return np.concatenate([*loads, body, np.array(copies, dtype=np.int64), *stores, [CODE["END"]]]), end
 
 
-def words_into(nodes: Nodes, wanted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
-    """The instructions that put the nodes `wanted`, ascending, into their places, after the constants and as many
-    parameters, which have places in a row."""
-    live = _live(nodes, wanted, frozenset())
-    at_hand = settled.place[live] >= 0
-    results = np.searchsorted(live, wanted)
+def preparation(nodes: Nodes, live: Ints, hoisted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
+    """The instructions that put the nodes `hoisted`, ascending, which are computed from `live`, into their places,
+    after the constants and as many parameters."""
+    known = settled.place[live]
+    at_hand = known >= 0
+    results = np.searchsorted(live, hoisted)
     at_hand[results] = False
-    selection = select(nodes, live, at_hand, results)
-    body, _, end = _body(selection, settled.place[live], _NONE, results, settled.first)
+    body, _, end = _computed(nodes, live, known, at_hand, _NONE, results, settled.first)
     own = [GROUPS[Group.P], 0, parameters, settled.parameters]
     load = [CODE["LOAD"], *own] if parameters else []
     return np.concatenate([np.array([CODE["CONSTANTS"], *load]), body, [CODE["END"]]]), end
@@ -67,18 +63,13 @@ def words_into(nodes: Nodes, wanted: Ints, settled: Settled, parameters: int) ->
 _NONE: Ints = np.zeros(0, dtype=np.int64)
 
 
-def _live(nodes: Nodes, roots: Ints, given: frozenset[int]) -> Ints:
-    """All nodes that `roots` are computed from, as far as those of `given`; ascending."""
-    return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
-
-
-def _loads(nodes: Nodes, live: Ints, known: Ints, first: int) -> tuple[list[Ints], Ints]:
+def _loads(nodes: Nodes, live: Ints, at_hand: Flags, first: int) -> tuple[list[Ints], Ints]:
     """The loads of the arguments, and their local numbers in the order of their places; -1 for what nothing reads."""
-    symbols = np.flatnonzero((nodes.op[live] == Op.SYMBOL) & (known < 0))
+    symbols = np.flatnonzero((nodes.op[live] == Op.SYMBOL) & ~at_hand)
     groups, indices = nodes.operands[0, live[symbols]], nodes.operands[1, live[symbols]]
     loads: list[Ints] = []
     loaded: list[Ints] = []
-    for group in np.unique(groups).tolist():
+    for group in distinct(len(Group), groups).tolist():
         members, own = symbols[groups == group], indices[groups == group]
         start = int(own.min())
         row = np.full(int(own.max()) + 1 - start, -1, dtype=np.int64)
@@ -99,8 +90,18 @@ def _stored(number: int, place: Ints, nonzero: Flags) -> Ints:
     return np.concatenate([[CODE["SCATTER"], number, len(place), len(entries)], entries, place[entries]])
 
 
-def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Ints, Ints, int]:
+def _computed(
+    nodes: Nodes, live: Ints, known: Ints, at_hand: Flags, loaded: Ints, results: Ints, first: int
+) -> tuple[Ints, Ints, int]:
     """The instructions between loads and stores, the place of every value, and the length of the row."""
+    if at_hand[nodes.op[live] >= FIRST_UNARY].all():
+        place = known.copy()
+        place[loaded[loaded >= 0]] = first + np.flatnonzero(loaded >= 0)
+        return _NONE, place, first + len(loaded)
+    return _body(select(nodes, live, at_hand, results), known, loaded, results, first)
+
+
+def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Ints, Ints, int]:
     grouped = groups(selection)
     order = np.array([step for group in grouped for step in group], dtype=np.int64)
     count, turns = len(selection.made), selection.turns

@@ -7,19 +7,18 @@ changes no bit.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from lagdsl.backends.tape.instructions import ANGLES, INSTRUCTION, MOST_OPERANDS, THREE_PRODUCTS, TWO_PRODUCTS
-from lagdsl.backends.tape.nodes import Flags, Ints, Nodes
+from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.graph.operation import FIRST_UNARY, Op
+from lagdsl.record import record
 
 # A product in more sums than this is computed once.
 _MOST_SUMS = 3
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Turn:
     """Sines and cosines of angles; local numbers, -1 for what nothing reads."""
 
@@ -28,7 +27,7 @@ class Turn:
     cosines: Ints
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Selection:
     """The instructions of a function, by the local number of the node that each computes, ascending.
 
@@ -114,7 +113,9 @@ def _take_in(made: Ints, code: Ints, own: Ints, signs: Ints, once: Flags) -> Int
     own[outer, 4], own[outer, 5] = last
     signs[outer] += 2 * signs[inner]
     code[outer] = THREE_PRODUCTS
-    return np.setdiff1d(np.arange(len(made)), inner, assume_unique=True)
+    remains = np.ones(len(made), dtype=np.bool_)
+    remains[inner] = False
+    return np.flatnonzero(remains)
 
 
 def _apart(pairs: Ints, count: int) -> Ints:
@@ -134,7 +135,7 @@ def _turns(op: Ints, operands: Ints, turned: Flags, computed: Flags) -> tuple[Tu
     where = np.flatnonzero(turned)
     if not len(where):
         return ()
-    angles = np.unique(operands[0, where])
+    angles = distinct(len(op), operands[0, where])
     values = np.full((2, len(turned)), -1, dtype=np.int64)
     values[np.where(op[where] == Op.SIN, 0, 1), operands[0, where]] = where
     level = _levels(operands, turned, computed, angles)

@@ -96,4 +96,15 @@ ROWS: dict[str, Row] = {
         label="enters no equation of motion",
         help="that is right for a force that a guide or a rod takes up; `lag derive` shows F.dr/dq for each load",
     ),
+    "W0520": warning(
+        "{what} where `{name}` has a corner, and no balance of momenta decides what happens there",
+        label="not smooth along the motion",
+        help="write branches that meet smoothly, or a `contact` or `when` with `reinit` that says what happens; "
+        "`smooth(1, ...)` says that both sides have one slope",
+    ),
+    "N0521": note(
+        "where `{name}` changes, momentum is kept, not velocity",
+        label="the kinetic energy depends on it",
+        help="`reinit(der(q), ...)` in the same clause says otherwise",
+    ),
 }

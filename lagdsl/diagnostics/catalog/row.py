@@ -1,11 +1,10 @@
 """The shape of a row of the catalog."""
 
-from dataclasses import dataclass
-
 from lagdsl.diagnostics.diagnostic import Severity
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Row:
     """Words of one diagnostic; `{name}` fields are filled with typed arguments by `Sink.report`.
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+
+from lagdsl.record import record
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Chunks:
     """`pieces` are consecutive runs of statements.
 

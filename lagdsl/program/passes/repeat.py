@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from lagdsl.record import record
 
 # A pattern is looked for among the next occurrences of its first element, so far away at most.
 _CANDIDATES = 16
@@ -12,7 +13,7 @@ _LONGEST_PATTERN = 600
 _LEAST_SAVING = 8
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Run:
     """`count` times `period` elements from `start` on; count 1 where nothing repeats."""
 

@@ -7,16 +7,16 @@ short.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import FIRST_UNARY, Op
+from lagdsl.record import record
 
 # Operations in one printed expression; bounds line length and the recursion of printers and parsers.
 _LARGEST_EXPRESSION = 12
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Schedule:
     """`named` nodes become variables, in this order. `symbols` are the symbols read, ascending."""
 

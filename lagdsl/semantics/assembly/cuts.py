@@ -46,7 +46,7 @@ class Cut:
         return Place(f"closure({joint})", joint, self.loop, self.span, (binding.span, *binding.scope.spans))
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class Tied:
     """A port with a place of its own, joined to frames that have theirs: both must be one."""
 

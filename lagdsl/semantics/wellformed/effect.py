@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
@@ -11,6 +10,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence, Orders
 from lagdsl.flat.quantity import Item
 from lagdsl.flat.spans import around, place
+from lagdsl.record import record
 from lagdsl.source import Span
 
 
@@ -93,7 +93,7 @@ def _idle(load: fm.Load) -> str | None:
     return "it acts from a place on the same place" if same else None
 
 
-@dataclass(frozen=True, slots=True)
+@record()
 class _Place:
     """Where an item acts: its keyword, the place in words, and what the place depends on."""
 

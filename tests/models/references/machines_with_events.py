@@ -117,9 +117,8 @@ def escapement(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 
 def valve_train(p: Parameters, t: Floats) -> dict[str, Floats]:
-    """On its seat, on the cam, in flight between. A contact that was struck holds after a rebound with less than a
-    thousandth of the fastest approach, or where what is left of a series is shorter than a millionth of the
-    experiment."""
+    """On its seat, on the cam, in flight between. A contact that was struck holds where what is left of
+    the series of its bounces is shorter than a millionth of the experiment."""
     m, J, k, preload = p["m"], p["J"], p["k"], p["preload"]
     lift = _Lift(p["lift"], p["lash"], p["duration"])
     tappet, seat = (_Contact(e, 1e-6 * (t[-1] - t[0])) for e in (0.2, 0.3))
@@ -136,15 +135,15 @@ def valve_train(p: Parameters, t: Floats) -> dict[str, Floats]:
     def pressing(_: float, x: Floats) -> float:
         return m * together(x)[1] + k * x[1] + preload
 
-    def cam_strikes(time: float, x: Floats) -> tuple[str, ArrayLike]:
+    def cam_strikes(_: float, x: Floats) -> tuple[str, ArrayLike]:
         slope = lift.slope(x[0])
         approach = slope * x[2] - x[3]
-        after, holds = tappet.struck(time, approach)
+        after, holds = tappet.struck(approach, (k * x[1] + preload) / m + lift.curvature(x[0]) * x[2] ** 2)
         blow = (approach + after) / (1 / m + slope**2 / J)
         return ("follows" if holds else "flies"), [x[0], x[1], x[2] - slope * blow / J, x[3] + blow / m]
 
-    def sits(time: float, x: Floats) -> tuple[str, ArrayLike]:
-        after, holds = seat.struck(time, -x[3])
+    def sits(_: float, x: Floats) -> tuple[str, ArrayLike]:
+        after, holds = seat.struck(-x[3], (k * x[1] + preload) / m)
         return ("sits", [x[0], 0.0, x[2], 0.0]) if holds else ("flies", [x[0], 0.0, x[2], after])
 
     def gap(_: float, x: Floats) -> float:
@@ -197,11 +196,10 @@ class _Contact:
     """Newton's law of impact, and when it ends in holding."""
 
     def __init__(self, e: float, rest: float) -> None:
-        self._e, self._rest, self._fastest, self._last = e, rest, 0.0, -np.inf
+        self._e, self._rest = e, rest
 
-    def struck(self, time: float, approach: float) -> tuple[float, bool]:
-        """Speed of rebound, and whether the contact holds, which ends it."""
-        e, interval = self._e, time - self._last
-        self._fastest, self._last = max(self._fastest, approach), time
-        holds = e * approach < 1e-3 * self._fastest or interval * e / (1 - e) < self._rest
-        return (0.0 if holds else e * approach), holds
+    def struck(self, approach: float, back: float) -> tuple[float, bool]:
+        """Speed of rebound, and whether the contact holds, which ends it; `back`: acceleration towards it in flight."""
+        after = self._e * approach
+        holds = after <= 0 or (back > 0 and 2 * after / back / (1 - self._e) < self._rest)
+        return (0.0 if holds else after), holds

@@ -8,9 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-/* The margin, as a part of the magnitudes seen, and of the size of the state: more than round-off. */
+/* The margin, as a part of the magnitudes seen, and so many times its round-off. */
 static const double PART = 1e-11;
-static const double ROUNDING = 2e-13;
+static const double ROUNDINGS = 64.0;
 /* What is so much of its margin behind zero has changed, where an event is carried out anyway. */
 static const double CLEARLY = 0.6;
 /* Where an event does nothing, as what an importer's errors let a resting contact do, the next one is so many times farther from zero. */
@@ -31,9 +31,9 @@ static double value(const lag_instance *instance, size_t i)
     return lag_alert_value(&instance->run->alert, i);
 }
 
-static double margin(const lag_instance *instance, size_t i, const double *x)
+static double margin(const lag_instance *instance, size_t i)
 {
-    return PART * instance->largest[i] + ROUNDING * lag_contacts_size(&instance->run->motion, x);
+    return PART * instance->largest[i] + ROUNDINGS * lag_alert_noise(&instance->run->alert, i);
 }
 
 /* 1, or -1 for relations that do not hold. */
@@ -57,7 +57,7 @@ lag_status lag_instance_look(lag_instance *instance)
     const size_t count = lag_instance_indicator_count(instance->fmu);
     const lag_status status = look(instance, instance->held.t, instance->x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        instance->g[i] = side(instance, i) * (value(instance, i) + margin(instance, i, instance->x) + instance->latched[i]);
+        instance->g[i] = side(instance, i) * (value(instance, i) + margin(instance, i) + instance->latched[i]);
     }
     return status;
 }
@@ -74,6 +74,10 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
 lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
 {
     const size_t count = lag_instance_indicator_count(instance->fmu);
+    if (instance->fmu->model->nindicator > 0) {
+        lag_noise_find(&instance->run->instants.noise, t, x);
+    }
+    lag_contacts_follow(&instance->run->instants.contacts, x);
     const lag_status status = look(instance, t, x);
     instance->known = 0;
     instance->held.latched_at = t;
@@ -90,7 +94,7 @@ lag_status lag_instance_release(lag_instance *instance)
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
-        if (value(instance, i) > margin(instance, i, instance->x)) {
+        if (value(instance, i) > margin(instance, i)) {
             instance->latched[i] = 0.0;
         }
     }
@@ -104,7 +108,7 @@ static lag_status find(lag_instance *instance, const double *located, int *any)
     const lag_status status = look(instance, instance->held.t, instance->x);
     *any = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double behind = instance->latched[i] + CLEARLY * margin(instance, i, instance->x);
+        const double behind = instance->latched[i] + CLEARLY * margin(instance, i);
         const int changed = value(instance, i) < -behind || (located != NULL && located[i] != 0.0);
         instance->run->alert.changed[i] = changed;
         instance->largest[i] = changed ? 0.0 : instance->largest[i];
@@ -144,7 +148,7 @@ static double flight(const lag_instance *instance)
     double late = 0.0;
     for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
         const int open = instance->run->motion.w[alert->places.contact + i] == 0.0;
-        const double behind = -value(instance, first + i) - instance->latched[first + i] - 2.0 * margin(instance, first + i, instance->x);
+        const double behind = -value(instance, first + i) - instance->latched[first + i] - 2.0 * margin(instance, first + i);
         if (open && alert->changed[first + i] != 0.0 && alert->speed[i] < 0.0) {
             late = fmax(late, -behind / alert->speed[i]);
         }

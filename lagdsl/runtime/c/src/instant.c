@@ -1,5 +1,6 @@
 #include "lag/instant.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -7,8 +8,9 @@
 
 /* A tick nearer to the present than this part of the period is the present one. */
 static const double SAME_TICK = 1e-9;
-/* Relations at an event are looked at this part of the last step later: long against round-off, short against all else. */
+/* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
 static const double AHEAD = 1e-4;
+static const double ULPS = 4096.0;
 /* So many intervals in a row, each shorter than the one before, down to this part of the first, */
 enum { MANY = 20, SAME = 100 };
 static const double PART = 1e-6;
@@ -17,8 +19,8 @@ static const double ROUNDING = 1e-14;
 
 size_t lag_instants_memory(const lag_model *model)
 {
-    return 2 * model->nclock + lag_contacts_memory(model) + lag_passes_memory(model) + lag_momentum_memory(model) +
-           lag_timed_memory(model) + lag_motion_size(model) + model->nw;
+    return 2 * model->nclock + lag_contacts_memory(model) + lag_passes_memory(model) + lag_noise_memory(model) +
+           lag_momentum_memory(model) + lag_timed_memory(model) + lag_motion_size(model) + model->nw;
 }
 
 void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
@@ -33,11 +35,13 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->period = instants->first + model->nclock;
     memory = instants->period + model->nclock;
     lag_contacts_place(&instants->contacts, motion, lag_take(&memory, lag_contacts_memory(model)));
+    instants->contacts.limits = projection->limits;
+    lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
     lag_momentum_place(&instants->momentum, motion, lag_take(&memory, lag_momentum_memory(model)));
     lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
-    lag_passes_place(&instants->passes, &instants->contacts, &instants->momentum, &instants->timed, projection, memory);
+    lag_passes_place(&instants->passes, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
@@ -87,7 +91,7 @@ static lag_status start_clocks(lag_instants *instants, double t)
 
 double lag_instants_next(const lag_instants *instants)
 {
-    double next = instants->timed.next;
+    double next = fmin(instants->timed.next, lag_contacts_next(&instants->contacts));
     for (size_t i = 0; i < instants->motion->model->nclock; ++i) {
         next = fmin(next, tick(instants, i));
     }
@@ -100,7 +104,7 @@ int lag_instants_due(const lag_instants *instants, double t)
     while (i < instants->motion->model->nclock && !is_due(instants, i, t)) {
         ++i;
     }
-    return i < instants->motion->model->nclock || instants->timed.next <= t;
+    return i < instants->motion->model->nclock || instants->timed.next <= t || lag_contacts_next(&instants->contacts) <= t;
 }
 
 /* Clocks that tick now, into w; they go on to their next tick. */
@@ -112,6 +116,20 @@ static lag_status ring(lag_instants *instants, double t, const double *x)
             ++instants->clock[i].next;
             instants->motion->w[instants->places.clock + i] = 1.0;
             status = lag_passes_tell(&instants->passes, t, x, LAG_TICK, i);
+        }
+    }
+    return status;
+}
+
+/* Contacts whose bounces are over now have closed. */
+static lag_status rest(lag_instants *instants, double t, const double *x)
+{
+    lag_contacts *contacts = &instants->contacts;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < instants->motion->model->ncontact && status == LAG_OK; ++i) {
+        if (contacts->until[i] <= t) {
+            contacts->until[i] = (double)INFINITY;
+            status = *lag_contacts_flag(contacts, i) != 0.0 ? lag_passes_tell(&instants->passes, t, x, LAG_CLOSED, i) : LAG_OK;
         }
     }
     return status;
@@ -207,6 +225,9 @@ lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int
             return LAG_OK;
         }
     }
+    if (lag_contacts_next(&instants->contacts) <= t) {
+        return LAG_OK;
+    }
     memcpy(instants->x_before, x, lag_motion_size(model) * sizeof(double));
     memcpy(instants->w_before, instants->motion->w, model->nw * sizeof(double));
     lag_status status = turn(instants, t, x, &jumped);
@@ -218,25 +239,55 @@ lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int
     return status == LAG_OK && *quiet ? lag_timed_seek(&instants->timed, t) : status;
 }
 
-lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
+/* What is due now, before the clauses are looked at: changes with time, clocks, the end of bounces. */
+static lag_status strike(lag_instants *instants, double t, double *x)
 {
     int jumped = 0;
     lag_status status = instants->timed.next <= t ? turn(instants, t, x, &jumped) : LAG_OK;
+    if (status == LAG_OK) {
+        status = rest(instants, t, x);
+    }
     if (status == LAG_OK) {
         status = ring(instants, t, x);
     }
     if (status == LAG_OK && instants->timed.next <= t) {
         status = tell_turned(instants, t, x);
+        instants->timed.next = (double)INFINITY;
+    }
+    return status;
+}
+
+/* Relations that pass zero just now turn with the clocks that tick. */
+static lag_status turn_relations(lag_instants *instants, double t, const double *x)
+{
+    lag_passes *passes = &instants->passes;
+    const lag_model *model = instants->motion->model;
+    const double *truth = instants->motion->w + instants->places.relation;
+    memcpy(passes->before, instants->motion->w, model->nw * sizeof(double));
+    lag_status status = lag_passes_turn(passes, t, x);
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        if (truth[i] != passes->before[instants->places.relation + i]) {
+            status = lag_passes_tell(passes, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
+        }
+    }
+    return status;
+}
+
+lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
+{
+    lag_status status = strike(instants, t, x);
+    if (status == LAG_OK) {
+        status = turn_relations(instants, t, x);
     }
     instants->timed.next = (double)INFINITY;
     return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 
-lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed)
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks)
 {
     const lag_model *model = instants->motion->model;
     double *truth = instants->motion->w + instants->places.relation;
-    lag_status status = LAG_OK;
+    lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
     int any = 0;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
@@ -256,7 +307,8 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
     return LAG_CHATTER;
 }
 
-void lag_instants_after(lag_instants *instants, double h)
+void lag_instants_after(lag_instants *instants, double t, double h)
 {
-    instants->passes.moment = AHEAD * h;
+    instants->passes.moment = fmax(AHEAD * h, ULPS * DBL_EPSILON * fabs(t));
+    instants->contacts.moment = instants->passes.moment;
 }

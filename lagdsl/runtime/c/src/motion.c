@@ -51,7 +51,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->at.qdd = motion->qdd;
     motion->at.lam = motion->lam;
     motion->until = (double)INFINITY;
-    motion->ode = (lag_ode){lag_motion_size(model), motion, rates, jacobian, model->nq};
+    motion->ode = (lag_ode){lag_motion_size(model), motion, rates, jacobian};
 }
 
 lag_status lag_motion_parameters(lag_motion *motion, const double *p)

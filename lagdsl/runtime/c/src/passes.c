@@ -8,19 +8,18 @@
 enum { MOST_PASSES = 100 };
 /* What a constraint that discretes switch may be off the positions, as a part of the size of its row. */
 static const double TORN = 1e-6;
-/* What passes zero within this part of the moment does so at the event. */
-static const double PASSING = 1e-3;
-/* What is below this part of the size of the state is round-off. */
-static const double ROUNDING = 1e-13;
+/* A relation that passes zero within this part of the moment does so at the event. */
+static const double PASSING = 1e-2;
 
 size_t lag_passes_memory(const lag_model *model)
 {
-    return 3 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
+    return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
            3 * lag_motion_size(model) + 2 * model->nindicator + 3 * model->ncontact;
 }
 
 void lag_passes_place(
-    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, double *memory)
+    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
+    double *memory)
 {
     const lag_model *model = contacts->motion->model;
     const size_t size = lag_motion_size(model);
@@ -30,11 +29,14 @@ void lag_passes_place(
     passes->momentum = momentum;
     passes->timed = timed;
     passes->projection = projection;
+    passes->noise = noise;
     passes->places = lag_places_of(model);
     passes->moment = 1e-9;
     passes->before = lag_take(&memory, model->nw);
     passes->next = lag_take(&memory, model->nw);
     passes->guilty = lag_take(&memory, model->nw);
+    passes->settled = lag_take(&memory, model->nw);
+    memset(passes->settled, 0, model->nw * sizeof(double));
     passes->reset = lag_take(&memory, model->nreset);
     passes->value = lag_take(&memory, model->nreset);
     passes->collision = lag_take(&memory, model->ncollision);
@@ -113,6 +115,24 @@ static void move_on(lag_passes *passes, double t, const double *x)
     }
 }
 
+/* Whether relation i passes zero here, as it was looked at now and a moment later. */
+static int passing(const lag_passes *passes, size_t i)
+{
+    return fabs(passes->now[i]) <= PASSING * fabs(passes->then[i] - passes->now[i]);
+}
+
+/* Round-off of the relations, where one of those that have turned may be zero but for that. */
+static void weigh(lag_passes *passes, double t, const double *x, const double *turned)
+{
+    int any = 0;
+    for (size_t i = 0; i < passes->motion->model->nindicator && turned != NULL; ++i) {
+        any = any || (turned[i] != 0.0 && !passing(passes, i));
+    }
+    if (any) {
+        lag_noise_find(passes->noise, t, x);
+    }
+}
+
 /*
  * Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero what they have turned to
  * (flags, or null).
@@ -124,20 +144,27 @@ static lag_status ahead(lag_passes *passes, double t, const double *x, const dou
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    const double least = ROUNDING * lag_contacts_size(motion, x);
     move_on(passes, t, x);
     lag_status status = indicate(passes, t, x, passes->now);
     if (status == LAG_OK) {
         status = indicate(passes, t + passes->moment, passes->later, passes->then);
     }
+    if (status == LAG_OK) {
+        weigh(passes, t, x, turned);
+    }
     for (size_t i = 0; i < model->nindicator; ++i) {
-        const int passing = fabs(passes->now[i]) <= PASSING * fabs(passes->then[i] - passes->now[i]);
-        const int stays = turned != NULL && turned[i] != 0.0 && !passing && fabs(passes->now[i]) <= least;
+        const int passes_zero = passing(passes, i);
+        const int stays = turned != NULL && turned[i] != 0.0 && !passes_zero && fabs(passes->now[i]) <= passes->noise->sigma[i];
         if (!stays) {
-            motion->w[passes->places.relation + i] = holds(model, i, passing ? passes->then[i] : passes->now[i]);
+            motion->w[passes->places.relation + i] = holds(model, i, passes_zero ? passes->then[i] : passes->now[i]);
         }
     }
     return status;
+}
+
+lag_status lag_passes_turn(lag_passes *passes, double t, const double *x)
+{
+    return ahead(passes, t, x, NULL);
 }
 
 /* ---- one pass ---- */
@@ -169,16 +196,26 @@ lag_status lag_passes_settle(lag_passes *passes, double t, const double *x)
             break;
         }
     }
+    memcpy(passes->settled, w, model->nw * sizeof(double));
     return status;
 }
 
 /* ---- contacts ---- */
 
-/* What a contact that struck or changed did. */
+/* A contact has opened, or closed. What was told of it for later does not come. */
+static lag_status tell_state(const lag_passes *passes, double t, const double *x, lag_what what, size_t i)
+{
+    passes->contacts->until[i] = (double)INFINITY;
+    return lag_passes_tell(passes, t, x, what, i);
+}
+
+/* What a contact that struck or changed did. One that is held for the rest of its bounces has struck. */
 static lag_status tell_contact(const lag_passes *passes, double t, const double *x, int before, size_t i)
 {
     const int now = passes->motion->w[passes->places.contact + i] != 0.0;
-    return lag_passes_tell(passes, t, x, before == now ? LAG_IMPACT : now ? LAG_CLOSED : LAG_OPENED, i);
+    const int bounces = now && passes->contacts->until[i] < (double)INFINITY;
+    return before == now || bounces ? lag_passes_tell(passes, t, x, LAG_IMPACT, i)
+                                    : tell_state(passes, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
 }
 
 /* Impacts, and what they did. */
@@ -210,7 +247,7 @@ static void keep_pulling(lag_passes *passes, double t, const double *x, double *
     solve(motion, t + passes->moment, passes->later);
     for (size_t i = 0; i < motion->model->ncontact; ++i) {
         const double force = motion->lam[motion->model->contact_rows[i]];
-        pulling[i] = pulling[i] != 0.0 && force < -passes->contacts->slack[1];
+        pulling[i] = pulling[i] != 0.0 && force < -lag_contacts_force_noise(passes->contacts, i);
     }
 }
 
@@ -235,7 +272,7 @@ static lag_status change_contacts(lag_passes *passes, double t, double *x, const
         closed[i] = pulling[i] != 0.0 ? 0.0 : closed[i];
     }
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = pulling[i] != 0.0 ? lag_passes_tell(passes, t, x, LAG_OPENED, i) : LAG_OK;
+        status = pulling[i] != 0.0 ? tell_state(passes, t, x, LAG_OPENED, i) : LAG_OK;
     }
     const int any = lag_any(count, meeting) || lag_any(count, pulling);
     if (any && status == LAG_OK) {
@@ -246,7 +283,7 @@ static lag_status change_contacts(lag_passes *passes, double t, double *x, const
     }
     lag_contacts_press(passes->contacts, t, x, meeting);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = meeting[i] != 0.0 && closed[i] != 0.0 ? lag_passes_tell(passes, t, x, LAG_CLOSED, i) : LAG_OK;
+        status = meeting[i] != 0.0 && closed[i] != 0.0 ? tell_state(passes, t, x, LAG_CLOSED, i) : LAG_OK;
     }
     return status;
 }
@@ -300,7 +337,7 @@ static lag_status part(lag_passes *passes, double t, const double *x)
     memcpy(passes->closed, closed, count * sizeof(double));
     lag_status status = lag_contacts_part(passes->contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = passes->closed[i] != closed[i] ? lag_passes_tell(passes, t, x, LAG_OPENED, i) : LAG_OK;
+        status = passes->closed[i] != closed[i] ? tell_state(passes, t, x, LAG_OPENED, i) : LAG_OK;
     }
     return status;
 }
@@ -328,21 +365,39 @@ static lag_status act(lag_passes *passes, double t, double *x, int *acted)
     return status == LAG_OK && *acted ? part(passes, t, x) : status;
 }
 
-/*
- * Discretes that stand in constraints, masses or prescribed motions may have changed: momenta are balanced. Else, after resets, rates go
- * onto the constraints. Those that were reset stay as far as that can be; contacts follow, they only push.
- */
-static lag_status take_hold(lag_passes *passes, double t, double *x, int acted)
+/* 1: other discretes than contacts are those with which the rates were moved onto the constraints last. */
+static int is_settled(const lag_passes *passes)
+{
+    const lag_places *places = &passes->places;
+    const size_t relations = passes->motion->model->nindicator;
+    const double *w = passes->motion->w;
+    return same(places->contact, w, passes->settled) && same(relations, w + places->relation, passes->settled + places->relation);
+}
+
+/* The discretes now, but for variables and relations as they were when the rates were moved onto the constraints last. */
+static const double *settled_before(lag_passes *passes)
 {
     const lag_places *places = &passes->places;
     const lag_model *model = passes->motion->model;
-    const double *w = passes->motion->w;
-    const double *held = acted ? passes->held + model->nq : NULL;
+    memcpy(passes->next, passes->before, model->nw * sizeof(double));
+    memcpy(passes->next, passes->settled, places->contact * sizeof(double));
+    memcpy(passes->next + places->relation, passes->settled + places->relation, model->nindicator * sizeof(double));
+    return passes->next;
+}
+
+/*
+ * Discretes that stand in constraints, masses or prescribed motions may have changed, whoever changed them: momenta are balanced. Else, after
+ * resets, rates go onto the constraints. Those that were reset stay as far as that can be; contacts follow, they only push.
+ */
+static lag_status take_hold(lag_passes *passes, double t, double *x, int acted)
+{
+    const double *held = acted ? passes->held + passes->motion->model->nq : NULL;
     int jumped = 0;
-    if (same(places->contact, w, passes->before) && same(model->nindicator, w + places->relation, passes->before + places->relation)) {
+    if (is_settled(passes)) {
         return acted ? lag_projection_rates(passes->projection, t, x, held) : LAG_OK;
     }
-    const lag_status status = lag_momentum_keep(passes->momentum, t, x, passes->before);
+    const lag_status status = lag_momentum_keep(passes->momentum, t, x, settled_before(passes));
+    memcpy(passes->settled, passes->motion->w, passes->motion->model->nw * sizeof(double));
     return status == LAG_OK ? lag_momentum_balance(passes->momentum, t, x, held, &jumped) : status;
 }
 

@@ -7,6 +7,8 @@
 #include "lag/memory.h"
 #include "lag/run.h"
 
+static const double TURN = 6.283185307179586;
+
 size_t lag_results_width(const lag_model *model)
 {
     return 1 + lag_motion_size(model) + lag_places_of(model).contact + model->ny + 3;
@@ -58,6 +60,19 @@ static void observe(lag_run *run, double t, const double *x, double *values)
     find_residuals(run, energy + 1);
 }
 
+/* Of all angles that differ by whole turns the nearest to the one before; what is no number is left out. */
+static void unwind(lag_results *results, size_t count, double *outputs)
+{
+    for (size_t i = 0; i < count; ++i) {
+        if (results->turning[i] && isfinite(outputs[i])) {
+            if (isfinite(results->angle[i])) {
+                outputs[i] += TURN * rint((results->angle[i] - outputs[i]) / TURN);
+            }
+            results->angle[i] = outputs[i];
+        }
+    }
+}
+
 static lag_status make_room(lag_results *results)
 {
     if (results->row < results->most_rows && results->note < results->most_notes) {
@@ -82,6 +97,9 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
     memcpy(row + 1, x, size * sizeof(double));
     memcpy(row + 1 + size, run->motion.w, variables * sizeof(double));
     observe(run, t, x, row + 1 + size + variables);
+    if (results->turning != NULL) {
+        unwind(results, model->ny, row + 1 + size + variables);
+    }
     ++results->row;
     results->any = 1;
     results->last = t;

@@ -12,7 +12,7 @@ static const double PART = 1e-3;
 
 int lag_run_crosses(const lag_model *model, const lag_run_options *options)
 {
-    return options->careful == 2 && model->nc > 0;
+    return options->careful && model->nc > 0;
 }
 
 size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
@@ -75,7 +75,7 @@ static void place_instants(lag_run *run, const lag_model *model, double **memory
     const lag_run_options *options = &run->options;
     double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock + options->clocks, own);
-    lag_alert_place(&run->alert, &run->motion, run->instants.contacts.slack, lag_take(memory, lag_alert_memory(model)));
+    lag_alert_place(&run->alert, &run->motion, &run->instants.contacts, &run->instants.noise, lag_take(memory, lag_alert_memory(model)));
     run->instants.passes.tell = tell;
     run->instants.passes.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
@@ -120,6 +120,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     run->stepper.length = options->h_fixed;
+    run->stepper.nq = model->nq;
     lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
     run->group = lag_take(&memory, size);
     run->natural = lag_take(&memory, size);
@@ -148,11 +149,6 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->ticked = lag_take(&memory, options->clocks);
     run->pending = lag_take(&memory, model->nindicator + model->ncontact);
     return run;
-}
-
-void lag_run_skip(lag_run *run, size_t row)
-{
-    run->row = row;
 }
 
 void lag_run_tell(const lag_run *run, lag_run_report *report)

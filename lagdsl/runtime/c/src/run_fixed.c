@@ -9,7 +9,7 @@ static lag_status follow_fixed(lag_run *run, double h)
     if (run->motion.model->event == NULL) {
         return status;
     }
-    lag_instants_after(&run->instants, h);
+    lag_instants_after(&run->instants, run->stepper.t, h);
     run->instants.contacts.flight = h;
     status = lag_alert_look(&run->alert, run->stepper.t, run->stepper.x);
     if (status == LAG_HAPPENS) {

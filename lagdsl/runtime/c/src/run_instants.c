@@ -30,10 +30,11 @@ lag_status lag_run_enter(lag_run *run)
     return has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
 }
 
-lag_status lag_run_event(lag_run *run, double h, const double *changed)
+static lag_status carry_out(lag_run *run, double h, const double *changed, int ticks)
 {
     const lag_model *model = run->motion.model;
-    lag_instants_after(&run->instants, h);
+    double *x = run->stepper.x;
+    lag_instants_after(&run->instants, run->stepper.t, h);
     if (changed == NULL) {
         return LAG_OK;
     }
@@ -41,9 +42,19 @@ lag_status lag_run_event(lag_run *run, double h, const double *changed)
     memmove(run->alert.changed, changed, (model->nindicator + model->ncontact) * sizeof(double));
     lag_status status = tell(run, LAG_BEFORE);
     if (status == LAG_OK) {
-        status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, run->stepper.x, run->alert.changed));
+        status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->alert.changed, ticks));
     }
     return status;
+}
+
+lag_status lag_run_event(lag_run *run, double h, const double *changed)
+{
+    return carry_out(run, h, changed, 0);
+}
+
+lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed)
+{
+    return carry_out(run, h, changed, 1);
 }
 
 int lag_run_due(const lag_run *run, double t)
@@ -87,7 +98,7 @@ lag_status lag_run_jump(lag_run *run)
     run->motion.until = (double)INFINITY;
     ++run->events;
     if (status == LAG_OK) {
-        status = over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending));
+        status = over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0));
     }
     return status == LAG_OK ? lag_run_watch(run, s->t, s->x) : status;
 }

@@ -3,14 +3,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/memory.h"
 #include "lag/run.h"
 
 /* Steps are at least so many units in the last place of time. */
 static const double ULPS = 16.0;
 /* A step from which the constraints are out of reach is tried again with this part of its length. */
 static const double SHORTER = 0.25;
-/* So many steps a run has at least where relations or contacts are looked for. */
-static const double LEAST_STEPS = 50.0;
 
 static double least_length(const lag_run *run, double stop)
 {
@@ -55,13 +54,15 @@ static lag_status look_around(lag_run *run, double limit, double *shorter)
 {
     lag_stepper *s = &run->stepper;
     lag_status status = lag_look_at(&run->look, run->projection.jacobian);
-    if (status != LAG_ATTENTION || !lag_run_crosses(run->motion.model, &run->options)) {
+    if (status != LAG_ATTENTION) {
         return status;
     }
     status = lag_singular_after(&run->singular, limit, shorter);
     if (status == LAG_ATTENTION && *shorter > s->h_least) {
         lag_stepper_undo(s, *shorter);
         status = LAG_TOO_LONG;
+    } else if (status == LAG_ATTENTION) {
+        status = LAG_STUCK;
     }
     const lag_status seen = see(run);
     return status == LAG_OK && seen != LAG_ATTENTION ? seen : status;
@@ -101,7 +102,7 @@ static lag_status step_once(lag_run *run, double limit)
         if (status == LAG_OFF) {
             lag_run_lose(run, s->t, s->x);
         }
-        if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
+        if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
             status = look_around(run, limit, &shorter);
         }
         if (status == LAG_TOO_LONG) {
@@ -172,15 +173,34 @@ static lag_status find(lag_run *run, double *own, double *other)
     return status;
 }
 
+/* The time scale of what happens at the end of a step: one that was cut short does not tell it. */
+static double scale_of(const lag_run *run, const lag_half *half)
+{
+    const double reach = run->alert.reach;
+    return reach > 0.0 ? fmin(reach, fmax(half->length, half->next)) : half->length;
+}
+
+/* Relations that pass zero with a tick do so in the event of the tick, which at `stop` is left to the next call. */
+static int left_to_ticks(const lag_run *run, double stop)
+{
+    const lag_model *model = run->motion.model;
+    return run->stepper.t >= stop && lag_run_due(run, run->stepper.t) && !lag_any(model->ncontact, run->pending + model->nindicator);
+}
+
 /* What happens at the end of a step: the model's, the caller's; clocks before `stop`. */
 static lag_status happen(lag_run *run, double stop, const lag_half *half, int *happened)
 {
+    const double t = run->stepper.t;
+    const double h = scale_of(run, half);
+    const int due = t < stop && lag_run_due(run, t);
     int fired = 0;
-    *happened = half->own;
-    lag_instants_after(&run->instants, half->length);
-    lag_status status = half->own ? lag_run_event(run, half->length, run->pending) : LAG_OK;
-    if (status == LAG_OK && run->stepper.t < stop && lag_run_due(run, run->stepper.t)) {
-        *happened = 1;
+    const int own = half->own && !left_to_ticks(run, stop);
+    *happened = own || due;
+    lag_instants_after(&run->instants, t, h);
+    lag_status status = LAG_OK;
+    if (own) {
+        status = due ? lag_run_event_and_ticks(run, h, run->pending) : lag_run_event(run, h, run->pending);
+    } else if (due) {
         status = lag_run_ticks(run);
     }
     if (status == LAG_OK) {
@@ -244,20 +264,6 @@ lag_status lag_run_finish(lag_run *run, double stop)
     return status == LAG_OK ? lag_run_rows(run, s->t, 1) : status;
 }
 
-/* What happens at instants is looked for at a few places of a step: none is so long that much would be missed between them. */
-static double most_length(const lag_run *run)
-{
-    const lag_model *model = run->motion.model;
-    const double length = run->instants.contacts.length;
-    if (run->options.h_most > 0.0) {
-        return run->options.h_most;
-    }
-    if (run->stepper.method->error_order == 0) {
-        return (double)INFINITY;
-    }
-    return model->nindicator + model->ncontact > 0 && length > 0.0 ? length / LEAST_STEPS : (double)INFINITY;
-}
-
 lag_status lag_run_restart(lag_run *run, double stop)
 {
     lag_stepper *s = &run->stepper;
@@ -266,7 +272,7 @@ lag_status lag_run_restart(lag_run *run, double stop)
     if (!(run->options.length > 0.0) && run->options.count < 2) {
         run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
     }
-    s->h_most = most_length(run);
+    s->h_most = run->options.h_most > 0.0 ? run->options.h_most : (double)INFINITY;
     run->half.open = 0;
     run->instants.timed.length = run->instants.contacts.length;
     lag_status status = lag_run_ticks(run);
@@ -276,9 +282,9 @@ lag_status lag_run_restart(lag_run *run, double stop)
     if (status == LAG_OK) {
         status = restart(run, s->method, stop - s->t);
     }
-    if (status == LAG_OK && run->options.careful && run->motion.model->nc > 0) {
+    if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
         status = see(run);
-        if (lag_run_crosses(run->motion.model, &run->options) && (status == LAG_OK || status == LAG_ATTENTION)) {
+        if (status == LAG_OK || status == LAG_ATTENTION) {
             lag_singular_begin(&run->singular, status == LAG_ATTENTION);
             status = LAG_OK;
         }

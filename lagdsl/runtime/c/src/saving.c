@@ -51,22 +51,6 @@ static void record_method(const lag_run *run, const lag_method **method, lag_rec
     }
 }
 
-/* The three arrays of `count` numbers that a search goes through in turn. */
-static void record_turn(lag_alert *alert, size_t count, lag_record *record)
-{
-    double *first = alert->seen[0];
-    for (int i = 1; i < 3 && count > 0; ++i) {
-        first = alert->seen[i] < first ? alert->seen[i] : first;
-    }
-    for (int i = 0; i < 3; ++i) {
-        size_t turn = count > 0 ? (size_t)(alert->seen[i] - first) / count : 0;
-        RECORD(turn);
-        if (record->saved != NULL) {
-            alert->seen[i] = first + turn * count;
-        }
-    }
-}
-
 static void record_parameters(lag_run *run, lag_record *record)
 {
     lag_arguments *at = &run->motion.at;
@@ -113,7 +97,7 @@ static void record_instants(lag_instants *instants, lag_record *record)
 {
     RECORD(instants->contacts.length);
     RECORD(instants->contacts.flight);
-    RECORD(instants->contacts.force);
+    RECORD(instants->contacts.moment);
     RECORD(instants->contacts.slack);
     RECORD(instants->contacts.struck);
     RECORD(instants->timed.length);
@@ -143,6 +127,8 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->stiffness.signs);
     RECORD(run->stiffness.wait);
     RECORD(run->stiffness.needed);
+    RECORD(run->alert.span);
+    RECORD(run->alert.reach);
     RECORD(run->sized);
     RECORD(run->row);
     RECORD(run->steps);
@@ -162,12 +148,11 @@ static void record_rest(lag_run *run, lag_record *record)
     }
 }
 
-/* All but what there are several of; `searched` relations and contacts. */
-static void record_members(lag_run *run, size_t searched, lag_record *record)
+/* All but what there are several of. */
+static void record_members(lag_run *run, lag_record *record)
 {
     record_method(run, &run->stepper.method, record);
     record_method(run, &run->behind, record);
-    record_turn(&run->alert, searched, record);
     record_parameters(run, record);
     record_stepper(&run->stepper, record);
     record_clock(&run->pace, record);
@@ -175,15 +160,10 @@ static void record_members(lag_run *run, size_t searched, lag_record *record)
     record_rest(run, record);
 }
 
-static size_t searched_in(const lag_model *model)
-{
-    return model->nindicator + model->ncontact;
-}
-
 void lag_run_record(lag_run *run, lag_record *record)
 {
     const lag_model *model = run->motion.model;
-    record_members(run, searched_in(model), record);
+    record_members(run, record);
     for (size_t i = 0; i < run->options.clocks + model->nclock; ++i) {
         record_clock(&run->clock[i], record);
     }
@@ -241,7 +221,7 @@ size_t lag_run_saved_size(const lag_model *model, const lag_run_options *options
     static const lag_run none; /* to be counted, nothing else */
     lag_record record = {NULL, NULL, sizeof(head)};
     lag_record clock = {NULL, NULL, 0};
-    record_members((lag_run *)&none, 0, &record);
+    record_members((lag_run *)&none, &record);
     record_clock((lag_clock *)&none.pace, &clock);
     return record.count + (options->clocks + model->nclock) * clock.count + lag_run_numbers(model, options) * sizeof(double);
 }

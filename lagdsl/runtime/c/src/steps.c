@@ -70,13 +70,13 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
 static lag_status step(lag_stepper *s, double limit, lag_fixed_step *formula)
 {
     const places at = place(s);
-    const lag_ode ode = {s->ode->size, s, rates, jacobian, s->ode->nq};
+    const lag_ode ode = {s->ode->size, s, rates, jacobian};
     double end = *at.start + *at.first + *at.count * s->length;
     if (limit - s->t <= STRETCH * (end - s->t)) {
         end = limit;
     }
     memcpy(at.x, s->x, s->ode->size * sizeof(double));
-    lag_status status = formula(&ode, s->ode->nq, s->t, end - s->t, at.x, at.memory);
+    lag_status status = formula(&ode, s->nq, s->t, end - s->t, at.x, at.memory);
     if (status == LAG_OK) {
         status = lag_stepper_rates(s, end, at.x, at.f);
     }

@@ -8,6 +8,7 @@ enum { HEAD = 24, LENGTHS = 8 * LAG_TAPE_SECTIONS };
 /* No size is larger, so that products of two and sums of many of them are numbers of 64 bits. */
 static const uint32_t LARGEST = 1u << 27;
 static const uint32_t NOWHERE = 0xFFFFFFFFu;
+static const uint64_t MAGIC = 0x0A6570617467616Cu; /* lagtape\n */
 
 /* Of ISO 3309, four bits at a time. */
 static uint32_t checksum(const unsigned char *bytes, size_t count)
@@ -156,6 +157,29 @@ static int kinds_agree(const lag_tape_parts *parts)
            found[LAG_KIND_CLOCK] == n[LAG_TAPE_NCLOCK];
 }
 
+/* The functions of several directions are all there that the model needs, with rows that fit; or none is. */
+static int along_agrees(const lag_tape_parts *parts, unsigned part)
+{
+    const uint32_t *n = parts->size;
+    const uint32_t *table = (const void *)parts->part[LAG_TAPE_FUNCTIONS].bytes;
+    const uint32_t *own = table + 2 * (LAG_TAPE_ALONG + part * LAG_TAPE_ALONG_COUNT);
+    const uint32_t shared = n[LAG_TAPE_SHARED + 2 * part];
+    const uint32_t row = n[LAG_TAPE_ALONG_ROW + 2 * part];
+    const int solved = table[2 * (1 + LAG_ELIMINATION) + 1] > 0;
+    int there[LAG_TAPE_ALONG_COUNT];
+    int any = 0;
+    for (unsigned i = 0; i < LAG_TAPE_ALONG_COUNT; ++i) {
+        there[i] = own[2 * i + 1] > 0;
+        any |= there[i];
+    }
+    if (!any) {
+        return shared == 0 && row == 0;
+    }
+    return there[LAG_TAPE_PRIMAL] && there[LAG_TAPE_RESIDUAL_ALONG] == !solved && there[LAG_TAPE_ACCELERATION_ALONG] == solved &&
+           (there[LAG_TAPE_RATES_ALONG] || n[LAG_TAPE_NZ] == 0) && (there[LAG_TAPE_OUTPUT_ALONG] || n[LAG_TAPE_NY] == 0) &&
+           n[LAG_TAPE_PREPARED] <= shared && shared <= n[LAG_TAPE_ROW] && shared <= row;
+}
+
 static int rows_agree(const lag_tape_parts *parts)
 {
     const uint32_t *n = parts->size;
@@ -166,7 +190,7 @@ static int rows_agree(const lag_tape_parts *parts)
         }
     }
     return n[LAG_TAPE_RANK] <= n[LAG_TAPE_NC] && n[LAG_TAPE_NGAP] >= n[LAG_TAPE_NCONTACT] &&
-           n[LAG_TAPE_PREPARED] <= n[LAG_TAPE_ROW] && below(parts, LAG_TAPE_KEPT_ROWS, n[LAG_TAPE_NC]) &&
+           n[LAG_TAPE_PREPARED] <= n[LAG_TAPE_ROW] && along_agrees(parts, 0) && along_agrees(parts, 1) && below(parts, LAG_TAPE_KEPT_ROWS, n[LAG_TAPE_NC]) &&
            below(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NC]) &&
            below(parts, LAG_TAPE_RESET_PLACES, 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]);
 }
@@ -200,23 +224,28 @@ static uint64_t needed(const uint32_t *size)
     return head + (tables + 7) / 8 * 8;
 }
 
-/* Doubles of the workspace. */
+/* Doubles of the workspace of one state. */
 static uint64_t workspace(const uint32_t *size)
 {
     return (uint64_t)size[LAG_TAPE_ROW] + 2 * (uint64_t)size[LAG_TAPE_NQ] + size[LAG_TAPE_NC];
 }
 
+/* More than any workspace has. */
+static uint64_t largest_workspace(const uint32_t *size)
+{
+    return workspace(size) + 8 + 8 * ((uint64_t)size[LAG_TAPE_ROW] + size[LAG_TAPE_ALONG_ROW] + size[LAG_TAPE_PARAMETER_ALONG_ROW]);
+}
+
 lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory)
 {
-    static const unsigned char magic[8] = {'l', 'a', 'g', 't', 'a', 'p', 'e', '\n'};
     const unsigned char *all = bytes;
     lag_tape_parts parts;
     uint32_t head[2]; /* version, checksum */
     *memory = 0;
-    if ((uintptr_t)all % 8 != 0 || count < HEAD + LENGTHS || memcmp(all, magic, sizeof magic) != 0) {
+    if ((uintptr_t)all % 8 != 0 || count < HEAD + LENGTHS || number_at(all) != MAGIC) {
         return LAG_FOREIGN;
     }
-    memcpy(head, all + sizeof magic, sizeof head);
+    memcpy(head, all + sizeof MAGIC, sizeof head);
     if (head[0] != LAG_TAPE_VERSION || number_at(all + 16) != count - HEAD || checksum(all + HEAD, count - HEAD) != head[1] ||
         !divide(all, count, &parts) || !holds(&parts, LAG_TAPE_SIZES, LAG_TAPE_NUMBER_OF_SIZES, sizeof(uint32_t))) {
         return LAG_FOREIGN;
@@ -228,7 +257,7 @@ lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory)
     }
     if (!sizes_agree(&parts) || !texts_end(&parts) || !kinds_agree(&parts) || !rows_agree(&parts) ||
         !functions_there(&parts) || !lag_tape_runs(&parts) || needed(parts.size) > SIZE_MAX / 2 ||
-        workspace(parts.size) > SIZE_MAX / 2 / sizeof(double)) {
+        largest_workspace(parts.size) > SIZE_MAX / 2 / sizeof(double)) {
         return LAG_FOREIGN;
     }
     *memory = (size_t)needed(parts.size);
@@ -364,6 +393,10 @@ const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory)
     divide(bytes, count, &parts);
     memset(tape, 0, sizeof *tape);
     tape->row = parts.size[LAG_TAPE_ROW];
+    for (size_t part = 0; part < 2; ++part) {
+        tape->shared[part] = parts.size[LAG_TAPE_SHARED + 2 * part];
+        tape->along_row[part] = parts.size[LAG_TAPE_ALONG_ROW + 2 * part];
+    }
     tape->words = (const void *)parts.part[LAG_TAPE_WORDS].bytes;
     tape->functions = (const void *)parts.part[LAG_TAPE_FUNCTIONS].bytes;
     tape->constants = (const void *)parts.part[LAG_TAPE_CONSTANT_POOL].bytes;
@@ -376,6 +409,7 @@ const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory)
     give_tables(&tape->model, &parts, (unsigned char *)memory + (sizeof *tape + 7) / 8 * 8);
     give_start(&tape->start, &parts);
     lag_tape_functions(tape);
+    lag_tape_parallel(tape);
     return &tape->model;
 }
 

@@ -92,7 +92,7 @@ static inline size_t lag_instance_order(const lag_instance *instance)
 /* What the size of a run depends on. */
 static inline lag_run_options lag_instance_plan(void)
 {
-    return (lag_run_options){.careful = 2};
+    return (lag_run_options){.careful = 1};
 }
 
 /* ---- instance.c ---- */

@@ -1,36 +1,51 @@
 /*
  * Does anything happen that the discretes w of a model do not know of yet? Relations that changed their truth, open contacts whose
- * gaps are negative and, if they were so before, close further, closed contacts that would pull. What follows from it is not said here.
+ * gaps are negative, closed contacts that would pull. Each has a value that is positive while nothing changes; where it was negative
+ * already when the step began, or is so by no more than round-off, it has to fall further. What follows from a change is not said here.
  */
 #ifndef LAG_ALERT_H
 #define LAG_ALERT_H
 
-#include "lag/discretes.h"
-#include "lag/motion.h"
+#include "lag/contact.h"
+#include "lag/noise.h"
+
+/* Looks at one piece of a step, its beginning included. */
+enum { LAG_ALERT_LOOKS = 5 };
 
 typedef struct lag_alert {
     lag_motion *motion;
     lag_places places;
-    const double *slack; /* (2) a gap may be below zero by this part of 1 + the largest number of x, a force by this */
+    lag_contacts *contacts;
+    lag_noise *noise;
     double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
-    double *changed;                           /* (nindicator + ncontact) 1: this one, at the state looked at last */
-    double *inside;                            /* (ncontact) 1: this gap was negative already when the step began */
-    double *seen[3];                           /* (nindicator + ncontact) for those who look for the time */
-    double *root, *found;                      /* the same */
+    double *changed;               /* (nindicator + ncontact) 1: this one, at the state looked at last */
+    double *band;                  /* (nindicator + ncontact) how far below zero values may be */
+    double *seen[LAG_ALERT_LOOKS]; /* (nindicator + ncontact) values, for those who look for the time */
+    double *root, *found;          /* the same */
+    double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
 } lag_alert;
 
 /* Doubles for it. */
 size_t lag_alert_memory(const lag_model *model);
 
-void lag_alert_place(lag_alert *alert, lag_motion *motion, const double *slack, double *memory);
+void lag_alert_place(lag_alert *alert, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory);
 
 /* What passes zero, downward, when relation or contact number `which` changes; as it was looked at last. */
 double lag_alert_value(const lag_alert *alert, size_t which);
+
+/* Round-off of that, as far as it is known. */
+double lag_alert_noise(const lag_alert *alert, size_t which);
 
 /* A step begins at x at time t. */
 lag_status lag_alert_begin(lag_alert *alert, double t, const double *x);
 
 /* LAG_HAPPENS if something happens at x at time t or happened before, with the discretes of `motion`. */
 lag_status lag_alert_look(lag_alert *alert, double t, const double *x);
+
+/*
+ * What changed by no more than round-off has not: bands of the relations that seemed to have changed at x at time t, when it was looked at last.
+ * 1: it must be looked at again.
+ */
+int lag_alert_widen(lag_alert *alert, double t, const double *x);
 
 #endif

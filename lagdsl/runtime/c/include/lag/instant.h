@@ -19,6 +19,7 @@ typedef struct lag_instants {
     lag_motion *motion;
     lag_places places;
     lag_contacts contacts;
+    lag_noise noise;
     lag_passes passes;
     lag_momentum momentum;
     lag_timed timed;
@@ -42,7 +43,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x);
 /* The end. */
 lag_status lag_instants_end(lag_instants *instants, double t, double *x);
 
-/* Time of the next tick, or of what time alone changes; infinite without. */
+/* Time of the next tick, of what time alone changes, or of the end of bounces too short to follow; infinite without. */
 double lag_instants_next(const lag_instants *instants);
 
 /* Changes with time where nobody needs to hear of them, as no rate jumps: 1 in *quiet, and it is done. */
@@ -54,10 +55,13 @@ lag_status lag_instants_tick(lag_instants *instants, double t, double *x);
 /* 1: lag_instants_tick would do something. */
 int lag_instants_due(const lag_instants *instants, double t);
 
-/* What changed at t: flags of relations, then of contacts (nindicator + ncontact). LAG_CHATTER: events crowd. */
-lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed);
+/*
+ * What changed at t: flags of relations, then of contacts (nindicator + ncontact); with it, where `ticks` is set, the ticks of now.
+ * LAG_CHATTER: events crowd.
+ */
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks);
 
-/* Events follow on a step of length h. */
-void lag_instants_after(lag_instants *instants, double h);
+/* Events at t follow on a step of length h. */
+void lag_instants_after(lag_instants *instants, double t, double h);
 
 #endif

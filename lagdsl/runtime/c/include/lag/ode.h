@@ -13,7 +13,6 @@ typedef struct lag_ode {
     lag_status (*rates)(void *context, double t, const double *x, double *xd);
     /* df/dx (size, size), row by row; null where only explicit methods are used */
     lag_status (*jacobian)(void *context, double t, const double *x, double *jacobian);
-    size_t nq; /* x begins with so many coordinates and their rates */
 } lag_ode;
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "lag/contact.h"
 #include "lag/happening.h"
+#include "lag/noise.h"
 #include "lag/momentum.h"
 #include "lag/projection.h"
 #include "lag/timed.h"
@@ -14,9 +15,11 @@ typedef struct lag_passes {
     lag_momentum *momentum;
     lag_timed *timed;
     lag_projection *projection;
+    lag_noise *noise;
     lag_places places;
     double moment;         /* relations are looked at so much later, since they are zero at the event itself [s] */
     double *before, *next; /* (nw) */
+    double *settled;       /* (nw) those with which the rates were moved onto the constraints last */
     double *reset, *value; /* (nreset) */
     double *collision, *restitution; /* (ncollision) */
     double *stop, *fail;   /* (nstop) (nfail) */
@@ -35,7 +38,8 @@ typedef struct lag_passes {
 size_t lag_passes_memory(const lag_model *model);
 
 void lag_passes_place(
-    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, double *memory);
+    lag_passes *passes, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
+    double *memory);
 
 /* Relations and conditions as they stand, nothing carried out. */
 lag_status lag_passes_settle(lag_passes *passes, double t, const double *x);
@@ -45,6 +49,9 @@ lag_status lag_passes_settle(lag_passes *passes, double t, const double *x);
  * whose rates are on the constraints afterwards. Relations are left as they are a moment later.
  */
 lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *relations, const double *contacts);
+
+/* Relations that pass zero here become what they are a moment later. */
+lag_status lag_passes_turn(lag_passes *passes, double t, const double *x);
 
 /* Tells that something happened. */
 lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, lag_what what, size_t which);

@@ -40,7 +40,7 @@ typedef struct lag_event {
 typedef struct lag_run_options {
     double tolerance;         /* of the motion as a whole; 0: 1e-8 */
     const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
-    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound (with events: a fiftieth of `length`) */
+    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound */
     double h_fixed;           /* that of methods which do not choose it */
     double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
 
@@ -52,7 +52,7 @@ typedef struct lag_run_options {
     /* What counts as a change of order one; null: found at the first state (see lag/accuracy.h). */
     const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
     const double *row_sizes;             /* (nc) of the constraints */
-    int careful;                         /* 1: LAG_ATTENTION before the constraints lose rank, 2: across (lag/singular.h); then */
+    int careful;                         /* 1: ranks are looked at, and singular positions crossed (lag/singular.h) */
     const double *lasting;               /* (nc) 0: the row comes and goes, as those of contacts; null: all last, */
     size_t general;                      /* else so many of those that do are independent in general */
 
@@ -197,6 +197,7 @@ lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
  */
 lag_status lag_run_enter(lag_run *run);
 lag_status lag_run_event(lag_run *run, double h, const double *changed);
+lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed); /* with the ticks that are due */
 lag_status lag_run_ticks(lag_run *run);
 int lag_run_due(const lag_run *run, double t);
 
@@ -209,14 +210,11 @@ lag_status lag_run_end(lag_run *run);
 /* Flags (nc) of rows that depend on others with these parameters and starts (lag/initial.h), beside those that do so in any case. */
 void lag_run_depend(lag_run *run, const unsigned char *dependent);
 
-/* Rows before number `row` are somebody else's business. */
-void lag_run_skip(lag_run *run, size_t row);
-
 /*
  * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then, and at any
  * failure the last good one. Ticks of the model at that very time are left to the next call, or to lag_run_end.
  * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
- * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_ATTENTION, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted. LAG_UNSETTLED and what
+ * LAG_STUCK, LAG_TOO_LONG, LAG_OFF, LAG_FORKED, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted. LAG_UNSETTLED and what
  * follows it there: an event came to no good end. What callbacks return other than LAG_OK comes back.
  */
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
@@ -294,7 +292,7 @@ lag_status lag_run_crossing(lag_run *run, double *t);
 double lag_run_instant(const lag_run *run);
 /* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
 lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
-/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what. */
+/* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what (see lag/scan.h). */
 lag_status lag_run_happening(lag_run *run, double *t);
 /* The state on the constraints at a time within the last step. */
 lag_status lag_run_inside(lag_run *run, double t, double *x);

@@ -11,7 +11,7 @@ typedef enum lag_status {
     LAG_STUCK = 4,       /* the steps became as short as the round-off of time */
     LAG_TOO_LONG = 5,    /* more steps than allowed */
     LAG_OFF = 6,         /* the constraints cannot be reached from where a step led */
-    LAG_ATTENTION = 7,   /* the constraints are about to lose rank, or turned by much in one step */
+    LAG_ATTENTION = 7,   /* between the parts of a run: the constraints are about to lose rank, or turned by much in one step */
     LAG_VIOLATED = 8,    /* an assertion failed or an invariant left its tolerance */
     LAG_STOPPED = 9,     /* a callback or `terminate` asked for it */
     LAG_CHATTER = 10,    /* events follow each other without time passing */

@@ -34,6 +34,7 @@ typedef struct lag_stepper {
     double trouble_time;
     double *trouble_x;  /* (size) and the state */
     double length;      /* of the steps of methods that do not choose it */
+    size_t nq;          /* for methods of second order: x begins with so many coordinates and their rates */
 } lag_stepper;
 
 struct lag_method {

@@ -39,7 +39,9 @@ typedef enum lag_tape_section {
     LAG_TAPE_SLOTS,          /* uint32 (slots, 3): name, unit and place as first bytes of texts; the place may be 2^32 - 1: none */
     LAG_TAPE_MESSAGES,       /* uint32: assertions (na), resets (nreset), stops (nstop), failures (nfail), as first bytes of texts */
     LAG_TAPE_TEXTS,          /* bytes, every text ended by a zero */
-    LAG_TAPE_FUNCTIONS,      /* uint32 (functions, 2): first word, number of words; none where the model lacks it */
+    /* uint32 (functions, 2): first word and number of words, which is zero where there is none: prepare(), those of lag_function,
+     * then twice the members of lag_tangents, primal() or motion() first */
+    LAG_TAPE_FUNCTIONS,
     LAG_TAPE_WORDS,          /* uint32: the instructions */
     LAG_TAPE_SECTIONS
 } lag_tape_section;
@@ -72,6 +74,12 @@ typedef enum lag_tape_size {
     LAG_TAPE_NSWITCHED,
     LAG_TAPE_ROW,      /* length of the row */
     LAG_TAPE_PREPARED, /* of these, how many prepare() fills */
+    /* of the functions of several directions, of states and inputs, then of parameters: the part of the row that they share, as
+     * prepare() and their primal() leave it, and the length of the row of their own; zero: there are none */
+    LAG_TAPE_SHARED,
+    LAG_TAPE_ALONG_ROW,
+    LAG_TAPE_PARAMETER_SHARED,
+    LAG_TAPE_PARAMETER_ALONG_ROW,
     LAG_TAPE_NAME,     /* first byte of the name of the model among the texts */
     LAG_TAPE_NUMBER_OF_SIZES
 } lag_tape_size;
@@ -87,6 +95,12 @@ lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory);
  * it does. Copies of it work as well.
  */
 const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory);
+
+/* Its functions of several states at once; null where the compiler has no vectors. */
+const lag_states *lag_tape_states(const lag_model *model);
+
+/* Its functions of several directions at once, of states and inputs or of parameters; null where the tape has none. */
+const lag_tangents *lag_tape_tangents(const lag_model *model, int parameters);
 
 /* Where the motion of such a model starts; null where its tape does not say. */
 const lag_start *lag_tape_start(const lag_model *model);

@@ -40,9 +40,12 @@
     X(CEIL, ceil)         \
     X(NOT, lag_not)
 
+/* Name, operator. */
+#define LAG_TAPE_ARITHMETIC(X) \
+    X(MULTIPLY, *)             \
+    X(DIVIDE, /)
+
 #define LAG_TAPE_BINARY(X)          \
-    X(MULTIPLY, LAG_TAPE_PRODUCT)   \
-    X(DIVIDE, LAG_TAPE_QUOTIENT)    \
     X(POWER, pow)                   \
     X(ATAN2, atan2)                 \
     X(MOD, lag_mod)                 \
@@ -54,8 +57,6 @@
     X(AND, lag_and)                 \
     X(OR, lag_or)
 
-#define LAG_TAPE_PRODUCT(x, y) ((x) * (y))
-#define LAG_TAPE_QUOTIENT(x, y) ((x) / (y))
 #define LAG_TAPE_NAME(name, function) LAG_TAPE_##name,
 
 enum {
@@ -68,6 +69,7 @@ enum {
     LAG_TAPE_TWO_PRODUCTS,
     LAG_TAPE_THREE_PRODUCTS,
     LAG_TAPE_UNARY(LAG_TAPE_NAME)
+    LAG_TAPE_ARITHMETIC(LAG_TAPE_NAME)
     LAG_TAPE_BINARY(LAG_TAPE_NAME)
     LAG_TAPE_SELECT,
     LAG_TAPE_OPERATIONS
@@ -77,7 +79,7 @@ enum {
 #define LAG_TAPE_ANGLES 32
 
 /* Groups of arguments: members of lag_arguments in their order, the time first. */
-enum { LAG_TAPE_GROUPS = 16, LAG_TAPE_RESULTS = 11 /* of one function, at most */ };
+enum { LAG_TAPE_PARAMETERS = 6, LAG_TAPE_GROUPS = 16, LAG_TAPE_RESULTS = 11 /* of one function, at most */ };
 
 typedef struct lag_tape_code {
     const uint32_t *words;
@@ -90,5 +92,16 @@ const double *lag_tape_argument(const lag_arguments *at, uint32_t group);
 
 /* Runs instructions over `row`. */
 void lag_tape_run(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results);
+
+/*
+ * The same for LAG_TAPE_LANES states, or directions, at once: every place of the row and every entry of arguments and results has
+ * so many numbers, one after the other. All lanes get the bits that they get alone.
+ */
+#if defined(__GNUC__)
+#define LAG_TAPE_LANES 8
+void lag_tape_run_lanes(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results);
+#else
+#define LAG_TAPE_LANES 0
+#endif
 
 #endif

@@ -1,11 +1,25 @@
-"""What generated C is told of the start of a motion."""
+"""The start of a motion, as generated C and tapes are told of it."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from lagdsl.backends.c.emit import Start
 from lagdsl.flat.model import FlatModel
+from lagdsl.record import record
+
+
+@record()
+class Start:
+    """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
+    entries (`minimum` and `maximum`: of q), as lag/model.h tells it. What is left out is not said."""
+
+    t: float
+    x: tuple[float, ...]
+    fixed: tuple[bool, ...] = ()
+    written: tuple[bool, ...] = ()
+    nominal: tuple[float, ...] = ()
+    minimum: tuple[float, ...] = ()
+    maximum: tuple[float, ...] = ()
 
 
 def start_of(flat: FlatModel, t: float, x: Sequence[float], changed: Collection[str] = ()) -> Start:

@@ -1,0 +1,115 @@
+"""Many motions of one model as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lagdsl.mechanics.rank import Floats
+from lagdsl.pipeline import Compilation
+from lagdsl.record import record
+from lagdsl.runtime.cores import cores
+from lagdsl.runtime.engine import EngineName
+from lagdsl.simulate.signals import Signal
+from lagdsl.sweep.dataset import collect, require_room
+from lagdsl.sweep.plan import Task, require_few
+from lagdsl.sweep.run import Options, Outcome, Subject
+from lagdsl.sweep.sweep import options_of, times_of, width_of
+from lagdsl.sweep.threads import in_threads
+
+
+@record(kw_only=True)
+class Motions:
+    """Runs that share the times of their rows: `motions["theta"]` has the shape (runs, rows), SI units.
+
+    `time` (rows,) and `ended` (runs,) [s]; `failures` says by the number of a run why it failed. Rows after the end of
+    a run are nan.
+    """
+
+    time: Floats
+    columns: dict[str, Floats]
+    units: dict[str, str]
+    ended: Floats
+    failures: dict[int, str]
+
+    def __len__(self) -> int:
+        return len(self.ended)
+
+    def __getitem__(self, name: str) -> Floats:
+        return self.columns[name]
+
+    @property
+    def names(self) -> list[str]:
+        return list(self.columns)
+
+
+def simulate_many(
+    compilation: Compilation,
+    parameters: Mapping[str, ArrayLike],
+    start: Mapping[str, ArrayLike],
+    *,
+    engine: EngineName,
+    stop: float | None,
+    interval: float | None,
+    tolerance: float | None,
+    inputs: Mapping[str, Signal],
+    solver: str,
+    columns: Sequence[str] | None,
+    threads: int | None,
+    progress: Callable[[float], None] | None,
+) -> Motions:
+    """See `Model.simulate_many`; names are known."""
+    end, step = options_of(compilation.flat, stop=stop, interval=interval)
+    options = Options(
+        stop=end,
+        interval=step,
+        tolerance=tolerance,
+        solver=solver,
+        engine=engine,
+        inputs=dict(inputs),
+        columns=None if columns is None else tuple(columns),
+    )
+    subjects = [Subject(flat=compilation.flat, program=compilation.program)]
+    times = times_of(subjects, options)
+    count, (chosen, starts) = _runs(parameters, start)
+    require_few(count)
+    require_room(count, len(times), width_of(subjects, options), None)
+    tasks = (
+        Task(
+            index=k,
+            subject=0,
+            parameters={name: values[k] for name, values in chosen.items()},
+            start={name: values[k] for name, values in starts.items()},
+        )
+        for k in range(count)
+    )
+    outcomes: list[Outcome] = []
+    for outcome in in_threads(subjects, options, tasks, count, cores() if threads is None else threads):
+        outcomes.append(outcome)
+        if progress is not None:
+            progress(len(outcomes) / count)
+    found = collect(count, len(times), outcomes)
+    return Motions(
+        time=times,
+        columns=found.columns,
+        units=found.units,
+        ended=found.ended,
+        failures={k: found.message[k] for k in range(count) if found.status[k] != "ok"},
+    )
+
+
+def _runs(*given: Mapping[str, ArrayLike]) -> tuple[int, list[dict[str, list[float]]]]:
+    """The number of runs, and each value in every one of them. Raises ValueError for sequences that do not fit."""
+    arrays = [{name: np.asarray(values, dtype=np.float64) for name, values in each.items()} for each in given]
+    lengths = {name: len(values) for each in arrays for name, values in each.items() if values.ndim == 1}
+    for each in arrays:
+        for name, values in each.items():
+            if values.ndim > 1:
+                raise ValueError(f"the values of `{name}` must be a number or a sequence of numbers")
+    if len(set(lengths.values())) != 1:
+        told = ", ".join(f"`{name}` has {length}" for name, length in lengths.items()) or "there is none"
+        raise ValueError(f"what differs from run to run must be sequences of one length; {told}")
+    (count,) = set(lengths.values())
+    return count, [{name: np.broadcast_to(values, count).tolist() for name, values in each.items()} for each in arrays]

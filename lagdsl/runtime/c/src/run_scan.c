@@ -1,0 +1,291 @@
+/* Pieces of the last step of a run, one after the other, up to the first in which something happens. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/run.h"
+#include "lag/scan.h"
+
+enum { LAST = LAG_ALERT_LOOKS - 1, AGAIN = 4 };
+/* Looks in a piece, as parts of it: no two distances are alike, so that what is periodic does not look constant. */
+static const double PLACES[LAG_ALERT_LOOKS] = {0.0, 0.2071, 0.4583, 0.7361, 1.0};
+/* The largest difference of the two polynomials, as a part of the fourth divided difference, about. */
+static const double DIFFERENCE = 0.03;
+/* Values are known where that is at most this part of the largest of them. */
+static const double KNOWN = 0.1;
+/* Lengths of pieces change by at most these factors; the first is this part of a step. */
+static const double SAFETY = 0.8, LEAST_FACTOR = 0.1, MOST_FACTOR = 4.0, FIRST = 0.25;
+/* A piece is no longer than this part of the experiment, and no shorter than this part of its step. */
+static const double LONGEST = 0.02, SHORTEST = 0x1p-10;
+/* A minimum that is so much nearer to zero than what was seen is looked at, but none so near to the beginning of the step: that has just happened. */
+static const double NEARER = 0.3, BEGINNING = 0.01;
+/* The last piece of a step may be longer by this factor. */
+static const double LAST_STRETCH = 1.2;
+/* Values below so many times their round-off have no shape. */
+static const double SHAPELESS = 1e3;
+
+typedef struct piece {
+    double a, b;
+    int looks; /* the last one */
+} piece;
+
+static double place_of(const piece *in, int k)
+{
+    return k == LAST ? in->b : in->a + (in->b - in->a) * PLACES[k];
+}
+
+static size_t count_of(const lag_run *run)
+{
+    return run->motion.model->nindicator + run->motion.model->ncontact;
+}
+
+static void remember(lag_run *run, int k)
+{
+    for (size_t i = 0; i < count_of(run); ++i) {
+        run->alert.seen[k][i] = lag_alert_value(&run->alert, i);
+    }
+}
+
+/* LAG_HAPPENS: something has changed at t by more than round-off. */
+static lag_status look(lag_run *run, double t)
+{
+    const lag_status status = lag_scan_look(run, t);
+    return status == LAG_HAPPENS && lag_alert_widen(&run->alert, t, run->point) ? lag_scan_look(run, t) : status;
+}
+
+/* ---- what comes and goes between looks ---- */
+
+typedef struct triple {
+    double u[3], v[3];
+} triple;
+
+/* The minimum of the parabola, if it lies between its ends; 1: near zero, seen from its values. */
+static int minimum_of(const triple *at, double *u)
+{
+    const double slope = (at->v[1] - at->v[0]) / (at->u[1] - at->u[0]);
+    const double bend = ((at->v[2] - at->v[1]) / (at->u[2] - at->u[1]) - slope) / (at->u[2] - at->u[0]);
+    const double least = fmin(at->v[0], fmin(at->v[1], at->v[2]));
+    *u = 0.5 * (at->u[0] + at->u[1]) - 0.5 * slope / bend;
+    const double height = at->v[0] + (*u - at->u[0]) * (slope + bend * (*u - at->u[1]));
+    return bend > 0.0 && *u > at->u[0] && *u < at->u[2] && height < NEARER * fmax(least, 0.0);
+}
+
+static void put(triple *at, int k, double u, double v)
+{
+    at->u[k] = u;
+    at->v[k] = v;
+}
+
+/* Three looks around the minimum, of which that at u is one. */
+static void narrow(triple *at, double u, double v)
+{
+    const int before = u < at->u[1];
+    if (v <= at->v[1]) {
+        put(at, before ? 2 : 0, at->u[1], at->v[1]);
+        put(at, 1, u, v);
+    } else {
+        put(at, before ? 0 : 2, u, v);
+    }
+}
+
+/* LAG_HAPPENS: number i has changed at the minimum, at *t, between looks k - 2 and k. */
+static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i, double *t)
+{
+    triple at;
+    double u = 0.0;
+    for (int j = 0; j < 3; ++j) {
+        at.u[j] = PLACES[k - 2 + j];
+        at.v[j] = run->alert.seen[k - 2 + j][i];
+    }
+    for (int again = 0; again < AGAIN && minimum_of(&at, &u); ++again) {
+        *t = in->a + u * (in->b - in->a);
+        if (!(*t > run->stepper.t_before + BEGINNING * (place_of(in, 1) - in->a)) || !(*t < place_of(in, k))) {
+            return LAG_OK;
+        }
+        const lag_status status = look(run, *t);
+        if ((status == LAG_HAPPENS && run->alert.changed[i] != 0.0) || (status != LAG_OK && status != LAG_HAPPENS)) {
+            return status;
+        }
+        narrow(&at, u, lag_alert_value(&run->alert, i));
+    }
+    return LAG_OK;
+}
+
+static lag_status look_between(lag_run *run, const piece *in, int k, double *t)
+{
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < count_of(run) && k >= 2 && status == LAG_OK; ++i) {
+        status = look_at_minimum(run, in, k, i, t);
+    }
+    return status;
+}
+
+/* ---- one piece ---- */
+
+/* How badly number i is known: the difference of the polynomials as a part of the largest value. */
+static double doubt_of(lag_run *run, size_t i)
+{
+    double d[LAG_ALERT_LOOKS];
+    double most = 0.0;
+    for (int k = 0; k < LAG_ALERT_LOOKS; ++k) {
+        d[k] = run->alert.seen[k][i];
+        most = fmax(most, fabs(d[k]));
+    }
+    for (int order = 1; order < LAG_ALERT_LOOKS; ++order) {
+        for (int k = LAST; k >= order; --k) {
+            d[k] = (d[k] - d[k - 1]) / (PLACES[k] - PLACES[k - order]);
+        }
+    }
+    const double doubt = DIFFERENCE * fabs(d[LAST]);
+    if (!(doubt > KNOWN * most)) {
+        return most > 0.0 ? doubt / most : 0.0;
+    }
+    if (i < run->motion.model->nindicator && !(run->alert.noise->sigma[i] > 0.0)) {
+        lag_noise_find(run->alert.noise, run->stepper.t_before, run->stepper.x_before);
+    }
+    return most > SHAPELESS * lag_alert_noise(&run->alert, i) ? doubt / most : 0.0;
+}
+
+static double largest_doubt(lag_run *run)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < count_of(run); ++i) {
+        most = fmax(most, doubt_of(run, i));
+    }
+    return most;
+}
+
+/* Looks at a piece, up to the first at which something has changed; LAG_HAPPENS: at *b, and not yet at *a. */
+static lag_status look_at_piece(lag_run *run, piece *in, double *a, double *b)
+{
+    for (int k = 1; k <= LAST; ++k) {
+        double there = 0.0;
+        const lag_status now = look(run, place_of(in, k));
+        if (now != LAG_OK && now != LAG_HAPPENS) {
+            return now;
+        }
+        remember(run, k);
+        in->looks = k;
+        const lag_status between = look_between(run, in, k, &there);
+        if (between != LAG_OK) {
+            *a = there <= place_of(in, k - 1) ? place_of(in, k - 2) : place_of(in, k - 1);
+            *b = there;
+            return between;
+        }
+        if (now == LAG_HAPPENS) {
+            *a = place_of(in, k - 1);
+            *b = place_of(in, k);
+            return now;
+        }
+    }
+    return LAG_OK;
+}
+
+/* The length of the next trial after one of length w: the doubt goes with its fourth power. */
+static double next_length(double w, double doubt)
+{
+    const double factor = doubt > 0.0 ? SAFETY * pow(KNOWN / doubt, 0.25) : MOST_FACTOR;
+    return w * fmin(MOST_FACTOR, fmax(LEAST_FACTOR, factor));
+}
+
+/* Pieces from a on; `reach` is the length of the next one. */
+typedef struct scan {
+    double a, reach, shortest;
+} scan;
+
+/* 1: the piece is known as well as it can be; what it is to be otherwise is in `reach`. */
+static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
+{
+    const double w = in->b - in->a;
+    const int whole = in->looks == LAST;
+    if (!whole && place_of(in, in->looks) - in->a > run->alert.span && w > 1.5 * on->shortest) {
+        on->reach = place_of(in, in->looks) - in->a; /* nothing is known of so short a time: it is looked at as a piece */
+        return 0;
+    }
+    const double doubt = whole ? largest_doubt(run) : 0.0;
+    if (doubt > KNOWN && w > 1.5 * on->shortest) {
+        on->reach = fmax(on->shortest, fmin(0.7 * w, next_length(w, doubt)));
+        run->alert.span = fmin(run->alert.span, on->reach);
+        return 0;
+    }
+    if (whole && status == LAG_OK) {
+        const double next = next_length(w, doubt);
+        on->reach = w < on->reach ? fmin(on->reach, fmax(w, next)) : next;
+        run->alert.span = fmax(run->alert.span, w);
+    }
+    return 1;
+}
+
+/* What is about to change at the end, within round-off of time, does so there. */
+static lag_status look_at_end(lag_run *run, const piece *in)
+{
+    const double h = in->b - place_of(in, LAST - 1);
+    const double soon = LAG_SCAN_TOGETHER * lag_scan_tolerance(run);
+    int any = 0;
+    for (size_t i = 0; i < count_of(run); ++i) {
+        const double value = run->alert.seen[LAST][i];
+        const double rate = (value - run->alert.seen[LAST - 1][i]) / h;
+        run->alert.changed[i] = rate < 0.0 && run->alert.seen[LAST - 1][i] > 0.0 && value <= -rate * soon;
+        any = any || run->alert.changed[i] != 0.0;
+    }
+    return any ? LAG_HAPPENS : LAG_OK;
+}
+
+static lag_status scan_pieces(lag_run *run, scan *on, double *t)
+{
+    const lag_stepper *s = &run->stepper;
+    piece in = {on->a, on->a, 0};
+    double stretch = LAST_STRETCH;
+    remember(run, 0);
+    while (in.a < s->t) {
+        double a = 0.0;
+        double b = 0.0;
+        in.b = s->t - in.a > stretch * on->reach && in.a + on->reach > in.a ? in.a + on->reach : s->t;
+        const lag_status status = look_at_piece(run, &in, &a, &b);
+        if (status != LAG_OK && status != LAG_HAPPENS) {
+            return status;
+        }
+        const int accepted = accept(run, on, &in, status);
+        stretch = accepted ? LAST_STRETCH : 1.0;
+        if (accepted && status == LAG_HAPPENS) {
+            (void)lag_scan_look(run, b);
+            *t = lag_scan_earliest(run, a, b);
+            return status;
+        }
+        if (accepted && in.b == s->t && look_at_end(run, &in) == LAG_HAPPENS) {
+            *t = s->t;
+            return LAG_HAPPENS;
+        }
+        if (accepted) {
+            memcpy(run->alert.seen[0], run->alert.seen[LAST], count_of(run) * sizeof(double));
+            in.a = in.b;
+        }
+    }
+    return LAG_OK;
+}
+
+lag_status lag_run_happening(lag_run *run, double *t)
+{
+    const lag_stepper *s = &run->stepper;
+    lag_alert *alert = &run->alert;
+    const double h = s->t - s->t_before;
+    const double length = run->instants.contacts.length;
+    scan on = {s->t_before, alert->reach > 0.0 ? alert->reach : FIRST * h, 0.0};
+    if (count_of(run) == 0 || !(h > 0.0)) {
+        return LAG_OK;
+    }
+    on.shortest = fmax(SHORTEST * h, 64.0 * lag_scan_tolerance(run));
+    on.reach = length > 0.0 ? fmin(on.reach, LONGEST * length) : on.reach;
+    lag_status status = lag_stepper_dense(&run->stepper, on.a, run->point);
+    if (status == LAG_OK) {
+        status = lag_alert_begin(alert, on.a, run->point);
+    }
+    if (status == LAG_OK) {
+        status = scan_pieces(run, &on, t);
+    }
+    alert->reach = on.reach;
+    if (status == LAG_HAPPENS && s->t - *t <= LAG_SCAN_TOGETHER * lag_scan_tolerance(run)) {
+        *t = s->t;
+    }
+    return status;
+}

@@ -1,0 +1,81 @@
+"""What a run is told, and how C reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from ctypes import addressof
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lagdsl.backends.start import Start as StartTold
+from lagdsl.record import record
+from lagdsl.runtime.engine import Floats
+from lagdsl.runtime.library import Runtime
+from lagdsl.runtime.run_structures import RunOptions, Start
+
+Flags = NDArray[np.bool_]
+
+
+@record(kw_only=True)
+class RunSettings:
+    """What a run is told: lag_run_options. `inputs` are the constant inputs (nu,), or a function of time and of whether
+    the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic choice;
+    `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,), see
+    lag/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are wanted at
+    `times`; `invariant_tolerance` (ni,) None: nothing is watched;
+    `turning` (ny,) flags outputs that are angles known up to whole turns."""
+
+    p: Floats
+    inputs: Floats | Callable[[float, bool], Floats]
+    start: StartTold
+    group: Floats
+    natural: Floats
+    cap: Floats
+    lasting: Flags
+    general: int
+    times: Floats
+    tolerance: float
+    part: float
+    method: str | None = None
+    step: float = 0.0
+    length: float = 0.0
+    invariant_tolerance: Floats | None = None
+    turning: Flags | None = None
+
+
+def shared_options(library: Runtime, settings: RunSettings, kept: list[object]) -> RunOptions:
+    """lag_run_options without parameters, natural sizes, inputs and results; what they point at is appended to
+    `kept`."""
+    options = RunOptions(
+        tolerance=settings.tolerance,
+        part=settings.part,
+        h_fixed=settings.step,
+        careful=1,
+        general=settings.general,
+        length=settings.length,
+        count=len(settings.times),
+        method=None if settings.method is None else library.methods[settings.method],
+    )
+    for name in ("group", "cap", "times", "lasting"):
+        setattr(options, name, address(getattr(settings, name), kept))
+    if settings.invariant_tolerance is not None:
+        # one number more, so that it is not null where there are assertions only
+        options.invariant_tolerance = address(np.append(settings.invariant_tolerance, 0.0), kept)
+    start = _start(settings.start, kept)
+    kept.append(start)
+    options.start = addressof(start)
+    return options
+
+
+def address(values: ArrayLike, kept: list[object], kind: type = np.float64) -> int:
+    """Of a copy, which is appended to `kept`."""
+    own: np.ndarray = np.array(values, dtype=kind)
+    kept.append(own)
+    return int(own.ctypes.data)
+
+
+def _start(told: StartTold, kept: list[object]) -> Start:
+    flags = {name: address(getattr(told, name), kept, np.uint8) for name in ("fixed", "written")}
+    numbers = {name: address(getattr(told, name), kept) for name in ("nominal", "minimum", "maximum")}
+    return Start(t=told.t, **flags, **numbers)

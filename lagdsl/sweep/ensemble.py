@@ -1,0 +1,142 @@
+"""Runs of one model that differ in numbers only: all of them in one call of C."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+
+import numpy as np
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.limits import check_limits
+from lagdsl.flat.model import FlatModel
+from lagdsl.mechanics.rank import Floats
+from lagdsl.runtime.auto_engine import AutoEngine
+from lagdsl.runtime.broadcast import BatchEngine
+from lagdsl.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
+from lagdsl.simulate.initialize import places_of
+from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
+from lagdsl.simulate.placed import settings_of
+from lagdsl.simulate.signals import given_inputs, signals
+from lagdsl.simulate.simulate import grid
+from lagdsl.simulate.table import heads_of
+from lagdsl.sweep.plan import Task
+from lagdsl.sweep.run import Options, Outcome, parameters_of
+
+# In the rows of one call of C.
+_NUMBERS = 4_000_000
+
+
+class Ensemble:
+    """The runs of one flat model, with the options that all of them share.
+
+    Raises ValueError and CompilationFailed for options that no run can be made with.
+    """
+
+    def __init__(self, flat: FlatModel, engine: BatchEngine, options: Options) -> None:
+        self._flat, self._engine, self._options = flat, engine, options
+        self._lock = threading.Lock()  # of the engine, which serves one thread at a time
+        heads = heads_of(flat)[1:]
+        names = [name for name, *_ in heads]
+        rows = len(grid(flat.experiment.start_time, options.stop, options.interval))
+        self._most = max(1, _NUMBERS // (rows * (len(heads) + 1)))
+        self._columns = [k for k, name in enumerate(names) if options.columns is None or name in options.columns]
+        self._names = tuple(names[k] for k in self._columns)
+        self._units = tuple(heads[k][1] for k in self._columns)
+
+    def run(self, tasks: Sequence[Task], bench: Bench, stop: Stop) -> list[Outcome | None]:
+        """The outcome of every task, None for one that has to be made by itself to tell what is wrong with it; fewer
+        outcomes where `stop` was set. All tasks set the same names."""
+        outcomes: list[Outcome | None] = []
+        for first in range(0, len(tasks), self._most):
+            outcomes += self._run(tasks[first : first + self._most], bench, stop)
+        return outcomes
+
+    def _run(self, tasks: Sequence[Task], bench: Bench, stop: Stop) -> list[Outcome | None]:
+        tellable = [self._parameters(task) for task in tasks]
+        known = [k for k, p in enumerate(tellable) if p is not None]
+        outcomes: list[Outcome | None] = [None] * len(tasks)
+        if not known:
+            return outcomes
+        with self._lock:
+            told = self._settings([tasks[k] for k in known], np.array([tellable[k] for k in known]))
+            model = self._engine.native
+        made = None if told is None else bench.run(model, told, stop)
+        if told is not None and made is None:
+            return []
+        for row, k in enumerate(known):
+            if made is not None and made.went_well(row):
+                outcomes[k] = self._outcome(tasks[k].index, made, row)
+        return outcomes
+
+    def worked(self, seconds: float, left: float) -> None:
+        """So many seconds the last runs took, so many the others will: where that pays, the model is compiled."""
+        if isinstance(self._engine, AutoEngine):
+            with self._lock:
+                self._engine.worked(seconds, left)
+                self._engine.hasten()
+
+    def _parameters(self, task: Task) -> Floats | None:
+        """The vector of parameters; None where they are not what the model allows."""
+        try:
+            p = parameters_of(self._flat, self._engine.layout, task.parameters)
+        except (ValueError, TypeError):
+            return None
+        sink = Sink()
+        names = (slot.name for slot in self._engine.layout.parameters)
+        check_limits(self._flat, dict(zip(names, p.tolist(), strict=True)), sink)
+        return None if sink.diagnostics else p
+
+    def _settings(self, tasks: Sequence[Task], p: Floats) -> EnsembleSettings | None:
+        """What C is told; None where each has to tell by itself what is wrong with its options."""
+        flat, engine, options = self._flat, self._engine, self._options
+        t0, sink = flat.experiment.start_time, Sink()
+        with np.errstate(all="ignore"):
+            q, _, _, u = engine.evaluate_many("start", t0, p)
+        inputs = signals(flat, u[0], options.inputs, (t0, options.stop), sink)
+        places = places_of(flat)
+        if sink.has_errors or not inputs.constant or not all(name in places for name in tasks[0].start):
+            return None
+        outside = given_inputs(flat, options.inputs)
+        u = np.where(outside, inputs.at(t0), u)
+        given = np.zeros(len(places), dtype=np.bool_)
+        x = np.zeros((len(tasks), len(places)))
+        for name in tasks[0].start:
+            given[places[name]] = True
+            x[:, places[name]] = [task.start[name] for task in tasks]
+        settings = settings_of(
+            flat,
+            engine.layout,
+            p,
+            q,
+            u,
+            t=t0,
+            times=grid(t0, options.stop, options.interval),
+            tolerance=options.tolerance,
+            solver=options.solver,
+            step=None,
+        )
+        return EnsembleSettings(
+            settings=settings,
+            t=t0,
+            stop=float(settings.times[-1]),
+            breaks=tuple(b for b in inputs.breaks if b > t0),
+            u=u,
+            x=x,
+            given=given,
+            equations=bool(flat.initial_equations),
+            first_piece=FIRST_STEPS,
+            piece=STEPS,
+            most_steps=MOST_STEPS,
+        )
+
+    def _outcome(self, index: int, made: Made, row: int) -> Outcome:
+        return Outcome(
+            index=index,
+            status="ok",
+            ended=float(made.ended[row]),
+            message="",
+            names=self._names,
+            units=self._units,
+            values=made.rows[row, : made.kept[row], self._columns].T.copy(),
+        )
