@@ -6,7 +6,7 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check wheels bench peers docs
+.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check wheels wasm bench peers docs
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
@@ -54,6 +54,9 @@ update: $(READY)  ## regenerate what is generated: automaton of the grammar, uni
 wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
 	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.platforms); do \
 	LAGDSL_PLATFORM=$$platform $(BIN)/python -m hatchling build --target wheel; done
+
+wasm: $(READY)  ## the runtime for web pages: dist/lag.wasm
+	$(BIN)/python -m lagdsl.runtime.build_wasm dist
 
 bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed
 	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py

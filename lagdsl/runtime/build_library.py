@@ -12,7 +12,7 @@ import os
 import platform as machine
 import sysconfig
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
@@ -47,18 +47,25 @@ def build_library(folder: Path, name: str | None = None, objects: Path | None = 
     """
     compiler = _compiler(name)
     system = (name or this_machine()).partition("-")[0]
+    file = library_name(system)
+    more = libraries(system, by_zig=_is_zig(compiler))
+    return compile_runtime(compiler, folder / file, link_flags(system, file), more, objects)
+
+
+def compile_runtime(
+    compiler: Compiler, target: Path, link: Sequence[str], libraries: Sequence[str], objects: Path | None = None
+) -> Path:
+    """All sources into the one file `target`, which appears when it is whole; `link` comes before the objects."""
     sources = sorted((c_folder() / "src").glob("*.c"))
-    with tempfile.TemporaryDirectory(dir=folder, prefix="build-") as made:
+    with tempfile.TemporaryDirectory(dir=target.parent, prefix="build-") as made:
         kept = objects or Path(made)
-        compile_one = partial(_object, compiler, kept)
         with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-            parts = list(pool.map(compile_one, sources))
-        library = Path(made) / library_name(system)
-        link, more = link_flags(system, library.name), libraries(system, by_zig=_is_zig(compiler))
-        run_compiler(compiler, Path(made), [*link, "-o", library.name, *map(str, parts), *more])
-        library.replace(folder / library.name)
-    _forget(kept, parts)
-    return folder / library.name
+            parts = list(pool.map(partial(_object, compiler, kept), sources))
+        run_compiler(compiler, Path(made), [*link, "-o", target.name, *map(str, parts), *libraries])
+        (Path(made) / target.name).replace(target)
+        for path in set(kept.glob("*.o")) - set(parts):  # those of older sources
+            path.unlink(missing_ok=True)
+    return target
 
 
 def _compiler(name: str | None) -> Compiler:
@@ -97,13 +104,6 @@ def _object(compiler: Compiler, kept: Path, source: Path) -> Path:
 
 def _header(name: str) -> str:
     return (c_folder() / "include" / name).read_text(encoding="utf-8")
-
-
-def _forget(kept: Path, parts: list[Path]) -> None:
-    """Object files of older sources go."""
-    if kept.is_dir():
-        for path in set(kept.glob("*.o")) - set(parts):
-            path.unlink(missing_ok=True)
 
 
 # ---- in a checkout ---------------------------------------------------------------------------------------------------
