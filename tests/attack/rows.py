@@ -28,8 +28,8 @@ SECONDS = 10  # of the processor
 
 @dataclass(frozen=True)
 class Attack:
-    """`ends` are values of columns at the end, `counts` numbers of events by (name, kind). `refused` are codes of errors
-    and warnings that are an answer, too; "any" is any error."""
+    """`ends` are values of columns at the end, `counts` numbers of events by (name, kind). `refused` are codes of
+    errors and warnings that are an answer, too; "any" is any error."""
 
     name: str
     text: str
