@@ -51,8 +51,8 @@ def noted(motion: Trajectory, resolution: Resolution, intervals: int) -> Traject
     span = float(motion.time[-1] - motion.time[0])
     name = motion.columns[1 + resolution.place].name
     text = (
-        f"the rows do not show `{name}`, which turns around {resolution.turns} times: they are {span / intervals:.3g} s "
-        f"apart, {span / (_ENOUGH * resolution.turns):.2g} s would do"
+        f"the rows do not show `{name}`, which turns around {resolution.turns} times: they are "
+        f"{span / intervals:.3g} s apart, {span / (_ENOUGH * resolution.turns):.2g} s would do"
     )
     statistics = replace(motion.statistics, notes=(*motion.statistics.notes, text))
     return replace(motion, statistics=statistics)
