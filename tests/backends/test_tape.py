@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from ctypes import POINTER, Structure, c_size_t
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +26,7 @@ from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
 from lagdsl.runtime.engine import SingularSystem
 from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.structures import Model
 from lagdsl.runtime.tape_engine import TapeEngine
 from lagdsl.runtime.tape_model import DamagedTape, load_tape
 
@@ -161,6 +163,33 @@ def test_directions_in_lanes(path: Path) -> None:
             assert np.all((np.abs(block - other) / scale)[finite] < 1e-8)
     one = engine.jacobian(float(state[0][0]), *(vector[0] for vector in state[1:]))
     assert np.array_equal(one, engine.jacobian_many("state", *state)[0][0], equal_nan=True)
+
+
+@pytest.mark.parametrize("name", ["four_bar", "stewart_platform", "newtons_cradle", "knife_edge"])
+def test_where_the_jacobian_can_be_nonzero(name: str) -> None:
+    program = _program(Path("models", f"{name}.lag"))
+    engine, draw = TapeEngine(program), np.random.default_rng(5)
+    model = Model.from_address(engine.native.context)  # of a tape it is where its model stands
+    pattern = Pattern.from_address(model.jacobian_pattern)
+    listed = np.zeros((pattern.rows, pattern.columns), dtype=bool)
+    listed[[pattern.row[i] for i in range(pattern.count)], [pattern.column[i] for i in range(pattern.count)]] = True
+    seen = np.zeros_like(listed)
+    for _ in range(3):
+        state = [vector[0] for vector in _state(program, draw, 1)]
+        seen |= engine.evaluate("velocity_constraint", float(state[0]), *state[1:])[1] != 0.0
+        seen |= engine.evaluate("position_constraint", float(state[0]), *state[1:])[1] != 0.0
+    assert listed.any() and not (seen & ~listed).any()
+    assert not (listed & ~seen).any()  # for these models none is zero by accident
+
+
+class Pattern(Structure):
+    """lag_pattern."""
+
+    _fields_ = (
+        *((name, c_size_t) for name in ("rows", "columns", "count")),
+        ("row", POINTER(c_size_t)),
+        ("column", POINTER(c_size_t)),
+    )
 
 
 def test_the_same_bytes_under_any_hash_seed() -> None:

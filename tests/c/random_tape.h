@@ -278,6 +278,10 @@ static inline size_t write_random_tape(random_tape *tape)
     put_rows(tape, n[LAG_TAPE_NCONTACT], n[LAG_TAPE_NC]);
     put_rows(tape, n[LAG_TAPE_NSWITCHED], n[LAG_TAPE_NC]);
     put_rows(tape, n[LAG_TAPE_NRESET], state);
+    const uint32_t entries = any(&tape->seed, n[LAG_TAPE_NC] * n[LAG_TAPE_NQ]);
+    for (int i = 0; i < 2; ++i) {
+        put_rows(tape, entries, i == 0 ? n[LAG_TAPE_NC] : n[LAG_TAPE_NQ]);
+    }
     put_section(tape, numbers, started ? (1 + state) * sizeof(double) : 0);
     put_section(tape, flags, started ? state : 0);
     put_section(tape, flags, 0);

@@ -154,6 +154,9 @@ static void read_tables(const lag_model *model, const lag_start *start)
     for (size_t i = 0; i < model->ncontact; ++i) {
         CHECK(model->contact_rows[i] < model->nc);
     }
+    for (size_t i = 0; model->jacobian_pattern != NULL && i < model->jacobian_pattern->count; ++i) {
+        CHECK(model->jacobian_pattern->row[i] < model->nc && model->jacobian_pattern->column[i] < model->nq);
+    }
     for (size_t i = 0; start != NULL && i < 2 * model->nq + model->nz; ++i) {
         sum = sum + start->x[i] + (start->nominal == NULL ? 0.0 : start->nominal[i]);
     }

@@ -13,6 +13,7 @@ from lagdsl.backends.identifier import comment_text
 from lagdsl.flat.events import INITIAL
 from lagdsl.program.functions import ALONG_MANY, WRITTEN_OUT
 from lagdsl.program.passes.hoist import hoisted
+from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Function, Layout, Program, Slot
 from lagdsl.program.verify import counted, sizes
 
@@ -124,7 +125,21 @@ def _tables(program: Program) -> str:
     texts.append(_array("double", "defaults", [number(value) for value in layout.defaults]))
     texts.append(_array("char *const", "assertions", [string(text) for text in layout.assertions]))
     texts += [_array(kind, name, rows) for name, (kind, rows) in _instant_tables(layout).items()]
-    return "".join(texts)
+    return "".join([*texts, _pattern(program)])
+
+
+def _pattern(program: Program) -> str:
+    """Where J can be nonzero; nothing without constraints."""
+    rows, columns = jacobian_pattern(program)
+    if not rows:
+        return ""
+    shape = f"{len(program.layout.constraints)}, {len(program.layout.coordinates)}, {len(rows)}"
+    return (
+        _array("size_t", "jacobian_rows", list(map(str, rows)))
+        + _array("size_t", "jacobian_columns", list(map(str, columns)))
+        + "static const lag_pattern model_jacobian_pattern = "
+        + f"{{{shape}, model_jacobian_rows, model_jacobian_columns}};\n\n"
+    )
 
 
 def _instant_tables(layout: Layout) -> dict[str, tuple[str, list[str]]]:
@@ -206,6 +221,7 @@ def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
         f".name = {string(program.name)}",
         *(f".{name} = {count}" for name, count in counts.items()),
         *(f".{name} = model_{name}" for name, rows in tables.items() if rows),
+        *([".jacobian_pattern = &model_jacobian_pattern"] if jacobian_pattern(program)[0] else []),
         ".prepare = model_prepare",
         *(f".{name} = model_{name}" for name in (*(f.name for f in _single(program)), *formed)),
     ]

@@ -16,6 +16,7 @@ from lagdsl.backends.tape.settled import Settled, settle
 from lagdsl.flat.events import INITIAL
 from lagdsl.program import functions as known
 from lagdsl.program.passes.along import Along, along, elements, shared
+from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Layout, Program, Slot
 from lagdsl.program.verify import counted, sizes
 
@@ -93,7 +94,7 @@ def _written(
         [
             _words(lengths[name] for name in SIZES),
             _doubles(constants),
-            *_tables(layout, program.kept_rows),
+            *_tables(program),
             *_start(start),
             _words(texts.of_slots(_slots(layout))),
             _words(map(texts.place, _messages(layout))),
@@ -155,7 +156,8 @@ def _written_once(codes: Sequence[Ints]) -> tuple[list[int], Ints]:
 # ---- tables ----------------------------------------------------------------------------------------------------------
 
 
-def _tables(layout: Layout, kept_rows: Sequence[int]) -> list[bytes]:
+def _tables(program: Program) -> list[bytes]:
+    layout = program.layout
     instants = layout.instants
     kinds = [kind_number(layout, index) for index in range(len(layout.kinds))]
     return [
@@ -164,10 +166,11 @@ def _tables(layout: Layout, kept_rows: Sequence[int]) -> list[bytes]:
         bytes(layout.redundant),
         bytes(kinds),
         bytes(instants.strict),
-        _words(kept_rows),
+        _words(program.kept_rows),
         _words(instants.contact_rows),
         _words(instants.switched_rows),
         _words(instants.reset_places),
+        *map(_words, jacobian_pattern(program)),
     ]
 
 

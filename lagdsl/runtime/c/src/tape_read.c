@@ -83,9 +83,17 @@ static uint64_t messages(const uint32_t *size)
     return (uint64_t)size[LAG_TAPE_NA] + size[LAG_TAPE_NRESET] + size[LAG_TAPE_NSTOP] + size[LAG_TAPE_NFAIL];
 }
 
-static uint64_t rows(const uint32_t *size)
+/* Entries of J that can be nonzero. */
+static uint64_t pattern_length(const lag_tape_parts *parts)
 {
-    return (uint64_t)size[LAG_TAPE_NK] + size[LAG_TAPE_NCONTACT] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
+    return parts->part[LAG_TAPE_JACOBIAN_ROWS].length / sizeof(uint32_t);
+}
+
+static uint64_t rows(const lag_tape_parts *parts)
+{
+    const uint32_t *size = parts->size;
+    const uint64_t listed = (uint64_t)size[LAG_TAPE_NK] + size[LAG_TAPE_NCONTACT] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
+    return listed + 2 * pattern_length(parts);
 }
 
 static int sizes_agree(const lag_tape_parts *parts)
@@ -101,6 +109,9 @@ static int sizes_agree(const lag_tape_parts *parts)
            holds(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NCONTACT], word) &&
            holds(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NSWITCHED], word) &&
            holds(parts, LAG_TAPE_RESET_PLACES, n[LAG_TAPE_NRESET], word) &&
+           pattern_length(parts) <= (uint64_t)n[LAG_TAPE_NC] * n[LAG_TAPE_NQ] &&
+           holds(parts, LAG_TAPE_JACOBIAN_ROWS, pattern_length(parts), word) &&
+           holds(parts, LAG_TAPE_JACOBIAN_COLUMNS, pattern_length(parts), word) &&
            may_hold(parts, LAG_TAPE_START_STATE, 1 + state, sizeof(double)) &&
            may_hold(parts, LAG_TAPE_START_FIXED, state, 1) && may_hold(parts, LAG_TAPE_START_WRITTEN, state, 1) &&
            may_hold(parts, LAG_TAPE_START_NOMINAL, state, sizeof(double)) &&
@@ -192,6 +203,7 @@ static int rows_agree(const lag_tape_parts *parts)
     return n[LAG_TAPE_RANK] <= n[LAG_TAPE_NC] && n[LAG_TAPE_NGAP] >= n[LAG_TAPE_NCONTACT] &&
            n[LAG_TAPE_PREPARED] <= n[LAG_TAPE_ROW] && along_agrees(parts, 0) && along_agrees(parts, 1) && below(parts, LAG_TAPE_KEPT_ROWS, n[LAG_TAPE_NC]) &&
            below(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NC]) &&
+           below(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_JACOBIAN_COLUMNS, n[LAG_TAPE_NQ]) &&
            below(parts, LAG_TAPE_RESET_PLACES, 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]);
 }
 
@@ -217,10 +229,11 @@ static int functions_there(const lag_tape_parts *parts)
 /* ---- memory ---- */
 
 /* Bytes of the model: its structure, slots, messages, rows; each of them takes multiples of 8. */
-static uint64_t needed(const uint32_t *size)
+static uint64_t needed(const lag_tape_parts *parts)
 {
+    const uint32_t *size = parts->size;
     const uint64_t head = (sizeof(lag_tape) + 7) / 8 * 8;
-    const uint64_t tables = slots(size) * sizeof(lag_slot) + messages(size) * sizeof(char *) + rows(size) * sizeof(size_t);
+    const uint64_t tables = slots(size) * sizeof(lag_slot) + messages(size) * sizeof(char *) + rows(parts) * sizeof(size_t);
     return head + (tables + 7) / 8 * 8;
 }
 
@@ -256,11 +269,11 @@ lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory)
         }
     }
     if (!sizes_agree(&parts) || !texts_end(&parts) || !kinds_agree(&parts) || !rows_agree(&parts) ||
-        !functions_there(&parts) || !lag_tape_runs(&parts) || needed(parts.size) > SIZE_MAX / 2 ||
+        !functions_there(&parts) || !lag_tape_runs(&parts) || needed(&parts) > SIZE_MAX / 2 ||
         largest_workspace(parts.size) > SIZE_MAX / 2 / sizeof(double)) {
         return LAG_FOREIGN;
     }
-    *memory = (size_t)needed(parts.size);
+    *memory = (size_t)needed(&parts);
     return LAG_OK;
 }
 
@@ -341,8 +354,9 @@ static void give_sizes(lag_model *model, const uint32_t *size)
 }
 
 /* Slots, messages and rows, in this order, in `memory`. */
-static void give_tables(lag_model *model, const lag_tape_parts *parts, unsigned char *memory)
+static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned char *memory)
 {
+    lag_model *model = &tape->model;
     const uint32_t *slot = (const void *)parts->part[LAG_TAPE_SLOTS].bytes;
     const uint32_t *message = (const void *)parts->part[LAG_TAPE_MESSAGES].bytes;
     lag_slot *slot_memory = (void *)memory;
@@ -365,6 +379,10 @@ static void give_tables(lag_model *model, const lag_tape_parts *parts, unsigned 
     model->contact_rows = take_rows(parts, LAG_TAPE_CONTACT_ROWS, &row_memory, model->ncontact);
     model->switched_rows = take_rows(parts, LAG_TAPE_SWITCHED_ROWS, &row_memory, model->nswitched);
     model->reset_places = take_rows(parts, LAG_TAPE_RESET_PLACES, &row_memory, model->nreset);
+    tape->pattern = (lag_pattern){.rows = model->nc, .columns = model->nq, .count = (size_t)pattern_length(parts)};
+    tape->pattern.row = take_rows(parts, LAG_TAPE_JACOBIAN_ROWS, &row_memory, tape->pattern.count);
+    tape->pattern.column = take_rows(parts, LAG_TAPE_JACOBIAN_COLUMNS, &row_memory, tape->pattern.count);
+    model->jacobian_pattern = tape->pattern.count > 0 ? &tape->pattern : NULL;
     model->defaults = section(parts, LAG_TAPE_DEFAULTS);
     model->position_level = section(parts, LAG_TAPE_POSITION_LEVEL);
     model->redundant = section(parts, LAG_TAPE_REDUNDANT);
@@ -406,7 +424,7 @@ const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory)
     tape->model.name = text(&parts, parts.size[LAG_TAPE_NAME]);
     tape->model.context = tape;
     give_sizes(&tape->model, parts.size);
-    give_tables(&tape->model, &parts, (unsigned char *)memory + (sizeof *tape + 7) / 8 * 8);
+    give_tables(tape, &parts, (unsigned char *)memory + (sizeof *tape + 7) / 8 * 8);
     give_start(&tape->start, &parts);
     lag_tape_functions(tape);
     lag_tape_parallel(tape);

@@ -30,6 +30,8 @@ typedef enum lag_tape_section {
     LAG_TAPE_CONTACT_ROWS,   /* uint32 (ncontact) */
     LAG_TAPE_SWITCHED_ROWS,  /* uint32 (nswitched) */
     LAG_TAPE_RESET_PLACES,   /* uint32 (nreset) */
+    LAG_TAPE_JACOBIAN_ROWS,  /* uint32: where J can be nonzero; or nothing */
+    LAG_TAPE_JACOBIAN_COLUMNS, /* uint32, as many */
     LAG_TAPE_START_STATE,    /* double: the time and x (1 + 2 nq + nz), or nothing */
     LAG_TAPE_START_FIXED,    /* bytes (2 nq + nz), or nothing; so are those that follow */
     LAG_TAPE_START_WRITTEN,  /* bytes (2 nq + nz) */

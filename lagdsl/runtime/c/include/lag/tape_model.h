@@ -27,6 +27,7 @@ enum {
 typedef struct lag_tape {
     lag_model model; /* whose context is this structure */
     lag_start start;
+    lag_pattern pattern;
     lag_states states;
     lag_tangents tangents[2];
     size_t row, shared[2], along_row[2];
