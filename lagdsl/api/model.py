@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lagdsl.api.described import Described
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
 from lagdsl.backends.python.emit import motion_sizes
-from lagdsl.backends.python.support.interface import Interface
-from lagdsl.diagnostics import Diagnostic, Sink
+from lagdsl.diagnostics import Sink
 from lagdsl.flat.admissible import require_value
 
 if TYPE_CHECKING:
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from lagdsl.api.motions import Motions
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
-    from lagdsl.program.program import Slot
     from lagdsl.runtime.broadcast import BatchEngine
     from lagdsl.simulate.initialize import InitialState
     from lagdsl.simulate.signals import Signal
@@ -40,7 +39,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-class Model(Interface):
+class Model(Described):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -53,6 +52,7 @@ class Model(Interface):
     def __init__(self, compilation: Compilation, engine: BatchEngine, source: SourceFile | None = None) -> None:
         program = compilation.program
         super().__init__(
+            compilation,
             engine.evaluate_many,
             engine.solve_many,
             engine.jacobian_many,
@@ -62,63 +62,9 @@ class Model(Interface):
         self._compilation = compilation
         self._engine = engine
         self._source = source
-        self._layout = compilation.program.layout
 
     def __repr__(self) -> str:
         return f"<Model {self.name}: {', '.join(self.coordinates + self.states)}>"
-
-    # ---- names and defaults ------------------------------------------------------------------------------------------
-
-    @property
-    def name(self) -> str:
-        return self._compilation.flat.name
-
-    @property
-    def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Warnings and notes of the compilation."""
-        return self._compilation.diagnostics
-
-    @property
-    def coordinates(self) -> list[str]:
-        return _names(self._layout.coordinates)
-
-    @property
-    def states(self) -> list[str]:
-        return _names(self._layout.states)
-
-    @property
-    def parameters(self) -> list[str]:
-        """Independent parameters; those defined by others follow them."""
-        return _names(self._layout.parameters)
-
-    @property
-    def inputs(self) -> list[str]:
-        return _names(self._layout.inputs)
-
-    @property
-    def discretes(self) -> list[str]:
-        """The entries of `w`: discrete variables, `closed(c)` and `impacts(c)` of contacts, relations as written, and
-        what else clauses remember. Truths are 0 and 1."""
-        return _names(self._layout.discretes)
-
-    @property
-    def outputs(self) -> list[str]:
-        return _names(self._layout.outputs)
-
-    @property
-    def constraints(self) -> list[str]:
-        """Names of all declared constraint rows, in source order: `wire`, `pin[1]`."""
-        return _names(self._layout.constraints)
-
-    @property
-    def redundant(self) -> list[bool]:
-        """Which rows depend on others (their multipliers are those of minimum norm)."""
-        return list(self._layout.redundant)
-
-    @property
-    def defaults(self) -> Floats:
-        """Values of the independent parameters, shape (np,)."""
-        return np.array(self._layout.defaults, dtype=np.float64)
 
     @cached_property
     def equations(self) -> EquationsOfMotion:
@@ -467,7 +413,3 @@ class Model(Interface):
 
     def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
         return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])
-
-
-def _names(slots: Sequence[Slot]) -> list[str]:
-    return [slot.name for slot in slots]

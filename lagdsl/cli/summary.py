@@ -31,8 +31,7 @@ def _table(trajectory: Trajectory) -> str:
 
 
 def _row(column: Column) -> tuple[str, ...]:
-    values = column.values
-    numbers = (values[0], values[-1], values.min(), values.max())
+    numbers = (column.values[0], column.values[-1], column.lowest, column.highest)
     return (column.name, *(f"{column.display(float(x)):.5g}" for x in numbers), column.display.unit)
 
 

@@ -70,7 +70,7 @@ class Contact(Item):
     """`gap >= 0` with an impact law. `row` is the constraint that holds while it is closed.
 
     `stick` is the rebound speed below which it closes, `rest` the time left of a series of impacts below which it does;
-    None: a thousandth of the largest approach speed so far, a millionth of the length of the experiment.
+    None: no speed, a millionth of the length of the experiment.
     """
 
     name: str

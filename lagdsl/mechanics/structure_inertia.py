@@ -56,8 +56,10 @@ def _report(flat: FlatModel, index: int, together: list[int], sink: Sink) -> Non
 def _massless(space: Geometry, point: Probe, mass: Floats) -> Floats:
     """The projector onto the directions without inertia; its diagonal has the squares of the coordinates' shares."""
     diagonal = np.sqrt(np.abs(np.diag(mass)))
-    largest = float(np.max(diagonal))
-    scale = np.where(diagonal > 1e-9 * largest, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), space.sizes)
+    tied = np.max(
+        np.where(mass != 0.0, diagonal, 0.0), axis=1
+    )  # of the coordinates that M ties to each, itself included
+    scale = np.where(diagonal > 1e-9 * tied, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), space.sizes)
     free = free_directions(point.rows * (scale / space.sizes), space.parts(list(range(len(point.rows)))))
     values, directions = np.linalg.eigh(free.T @ ((mass * scale[:, None]) * scale) @ free)
     top = float(np.max(np.abs(values), initial=0.0))

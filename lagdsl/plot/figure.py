@@ -52,6 +52,7 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
     except ModuleNotFoundError as missing:
         raise ModuleNotFoundError(f"figures need matplotlib: pip install 'lagdsl[plot]' ({missing})") from missing
 
+    trajectory = trajectory.drawn()
     panels = _panels(trajectory)
     heights = [1.5, *([1.0] * (len(panels) - 1))] if panels else []
     energy = bool(np.any(np.isfinite(trajectory.energy)) and np.any(trajectory.energy))

@@ -19,6 +19,7 @@ _MARK = "\N{BOX DRAWINGS LIGHT VERTICAL}"
 
 def sketch(trajectory: Trajectory, *, width: int | None = None, height: int = 4) -> str:
     """Curves of the first coordinates and states over time, in display units; empty without any."""
+    trajectory = trajectory.drawn()
     columns = [c for c in trajectory.columns if c.kind in ("coordinate", "state")]
     shown = columns[:_MOST_CURVES]
     if not shown or len(trajectory) < 2:

@@ -52,6 +52,8 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "run_evaluate": (_STATUS, (_AT, c_int, c_double, _AT, _AT)),
     "run_rank": (_SIZE, (_AT, _AT, _AT)),
     "results_width": (_SIZE, (_AT,)),
+    "extremes_memory": (_SIZE, (_AT,)),
+    "extremes_place": (None, (_AT, _AT, _AT)),
     "run_fixed": (_STATUS, (_AT, c_double, _AT, _AT)),
     "run_saved_size": (_SIZE, (_AT, _AT)),
     "run_save": (None, (_AT, _AT)),

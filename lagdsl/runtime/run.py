@@ -19,6 +19,7 @@ from lagdsl.runtime.run_structures import (
     FULL,
     INPUTS,
     WHAT,
+    Extremes,
     Initial,
     InitialFault,
     Note,
@@ -116,6 +117,10 @@ class Run:
         if settings.turning is not None:
             self._results.turning = address(settings.turning, self._kept, np.uint8)
             self._results.angle = address(np.full(len(settings.turning), np.nan), self._kept)
+        self._extremes = Extremes()
+        self._extreme_memory = np.zeros(int(self._library.extremes_memory(self._model.model)) + 1)
+        self._library.extremes_place(byref(self._extremes), self._model.model, self._extreme_memory.ctypes.data)
+        self._results.extremes = addressof(self._extremes)
         options.results = addressof(self._results)
         return options
 
@@ -227,6 +232,17 @@ class Run:
     def rows(self) -> Floats:
         """All rows so far, as lag/results.h tells them."""
         return np.concatenate(self._parts) if self._parts else np.zeros((0, self._width))
+
+    def extremes(self) -> tuple[Floats, Floats]:
+        """The lowest and the highest values of state, discrete variables and outputs along the motion so far; infinite
+        where there was no number."""
+        count = self._extremes.count
+        return self._extreme_memory[:count].copy(), self._extreme_memory[count : 2 * count].copy()
+
+    def turns(self) -> Floats:
+        """How often every number of the state turned around."""
+        first = 2 * self._extremes.count
+        return self._extreme_memory[first : first + self.size].copy()
 
     @property
     def report(self) -> RunReport:

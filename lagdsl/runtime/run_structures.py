@@ -63,6 +63,16 @@ class Note(Structure):
 FULL = CFUNCTYPE(c_int, c_void_p, c_void_p)
 
 
+class Extremes(Structure):
+    """lag_extremes."""
+
+    _fields_ = [
+        ("size", c_size_t),
+        ("count", c_size_t),
+        *((name, c_void_p) for name in ("low", "high", "turns", "pivot", "way", "sample", "outputs")),
+    ]
+
+
 class Results(Structure):
     """lag_results."""
 
@@ -79,6 +89,7 @@ class Results(Structure):
         ("last", c_double),
         ("after", c_double),
         ("turning", c_void_p),
+        ("extremes", c_void_p),
         ("angle", c_void_p),
     ]
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache
 
 import numpy as np
 
@@ -11,19 +13,20 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
+from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
 from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
 from lagdsl.simulate.initialize import find_start
 from lagdsl.simulate.instants import Instants
 from lagdsl.simulate.motion import MOST_STEPS, Motion, Task
 from lagdsl.simulate.placed import placed
-from lagdsl.simulate.signals import Signal, signals
+from lagdsl.simulate.resolution import DEFAULT_ROWS, noted, resolution_of
+from lagdsl.simulate.signals import Signal, Signals, signals
 from lagdsl.simulate.trajectory import Trajectory
 
 SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
 # Solvers of SciPy and SUNDIALS that there were, and what takes their place.
 _GONE = {"rk45": "dop853", "bdf": "radau", "cvode": "radau"}
-DEFAULT_ROWS = 500
 LARGEST_ROWS = 20_000_000
 
 
@@ -55,36 +58,101 @@ def simulate(
     t0 = experiment.start_time
     end = experiment.stop_time if stop is None else float(stop)
     relative = experiment.tolerance if tolerance is None else float(tolerance)
+    wanted = experiment.interval if interval is None else float(interval)
     check_options(t0, end, relative, solver, step)
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else np.array(p, dtype=np.float64)
-    with np.errstate(all="ignore"), warnings.catch_warnings():
-        # What is not a number is found by looking at the numbers.
-        warnings.simplefilter("ignore", RuntimeWarning)
-        names = (slot.name for slot in engine.layout.parameters)
+    names = (slot.name for slot in engine.layout.parameters)
+    with np.errstate(all="ignore"):
         check_limits(flat, dict(zip(names, parameters.tolist(), strict=True)), own)
         own.raise_if_errors()
         defaults = engine.evaluate("start", t0, parameters)[3]
         given = signals(flat, defaults, inputs or {}, (t0, end), own)
         own.raise_if_errors()
-        times = grid(t0, end, experiment.interval if interval is None else float(interval))
+    asked = _Asked(
+        flat=flat,
+        engine=engine,
+        p=parameters,
+        signals=given,
+        start=start or {},
+        tolerance=relative,
+        solver=solver,
+        step=step,
+        max_steps=max_steps,
+    )
+    return _shown(asked, (t0, end), wanted, progress, own)
+
+
+def _shown(
+    asked: _Asked,
+    span: tuple[float, float],
+    interval: float | None,
+    progress: Callable[[float], None] | None,
+    sink: Sink,
+) -> Trajectory:
+    """With rows as they are asked for; where nobody asks, with as many as show the motion."""
+    times = grid(*span, interval)
+    motion, turns = asked.motion(times, progress, sink)
+    resolution = resolution_of(turns)
+
+    @cache
+    def finer() -> Trajectory:
+        return asked.motion(grid(*span, (span[1] - span[0]) / resolution.rows), None, Sink())[0]
+
+    if len(times) > resolution.rows:
+        return noted(motion, resolution, len(times) - 1)
+    if interval is None:
+        return noted(finer(), resolution, resolution.rows)
+    return replace(noted(motion, resolution, len(times) - 1), finer=finer)
+
+
+@record(kw_only=True)
+class _Asked:
+    """A motion but for its rows."""
+
+    flat: FlatModel
+    engine: Engine
+    p: Floats
+    signals: Signals
+    start: Mapping[str, float]
+    tolerance: float
+    solver: str
+    step: float | None
+    max_steps: int
+
+    def motion(self, times: Floats, progress: Callable[[float], None] | None, sink: Sink) -> tuple[Trajectory, Floats]:
+        """With rows at `times`; and how often every number of the state turns around."""
+        flat, engine, given, t0 = self.flat, self.engine, self.signals, float(times[0])
         course = given.at(t0) if given.constant else lambda t, before: given.at(t, before=before)
-        run = placed(flat, engine, parameters, course, t0=t0, times=times, tolerance=relative, solver=solver, step=step)
-        initial = find_start(flat, engine, run, t0, given.at(t0), start or {}, own)
-        own.raise_if_errors()
-        task = Task(
-            flat=flat,
-            engine=engine,
-            run=run,
-            signals=given,
-            initial=initial,
-            times=times,
-            sink=own,
-            solver=solver,
-            max_steps=max_steps,
-            progress=progress,
-        )
-        return Motion(task).trajectory()
+        with np.errstate(all="ignore"), warnings.catch_warnings():
+            # What is not a number is found by looking at the numbers.
+            warnings.simplefilter("ignore", RuntimeWarning)
+            run = placed(
+                flat,
+                engine,
+                self.p,
+                course,
+                t0=t0,
+                times=times,
+                tolerance=self.tolerance,
+                solver=self.solver,
+                step=self.step,
+            )
+            initial = find_start(flat, engine, run, t0, given.at(t0), self.start, sink)
+            sink.raise_if_errors()
+            task = Task(
+                flat=flat,
+                engine=engine,
+                run=run,
+                signals=given,
+                initial=initial,
+                times=times,
+                sink=sink,
+                solver=self.solver,
+                max_steps=self.max_steps,
+                progress=progress,
+            )
+            return Motion(task).trajectory(), run.turns()
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:

@@ -19,12 +19,15 @@ def trajectory(
     heads = heads_of(flat)
     rows = run.rows()
     table = np.ascontiguousarray(rows[:, : len(heads)].T)
+    low, high = (np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)]) for ends in run.extremes())
     energy, *residuals = np.ascontiguousarray(rows[:, len(heads) :].T)
     return Trajectory(
         model=flat.name,
         columns=tuple(
-            Column(name=name, unit=unit, kind=kind, display=shown, values=values)
-            for (name, unit, kind, shown), values in zip(heads, table, strict=True)
+            Column(name=name, unit=unit, kind=kind, display=shown, values=values, lowest=lowest, highest=highest)
+            for (name, unit, kind, shown), values, lowest, highest in zip(
+                heads, table, low.tolist(), high.tolist(), strict=True
+            )
         ),
         position_residual=residuals[0],
         velocity_residual=residuals[1],

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -20,13 +21,22 @@ Kind = Literal["time", "coordinate", "rate", "state", "discrete", "output"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
-    """One quantity over time in its coherent SI unit; `display` is how people see it."""
+    """One quantity over time in its coherent SI unit; `display` is how people see it. `lowest` and `highest` are those
+    of the motion, which may lie between rows; left out, those of the rows."""
 
     name: str
     unit: str
     kind: Kind
     display: Display
     values: Floats
+    lowest: float = np.nan
+    highest: float = np.nan
+
+    def __post_init__(self) -> None:
+        seen = self.values[np.isfinite(self.values)] if np.isnan(self.lowest) else ()
+        if len(seen):
+            object.__setattr__(self, "lowest", float(np.min(seen)))
+            object.__setattr__(self, "highest", float(np.max(seen)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,6 +91,7 @@ class Trajectory:
 
     `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the
     units of the constraint rows; `energy` is energy() [J].
+    `finer` makes the same motion with rows that show it, where those that were asked for are too few to draw it.
     """
 
     model: str
@@ -92,6 +103,7 @@ class Trajectory:
     moved: tuple[MovedRow, ...]
     statistics: Statistics
     events: tuple[Event, ...] = ()
+    finer: Callable[[], Trajectory] | None = field(default=None, compare=False)
 
     def __repr__(self) -> str:
         span = f"{self.time[0]:g} s to {self.time[-1]:g} s" if len(self) else "no time"
@@ -106,6 +118,10 @@ class Trajectory:
     @property
     def names(self) -> tuple[str, ...]:
         return tuple(column.name for column in self.columns)
+
+    def drawn(self) -> Trajectory:
+        """The motion with rows that are enough to draw it."""
+        return self if self.finer is None else self.finer()
 
     def column(self, name: str) -> Column:
         """The column with its unit; KeyError with the known names otherwise."""

@@ -13,6 +13,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.flat.text import flat_text
 from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.cores import cores
+from lagdsl.simulate.resolution import DEFAULT_ROWS
 from lagdsl.simulate.simulate import check_options, grid
 from lagdsl.sweep.dataset import dataset, require_room, require_writer, write
 from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes, require_idle
@@ -156,10 +157,9 @@ def _identity(subjects: Sequence[Subject], options: Options) -> list[str]:
     return [lagdsl.__version__, repr(options), *models]
 
 
-def options_of(flat: FlatModel, *, stop: float | None, interval: float | None) -> tuple[float, float | None]:
-    """Stop time and interval of all runs: what is left out says the experiment of the model."""
+def options_of(flat: FlatModel, *, stop: float | None, interval: float | None) -> tuple[float, float]:
+    """Stop time and interval of all runs, which share their rows: what is left out says the experiment of the model."""
     experiment = flat.experiment
-    return (
-        experiment.stop_time if stop is None else float(stop),
-        experiment.interval if interval is None else float(interval),
-    )
+    end = experiment.stop_time if stop is None else float(stop)
+    between = experiment.interval if interval is None else float(interval)
+    return end, (end - experiment.start_time) / DEFAULT_ROWS if between is None else between

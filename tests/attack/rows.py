@@ -28,8 +28,8 @@ SECONDS = 10  # of the processor
 
 @dataclass(frozen=True)
 class Attack:
-    """`ends` are values of columns at the end, `counts` numbers of events by (name, kind), `never` less than no event
-    of a kind. `refused` are codes of errors that are an answer, too; "any" of them."""
+    """`ends` are values of columns at the end, `counts` numbers of events by (name, kind). `refused` are codes of
+    errors and warnings that are an answer, too; "any" is any error."""
 
     name: str
     text: str
@@ -74,6 +74,9 @@ def _run(row: Attack, engine: str) -> tuple[str | None, Any]:
     """The code of an error and its text; or values at the end, and events."""
     try:
         attacked = lagdsl.compile(row.text, engine=engine)  # type: ignore[arg-type]
+        warned = [each.code for each in attacked.diagnostics if each.code in row.refused]
+        if warned:
+            return warned[0], "a warning"
         motion = attacked.simulate(
             stop=row.stop,
             tolerance=row.tolerance,

@@ -97,7 +97,7 @@ def test_without_any_compiler_an_installed_package_has_its_runtime(
     lame = "import sys; sys.modules['ziglang'] = None\n"
     environment = {"PYTHONPATH": str(site), "PATH": str(tmp_path / "none"), "HOME": "/nonexistent"}
     load = "from lagdsl.runtime.library import runtime_library; print(len(runtime_library().methods))"
-    assert _run([sys.executable, "-c", lame + load], tmp_path, **environment).strip() == "2"
+    assert _run([sys.executable, "-c", lame + load], tmp_path, **environment).strip() == "5"
     run = "from lagdsl.cli.main import main; main(sys.argv[1:])"
     model = str(root / "models" / "pendulum.lag")
     out = _run([sys.executable, "-c", lame + run, "run", model, "-o", "/dev/stdout"], tmp_path, **environment)

@@ -18,6 +18,7 @@ from lagdsl.runtime.native_model import native_model
 from lagdsl.runtime.run_structures import (
     WHAT,
     Ensemble,
+    Extremes,
     Initial,
     InitialFault,
     Note,
@@ -36,6 +37,7 @@ MIRRORED: dict[str, type[Structure]] = {
     "lag_batch": Batch,
     "lag_change": RunChange,
     "lag_ensemble": Ensemble,
+    "lag_extremes": Extremes,
     "lag_fault": RunFault,
     "lag_initial": Initial,
     "lag_model": Model,

@@ -109,11 +109,10 @@ def started_sources(program: Program, start: Start | None, parts: Sequence[str] 
 
 
 def runtime_sources() -> dict[str, str]:
-    """The runtime's own files, all in one folder `lag`."""
-    files = sorted(
-        [*(c_folder() / "include" / "lag").glob("*.h"), *(c_folder() / "src").glob("*.c")], key=lambda f: f.name
-    )
-    return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in files}
+    """The runtime's own files, all in one folder `lag`. A model that is compiled needs no interpreter of tapes."""
+    files = [*(c_folder() / "include" / "lag").glob("*.h"), *(c_folder() / "src").glob("*.c")]
+    needed = sorted((file for file in files if not file.name.startswith("tape")), key=lambda file: file.name)
+    return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in needed}
 
 
 def _start(stem: str, start: Start | None) -> str:

@@ -25,7 +25,7 @@ void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *toleran
     for (size_t i = 0; i < accuracy->size; ++i) {
         const double floor = FLOOR * accuracy->natural[i];
         const double scale = smaller(larger(accuracy->largest[(size_t)accuracy->group[i]], floor), larger(accuracy->cap[i], floor));
-        tolerance[i] = larger(accuracy->relative * scale, ROUNDING * accuracy->natural[i]);
+        tolerance[i] = larger(accuracy->relative * scale, ROUNDING * larger(accuracy->natural[i], fabs(x[i])));
     }
 }
 

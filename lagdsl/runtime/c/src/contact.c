@@ -42,7 +42,7 @@ static void place_each(lag_contacts *contacts, size_t count, double **memory)
 /* An angle is as large as a radian: its sine and cosine enter. */
 static int is_angle(const char *unit)
 {
-    return (unit[0] == '1' && unit[1] == '\0') || (unit[0] == 'r' && unit[1] == 'a' && unit[2] == 'd' && unit[3] == '\0');
+    return unit[0] == 'r' && unit[1] == 'a' && unit[2] == 'd' && unit[3] == '\0';
 }
 
 void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memory)

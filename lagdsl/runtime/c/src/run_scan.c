@@ -6,19 +6,27 @@
 #include "lag/run.h"
 #include "lag/scan.h"
 
-enum { LAST = LAG_ALERT_LOOKS - 1, AGAIN = 4 };
+enum { LAST = LAG_ALERT_LOOKS - 1, AGAIN = 16 };
 /* Looks in a piece, as parts of it: no two distances are alike, so that what is periodic does not look constant. */
 static const double PLACES[LAG_ALERT_LOOKS] = {0.0, 0.2071, 0.4583, 0.7361, 1.0};
 /* The largest difference of the two polynomials, as a part of the fourth divided difference, about. */
 static const double DIFFERENCE = 0.03;
+/* The error of a parabola through three looks, as a part of the third. */
+static const double THIRD = 0.01;
 /* Values are known where that is at most this part of the largest of them. */
 static const double KNOWN = 0.1;
 /* Lengths of pieces change by at most these factors; the first is this part of a step. */
 static const double SAFETY = 0.8, LEAST_FACTOR = 0.1, MOST_FACTOR = 4.0, FIRST = 0.25;
 /* A piece is no longer than this part of the experiment, and no shorter than this part of its step. */
-static const double LONGEST = 0.02, SHORTEST = 0x1p-10;
+static const double LONGEST = 0.02, SHORTEST = 0x1p-24;
 /* A minimum that is so much nearer to zero than what was seen is looked at, but none so near to the beginning of the step: that has just happened. */
 static const double NEARER = 0.3, BEGINNING = 0.01;
+/* So many times its error a minimum may be lower than it seems. */
+static const double LOWER = 2.0;
+/* So far from an end, as a part of the distance to the next look; below this part of the next value something has just happened. */
+static const double BESIDE = 0.25, JUST = 1e-6;
+/* With each look at a minimum it is known better, by this factor at most. */
+static const double CLEARER = 0.25;
 /* The last piece of a step may be longer by this factor. */
 static const double LAST_STRETCH = 1.2;
 /* Values below so many times their round-off have no shape. */
@@ -59,15 +67,24 @@ typedef struct triple {
     double u[3], v[3];
 } triple;
 
-/* The minimum of the parabola, if it lies between its ends; 1: near zero, seen from its values. */
-static int minimum_of(const triple *at, double *u)
+/*
+ * 1: a minimum, known up to an error, may be below zero, seen from the values: its place by a parabola, and the value of that. Where it lies beyond an end whose value is below the error, a place beside that end; not at a
+ * beginning where something has just happened.
+ */
+static int minimum_of(const triple *at, double error, double *u, double *height)
 {
-    const double slope = (at->v[1] - at->v[0]) / (at->u[1] - at->u[0]);
-    const double bend = ((at->v[2] - at->v[1]) / (at->u[2] - at->u[1]) - slope) / (at->u[2] - at->u[0]);
-    const double least = fmin(at->v[0], fmin(at->v[1], at->v[2]));
-    *u = 0.5 * (at->u[0] + at->u[1]) - 0.5 * slope / bend;
-    const double height = at->v[0] + (*u - at->u[0]) * (slope + bend * (*u - at->u[1]));
-    return bend > 0.0 && *u > at->u[0] && *u < at->u[2] && height < NEARER * fmax(least, 0.0);
+    const double *v = at->v;
+    const double slope = (v[1] - v[0]) / (at->u[1] - at->u[0]);
+    const double bend = ((v[2] - v[1]) / (at->u[2] - at->u[1]) - slope) / (at->u[2] - at->u[0]);
+    const double vertex = 0.5 * (at->u[0] + at->u[1]) - 0.5 * slope / bend;
+    const int inside = bend > 0.0 && vertex > at->u[0] && vertex < at->u[2];
+    const int first = v[0] < v[1] && v[0] < LOWER * error && v[0] > JUST * v[1];
+    const int last = v[2] < v[1] && v[2] < LOWER * error;
+    *u = inside ? vertex
+        : first ? at->u[0] + BESIDE * (at->u[1] - at->u[0])
+                : at->u[2] - BESIDE * (at->u[2] - at->u[1]);
+    *height = v[0] + (*u - at->u[0]) * (slope + bend * (*u - at->u[1]));
+    return inside ? *height < fmax(NEARER * fmax(fmin(v[0], fmin(v[1], v[2])), 0.0), LOWER * error) : first || last;
 }
 
 static void put(triple *at, int k, double u, double v)
@@ -88,69 +105,98 @@ static void narrow(triple *at, double u, double v)
     }
 }
 
-/* LAG_HAPPENS: number i has changed at the minimum, at *t, between looks k - 2 and k. */
-static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i, double *t)
+/* LAG_HAPPENS: number i, known up to an error, has changed at the minimum, at *t, between looks k - 2 and k. */
+static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i, double error, double *t)
 {
     triple at;
     double u = 0.0;
+    double height = 0.0;
     for (int j = 0; j < 3; ++j) {
-        at.u[j] = PLACES[k - 2 + j];
-        at.v[j] = run->alert.seen[k - 2 + j][i];
+        put(&at, j, PLACES[k - 2 + j], run->alert.seen[k - 2 + j][i]);
     }
-    for (int again = 0; again < AGAIN && minimum_of(&at, &u); ++again) {
+    for (int again = 0; again < AGAIN && minimum_of(&at, error, &u, &height); ++again) {
         *t = in->a + u * (in->b - in->a);
         if (!(*t > run->stepper.t_before + BEGINNING * (place_of(in, 1) - in->a)) || !(*t < place_of(in, k))) {
             return LAG_OK;
         }
         const lag_status status = look(run, *t);
+        const double value = lag_alert_value(&run->alert, i);
         if ((status == LAG_HAPPENS && run->alert.changed[i] != 0.0) || (status != LAG_OK && status != LAG_HAPPENS)) {
             return status;
         }
-        narrow(&at, u, lag_alert_value(&run->alert, i));
+        error = fmax(fabs(value - height), CLEARER * error);
+        narrow(&at, u, value);
     }
     return LAG_OK;
 }
 
-static lag_status look_between(lag_run *run, const piece *in, int k, double *t)
+/* What changes and changes back between looks up to that number: LAG_HAPPENS, at *b, and not yet at *a. */
+static lag_status look_between(lag_run *run, const piece *in, double *a, double *b)
 {
-    lag_status status = LAG_OK;
-    for (size_t i = 0; i < count_of(run) && k >= 2 && status == LAG_OK; ++i) {
-        status = look_at_minimum(run, in, k, i, t);
+    double there = 0.0;
+    for (int k = 2; k <= in->looks; ++k) {
+        for (size_t i = 0; i < count_of(run); ++i) {
+            const int changes = run->alert.seen[k][i] < 0.0;
+            const lag_status status = changes ? LAG_OK : look_at_minimum(run, in, k, i, run->alert.found[i], &there);
+            if (status != LAG_OK) {
+                *a = there <= place_of(in, k - 1) ? place_of(in, k - 2) : place_of(in, k - 1);
+                *b = there;
+                return status;
+            }
+        }
     }
-    return status;
+    return LAG_OK;
 }
 
 /* ---- one piece ---- */
 
-/* How badly number i is known: the difference of the polynomials as a part of the largest value. */
-static double doubt_of(lag_run *run, size_t i)
+static double largest_value(const lag_run *run, const piece *in, size_t i)
+{
+    double most = 0.0;
+    for (int k = 0; k <= in->looks; ++k) {
+        most = fmax(most, fabs(run->alert.seen[k][i]));
+    }
+    return most;
+}
+
+/* How badly number i is known: the difference of the polynomials; into `found`, the error of parabolas through three looks. */
+static double difference_of(lag_run *run, size_t i)
 {
     double d[LAG_ALERT_LOOKS];
-    double most = 0.0;
+    double third = 0.0;
     for (int k = 0; k < LAG_ALERT_LOOKS; ++k) {
         d[k] = run->alert.seen[k][i];
-        most = fmax(most, fabs(d[k]));
     }
     for (int order = 1; order < LAG_ALERT_LOOKS; ++order) {
         for (int k = LAST; k >= order; --k) {
             d[k] = (d[k] - d[k - 1]) / (PLACES[k] - PLACES[k - order]);
         }
+        third = order == LAST - 1 ? fmax(fabs(d[LAST]), fabs(d[LAST - 1])) : third;
     }
-    const double doubt = DIFFERENCE * fabs(d[LAST]);
-    if (!(doubt > KNOWN * most)) {
-        return most > 0.0 ? doubt / most : 0.0;
+    run->alert.found[i] = DIFFERENCE * fabs(d[LAST]) + THIRD * third;
+    return DIFFERENCE * fabs(d[LAST]);
+}
+
+/* The same as a part of its largest value; zero where that is round-off. */
+static double doubt_of(lag_run *run, const piece *in, size_t i)
+{
+    const double most = largest_value(run, in, i);
+    run->alert.found[i] = KNOWN * most;
+    const double difference = in->looks == LAST ? difference_of(run, i) : 0.0;
+    if (!(difference > KNOWN * most)) {
+        return most > 0.0 ? difference / most : 0.0;
     }
     if (i < run->motion.model->nindicator && !(run->alert.noise->sigma[i] > 0.0)) {
         lag_noise_find(run->alert.noise, run->stepper.t_before, run->stepper.x_before);
     }
-    return most > SHAPELESS * lag_alert_noise(&run->alert, i) ? doubt / most : 0.0;
+    return most > SHAPELESS * lag_alert_noise(&run->alert, i) ? difference / most : 0.0;
 }
 
-static double largest_doubt(lag_run *run)
+static double largest_doubt(lag_run *run, const piece *in)
 {
     double most = 0.0;
     for (size_t i = 0; i < count_of(run); ++i) {
-        most = fmax(most, doubt_of(run, i));
+        most = fmax(most, doubt_of(run, in, i));
     }
     return most;
 }
@@ -158,27 +204,15 @@ static double largest_doubt(lag_run *run)
 /* Looks at a piece, up to the first at which something has changed; LAG_HAPPENS: at *b, and not yet at *a. */
 static lag_status look_at_piece(lag_run *run, piece *in, double *a, double *b)
 {
-    for (int k = 1; k <= LAST; ++k) {
-        double there = 0.0;
-        const lag_status now = look(run, place_of(in, k));
-        if (now != LAG_OK && now != LAG_HAPPENS) {
-            return now;
-        }
+    lag_status status = LAG_OK;
+    for (int k = 1; k <= LAST && status == LAG_OK; ++k) {
+        *a = place_of(in, k - 1);
+        *b = place_of(in, k);
+        status = look(run, *b);
         remember(run, k);
         in->looks = k;
-        const lag_status between = look_between(run, in, k, &there);
-        if (between != LAG_OK) {
-            *a = there <= place_of(in, k - 1) ? place_of(in, k - 2) : place_of(in, k - 1);
-            *b = there;
-            return between;
-        }
-        if (now == LAG_HAPPENS) {
-            *a = place_of(in, k - 1);
-            *b = place_of(in, k);
-            return now;
-        }
     }
-    return LAG_OK;
+    return status;
 }
 
 /* The length of the next trial after one of length w: the doubt goes with its fourth power. */
@@ -190,7 +224,7 @@ static double next_length(double w, double doubt)
 
 /* Pieces from a on; `reach` is the length of the next one. */
 typedef struct scan {
-    double a, reach, shortest;
+    double a, reach, shortest, longest;
 } scan;
 
 /* 1: the piece is known as well as it can be; what it is to be otherwise is in `reach`. */
@@ -202,7 +236,7 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
         on->reach = place_of(in, in->looks) - in->a; /* nothing is known of so short a time: it is looked at as a piece */
         return 0;
     }
-    const double doubt = whole ? largest_doubt(run) : 0.0;
+    const double doubt = largest_doubt(run, in);
     if (doubt > KNOWN && w > 1.5 * on->shortest) {
         on->reach = fmax(on->shortest, fmin(0.7 * w, next_length(w, doubt)));
         run->alert.span = fmin(run->alert.span, on->reach);
@@ -210,7 +244,7 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
     }
     if (whole && status == LAG_OK) {
         const double next = next_length(w, doubt);
-        on->reach = w < on->reach ? fmin(on->reach, fmax(w, next)) : next;
+        on->reach = fmin(on->longest, w < on->reach ? fmin(on->reach, fmax(w, next)) : next);
         run->alert.span = fmax(run->alert.span, w);
     }
     return 1;
@@ -241,11 +275,13 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
         double a = 0.0;
         double b = 0.0;
         in.b = s->t - in.a > stretch * on->reach && in.a + on->reach > in.a ? in.a + on->reach : s->t;
-        const lag_status status = look_at_piece(run, &in, &a, &b);
+        lag_status status = look_at_piece(run, &in, &a, &b);
+        const int accepted = (status == LAG_OK || status == LAG_HAPPENS) && accept(run, on, &in, status);
+        const lag_status between = accepted ? look_between(run, &in, &a, &b) : LAG_OK;
+        status = between == LAG_OK ? status : between;
         if (status != LAG_OK && status != LAG_HAPPENS) {
             return status;
         }
-        const int accepted = accept(run, on, &in, status);
         stretch = accepted ? LAST_STRETCH : 1.0;
         if (accepted && status == LAG_HAPPENS) {
             (void)lag_scan_look(run, b);
@@ -270,12 +306,13 @@ lag_status lag_run_happening(lag_run *run, double *t)
     lag_alert *alert = &run->alert;
     const double h = s->t - s->t_before;
     const double length = run->instants.contacts.length;
-    scan on = {s->t_before, alert->reach > 0.0 ? alert->reach : FIRST * h, 0.0};
+    scan on = {s->t_before, alert->reach > 0.0 ? alert->reach : FIRST * h, 0.0, (double)INFINITY};
     if (count_of(run) == 0 || !(h > 0.0)) {
         return LAG_OK;
     }
     on.shortest = fmax(SHORTEST * h, 64.0 * lag_scan_tolerance(run));
-    on.reach = length > 0.0 ? fmin(on.reach, LONGEST * length) : on.reach;
+    on.longest = length > 0.0 ? LONGEST * length : (double)INFINITY;
+    on.reach = fmin(on.reach, on.longest);
     lag_status status = lag_stepper_dense(&run->stepper, on.a, run->point);
     if (status == LAG_OK) {
         status = lag_alert_begin(alert, on.a, run->point);

@@ -227,6 +227,9 @@ lag_status lag_run_step(lag_run *run, double stop)
     if (status == LAG_OK) {
         status = lag_run_rows(run, half->t, 0);
     }
+    if (status == LAG_OK && run->options.results != NULL) {
+        status = lag_results_step(run->options.results, run, half->t);
+    }
     if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
         status = lag_run_watch(run, s->t, s->x);
     }

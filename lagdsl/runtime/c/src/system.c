@@ -63,6 +63,18 @@ static int usable(size_t count, const double *values)
     return 1;
 }
 
+/* The largest inertia of the coordinates that M ties to number i, itself included. */
+static double largest_tied(const lag_system *s, size_t i)
+{
+    double largest = 0.0;
+    for (size_t j = 0; j < s->n; ++j) {
+        const double other = fabs(s->mass[j * s->n + j]);
+        largest = s->mass[i * s->n + j] != 0.0 && other > largest ? other : largest;
+    }
+    return largest;
+}
+
+/* Inertia is judged beside that of the coordinates it is tied to; where there is none, the largest of all is as good as any. */
 static void scale_coordinates(lag_system *s)
 {
     const size_t n = s->n;
@@ -75,7 +87,8 @@ static void scale_coordinates(lag_system *s)
     }
     for (size_t i = 0; i < n; ++i) {
         const double own = fabs(s->mass[i * n + i]);
-        s->column_scale[i] = 1.0 / sqrt(own > ZERO_TOLERANCE * ZERO_TOLERANCE * largest ? own : largest);
+        const int counts = own > 0.0 && own > ZERO_TOLERANCE * ZERO_TOLERANCE * largest_tied(s, i);
+        s->column_scale[i] = 1.0 / sqrt(counts ? own : largest);
     }
 }
 

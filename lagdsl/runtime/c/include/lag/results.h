@@ -29,6 +29,7 @@ typedef struct lag_results {
     int any;                      /* 1: there was a row, */
     double last, after;           /* the times of the last row and of the last one after an event */
     const unsigned char *turning; /* (ny) 1: an angle that the model knows up to whole turns, continuous in rows; null: none is */
+    struct lag_extremes *extremes; /* lowest and highest values of everything, of the motion itself; null: not wanted */
     double *angle;                /* (ny) with `turning`: such angles in the last row that had them; not numbers before the first one */
 } lag_results;
 
@@ -43,6 +44,9 @@ lag_status lag_results_at(lag_results *results, struct lag_run *run, double t, c
 
 /* The last state of a run that fails there: only behind a first row, and not twice. */
 lag_status lag_results_end(lag_results *results, struct lag_run *run, double t, const double *x);
+
+/* A step of the run was accepted, up to time t. */
+lag_status lag_results_step(lag_results *results, struct lag_run *run, double t);
 
 /* What happened: a row or a note. */
 lag_status lag_results_tell(lag_results *results, struct lag_run *run, const lag_happening *happening);

@@ -16,6 +16,7 @@
 #include "lag/accuracy.h"
 #include "lag/alert.h"
 #include "lag/clock.h"
+#include "lag/extremes.h"
 #include "lag/instant.h"
 #include "lag/motion.h"
 #include "lag/projection.h"

@@ -6,7 +6,7 @@ import os
 
 import numpy as np
 import pytest
-from properties.class_trees import class_tree
+from properties.random_class_trees import class_tree
 
 import lagdsl
 

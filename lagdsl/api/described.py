@@ -1,0 +1,82 @@
+"""The part of a model that names things: entries of its vectors in order, defaults, diagnostics."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lagdsl.backends.python.support.interface import Interface
+from lagdsl.diagnostics import Diagnostic
+
+if TYPE_CHECKING:
+    from lagdsl.pipeline import Compilation
+    from lagdsl.program.program import Slot
+
+Floats = NDArray[np.float64]
+
+
+class Described(Interface):
+    """Functions of a model with the names of their entries. `functions` are the arguments of Interface."""
+
+    def __init__(self, compilation: Compilation, *functions: Any) -> None:
+        super().__init__(*functions)
+        self._compilation = compilation
+        self._layout = compilation.program.layout
+
+    @property
+    def name(self) -> str:
+        return self._compilation.flat.name
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """Warnings and notes of the compilation."""
+        return self._compilation.diagnostics
+
+    @property
+    def coordinates(self) -> list[str]:
+        return _names(self._layout.coordinates)
+
+    @property
+    def states(self) -> list[str]:
+        return _names(self._layout.states)
+
+    @property
+    def parameters(self) -> list[str]:
+        """Independent parameters; those defined by others follow them."""
+        return _names(self._layout.parameters)
+
+    @property
+    def inputs(self) -> list[str]:
+        return _names(self._layout.inputs)
+
+    @property
+    def discretes(self) -> list[str]:
+        """The entries of `w`: discrete variables, `closed(c)` and `impacts(c)` of contacts, relations as written, and
+        what else clauses remember. Truths are 0 and 1."""
+        return _names(self._layout.discretes)
+
+    @property
+    def outputs(self) -> list[str]:
+        return _names(self._layout.outputs)
+
+    @property
+    def constraints(self) -> list[str]:
+        """Names of all declared constraint rows, in source order: `wire`, `pin[1]`."""
+        return _names(self._layout.constraints)
+
+    @property
+    def redundant(self) -> list[bool]:
+        """Which rows depend on others (their multipliers are those of minimum norm)."""
+        return list(self._layout.redundant)
+
+    @property
+    def defaults(self) -> Floats:
+        """Values of the independent parameters, shape (np,)."""
+        return np.array(self._layout.defaults, dtype=np.float64)
+
+
+def _names(slots: Sequence[Slot]) -> list[str]:
+    return [slot.name for slot in slots]

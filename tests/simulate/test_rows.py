@@ -1,0 +1,97 @@
+"""Rows tell the truth: lowest and highest are those of the motion, and rows that hide it are told."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lagdsl
+from lagdsl.cli.summary import summary
+from lagdsl.pipeline import EngineName
+from lagdsl.plot.terminal import sketch
+
+FAST = """
+model Fast "100 Hz, and half a kilohertz of current"
+  coordinate Length x(start = 1 mm);
+  parameter Real f = 100;
+  kinetic 1/2*(1 kg)*der(x)^2;
+  potential 1/2*(1 kg)*(2*pi*f*(1 Hz))^2*x^2;
+  output Length twice = 2*x;
+  annotation(experiment(StopTime = 5));
+end Fast;
+"""
+
+BALL = """
+model Ball
+  coordinate Length h(start = 1 m);
+  gravity = -g_n*world.y;
+  mass 0.1 kg at {0, h};
+  contact floor: h >= 0 with restitution = 0.8;
+end Ball;
+"""
+
+
+@pytest.mark.parametrize("engine", ["tape", "numpy"])
+def test_rows_that_nobody_asked_for_show_the_motion(engine: EngineName) -> None:
+    """Rows every hundredth of a second would show a mass that stands still."""
+    motion = lagdsl.compile(FAST, engine=engine).simulate(stop=0.5)
+    assert len(motion) - 1 >= 4 * 100  # turning points
+    assert np.max(np.abs(motion["x"] - 1e-3 * np.cos(200.0 * np.pi * motion.time))) < 1e-8
+    assert np.ptp(motion["x"]) > 1.99e-3
+    assert not motion.statistics.notes
+
+
+def test_a_slow_motion_has_the_usual_rows() -> None:
+    motion = lagdsl.compile(FAST).simulate(stop=10.0, parameters={"f": 1.0})
+    assert len(motion) == 501 and motion.finer is None
+
+
+def test_lowest_and_highest_lie_between_rows() -> None:
+    """All rows are alike: ten whole periods apart."""
+    motion = lagdsl.compile(FAST).simulate(interval=0.1, tolerance=1e-8)
+    assert np.ptp(motion["x"]) < 1e-7
+    x, rate, twice = (motion.column(name) for name in ("x", "der(x)", "twice"))
+    assert (x.lowest, x.highest) == pytest.approx((-1e-3, 1e-3), rel=1e-5)
+    assert (rate.lowest, rate.highest) == pytest.approx((-0.2 * np.pi, 0.2 * np.pi), rel=1e-5)
+    assert 1.8e-3 < twice.highest <= 2e-3 * (1.0 + 1e-6)  # outputs are looked at after steps
+    assert "  -0.001  " in summary(motion, freedom=1, loops=(), curves=False)
+
+
+def test_rows_that_hide_the_motion_are_told() -> None:
+    motion = lagdsl.compile(FAST).simulate(interval=0.1)
+    (note,) = motion.statistics.notes
+    assert note.startswith("the rows do not show `x`, which turns around 1000 times: they are 0.1 s apart, ")
+    assert not lagdsl.compile(FAST).simulate(interval=1e-3, stop=1.0).statistics.notes
+
+
+def test_drawings_show_what_rows_do_not() -> None:
+    motion = lagdsl.compile(FAST).simulate(interval=0.1, stop=1.0)
+    assert motion.finer is not None and np.ptp(motion.drawn()["x"]) > 1.99e-3
+    assert motion.drawn() is motion.drawn()
+    assert sketch(motion, width=60) == sketch(motion.drawn(), width=60)
+
+
+def test_the_highest_point_of_a_bounce_lies_between_rows() -> None:
+    """0.64 m, half a bounce behind the first impact."""
+    motion = lagdsl.compile(BALL).simulate(stop=1.0, start={"h": 0.5}, interval=1.0, tolerance=1e-10)
+    after = lagdsl.compile(BALL).simulate(stop=1.0, start={"h": 1e-9, "der(h)": 2.0}, interval=1.0, tolerance=1e-10)
+    assert motion.column("h").lowest == pytest.approx(0.0, abs=1e-12)
+    assert after.column("h").highest == pytest.approx(1e-9 + 2.0**2 / (2.0 * 9.80665), rel=1e-10)
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-10])
+def test_extremes_are_those_of_a_fine_grid(tolerance: float) -> None:
+    """Whatever the steps: of a beat, whose peaks grow."""
+    text = """
+    model Beat
+      coordinate Length x(start = 1 m), y;
+      kinetic 1/2*(1 kg)*(der(x)^2 + der(y)^2);
+      potential 1/2*(50 N/m)*(x^2 + y^2) + 1/2*(2 N/m)*(x - y)^2;
+    end Beat;
+    """
+    coarse = lagdsl.compile(text).simulate(stop=20.0, interval=20.0, tolerance=tolerance)
+    fine = lagdsl.compile(text).simulate(stop=20.0, interval=1e-3, tolerance=tolerance)
+    for name in ("x", "y", "der(x)", "der(y)"):
+        column = coarse.column(name)
+        assert column.highest == pytest.approx(np.max(fine[name]), rel=1e-4)
+        assert column.lowest == pytest.approx(np.min(fine[name]), rel=1e-4)
