@@ -13,11 +13,16 @@ G_N = 9.80665
 
 
 def solve(
-    rates: Callable[[float, Floats], ArrayLike], start: Sequence[float], t: Floats, tolerance: float = 1e-12
+    rates: Callable[[float, Floats], ArrayLike],
+    start: Sequence[float],
+    t: Floats,
+    tolerance: float = 1e-12,
+    max_step: float = np.inf,
 ) -> Floats:
     """Rows of the solution of x' = rates(t, x), x(t[0]) = start, at the times `t`; shape (len(start), len(t)).
 
-    Times may come twice, as at events.
+    Times may come twice, as at events. Where stability limits the steps, the interpolation between them is less accurate
+    than their ends: give `max_step`, well below the fastest time constant.
     """
     times, rows = np.unique(t, return_inverse=True)
     scale = np.maximum(np.abs(start), 1e-3 * np.max(np.abs(start)))
@@ -28,6 +33,7 @@ def solve(
         method="DOP853",
         t_eval=times,
         rtol=tolerance,
+        max_step=max_step,
         atol=tolerance * np.where(scale > 0, scale, 1.0),
     )
     assert solution.success, solution.message

@@ -158,6 +158,7 @@ def motor_pendulum(p: Parameters, t: Floats) -> dict[str, Floats]:
         ],
         [0, 0, 0],
         t,
+        max_step=0.2 * L / R,
     )
     return {"i_a": x[0], "theta": x[1]}
 
