@@ -7,6 +7,8 @@
 
 /* A gap is zero where an event is looked at below this part of its length, a rate below this part of its speed. */
 static const double TOUCHING = 1e-12;
+/* A coordinate is as good as zero below this part of its unit. */
+static const double LEAST = 1e-12;
 /* What is below these parts of its length, of its force, is round-off and no event. */
 static const double ROUNDING = 16.0 * DBL_EPSILON;
 static const double NO_FORCE = 1e-13;
@@ -39,7 +41,7 @@ void lag_contacts_scale(lag_contacts *contacts, const double *jacobian)
             speed += slope * contacts->peak[n + j];
             gradient += slope;
         }
-        contacts->scale[i] = length > 0.0 ? length : gradient;
+        contacts->scale[i] = length > 0.0 ? fmax(length, LEAST * gradient) : gradient;
         contacts->pace[i] = speed;
     }
 }

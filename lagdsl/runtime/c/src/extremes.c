@@ -94,7 +94,7 @@ static void find_bulge(double a, double fa, double b, double fb, double *up, dou
     if (root < 0.0) {
         return;
     }
-    const double sum = -(linear + copysign(sqrt(root), linear));
+    const double sum = -(linear + (linear < 0.0 ? -sqrt(root) : sqrt(root)));
     const double places[2] = {sum != 0.0 ? fa / sum : -1.0, square != 0.0 ? sum / square : -1.0};
     for (int k = 0; k < 2; ++k) {
         const double s = places[k];

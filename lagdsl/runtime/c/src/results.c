@@ -66,7 +66,7 @@ static void unwind(lag_results *results, size_t count, double *outputs)
     for (size_t i = 0; i < count; ++i) {
         if (results->turning[i] && isfinite(outputs[i])) {
             if (isfinite(results->angle[i])) {
-                outputs[i] += TURN * rint((results->angle[i] - outputs[i]) / TURN);
+                outputs[i] += TURN * nearbyint((results->angle[i] - outputs[i]) / TURN);
             }
             results->angle[i] = outputs[i];
         }
