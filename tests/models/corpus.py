@@ -128,13 +128,18 @@ def _draw(name: str, random: np.random.Generator) -> Arrays:
 
 
 def random_discretes(name: str, t: Any, p: np.ndarray, random: np.random.Generator) -> np.ndarray:
-    """(..., nw): contacts open and closed, relations true and false, numbers about their start; for each t and p."""
+    """(..., nw): contacts open and closed, relations true and false, numbers about their start; for each t and p.
+
+    Entries that follow from the time alone are those of t: others stand for no instant.
+    """
     layout, flat = compiled(name).graph.layout, compiled(name).flat
     if not layout.discretes:
         return np.zeros((*np.shape(t), 0))
     w = np.asarray(values(compiled(name).graph, "discrete_start", {Group.TIME: t, Group.P: p})[0], dtype=float)
     whole = {item.name: item.kind == "Integer" for item in flat.events.discretes if item.kind != "Boolean"}
     for k, (slot, kind) in enumerate(zip(layout.discretes, layout.kinds, strict=True)):
+        if kind == "timed":
+            continue
         if kind == "impacts" or whole.get(slot.name):
             w[..., k] += random.integers(0, 4, np.shape(t))
         elif slot.name in whole:
@@ -179,7 +184,8 @@ def _sound(name: str, states: Arrays) -> np.ndarray:
     finite = regular(program, states)
     for function in program.functions:
         for block in values(program, function.name, states):
-            finite &= np.isfinite(block).reshape(len(block), -1).all(axis=1)
+            never = np.isposinf(block) if function.name == "time_event" else False  # an event that is not to come
+            finite &= (np.isfinite(block) | never).reshape(len(block), -1).all(axis=1)
     return finite
 
 

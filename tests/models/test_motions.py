@@ -72,15 +72,20 @@ def test_constraints_do_not_drift(name: str) -> None:
 
 @EVERY
 def test_the_same_happens_under_both_engines(name: str) -> None:
-    """The same events in the same order, at the same times; none where nothing can happen. A ball that comes to
-    rest does so by rules that the C runtime has alone."""
+    """The same events in the same order, at the same times; none where nothing can happen. Where contacts touch or
+    come to rest, the order of what happens at one instant is a matter of round-off: there the motions are compared."""
     ours = _motion(name)
-    if name == "bouncing_ball":
-        return
     if not compiled(name).graph.layout.discretes:
         assert not ours.events
         return
     theirs = lagdsl.compile(path_of(name), engine="numpy").simulate(tolerance=1e-10, stop=float(ours.time[-1]))
+    if name in ("bouncing_ball", "newtons_cradle"):
+        for column in compiled(name).flat.coordinates:
+            _, mine, their = np.intersect1d(ours.time, theirs.time, return_indices=True)
+            assert len(mine) > 100
+            first, second = ours[column.name][mine], theirs[column.name][their]
+            np.testing.assert_allclose(first, second, rtol=0, atol=1e-6)
+        return
     assert [(event.name, event.kind) for event in ours.events] == [(event.name, event.kind) for event in theirs.events]
     first, second = ([event.time for event in motion.events] for motion in (ours, theirs))
     np.testing.assert_allclose(first, second, rtol=0, atol=1e-8 * max(1.0, ours.time[-1]))

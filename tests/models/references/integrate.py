@@ -21,8 +21,8 @@ def solve(
 ) -> Floats:
     """Rows of the solution of x' = rates(t, x), x(t[0]) = start, at the times `t`; shape (len(start), len(t)).
 
-    Times may come twice, as at events. Where stability limits the steps, the interpolation between them is less accurate
-    than their ends: give `max_step`, well below the fastest time constant.
+    Times may come twice, as at events. Where stability limits the steps, what is interpolated is less accurate
+    than the ends of steps: give `max_step`, well below the fastest time constant.
     """
     times, rows = np.unique(t, return_inverse=True)
     scale = np.maximum(np.abs(start), 1e-3 * np.max(np.abs(start)))
