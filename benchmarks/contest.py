@@ -110,7 +110,7 @@ def built(name: str) -> Path:
         path for path in NATIVE.iterdir() if path.stem == name.removesuffix("_native") and path.suffix in (".c", ".cpp")
     )
     command = ["g++" if source.suffix == ".cpp" else "cc", *flags, f"-I{NATIVE}", str(source), *libraries]
-    headers = sorted([*NATIVE.glob("*.h*"), *(RUNTIME.glob("lag/*.h") if name in ("lagdsl", "run") else ())])
+    headers = sorted([*NATIVE.glob("*.h*"), *(RUNTIME.glob("lag/*.h") if name in ("lagdsl", "run", "tape") else ())])
     options = [word for word in command if not word.startswith((f"-I{NATIVE}", f"-I{RUNTIME}", str(NATIVE)))]
     content = "\0".join((*options, source.read_text(), *(path.read_text() for path in headers)))
     target = folder() / f"{name}-{hashlib.sha256(content.encode()).hexdigest()[:16]}"
@@ -159,6 +159,7 @@ _BUILD: dict[str, Callable[[], tuple[list[str], list[str]]]] = {
     "run": lambda: (["-O2", f"-I{RUNTIME}"], ["-ldl"]),
     "communicate": lambda: (["-O2", f"-I{require_fmpy() / 'c-code'}"], ["-ldl"]),
     "lagdsl": lambda: ([*_SHARED, "-O2", f"-I{RUNTIME}"], ["-ldl"]),
+    "tape": lambda: ([*_SHARED, "-O2", "-ffp-contract=off", f"-I{RUNTIME}"], []),
     "casadi": lambda: ([*_SHARED, "-O2"], ["-ldl"]),
     "mujoco": _mujoco,
     "pinocchio": _pinocchio,

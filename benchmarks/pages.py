@@ -50,6 +50,7 @@ def page(found: dict[str, Results]) -> str:
         ("growth", _growth),
         ("accuracy", _accuracy),
         ("start", _start),
+        ("tape", _tape),
         ("runtime", _runtime),
         ("fmus", _fmus),
     ):
@@ -86,7 +87,7 @@ def _where(found: dict[str, Results]) -> list[str]:
         return ["Nothing has been measured."]
     last = max(found.values(), key=lambda part: str(part["date"]))
     versions = ", ".join(f"{name} {number}" for name, number in last["versions"].items())
-    lines = [f"{last['processor']}, {last['cores']} cores, {last['system']}. {versions}."]
+    lines = [f"{last['cores']} cores, {last['system']}; processors stand below. {versions}."]
     absent = [name for name in ("pinocchio", "mujoco", "casadi") if name not in last["versions"]]
     if absent:
         lines += ["", f"Not installed, and left out: {', '.join(absent)} (`make peers`)."]
@@ -95,10 +96,11 @@ def _where(found: dict[str, Results]) -> list[str]:
 
 def _noise(found: dict[str, Results]) -> list[str]:
     """When every part was measured, and whether the machine was quiet."""
-    lines = ["| part | measured | commit | load before / after |", "|---|---|---|---|"]
+    lines = ["| part | measured | commit | processor | load before / after |", "|---|---|---|---|---|"]
     for name, part in found.items():
         lines.append(
-            f"| {name} | {part['date']} | {part['versions']['lagdsl']} | {part['load']} / {part['load after']} |"
+            f"| {name} | {part['date']} | {part['versions']['lagdsl']} | {part['processor']} "
+            f"| {part['load']} / {part['load after']} |"
         )
     busy = [name for name, part in found.items() if max(part["load"], part["load after"]) > part["cores"]]
     if busy:
@@ -280,6 +282,27 @@ def _runtime(found: Results) -> list[str]:
                     f"| {problem['title']} | {row['tolerance']:.1e} | {row['error']:.1e} | {row['evaluations']} "
                     f"| {row['jacobians']} | {row['steps']} |"
                 )
+    return lines
+
+
+def _tape(found: Results) -> list[str]:
+    lines = [
+        "## Tapes",
+        "",
+        "Nanoseconds of one call of `elimination`, interpreted and compiled. A chain is one product and sum of",
+        "doubles that waits in memory for the one before. Lanes run eight states at once.",
+        "",
+        "| | instructions | tape | C | ratio | an instruction / chain | lanes, per state | lanes / C |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for row in found["calls"]:
+        lines.append(
+            f"| {row['model']} | {row['instructions']:.0f} | {row['tape']:.0f} | {row['c']:.0f} | {row['ratio']:.2f} "
+            f"| {row['of chain']:.2f} | {row['lanes']:.0f} | {row['lanes ratio']:.2f} |"
+        )
+    lines += ["", "| | tape built in [CPU s] | kB |", "|---|---|---|"]
+    for row in found["built"]:
+        lines.append(f"| {row['model']} {row['n'] or ''} | {row['python']:.3f} | {row['bytes'] / 1000:.0f} |")
     return lines
 
 

@@ -24,12 +24,14 @@ import ours
 import pages
 import peers
 import start
+import tape
 import text
 
 HERE = Path(__file__).parent
 RESULTS = HERE / "results"
 PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "text": text.measure,
+    "tape": tape.measure,
     "arm": arm.measure,
     "chains": chains.measure,
     "accuracy": accuracy.measure,

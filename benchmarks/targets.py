@@ -145,6 +145,7 @@ def targets(found: Results) -> list[Target]:
             "growth",
         ),
         *_motions(found),
+        *_tapes(found),
         Target(
             "7-axis arm as an FMU of one platform, when it is new [CPU s]",
             (10,),
@@ -193,6 +194,40 @@ def _motions(found: Results) -> list[Target]:
             (0.7, 0.7),
             each(stiff, motion.worst_count),
             "runtime",
+        ),
+    ]
+
+
+def _tapes(found: Results) -> list[Target]:
+    calls = {row["model"]: row for row in found.get("tape", {}).get("calls", [])}
+    built = {(row["model"], row["n"]): row["python"] for row in found.get("tape", {}).get("built", [])}
+
+    def all_of(figure: str) -> tuple[Figure, ...]:
+        names = ("double_pendulum", "four_bar", "panda")
+        return tuple(calls[name][figure] if name in calls else None for name in names)
+
+    return [
+        Target(
+            "tape of the 7-axis arm: an instruction against a product and sum through memory",
+            (2.0,),
+            (1.2,),
+            (all_of("of chain")[2],),
+            "tape",
+        ),
+        Target(
+            "a call on the tape against compiled C: double pendulum / four-bar / arm",
+            (6.0,) * 3,
+            (3.0,) * 3,
+            all_of("ratio"),
+            "tape",
+        ),
+        Target("the same in lanes, per state", (1.0,) * 3, (0.5,) * 3, all_of("lanes ratio"), "tape"),
+        Target(
+            "tape of the 100-link spatial chain, after derivation [CPU s]",
+            (0.3,),
+            (0.1,),
+            (built.get(("spatial_chain", 100)),),
+            "tape",
         ),
     ]
 

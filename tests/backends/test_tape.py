@@ -17,8 +17,9 @@ from random_programs import EXACT, SMOOTH, SYMBOLS, Step, as_outputs, grow, step
 from lagdsl.backends.start import Start
 from lagdsl.backends.tape.emit import SIZES, tape
 from lagdsl.backends.tape.instructions import ANGLES, CODE
+from lagdsl.backends.tape.listing import instructions
 from lagdsl.diagnostics import Sink
-from lagdsl.graph import Graph, Group
+from lagdsl.graph import Graph, Group, Op
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.pipeline import front, middle, read, with_names
 from lagdsl.program.functions import STATE
@@ -209,6 +210,20 @@ def test_the_same_bytes_under_any_hash_seed() -> None:
         for seed in ("1", "2")
     }
     assert len(found) == 1
+
+
+def test_instructions_can_be_listed() -> None:
+    program = _program(SOME[2])
+    made = tape(program)
+    listed = {name: instructions(made, name) for name in ("prepare", "elimination", "inverse_dynamics", "energies")}
+    assert [each.name for each in listed["prepare"]][:2] == ["CONSTANTS", "LOAD"]
+    assert [own[-1].name for own in listed.values()] == ["END"] * 4
+    assert [sum(each.name == "SINCOS" for each in own) for own in listed.values()] == [1, 1, 1, 1]
+    quotients = sum(each.times for each in listed["elimination"] if each.name == "DIVIDE")
+    graph = program.graph
+    live = graph.live([node for block in program.function("elimination").results for node in block.elements])
+    moving = [node for node in live if graph.groups[node] & ~(1 << Group.P)]  # prepare() does the others
+    assert quotients == sum(graph.op[node] is Op.DIVIDE for node in moving) > 0
 
 
 def test_what_is_changed_or_cut_is_refused() -> None:

@@ -8,6 +8,7 @@
 #define INFINITY (__builtin_inff())
 #define NAN (__builtin_nanf(""))
 #define isfinite(x) (__builtin_isfinite(x))
+#define isnan(x) (__builtin_isnan(x))
 
 double acos(double x);
 double asin(double x);

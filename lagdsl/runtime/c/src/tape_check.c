@@ -184,7 +184,8 @@ static uint64_t width_of(uint32_t operation, uint64_t *before)
 {
 #define OF_ONE(name, function) 2,
 #define OF_TWO(name, function) 3,
-    static const unsigned char widths[] = {6, 8, LAG_TAPE_UNARY(OF_ONE) LAG_TAPE_ARITHMETIC(OF_TWO) LAG_TAPE_BINARY(OF_TWO) 4};
+    static const unsigned char widths[] = {6, 8, LAG_TAPE_UNARY(OF_ONE) LAG_TAPE_UNARY_CHOICES(OF_ONE)
+            LAG_TAPE_ARITHMETIC(OF_TWO) LAG_TAPE_BINARY(OF_TWO) LAG_TAPE_BINARY_CHOICES(OF_TWO) 4};
     *before = operation <= LAG_TAPE_THREE_PRODUCTS ? 2 : 1;
     return widths[operation - LAG_TAPE_TWO_PRODUCTS];
 }

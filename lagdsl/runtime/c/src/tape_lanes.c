@@ -12,6 +12,20 @@ typedef double block __attribute__((vector_size(8 * LAG_TAPE_LANES)));
 typedef unsigned long long block_bits __attribute__((vector_size(8 * LAG_TAPE_LANES)));
 typedef double block_memory __attribute__((vector_size(8 * LAG_TAPE_LANES), aligned(8), may_alias));
 
+/* Choices without jumps, which nobody could foresee for eight states: where a comparison holds, all bits of its lane are set. */
+#define CHOSEN(truth, x, y) ((block)(((block_bits)(truth) & (block_bits)(x)) | (~(block_bits)(truth) & (block_bits)(y))))
+#define NUMBER(truth) ((block)((block_bits)(truth) & (block_bits)all))
+#define ABS_OF_BLOCK(x) ((block)((block_bits)(x) & ~(block_bits)(-none)))
+#define SIGN_OF_BLOCK(x) CHOSEN((x) > none, all, CHOSEN((x) < none, -all, (x)))
+#define NOT_OF_BLOCK(x) NUMBER((x) == none)
+#define MIN_OF_BLOCKS(x, y) CHOSEN((x) <= (y), (x), (y))
+#define MAX_OF_BLOCKS(x, y) CHOSEN((x) >= (y), (x), (y))
+#define LESS_OF_BLOCKS(x, y) NUMBER((x) < (y))
+#define LESS_EQUAL_OF_BLOCKS(x, y) NUMBER((x) <= (y))
+#define EQUAL_OF_BLOCKS(x, y) NUMBER((x) == (y))
+#define AND_OF_BLOCKS(x, y) NUMBER(((x) != none) & ((y) != none))
+#define OR_OF_BLOCKS(x, y) NUMBER(((x) != none) | ((y) != none))
+
 #define INLINED static inline __attribute__((always_inline))
 #define AS_BITS(x) ((block_bits)(x))
 
@@ -84,6 +98,8 @@ INLINED void run(const lag_tape_code *code, const lag_arguments *at, block_memor
 {
     static const double signs[4][2] = {{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}};
     const uint32_t *word = code->words;
+    const block none = {0.0};
+    const block all = 1.0 - none;
     uint32_t times;
     for (;;) {
         switch (*word) {
@@ -123,15 +139,19 @@ INLINED void run(const lag_tape_code *code, const lag_arguments *at, block_memor
         r(0)[lane] = expression;                                     \
     }
 #define OF_ONE(name, function) OPERATION(name, 2, EACH(function(r(1)[lane])))
+#define OF_ONE_BLOCK(name, function) OPERATION(name, 2, const block x = r(1); r(0) = name##_OF_BLOCK(x))
+#define OF_TWO_BLOCKS(name, function) OPERATION(name, 3, const block x = r(1); const block y = r(2); r(0) = name##_OF_BLOCKS(x, y))
 #define OF_OPERATOR(name, operator) OPERATION(name, 3, r(0) = r(1) operator r(2))
 #define OF_TWO(name, function) OPERATION(name, 3, EACH(function(r(1)[lane], r(2)[lane])))
         OPERATION(TWO_PRODUCTS, 6, r(0) = r(2) * r(3) + signs[word[1]][1] * (r(4) * r(5)))
         OPERATION(THREE_PRODUCTS, 8,
             r(0) = r(2) * r(3) + signs[word[1]][0] * (r(4) * r(5)) + signs[word[1]][1] * (r(6) * r(7)))
         LAG_TAPE_UNARY(OF_ONE)
+        LAG_TAPE_UNARY_CHOICES(OF_ONE_BLOCK)
         LAG_TAPE_ARITHMETIC(OF_OPERATOR)
         LAG_TAPE_BINARY(OF_TWO)
-        OPERATION(SELECT, 4, EACH(lag_select(r(1)[lane], r(2)[lane], r(3)[lane])))
+        LAG_TAPE_BINARY_CHOICES(OF_TWO_BLOCKS)
+        OPERATION(SELECT, 4, r(0) = CHOSEN(r(1) != none, r(2), r(3)))
         default:
             return; /* checked tapes have no others */
         }

@@ -80,7 +80,8 @@ static void sincos_of(const uint32_t *word, double *row)
     static const void *const labels[] = {                                                            \
         LABEL(END) LABEL(CONSTANTS) LABEL(LOAD) LABEL(STORE) LABEL(SCATTER) LABEL(SINCOS)            \
         LABEL(TWO_PRODUCTS) LABEL(THREE_PRODUCTS) LAG_TAPE_UNARY(LABEL_OF_FUNCTION)                  \
-        LAG_TAPE_ARITHMETIC(LABEL_OF_FUNCTION) LAG_TAPE_BINARY(LABEL_OF_FUNCTION) LABEL(SELECT)};
+        LAG_TAPE_UNARY_CHOICES(LABEL_OF_FUNCTION) LAG_TAPE_ARITHMETIC(LABEL_OF_FUNCTION)             \
+        LAG_TAPE_BINARY(LABEL_OF_FUNCTION) LAG_TAPE_BINARY_CHOICES(LABEL_OF_FUNCTION) LABEL(SELECT)};
 #define BEGIN NEXT;
 #define FINISH
 #else
@@ -140,8 +141,10 @@ KEPT_APART void lag_tape_run(const lag_tape_code *code, const lag_arguments *at,
     OPERATION(TWO_PRODUCTS, 6, r(2) * r(3) + signs[word[1]][1] * (r(4) * r(5)))
     OPERATION(THREE_PRODUCTS, 8, r(2) * r(3) + signs[word[1]][0] * (r(4) * r(5)) + signs[word[1]][1] * (r(6) * r(7)))
     LAG_TAPE_UNARY(OF_ONE)
+    LAG_TAPE_UNARY_CHOICES(OF_ONE)
     LAG_TAPE_ARITHMETIC(OF_OPERATOR)
     LAG_TAPE_BINARY(OF_TWO)
+    LAG_TAPE_BINARY_CHOICES(OF_TWO)
     OPERATION(SELECT, 4, lag_select(r(1), r(2), r(3)))
     FINISH
 }

@@ -34,10 +34,13 @@
     X(EXP, exp)           \
     X(LOG, log)           \
     X(SQRT, sqrt)         \
-    X(ABS, fabs)          \
-    X(SIGN, lag_sign)     \
     X(FLOOR, floor)       \
-    X(CEIL, ceil)         \
+    X(CEIL, ceil)
+
+/* The same, of what needs no library: vectors have it, too. */
+#define LAG_TAPE_UNARY_CHOICES(X) \
+    X(ABS, fabs)                  \
+    X(SIGN, lag_sign)             \
     X(NOT, lag_not)
 
 /* Name, operator. */
@@ -48,7 +51,9 @@
 #define LAG_TAPE_BINARY(X)          \
     X(POWER, pow)                   \
     X(ATAN2, atan2)                 \
-    X(MOD, lag_mod)                 \
+    X(MOD, lag_mod)
+
+#define LAG_TAPE_BINARY_CHOICES(X)  \
     X(MIN, lag_min)                 \
     X(MAX, lag_max)                 \
     X(LESS, lag_less)               \
@@ -69,8 +74,10 @@ enum {
     LAG_TAPE_TWO_PRODUCTS,
     LAG_TAPE_THREE_PRODUCTS,
     LAG_TAPE_UNARY(LAG_TAPE_NAME)
+    LAG_TAPE_UNARY_CHOICES(LAG_TAPE_NAME)
     LAG_TAPE_ARITHMETIC(LAG_TAPE_NAME)
     LAG_TAPE_BINARY(LAG_TAPE_NAME)
+    LAG_TAPE_BINARY_CHOICES(LAG_TAPE_NAME)
     LAG_TAPE_SELECT,
     LAG_TAPE_OPERATIONS
 };
