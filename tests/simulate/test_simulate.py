@@ -317,7 +317,8 @@ class Calmed(Stiff):
 
 def test_auto_returns_where_implicit_steps_are_not_longer() -> None:
     motion = run(Calmed(flat_model([length("x", 1.0, -1.0)])), stop=20.0, tolerance=1e-6)
-    assert [note.split(" at ")[0] for note in motion.statistics.notes] == [
+    changes = [note for note in motion.statistics.notes if note.startswith("changed")]  # the others speak of the rows
+    assert [note.split(" at ")[0] for note in changes] == [
         "changed from dop853 to radau",
         "changed from radau to dop853",
     ]
