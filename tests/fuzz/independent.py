@@ -9,7 +9,7 @@ import numpy as np
 from compiled_programs import program_of
 from fuzz.agreement import FACTOR, INSTANT, SECONDS, HangError, Report, Run, limited, run
 from numpy.typing import NDArray
-from oracle.motion import Motion, motion
+from stepping.motion import Motion, motion
 
 import lagdsl
 from lagdsl.pipeline import EngineName

@@ -15,9 +15,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from lagdsl.backends.c.start import start_of
 from models.corpus import compiled
 
+from lagdsl.backends.start import start_of
 from lagdsl.backends.tape.emit import tape
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import contact_rows

@@ -7,9 +7,9 @@ from math import cos, pi, sin, sqrt
 import numpy as np
 import pytest
 from compiled_programs import program_of
-from oracle.balance import Balance, impact
-from oracle.motion import Motion, motion
 from scipy.special import ellipk
+from stepping.balance import Balance, impact
+from stepping.motion import Motion, motion
 
 
 def moved(body: str, stop: float, clauses: str = "", known: tuple[float, ...] = ()) -> Motion:

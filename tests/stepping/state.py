@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from oracle.balance import Balance, Floats
-from oracle.functions import Functions, Point
+from stepping.balance import Balance, Floats
+from stepping.functions import Functions, Point
 
 from lagdsl.program.program import Program
 

@@ -10,11 +10,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from oracle.balance import Balance, Floats
-from oracle.events import Happening, Instant, Memory, balanced
-from oracle.state import State, System
 from scipy.integrate import DOP853
 from scipy.optimize import brentq, minimize_scalar
+from stepping.balance import Balance, Floats
+from stepping.events import Happening, Instant, Memory, balanced
+from stepping.state import State, System
 
 from lagdsl.program.program import Program
 

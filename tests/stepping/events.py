@@ -8,8 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from oracle.balance import Balance, Floats, impact, least_impulse
-from oracle.state import AHEAD, NOW, State, System
+from stepping.balance import Balance, Floats, impact, least_impulse
+from stepping.state import AHEAD, NOW, State, System
 
 _PASSES = 100
 # What is told of a contact that struck, by whether it was closed and whether it stays.
