@@ -119,6 +119,11 @@ class Trajectory:
     def names(self) -> tuple[str, ...]:
         return tuple(column.name for column in self.columns)
 
+    @property
+    def found(self) -> dict[str, float]:
+        """The parameters that were found with the start, by name, in SI units."""
+        return {row.name: row.value for row in self.moved if row.kind == "found"}
+
     def drawn(self) -> Trajectory:
         """The motion with rows that are enough to draw it."""
         return self if self.finer is None else self.finer()

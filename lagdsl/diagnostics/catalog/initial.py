@@ -175,6 +175,16 @@ ROWS: dict[str, Row] = {
         label="asks for a jump of positions",
         help="let it begin where it holds, or write it for rates: `der(...) = ...`",
     ),
+    "E0837": error(
+        "no initial equation decides the free parameter `{name}`",
+        "the start holds with other values as well",
+        "add an `initial equation` that depends on it, fix what else could give way, or give it a value",
+    ),
+    "E0838": error(
+        "the start asks for `{name}` = {value}, which is beyond its {which} of {limit}",
+        "found with the start",
+        "check the initial equations, or give a guess on the side you mean",
+    ),
     "E0845": error(
         "input `{name}` is counted and is given as {value}",
         "whole numbers only",
