@@ -79,7 +79,7 @@ def point_of(
 def coordinate_sizes(subject: Subject, p: Floats) -> Floats:
     """Natural sizes of the coordinates, from the start values of the model: they do not depend on the point."""
     start = subject.engine.evaluate("start", subject.flat.experiment.start_time, p)[0]
-    return natural_sizes(subject.flat.coordinates, start)
+    return natural_sizes(subject.flat.coordinates, subject.engine.layout.components, start)
 
 
 @dataclass(frozen=True, slots=True)

@@ -93,6 +93,7 @@ class Callbacks:
             "switched_rows": (np.uintp, instants.switched_rows),
             "reset_places": (np.uintp, instants.reset_places),
             "kept_rows": (np.uintp, kept_rows),
+            **({"components": (np.uintp, layout.components)} if layout.components else {}),
         }
         for name, (kind, values) in numbers.items():
             array: np.ndarray = np.array([*values, 0], dtype=kind)

@@ -81,6 +81,7 @@ class Model(Structure):
         ("prepare", CFUNCTYPE(c_int, POINTER(Arguments))),
         *((function.name, function_type(len(function.results))) for function in FUNCTIONS if function.single),
         ("jacobian_pattern", c_void_p),
+        ("components", c_void_p),
         ("nk", c_size_t),
         ("kept_rows", c_void_p),
         *((name, c_size_t) for name in ("nindicator", "ncontact", "ngap", "nclock")),
