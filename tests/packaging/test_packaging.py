@@ -20,7 +20,7 @@ CARRIED = {
     "stdlib/Lag/Planar/Revolute.lag": "lagdsl/_data/stdlib/Lag/Planar/Revolute.lag",
     "docs/diagnostics/E0401.md": "lagdsl/_data/diagnostics/E0401.md",
     "LICENSE": "lagdsl/_data/LICENSE",
-    "lagdsl/syntax/grammar.json": "lagdsl/syntax/grammar.json",
+    "lagdsl/syntax/grammar.jsonl": "lagdsl/syntax/grammar.jsonl",
     "lagdsl/runtime/c/include/lag/model.h": "lagdsl/runtime/c/include/lag/model.h",
     "lagdsl/runtime/c/src/dynamics.c": "lagdsl/runtime/c/src/dynamics.c",
     "lagdsl/fmi/c/include/lag/instance.h": "lagdsl/fmi/c/include/lag/instance.h",
