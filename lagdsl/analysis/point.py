@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.api.described import Described
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
-from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.admissible import require_value
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.support.derivatives import variables
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
@@ -19,7 +19,6 @@ from lagdsl.program.program import Program
 from lagdsl.program.verify import sizes
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.buffers import Buffers
-from lagdsl.runtime.build import build
 from lagdsl.runtime.cores import Part, cores, share_out
 from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.library import runtime_library
@@ -243,6 +242,7 @@ def opened(library: Path, program: Program) -> NativeModel:
 
 def _loaded(program: Program, part: str | None = None) -> NativeModel:
     from lagdsl.backends.c.emit import engine_sources, model_symbol, part_symbol
+    from lagdsl.runtime.build import build
 
     texts = engine_sources(program, () if part is None else (part,))
     constant = None if part is None else part_symbol(program, part)

@@ -7,7 +7,6 @@ from ctypes import c_char, c_double, c_int, c_size_t, c_void_p
 from functools import cache
 
 from lagdsl.resources import is_checkout, runtime_library_folder
-from lagdsl.runtime.compiler import failure
 from lagdsl.runtime.platforms import library_name, this_machine
 from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
 from lagdsl.runtime.structures import Range
@@ -116,4 +115,6 @@ def runtime_library() -> Runtime:
     try:
         return Runtime(ctypes.CDLL(str(path)))
     except OSError as problem:
+        from lagdsl.runtime.compiler import failure
+
         raise failure("E0914", reason=str(problem)) from None

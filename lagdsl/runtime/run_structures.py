@@ -47,6 +47,7 @@ class InitialFault(IntEnum):
     RATES = 3
     EQUATIONS = 4
     RANK = 5
+    PARAMETERS = 6
 
 
 # What tells the inputs at a time: (context, t, before, u).
@@ -94,12 +95,15 @@ class Results(Structure):
     ]
 
 
+_START = ("x", "fixed", "written", "nominal", "minimum", "maximum", "free", "parameter_nominal")
+
+
 class Start(Structure):
     """lag_start."""
 
     _fields_ = [
         ("t", c_double),
-        *((name, c_void_p) for name in ("x", "fixed", "written", "nominal", "minimum", "maximum")),
+        *((name, c_void_p) for name in _START),
     ]
 
 
@@ -114,7 +118,7 @@ class Initial(Structure):
         ("moved", c_int),
         *((name, c_size_t) for name in ("freedom", "excess", "general")),
         ("given", c_int),
-        *((name, c_void_p) for name in ("dependent", "row_sizes", "pattern")),
+        *((name, c_void_p) for name in ("dependent", "row_sizes", "pattern", "p")),
     ]
 
 
