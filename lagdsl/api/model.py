@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
     from lagdsl.runtime.broadcast import BatchEngine
+    from lagdsl.signals.inputs import Signal
     from lagdsl.simulate.initialize import InitialState
-    from lagdsl.simulate.signals import Signal
     from lagdsl.source import SourceFile
     from lagdsl.textbook.equations import EquationsOfMotion
 
