@@ -14,7 +14,7 @@ from lagdsl.record import record
 from lagdsl.runtime.auto_engine import AutoEngine
 from lagdsl.runtime.engine import Engine
 from lagdsl.runtime.run import Run
-from lagdsl.runtime.run_structures import Status
+from lagdsl.runtime.structures import Status
 from lagdsl.signals.inputs import Signals
 from lagdsl.signals.trajectory import Statistics, Trajectory
 from lagdsl.simulate.failure import SimulationFailed

@@ -15,7 +15,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
-from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
+from lagdsl.runtime.library import FIXED_METHODS, METHODS
 from lagdsl.signals.inputs import Signal, Signals, signals
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.initialize import find_start

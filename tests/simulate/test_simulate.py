@@ -11,7 +11,7 @@ from scipy.special import ellipj, ellipk
 from simulate.hand import FourBar, Hand, Pendulum, TwiceTied, constraint, coordinate, flat_model, four_bar, length
 
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.runtime.run_structures import METHODS
+from lagdsl.runtime.library import METHODS
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.simulate import grid, simulate
 
