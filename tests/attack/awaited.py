@@ -21,6 +21,4 @@ AWAITED: frozenset[str] = frozenset(
 SEEDS: frozenset[tuple[str, int]] = frozenset({("of_what_is_hard", 14), ("of_what_is_hard", 23)})
 
 # Models beside a stranger, by what is large or small, name and scale.
-STRANGERS: frozenset[tuple[str, str, float]] = frozenset(
-    {("start", "bouncing_ball", 1e9), ("rate", "bouncing_ball", 1e9)}
-)
+STRANGERS: frozenset[tuple[str, str, float]] = frozenset()

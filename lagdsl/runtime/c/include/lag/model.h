@@ -226,6 +226,8 @@ typedef struct lag_model {
 
     /* where J can be nonzero; null: anywhere */
     const lag_pattern *jacobian_pattern;
+    /* (nq + nz) which coordinates and states the equations couple: those of one number; null: all of them */
+    const size_t *components;
 
     size_t nk;               /* rows of constraints whose multipliers elimination() leaves to run time */
     const size_t *kept_rows; /* (nk) ascending */
