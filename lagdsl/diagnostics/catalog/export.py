@@ -33,4 +33,9 @@ ROWS: dict[str, Row] = {
         "the finished FMU does not run, so it was not written: {reason}",
         help="check that `lag run` works from the same start values",
     ),
+    "E0909": error(
+        "an FMU does not find the free parameter `{name}`",
+        label="found with the start of the motion",
+        help="see with `lag run` which value is found, and give it: `{name} = ...` instead of `fixed = false`",
+    ),
 }

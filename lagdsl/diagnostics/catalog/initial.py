@@ -175,6 +175,16 @@ ROWS: dict[str, Row] = {
         label="would need a jump of positions",
         help="activate it where it is satisfied, or write it for rates: `der(...) = ...`",
     ),
+    "E0837": error(
+        "no initial equation decides the free parameter `{name}`",
+        "the start holds with other values as well",
+        "add an `initial equation` that depends on it, fix what else could give way, or give it a value",
+    ),
+    "E0838": error(
+        "the start asks for `{name}` = {value}, which is beyond its {which} of {limit}",
+        "found with the start",
+        "check the initial equations, or give a guess on the side you mean",
+    ),
     "E0845": error(
         "input `{name}` takes whole numbers, not {value}",
         "whole numbers only",

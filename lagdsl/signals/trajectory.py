@@ -11,7 +11,7 @@ import numpy as np
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import Display
-from lagdsl.simulate.moved import MovedRow
+from lagdsl.signals.moved import MovedRow
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -117,6 +117,11 @@ class Trajectory:
     @property
     def names(self) -> tuple[str, ...]:
         return tuple(column.name for column in self.columns)
+
+    @property
+    def found(self) -> dict[str, float]:
+        """The parameters that were found with the start, by name, in SI units."""
+        return {row.name: row.value for row in self.moved if row.kind == "found"}
 
     def drawn(self) -> Trajectory:
         """The motion with rows that are enough to draw it."""
