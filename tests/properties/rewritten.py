@@ -98,7 +98,7 @@ def twice(s: Source, mass: Mass | None) -> str:
     text, gravity = s.text, ""
     for item in s.model.items:
         if isinstance(item, nodes.Gravity):
-            gravity = re.sub(r"\b[A-Za-z]\w*", lambda word: _inside(s, word[0]), item.span.text)
+            gravity = re.sub(r"(?<!\d )(?<!/)\b[A-Za-z]\w*", lambda word: _inside(s, word[0]), item.span.text)
             text = s.text[: item.span.start] + s.text[item.span.end :]
     return text + around(s.model.name, f"  {s.model.name} other{values};\n  {gravity}\n")
 
