@@ -24,8 +24,11 @@ from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel, load_compiled
 from lagdsl.runtime.state_jacobian import StateJacobian
-from lagdsl.runtime.structures import VECTORS, Arguments, Batch, Range
+from lagdsl.runtime.structures import Arguments, Batch, Range
 
+# The vectors of lag_arguments, in its order.
+_NAMED = {name: group for group, name in ARGUMENT_NAMES.items() if group is not Group.TIME}
+VECTORS = tuple(_NAMED[name] for name, *_ in Arguments._fields_ if name in _NAMED)
 _SINGULAR = 1
 _STATE_VECTORS = STATE[1:]
 _SOLVED = (Group.QDD, Group.LAMBDA)

@@ -8,8 +8,11 @@ from functools import cache
 
 from lagdsl.resources import is_checkout, runtime_library_folder
 from lagdsl.runtime.platforms import library_name, this_machine
-from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
 from lagdsl.runtime.structures import Range
+
+# Methods of the runtime by the names of solvers: those that choose their steps, those that are given a length.
+METHODS = {"dop853": "lag_dop853", "radau": "lag_radau"}
+FIXED_METHODS = {"rk4": "lag_steps_rk4", "leapfrog": "lag_steps_leapfrog", "ros2": "lag_steps_ros2"}
 
 _STATUS = c_int
 _SIZE = c_size_t

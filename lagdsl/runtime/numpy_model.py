@@ -18,8 +18,7 @@ from lagdsl.program.program import Program, Slot
 from lagdsl.program.verify import counted, sizes
 from lagdsl.runtime.engine import Engine, Floats
 from lagdsl.runtime.native_model import NativeModel, native_model
-from lagdsl.runtime.run_structures import Status
-from lagdsl.runtime.structures import VERSION, Model
+from lagdsl.runtime.structures import VERSION, Model, Status
 
 _NOTHING = np.zeros(0)
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from lagdsl.mechanics.rank import Floats
 from lagdsl.record import record
-from lagdsl.simulate.trajectory import Trajectory
+from lagdsl.signals.trajectory import Trajectory
 
 # Rows where nobody says how many, if they are enough.
 DEFAULT_ROWS = 500
