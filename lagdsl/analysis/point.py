@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.support.linear import factorize
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
@@ -79,7 +79,7 @@ def point_of(
 def coordinate_sizes(subject: Subject, p: Floats) -> Floats:
     """Natural sizes of the coordinates, from the start values of the model: they do not depend on the point."""
     start = subject.engine.evaluate("start", subject.flat.experiment.start_time, p)[0]
-    return natural_sizes(subject.flat.coordinates, start)
+    return natural_sizes(subject.flat.coordinates, subject.engine.layout.components, start)
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ctypes import addressof, byref, c_size_t
+from typing import Any
 
 import numpy as np
 
@@ -15,9 +16,7 @@ from lagdsl.runtime.engine import Floats
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.run_options import Flags, RunSettings, address, shared_options
-from lagdsl.runtime.run_structures import (
-    FULL,
-    INPUTS,
+from lagdsl.runtime.structures import (
     WHAT,
     Extremes,
     Initial,
@@ -30,6 +29,8 @@ from lagdsl.runtime.run_structures import (
     Status,
 )
 
+# Types of the functions that C calls.
+_CALLED: dict[str, Any] = {field[0]: field[1] for structure in (RunOptions, Results) for field in structure._fields_}
 _ALIGNED = 16
 # Rows and notes that C keeps before Python takes them.
 _ROWS, _NOTES = 256, 1024
@@ -103,10 +104,10 @@ class Run:
             for name, values in zip(("start", "size", "drift"), self._drifts, strict=True):
                 setattr(options, f"invariant_{name}", values.ctypes.data)
         if callable(settings.inputs):
-            self._inputs = options.inputs = INPUTS(self._tell_inputs)
+            self._inputs = options.inputs = _CALLED["inputs"](self._tell_inputs)
         else:
             options.u = address(settings.inputs, self._kept)
-        self._full = FULL(self._empty)
+        self._full = _CALLED["full"](self._empty)
         self._results = Results(
             most_rows=_ROWS,
             most_notes=_NOTES,

@@ -12,7 +12,7 @@ from lagdsl.backends.start import Start as StartTold
 from lagdsl.record import record
 from lagdsl.runtime.engine import Floats
 from lagdsl.runtime.library import Runtime
-from lagdsl.runtime.run_structures import RunOptions, Start
+from lagdsl.runtime.structures import RunOptions, Start
 
 Flags = NDArray[np.bool_]
 

@@ -14,7 +14,7 @@ from lagdsl.mechanics.structure_names import located, place
 from lagdsl.program.program import Layout
 from lagdsl.record import record
 from lagdsl.runtime.run import Fault, Run
-from lagdsl.runtime.run_structures import Status
+from lagdsl.runtime.structures import Status
 from lagdsl.simulate.state_words import component_name, state_text, time_text, zero_norm
 
 # Steps are at least so many units in the last place of time.

@@ -7,7 +7,7 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.runtime.engine import Engine
-from lagdsl.runtime.run_structures import Status
+from lagdsl.runtime.structures import Status
 from lagdsl.simulate.faults import Course, report_fault
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.placed import placed

@@ -10,7 +10,7 @@ from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import Located, configuration, located, place, seat, unit_suffix
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Found, Run
-from lagdsl.runtime.run_structures import InitialFault
+from lagdsl.runtime.structures import InitialFault
 
 # Residuals, as a part of the row's size, above which a constraint is said to be left over (LAG_HOLDS).
 _HOLDS = 1e-7

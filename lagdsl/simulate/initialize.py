@@ -12,8 +12,8 @@ from lagdsl.mechanics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
 from lagdsl.runtime.run import Found, Run
+from lagdsl.signals.moved import MovedRow, Starts, loops_of, moved_rows, moved_text, report_moved
 from lagdsl.simulate.initial_words import report_no_start, report_numbers
-from lagdsl.simulate.moved import MovedRow, Starts, loops_of, moved_rows, moved_text, report_moved
 from lagdsl.simulate.placed import placed
 
 

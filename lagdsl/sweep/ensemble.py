@@ -14,10 +14,10 @@ from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.auto_engine import AutoEngine
 from lagdsl.runtime.broadcast import BatchEngine
 from lagdsl.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
+from lagdsl.signals.inputs import given_inputs, signals
 from lagdsl.simulate.initialize import places_of
 from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.simulate.placed import settings_of
-from lagdsl.simulate.signals import given_inputs, signals
 from lagdsl.simulate.simulate import grid
 from lagdsl.simulate.table import heads_of
 from lagdsl.sweep.plan import Task

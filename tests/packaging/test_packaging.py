@@ -22,7 +22,7 @@ CARRIED = {
     "models/four_bar.lag": "lagdsl/_data/models/four_bar.lag",
     "models/library/dc_motor.lag": "lagdsl/_data/models/library/dc_motor.lag",
     "LICENSE": "lagdsl/_data/LICENSE",
-    "lagdsl/syntax/grammar.json": "lagdsl/syntax/grammar.json",
+    "lagdsl/syntax/grammar.jsonl": "lagdsl/syntax/grammar.jsonl",
     "lagdsl/runtime/c/include/lag/model.h": "lagdsl/runtime/c/include/lag/model.h",
     "lagdsl/runtime/c/src/dynamics.c": "lagdsl/runtime/c/src/dynamics.c",
     "lagdsl/fmi/c/include/lag/instance.h": "lagdsl/fmi/c/include/lag/instance.h",

@@ -13,7 +13,7 @@ from typing import TypeAlias
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
-from lagdsl.simulate.trajectory import Trajectory
+from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile, Span
 from lagdsl.source.whole_file import whole_file
 

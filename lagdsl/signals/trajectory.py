@@ -11,7 +11,7 @@ import numpy as np
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import Display
-from lagdsl.simulate.moved import MovedRow
+from lagdsl.signals.moved import MovedRow
 
 if TYPE_CHECKING:
     import pandas as pd
