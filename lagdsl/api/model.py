@@ -44,7 +44,8 @@ class Model(Described):
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
     `u`, discretes `w` and parameters `p`; what is left out are the initial values and defaults of the
-    model, for `w` with relations as they stand.
+    model, for `w` with relations as they stand. A parameter that is found with the start has its guess there:
+    `initial_state().p` are the values that were found.
     Leading axes broadcast: `t` of shape (...), `q` of shape (..., nq). Names and order of the entries stand in
     `coordinates`, `states`, `inputs`, `parameters`, `outputs` and `constraints`.
     """

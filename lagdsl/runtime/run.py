@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import addressof, byref, c_size_t
+from ctypes import addressof, byref, c_double, c_size_t
 from typing import Any
 
 import numpy as np
@@ -40,7 +40,8 @@ _FUNCTIONS = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MAN
 @record(kw_only=True)
 class Found:
     """The start that was found, or what stands in the way: lag_initial. x (2 nq + nz,), `starts` are the values that
-    it was looked for from; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq)."""
+    it was looked for from; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq); `p` are the parameters, those
+    that were found too."""
 
     starts: Floats
     x: Floats
@@ -54,6 +55,7 @@ class Found:
     dependent: Flags
     row_sizes: Floats
     pattern: Flags
+    p: Floats
 
 
 @record(kw_only=True)
@@ -70,7 +72,8 @@ class Fault:
 class Run:
     """Not to be used by several threads at once. What inputs raise is raised by the call that asked for them.
 
-    `notes` are what happened: time, kind (one of WHAT), number of the clock, relation, contact, reset or `terminate`.
+    `p` are the parameters, those that are found with the start too. `notes` are what happened: time, kind (one of
+    WHAT), number of the clock, relation, contact, reset or `terminate`.
     """
 
     def __init__(self, model: NativeModel, layout: Layout, settings: RunSettings) -> None:
@@ -82,6 +85,7 @@ class Run:
         self._kept: list[object] = []
         count = len(layout.constraints)
         self._row_sizes = np.ones(count)
+        self.p = settings.p
         self._drifts = np.zeros((3, len(layout.invariants)))
         self._width = int(self._library.results_width(model.model))
         self._row_buffer = np.zeros((_ROWS, self._width))
@@ -171,6 +175,8 @@ class Run:
         )
         at = chosen.ctypes.data if given else None
         self._checked(self._library.run_find(self._run, t, at, x.ctypes.data, byref(told)))
+        if self.settings.start.free:
+            self.p = np.array((c_double * len(layout.parameters)).from_address(told.p))
         return Found(
             starts=starts,
             x=x,
@@ -184,6 +190,7 @@ class Run:
             dependent=dependent.astype(np.bool_),
             row_sizes=self._row_sizes.copy(),
             pattern=pattern != 0.0,
+            p=self.p,
         )
 
     def begin(self, t: float, x: Floats) -> Status:

@@ -12,10 +12,11 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_display import Display, display, display_rate
 from lagdsl.mechanics.structure_names import located
+from lagdsl.program.program import Layout
 from lagdsl.record import record
 
 Flags = NDArray[np.bool_]
-Kind: TypeAlias = Literal["fixed", "explicit", "default", "derived"]
+Kind: TypeAlias = Literal["fixed", "explicit", "default", "derived", "found"]
 
 # Parts of the natural size: what counts as moved at all, and as more than the digits of a typed number.
 _MOVED = 1e-9
@@ -25,7 +26,8 @@ _MOST_LOOPS = 4
 
 @record(kw_only=True)
 class MovedRow:
-    """One coordinate or rate (`der(x)`) that is fixed or whose start was moved; values in SI units."""
+    """One coordinate or rate (`der(x)`) that is fixed or whose start was moved, or a parameter that was found with
+    them; values in SI units."""
 
     name: str
     start: float
@@ -35,11 +37,13 @@ class MovedRow:
 
     @property
     def reason(self) -> str:
-        """`fixed`, `derived (cut joint)`, or by how much the start was moved."""
+        """`fixed`, `derived (cut joint)`, `found parameter`, or by how much the start was moved."""
         if self.kind == "fixed":
             return "fixed"
         if self.kind == "derived":
             return "derived (cut joint)"
+        if self.kind == "found":
+            return "found parameter"
         distance = abs(self.value - self.start) * self.unit.scale
         noun = "explicit start" if self.kind == "explicit" else "guess"
         digits = f"{distance:.1f}" if 1.0 <= distance < 1000.0 else f"{distance:.2g}"
@@ -84,6 +88,16 @@ def moved_rows(starts: Starts, x: Floats, outputs: Floats) -> tuple[MovedRow, ..
     return (*rows, *derived) if anything else ()
 
 
+def found_rows(flat: FlatModel, layout: Layout, guesses: Floats, p: Floats) -> tuple[MovedRow, ...]:
+    """The parameters that are found with the start, and from which values."""
+    free = {parameter.name: parameter for parameter in flat.parameters if parameter.free}
+    return tuple(
+        MovedRow(name=slot.name, start=guess, value=value, kind="found", unit=display(free[slot.name]))
+        for slot, guess, value in zip(layout.parameters, guesses.tolist(), p.tolist(), strict=True)
+        if slot.name in free
+    )
+
+
 def report_moved(starts: Starts, rows: tuple[MovedRow, ...], sink: Sink) -> None:
     """W0814 for explicit starts that were moved by more than the digits they were typed with."""
     coordinates = {c.name: (c, size) for c, size in zip(starts.flat.coordinates, starts.sizes.tolist(), strict=False)}
@@ -116,7 +130,10 @@ def moved_text(model: str, freedom: int, rows: tuple[MovedRow, ...], loops: tupl
     if not rows:
         return ""
     degrees = f"{freedom} degree{'' if freedom == 1 else 's'} of freedom"
-    lines = [f"initial state ({model}): {degrees}, {_adjusted(rows, loops)}"]
+    count = sum(row.kind == "found" for row in rows)
+    found = [f"{count} parameter{'' if count == 1 else 's'} found"] if count else []
+    adjusted = [] if all(row.kind == "found" for row in rows) else [_adjusted(rows, loops)]
+    lines = [f"initial state ({model}): {', '.join([degrees, *adjusted, *found])}"]
     width = max(len(row.name) for row in rows)
     numbers = max(len(f"{row.unit(x):.2f}") for row in rows for x in (row.start, row.value))
     units = max(len(row.unit.unit) for row in rows)

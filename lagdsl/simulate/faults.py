@@ -79,7 +79,7 @@ def _row(flat: FlatModel, row: int) -> Constraint:
 def _report_not_finite(course: Course, fault: Fault, u: Floats, sink: Sink) -> str:
     """E0813 or E0808: at this state there are no accelerations."""
     flat, time = course.flat, time_text(fault.t)
-    norm = zero_norm(flat, course.layout, fault.t, fault.x, u, course.run.settings.p)
+    norm = zero_norm(flat, course.layout, fault.t, fault.x, u, course.run.p)
     if norm is not None:
         item, element = norm
         sink.report("E0813", item.spans[0] if item.spans else None, time=time, element=element)

@@ -22,7 +22,6 @@ PAGES = (
     "docs/reference/assembly.md",
 )
 LATER = {
-    "free parameters": ("parameter Mass k(fixed = false) = 1 kg;", "E0311"),
     "implicit equations": ("equation 0 = x - 1 m;", "E0322"),
 }
 

@@ -323,7 +323,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
     }
     lag_status status = LAG_OK;
     if (start != NULL && start->free != NULL && found.p != NULL) { /* they are changed from here on */
-        memcpy(found.p, motion->at.p, model->np * sizeof(double));
+        memmove(found.p, motion->at.p, model->np * sizeof(double));
         status = lag_motion_parameters(motion, found.p);
     }
     if (status == LAG_OK && model->nc + model->ne > 0) {

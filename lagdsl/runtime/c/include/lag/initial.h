@@ -37,7 +37,7 @@ typedef struct lag_initial {
     unsigned char *dependent; /* (nc) 1 for rows that depend on others near that state */
     double *row_sizes;        /* (nc) natural sizes of the rows: as large as their derivatives usually come out */
     double *pattern;          /* (nc, nq) 1: the row depends on the coordinate */
-    double *p;                /* (np) the parameters with those that were found, which the motion has from then on; null: none is free */
+    double *p;                /* (np) the parameters with those that were found, which the motion has from then on, if some are free */
 } lag_initial;
 
 /* Doubles for the search. */
