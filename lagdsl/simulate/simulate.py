@@ -19,7 +19,7 @@ from lagdsl.runtime.library import FIXED_METHODS, METHODS
 from lagdsl.signals.inputs import Signal, Signals, signals
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.initialize import find_start
-from lagdsl.simulate.instants import Instants
+from lagdsl.simulate.instants import equidistant
 from lagdsl.simulate.motion import MOST_STEPS, Motion, Task
 from lagdsl.simulate.placed import placed
 from lagdsl.simulate.resolution import DEFAULT_ROWS, noted, resolution_of
@@ -161,11 +161,11 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
     if not step > 0.0 or not (stop - t0) / step < LARGEST_ROWS:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
     count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
-    times = Instants(t0, step).up_to(np.arange(count + 1))
+    times = equidistant(t0, step, count + 1)
     if count == 0 or stop - times[-1] > 1e-9 * step:
         return np.append(times, stop)
     times[-1] = stop
-    return np.asarray(times)
+    return times
 
 
 def check_options(t0: float, stop: float, tolerance: float, solver: str, step: float | None = None) -> None:
