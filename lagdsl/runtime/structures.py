@@ -84,7 +84,7 @@ class Model(Structure):
         ("nk", c_size_t),
         ("kept_rows", c_void_p),
         *((name, c_size_t) for name in ("nindicator", "ncontact", "ngap", "nclock")),
-        *((name, c_size_t) for name in ("nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance")),
+        *((name, c_size_t) for name in ("nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance", "ncorner")),
         *((name, c_void_p) for name in ("kinds", "strict", "contact_rows")),
         ("nswitched", c_size_t),
         *((name, c_void_p) for name in ("switched_rows", "reset_places", "resets", "stops", "failures")),

@@ -2,22 +2,14 @@
 
 AWAITED: frozenset[str] = frozenset(
     (
-        "angle_of_a_cam",
         "clutch_by_an_input_that_ramps",
         "defaulted_rates_beside_an_equation_of_position",
         "defaulted_rates_beside_an_initial_equation",
         "defaulted_rates_of_three",
-        "hill_of_potential",
         "kinetic_energy_switched_in_place",
-        "limit_of_place",
-        "narrow_hill_of_force",
         "one_explicit_rate_beside_an_initial_equation",
         "step_of_a_potential",
         "step_of_a_potential_that_throws_back",
-        "strip_of_damping",
-        "table_of_place",
-        "teeth_of_a_wheel",
-        "through_a_state",
     )
 )
 
