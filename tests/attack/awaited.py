@@ -2,7 +2,6 @@
 
 AWAITED: frozenset[str] = frozenset(
     (
-        "clutch_by_an_input_that_ramps",
         "defaulted_rates_beside_an_equation_of_position",
         "defaulted_rates_beside_an_initial_equation",
         "defaulted_rates_of_three",

@@ -14,6 +14,9 @@ static const double BESIDE = 1e-6;
 /* Times that differ by so many times the tolerance of roots are one here; a moment is as long. */
 static const double TOGETHER = 4.0 * 8.0;
 
+/* So many of them behind a corner it has been passed. */
+static const double BEHIND = 6.0, PASSED = 4.0;
+
 /* Whether steps of this run are to end at corners. */
 static int is_careful(const lag_run *run)
 {
@@ -168,6 +171,19 @@ static int only_corners(const lag_run *run)
     return !lag_any(model->nindicator + model->ncontact, run->alert.changed);
 }
 
+/* A corner at *own: what else changes there by a jump is what happens, the corner only where there is nothing. */
+static lag_status with_relations(lag_run *run, double *own, double *corner)
+{
+    const lag_model *model = run->motion.model;
+    const double at = *own;
+    const double behind = fmin(run->stepper.t, at + BEHIND * moment(run));
+    const lag_status status = lag_scan_look(run, behind);
+    const int more = lag_any(model->nindicator + model->ncontact, run->alert.changed);
+    *own = more ? behind : (double)INFINITY;
+    *corner = more ? (double)INFINITY : at;
+    return status == LAG_HAPPENS ? LAG_OK : status;
+}
+
 lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
 {
     const lag_model *model = run->motion.model;
@@ -183,9 +199,7 @@ lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
             break;
         }
         if (*own - run->stepper.t_before > moment(run)) {
-            *corner = *own;
-            *own = (double)INFINITY;
-            break;
+            return with_relations(run, own, corner);
         }
         for (size_t i = 0; i < alert->corners; ++i) { /* it has just been passed */
             alert->side[i] = changed[i] != 0.0 ? -alert->side[i] : alert->side[i];
@@ -207,12 +221,17 @@ int lag_run_is_at_end(const lag_run *run, double corner)
 void lag_run_pass_corner(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
-    const double t = s->t + 4.0 * moment(run);
+    const double t = s->t + PASSED * moment(run);
+    run->alert.corners = 0;
     if (!(t < limit)) {
         return;
     }
     for (size_t i = 0; i < s->ode->size; ++i) {
-        s->x[i] += (t - s->t) * s->f[i];
+        run->point[i] = s->x[i] + (t - s->t) * s->f[i];
     }
+    if (lag_alert_count(&run->alert) > 0 && lag_alert_look(&run->alert, t, run->point) != LAG_OK) {
+        return; /* something happens on the way */
+    }
+    memcpy(s->x, run->point, s->ode->size * sizeof(double));
     s->t = t;
 }
