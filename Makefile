@@ -66,5 +66,5 @@ peers:  ## an environment of their own for the libraries that the benchmarks com
 	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae libcosimpy ecospy
 
 docs: $(READY)  ## figures of the documents
-	$(BIN)/lag run models/double_pendulum.lag --plot docs/double_pendulum.png -o /dev/null
-	$(BIN)/lag run models/bouncing_ball.lag --plot docs/bouncing_ball.png -o /dev/null
+	$(BIN)/lag run models/double_pendulum.lag --plot docs/images/double_pendulum.png -o /dev/null
+	$(BIN)/lag run models/bouncing_ball.lag --plot docs/images/bouncing_ball.png -o /dev/null

@@ -13,7 +13,7 @@ import numpy as np
 import peers
 
 from lagdsl.fmi.sources import require_fmpy
-from lagdsl.runtime.build import cache_folder
+from lagdsl.runtime.cache import cache_folder
 
 NATIVE = Path(__file__).parent / "native"
 RUNTIME = Path(__file__).parents[1] / "lagdsl" / "runtime" / "c" / "include"

@@ -1,8 +1,11 @@
 """What a user waits for first: `lag check`, text to callable functions; and that the program does not swell."""
 
+import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from unittest.mock import patch
 
 from growth import exponent
 from measure import cpu_seconds, first_call_cpu_seconds, process_cpu_seconds
@@ -23,6 +26,9 @@ def measure(say: Callable[[str], None]) -> dict[str, object]:
     say("start: lag check")
     numpy = process_cpu_seconds([sys.executable, "-c", "import numpy"])
     check = process_cpu_seconds([sys.executable, "-m", "lagdsl", "check", str(MODELS / "pendulum.lag")])
+    say("start: lag run")
+    base = process_cpu_seconds([sys.executable, "-c", "import numpy, click, rich"])
+    run = _first_run(MODELS / "double_pendulum.lag")
     say("start: SymPy")
     ours = first_call_cpu_seconds("against_sympy", "lagdsl_cart_double_pendulum()")
     theirs = first_call_cpu_seconds("against_sympy", "sympy_cart_double_pendulum()")
@@ -31,12 +37,21 @@ def measure(say: Callable[[str], None]) -> dict[str, object]:
     return {
         "numpy": numpy,
         "check": check,
+        "base": base,
+        "run": run,
         "ours": ours,
         "sympy": theirs,
         "chain": points,
         "nodes": exponent(points, "nodes"),
         "seconds": exponent(points, "seconds"),
     }
+
+
+def _first_run(model: Path) -> float:
+    """CPU seconds of `lag run` where nothing lies in the cache but bytecode."""
+    command = [sys.executable, "-m", "lagdsl", "run", str(model)]
+    with TemporaryDirectory() as cache, patch.dict(os.environ, {"XDG_CACHE_HOME": cache}):
+        return process_cpu_seconds(command)  # so short a run compiles nothing into the folder
 
 
 def _chain(links: int) -> dict[str, object]:

@@ -144,6 +144,7 @@ def targets(found: Results) -> list[Target]:
             (growth("four_bars", "evaluation"),),
             "growth",
         ),
+        *_starts(found.get("start", {})),
         *_motions(found),
         *_tapes(found),
         Target(
@@ -160,6 +161,24 @@ def targets(found: Results) -> list[Target]:
             (found.get("fmus", {}).get("step"),),
             "fmus",
             "{:.0f}",
+        ),
+    ]
+
+
+def _starts(found: Results) -> list[Target]:
+    def ratio(ours: str, base: str) -> tuple[Figure]:
+        return (found[ours] / found[base] if ours in found and base in found else None,)
+
+    return [
+        Target(
+            "`lag run models/double_pendulum.lag`, nothing cached: CPU time against `import numpy, click, rich`",
+            (3,),
+            (2.5,),
+            ratio("run", "base"),
+            "start",
+        ),
+        Target(
+            "`lag check` of ten lines: CPU time against `import numpy`", (4,), (3,), ratio("check", "numpy"), "start"
         ),
     ]
 

@@ -13,15 +13,15 @@ if TYPE_CHECKING:
     from lagdsl.api.model import Model
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.diagnostics import CompilationFailed, Diagnostic
+    from lagdsl.signals.trajectory import Event
     from lagdsl.simulate.failure import SimulationFailed
-    from lagdsl.simulate.trajectory import Event
 
 __version__ = "0.1.0"
 
 _HOMES = {
     "CompilationFailed": "lagdsl.diagnostics",
     "Diagnostic": "lagdsl.diagnostics",
-    "Event": "lagdsl.simulate.trajectory",
+    "Event": "lagdsl.signals.trajectory",
     "Model": "lagdsl.api.model",
     "SimulationFailed": "lagdsl.simulate.failure",
     "Trajectory": "lagdsl.api.trajectory",

@@ -1,4 +1,4 @@
-"""Where the files lie that are not Python: grammar, component library, pages of diagnostics, C sources.
+"""The places of the files that are not Python: grammar, component library, models, pages of diagnostics, C sources.
 
 A checkout or an editable install has them beside the package; a wheel carries them in `lagdsl/_data`. C sources are
 part of the package in every case.
@@ -24,6 +24,11 @@ def library_folder() -> Path:
 def diagnostics_folder() -> Path:
     """The manual pages of the diagnostics: `E0401.md` and so on."""
     return _folder("diagnostics", "docs/diagnostics")
+
+
+def models_folder() -> Path:
+    """The models to start from: `four_bar.lag` and so on."""
+    return _folder("models", "models")
 
 
 def c_folder() -> Path:

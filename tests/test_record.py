@@ -8,7 +8,7 @@ from dataclasses import field, fields, replace
 
 import pytest
 
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 from lagdsl.source import SourceFile
 from lagdsl.units.dimension import LENGTH
 
@@ -73,3 +73,61 @@ def test_a_process_that_only_unpickles_has_whole_records():
     check += "; print(one == other, hash(one) == hash(other), one)"
     done = subprocess.run([sys.executable, "-c", check], capture_output=True, text=True, check=True)
     assert done.stdout == f"True True {LENGTH!r}\n"
+
+
+@record()
+class Counted:
+    values: list[int] = field(default_factory=list)
+    total: int = field(init=False)
+    seen: list[int] = field(init=False, default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.total = sum(self.values)
+
+
+def test_fields_that_are_no_arguments_and_what_follows_the_arguments():
+    shared: list[int] = []
+    made, other = Counted(shared), Counted([1, 2])
+    assert made.values is shared  # an empty argument is the argument
+    assert (made.total, other.total) == (0, 3)
+    assert made.seen is not other.seen
+    assert Counted().values is not Counted().values
+    with pytest.raises(TypeError):
+        Counted([1], 2)
+
+
+def test_names_of_fields_are_free():
+    @record()
+    class Names:
+        missing: int
+        default_b: int = 3
+        made: list[int] = field(default_factory=list)
+
+    assert (Names(1).missing, Names(1).default_b, Names(1).made) == (1, 3, [])
+
+
+def test_mutable_records_equal_themselves_only():
+    @mutable_record()
+    class Place:
+        x: int
+        seen: list[int] = field(default_factory=list)
+
+    one, other = Place(1), Place(1)
+    one.x = 1
+    assert one != other and len({one, other}) == 2
+    assert repr(one) == "Place(x=1, seen=[])" and replace(one, x=2).x == 2
+
+
+def test_positional_patterns():
+    match Base(1, 5):
+        case Base(a, b):
+            assert (a, b) == (1, 5)
+
+
+def test_fields_are_known_before_the_first_object():
+    @record()
+    class Late(Base):
+        d: float = 0.5
+
+    assert [(f.name, f.default) for f in fields(Late)][1:] == [("b", 2), ("d", 0.5)]
+    assert replace(Late(1), d=2.0) == Late(1, d=2.0)

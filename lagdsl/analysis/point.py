@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.support.linear import factorize
+from lagdsl.backends.start import free_parameters
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
@@ -59,13 +60,18 @@ def point_of(
     """The consistent state nearest to the starts; `start` replaces some by name, `theta` or `der(theta)`. Discretes are
     as they would be where a motion begins there: contacts that carry are closed, all others open.
 
-    `given`: the state is chosen by the caller, and initial equations are left out. Raises CompilationFailed.
+    `given`: the state is chosen by the caller, and initial equations are left out; free parameters are then those that
+    the start of the model asks for. Raises CompilationFailed.
     """
-    flat = replace(subject.flat, initial_equations=()) if given else subject.flat
-    layout = subject.engine.layout
-    parameters = np.array(layout.defaults, dtype=np.float64) if p is None else p
-    own = Sink()
+    flat, own = subject.flat, Sink()
+    parameters = np.array(subject.engine.layout.defaults, dtype=np.float64) if p is None else p
+    if given and free_parameters(flat):
+        parameters = initial_state(flat, subject.engine, parameters, u=u, sink=own).p
+        own.raise_if_errors()
+    if given:
+        flat = replace(flat, initial_equations=(), parameters=tuple(replace(p, free=False) for p in flat.parameters))
     state = initial_state(flat, subject.engine, parameters, t0=t, u=u, start=start, sink=own)
+    parameters = state.p
     if sink is not None:
         for diagnostic in own.diagnostics:
             sink.add(diagnostic)
@@ -79,7 +85,7 @@ def point_of(
 def coordinate_sizes(subject: Subject, p: Floats) -> Floats:
     """Natural sizes of the coordinates, from the start values of the model: they do not depend on the point."""
     start = subject.engine.evaluate("start", subject.flat.experiment.start_time, p)[0]
-    return natural_sizes(subject.flat.coordinates, start)
+    return natural_sizes(subject.flat.coordinates, subject.engine.layout.components, start)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.api.described import Described
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
-from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.admissible import require_value
 
@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
     from lagdsl.runtime.broadcast import BatchEngine
+    from lagdsl.signals.inputs import Signal
     from lagdsl.simulate.initialize import InitialState
-    from lagdsl.simulate.signals import Signal
     from lagdsl.source import SourceFile
     from lagdsl.textbook.equations import EquationsOfMotion
 
@@ -44,7 +44,8 @@ class Model(Described):
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
     `u`, discretes `w` and parameters `p`; what is left out are the initial values and defaults of the
-    model, for `w` with relations as they stand.
+    model, for `w` with relations as they stand. A parameter that is found with the start has its guess there:
+    `initial_state().p` are the values that were found.
     Leading axes broadcast: `t` of shape (...), `q` of shape (..., nq). Names and order of the entries stand in
     `coordinates`, `states`, `inputs`, `parameters`, `outputs` and `constraints`.
     """

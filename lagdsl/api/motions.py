@@ -12,7 +12,7 @@ from lagdsl.pipeline import Compilation
 from lagdsl.record import record
 from lagdsl.runtime.cores import cores
 from lagdsl.runtime.engine import EngineName
-from lagdsl.simulate.signals import Signal
+from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.dataset import collect, require_room
 from lagdsl.sweep.plan import Task, require_few
 from lagdsl.sweep.run import Options, Outcome, Subject

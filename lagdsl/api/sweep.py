@@ -13,7 +13,7 @@ from lagdsl.api.names import known
 from lagdsl.flat.admissible import require_value
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engine import EngineName
-from lagdsl.simulate.signals import Signal
+from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.plan import Axis, Plan, Target
 from lagdsl.sweep.run import Options, Subject
 from lagdsl.sweep.sweep import Work, options_of, sweep

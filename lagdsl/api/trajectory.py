@@ -6,7 +6,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from lagdsl.simulate import trajectory
+from lagdsl.signals import trajectory
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.record import record
 
 
 @record()
 class Start:
     """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
-    entries (`minimum` and `maximum`: of q), as lag/model.h tells it. What is left out is not said."""
+    entries (`minimum` and `maximum`: of q; `free` and `parameter_nominal`: of p), as lag/model.h tells it. What is left
+    out is not said."""
 
     t: float
     x: tuple[float, ...]
@@ -20,6 +21,13 @@ class Start:
     nominal: tuple[float, ...] = ()
     minimum: tuple[float, ...] = ()
     maximum: tuple[float, ...] = ()
+    free: tuple[bool, ...] = ()
+    parameter_nominal: tuple[float, ...] = ()
+
+
+def free_parameters(flat: FlatModel) -> tuple[Parameter, ...]:
+    """Those that are found with the start."""
+    return tuple(parameter for parameter in flat.parameters if parameter.free)
 
 
 def start_of(flat: FlatModel, t: float, x: Sequence[float], changed: Collection[str] = ()) -> Start:
@@ -29,6 +37,7 @@ def start_of(flat: FlatModel, t: float, x: Sequence[float], changed: Collection[
     names = [*(c.name for c in q), *(f"der({c.name})" for c in q), *(s.name for s in z)]
     written = [*(c.start_explicit for c in q), *(c.rate_start_explicit for c in q), *(s.start_explicit for s in z)]
     nominal = [abs(c.nominal or 0.0) for c in q]
+    independent = [p for p in flat.parameters if not p.structural] if free_parameters(flat) else []
     return Start(
         t,
         tuple(x),
@@ -37,4 +46,6 @@ def start_of(flat: FlatModel, t: float, x: Sequence[float], changed: Collection[
         nominal=(*nominal, *nominal, *(abs(s.nominal or 0.0) for s in z)),
         minimum=tuple(-1.7976931348623157e308 if c.minimum is None else c.minimum for c in q),
         maximum=tuple(1.7976931348623157e308 if c.maximum is None else c.maximum for c in q),
+        free=tuple(p.free for p in independent),
+        parameter_nominal=tuple(abs(p.nominal or 0.0) for p in independent),
     )

@@ -85,12 +85,15 @@ def _with_fixed(flat: FlatModel, fixed: tuple[str, ...]) -> FlatModel:
 
 
 def _start(compilation: Compilation) -> Start | None:
-    """Where the motion starts; None where there is no such state, which does not keep the equations from being used."""
-    from lagdsl.backends.start import start_of
+    """Where the motion starts; None where there is no such state, which does not keep the equations from being used.
+    With free parameters there is none for the values that the module brings: it is found when a run begins."""
+    from lagdsl.backends.start import free_parameters, start_of
     from lagdsl.simulate.initialize import initial_state
 
     sink = Sink()
     initial = initial_state(compilation.flat, engine_of(compilation.program), sink=sink)
     if sink.has_errors:
         return None
+    if free_parameters(compilation.flat):
+        return start_of(compilation.flat, initial.t, ())
     return start_of(compilation.flat, initial.t, (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist()))

@@ -1,6 +1,8 @@
-"""`lag explain CODE`: the manual page of a diagnostic."""
+"""`lag explain NAME`: the manual page of a diagnostic or of a component."""
 
 from __future__ import annotations
+
+import re
 
 import click
 
@@ -8,11 +10,32 @@ from lagdsl.diagnostics.explain import UnknownCode, explain
 
 
 @click.command("explain")
-@click.argument("code")
-def command(code: str) -> None:
-    """Show the manual page of diagnostic CODE: what it means, a model that draws it and the repaired one."""
+@click.argument("name")
+def command(name: str) -> None:
+    """Show the manual page of NAME, a diagnostic (E0401) or a component of the library (DCMotor).
+
+    The page of a diagnostic holds its meaning, a model that draws it and the repaired model. The page of a component
+    holds its parameters, ports, defaults and equations.
+    """
+    page = _diagnostic(name) if re.fullmatch(r"(\w+\[)?[A-Za-z]\d+\]?", name.strip()) else _component(name.strip())
+    click.echo(page.rstrip("\n"))
+
+
+def _diagnostic(code: str) -> str:
     try:
-        page = explain(code)
+        return explain(code)
     except UnknownCode as error:
         raise click.UsageError(str(error)) from error
-    click.echo(page.rstrip("\n"))
+
+
+def _component(name: str) -> str:
+    from lagdsl.manual.component_page import component_page
+    from lagdsl.manual.library import UnknownClass, matching
+
+    try:
+        found = matching(name)
+    except UnknownClass as error:
+        raise click.UsageError(str(error)) from error
+    if len(found) > 1:
+        raise click.UsageError(f"several classes are called `{name}`: {', '.join(found)}; give the full name")
+    return component_page(found[0])

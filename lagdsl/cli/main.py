@@ -29,8 +29,8 @@ _COMMANDS = {
     "fmu": "Write the model as an FMU, for other tools to run.",
     "flat": "Show the flat model: coordinates, energies, loads, constraints.",
     "fmt": "Format model texts in place.",
-    "explain": "Show the manual page of a diagnostic.",
-    "new": "Write a first model.",
+    "explain": "Show the manual page of a diagnostic or a component.",
+    "new": "Write a first model, or a copy of one that comes with lagdsl.",
 }
 _OBJECTS_PER_COLLECTION = 100_000
 

@@ -1,4 +1,4 @@
-"""`lag new NAME`: a first model to start from."""
+"""`lag new NAME`: a first model, or a copy of one that comes with lagdsl."""
 
 from __future__ import annotations
 
@@ -26,19 +26,57 @@ end {name};
 
 
 @click.command("new")
-@click.argument("name")
-def command(name: str) -> None:
-    """Write NAME.lag, a small model that runs. An existing file is never overwritten."""
-    path = Path(name if name.endswith(".lag") else f"{name}.lag")
-    model = _model_name(path.stem)
+@click.argument("name", required=False)
+@click.option(
+    "--from", "origin", metavar="MODEL", help="Start from a model that comes with lagdsl, for instance four_bar."
+)
+@click.option("--list", "listed", is_flag=True, help="List the models to start from.")
+def command(name: str | None, origin: str | None, listed: bool) -> None:
+    """Write NAME.lag, a small model that runs. An existing file is never overwritten.
+
+    With --from MODEL the file is a copy of MODEL; without NAME it has the name of MODEL.
+    """
+    if listed:
+        _list_models()
+        return
+    if name is None and origin is None:
+        raise click.UsageError("give a NAME, or --from MODEL")
+    path = _path(str(origin).rpartition("/")[2] if name is None else name)
+    text = _text(origin, None if name is None else _model_name(path.stem))
     try:
         with path.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(_TEMPLATE.format(name=model))
+            file.write(text)
     except FileExistsError as error:
         raise click.UsageError(f"{path} exists already; choose another name") from error
     except OSError as error:
         raise Unwritable(path, error) from error
     click.echo(f"wrote {path}; next: lag run {quote(str(path))}")
+
+
+def _path(name: str) -> Path:
+    return Path(name if name.endswith(".lag") else f"{name}.lag")
+
+
+def _text(origin: str | None, model: str | None) -> str:
+    """The text of the new file; the model in it is called `model`, or as in the original."""
+    if origin is None:
+        return _TEMPLATE.format(name=model)
+    from lagdsl.manual.models import UnknownModel, model_text, renamed
+
+    try:
+        text = model_text(origin)
+    except UnknownModel as error:
+        raise click.UsageError(str(error)) from error
+    return text if model is None else renamed(text, model)
+
+
+def _list_models() -> None:
+    from lagdsl.manual.models import model_names, model_title
+
+    names = model_names()
+    width = max(map(len, names))
+    for name in names:
+        click.echo(f"{name:{width}}  {model_title(name)}")
 
 
 def _model_name(stem: str) -> str:

@@ -19,9 +19,9 @@ from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Derivation, engine_of, findings
 from lagdsl.runtime.engine import EngineName
+from lagdsl.signals.table_io import Tables, has_writer, read_inputs, write_events, write_table
+from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.table_io import Tables, has_writer, read_inputs, write_events, write_table
-from lagdsl.simulate.trajectory import Trajectory
 
 _SECONDS = "e.g. 10, '500 ms'"
 
@@ -105,7 +105,7 @@ def command(
             plot(motion, draft)
     if output is None:
         from lagdsl.cli.summary import summary
-        from lagdsl.simulate.moved import loops_of
+        from lagdsl.signals.moved import loops_of
 
         loops = loops_of(compilation.flat)
         click.echo(summary(motion, freedom=compilation.structure.freedom, loops=loops, curves=sys.stdout.isatty()))

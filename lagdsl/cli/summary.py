@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from lagdsl.plot.terminal import sketch
-from lagdsl.simulate.moved import moved_text
-from lagdsl.simulate.trajectory import Column, Event, Trajectory
+from lagdsl.signals.moved import moved_text
+from lagdsl.signals.trajectory import Column, Event, Trajectory
 
 _MOST_KINDS = 16
 _LONGEST_NAME = 40

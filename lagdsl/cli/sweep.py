@@ -19,7 +19,7 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, front, middle
 from lagdsl.runtime.engine import EngineName
-from lagdsl.simulate.table_io import Tables, read_inputs
+from lagdsl.signals.table_io import Tables, read_inputs
 from lagdsl.source import SourceFile
 
 if TYPE_CHECKING:

@@ -47,7 +47,7 @@ def matching_values(flat: FlatModel, patterns: Iterable[str]) -> dict[str, float
 def _fixed(parameter: Parameter, values: Mapping[str, float]) -> Parameter:
     if parameter.structural or parameter.name not in values:
         return parameter
-    return replace(parameter, structural=True, value=float(values[parameter.name]))
+    return replace(parameter, structural=True, free=False, value=float(values[parameter.name]))
 
 
 def _unknown(name: str, flat: FlatModel, known: list[str]) -> str:

@@ -23,9 +23,12 @@ class Parameter(Quantity):
     """An independent parameter: a number that may be changed without recompiling. Booleans are 0 and 1.
 
     `structural` ones (and constants) are listed for reports; they are folded into the expressions and never in `p`.
+    A `free` one is found with the start of the motion: its value is a guess, `nominal` what counts as a large change.
     """
 
     value: float
+    free: bool = False
+    nominal: float | None = None
     minimum: float | None = None
     maximum: float | None = None
     structural: bool = False

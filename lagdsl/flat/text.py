@@ -170,8 +170,9 @@ def _parameter(parameter: fm.Parameter) -> _Line:
         value = "true" if parameter.value else "false"
     if parameter.text is not None:
         value = f'"{parameter.text}"'
-    bounds = "".join(f", {bound}" for bound in _bounds(parameter.minimum, parameter.maximum))
-    line = _quantity(parameter, f"{value}{bounds}")
+    bounds = "".join(f", {bound}" for bound in _bounds(parameter.minimum, parameter.maximum, parameter.nominal))
+    guess = ", found with the start" if parameter.free else ""
+    line = _quantity(parameter, f"{value}{guess}{bounds}")
     return _Line(f"structural {line.text}", parameter) if parameter.structural else line
 
 

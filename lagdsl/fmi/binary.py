@@ -13,7 +13,7 @@ from pathlib import Path
 from lagdsl.fmi.libraries import timeless
 from lagdsl.fmi.toolchain import Toolchain, toolchain
 from lagdsl.record import record
-from lagdsl.runtime.build import cache_folder
+from lagdsl.runtime.cache import cache_folder
 from lagdsl.runtime.compiler import failure
 from lagdsl.runtime.cores import cores
 from lagdsl.runtime.platforms import Platform, this_machine

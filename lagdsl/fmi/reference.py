@@ -9,10 +9,10 @@ from lagdsl.pipeline import engine_of
 from lagdsl.record import record
 from lagdsl.runtime.c_engine import CEngine
 from lagdsl.runtime.engine import EngineName
+from lagdsl.signals.table_io import csv_text, events_text
+from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.simulate import simulate
-from lagdsl.simulate.table_io import csv_text, events_text
-from lagdsl.simulate.trajectory import Trajectory
 
 # Of the tolerance of the experiment, so that what an importer finds with that one can be told from what we do.
 _PART, _LEAST = 1e-2, 1e-11

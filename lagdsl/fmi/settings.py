@@ -45,7 +45,7 @@ def settings(
     flat, layout = compilation.flat, compilation.program.layout
     functions = ProgramFunctions(compilation.program) if engine is None else engine
     space = geometry(flat, functions)
-    scales = scales_of(flat, space.q)
+    scales = scales_of(flat, layout.components, space.q)
     loose = contact_rows(flat)
     natural = scales.sizes
     return Settings(

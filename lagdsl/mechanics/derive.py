@@ -26,6 +26,7 @@ from lagdsl.mechanics.tangent import acceleration_tangent
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL, SIGNATURES
 from lagdsl.program.layout import layout
+from lagdsl.program.passes.components import with_components
 from lagdsl.program.program import Block, Function, Program
 from lagdsl.record import record
 
@@ -96,7 +97,7 @@ def derived(flat: FlatModel, *, dense: bool | None = None) -> Derived:
         if name in blocks
     )
     functions += event_functions(derivation.lowering, flat) + corner_functions(derivation.lowering, flat)
-    program = Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions)
+    program = with_components(Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions))
     result = Derived(derivation=derivation, program=program, forming=_cost_of_forming(derivation, blocks))
     return result if flat.constraints else replace(result, program=_with_elimination(result, None))
 

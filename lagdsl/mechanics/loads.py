@@ -6,7 +6,7 @@ enter as weights and are not differentiated. Points with prescribed motion contr
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import assert_never
 
 from lagdsl.flat.expression import FlatExpression
@@ -18,9 +18,10 @@ from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.symbols import Directions
 from lagdsl.mechanics.vectors import Vector
+from lagdsl.record import mutable_record
 
 
-@dataclass(slots=True)
+@mutable_record()
 class VirtualWork:
     """Weights of virtual displacements: of positions and targets, and of turnings (by their angular velocities)."""
 

@@ -8,8 +8,6 @@ Mechanik*, 1949).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from lagdsl.flat.expression import FrameReaction, ReactionAlong
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.graph import Graph
@@ -21,9 +19,10 @@ from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.poses import Release
 from lagdsl.mechanics.symbols import Directions, Symbols
 from lagdsl.mechanics.vectors import Vector
+from lagdsl.record import mutable_record
 
 
-@dataclass(slots=True)
+@mutable_record()
 class Releases:
     """Which release symbol belongs to what: frames take three for the force and three for the torque."""
 

@@ -3,6 +3,7 @@ bounds."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Protocol
 
@@ -16,6 +17,7 @@ from lagdsl.mechanics.structure_names import located
 from lagdsl.mechanics.structure_newton import Descent, descend
 from lagdsl.program.program import Layout
 from lagdsl.record import record
+from lagdsl.units.dimension import Dimension
 
 SEED = 20011
 # Residuals, as a part of the row's natural size, below which a constraint counts as met; generous, because a
@@ -43,19 +45,29 @@ class Functions(Protocol):
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]: ...
 
 
-def natural_sizes(coordinates: tuple[Coordinate, ...], start: Floats) -> Floats:
+def natural_sizes(coordinates: tuple[Coordinate, ...], components: Sequence[int], start: Floats) -> Floats:
     """What counts as a change of order one: `nominal`, else 1 for angles and numbers, else the largest start of the
-    same unit. `start` and the result (..., nq)."""
+    same unit in the same component (`Layout.components`). `start` and the result (..., nq)."""
     sizes = np.ones(start.shape)
     lengths = np.where(np.isfinite(start), np.abs(start), 0.0)
+    for alike in groups(coordinates, components):
+        first = coordinates[alike[0]]
+        largest = np.max(lengths[..., alike], axis=-1, keepdims=True)
+        if not first.dimension.is_dimensionless:
+            sizes[..., alike] = np.where(largest > 0.0, largest, 1.0)
     for index, coordinate in enumerate(coordinates):
         if coordinate.nominal is not None and coordinate.nominal != 0.0:
             sizes[..., index] = abs(coordinate.nominal)
-        elif not coordinate.dimension.is_dimensionless:
-            alike = [other.dimension == coordinate.dimension for other in coordinates]
-            largest = np.max(lengths[..., alike], axis=-1)
-            sizes[..., index] = np.where(largest > 0.0, largest, 1.0)
     return sizes
+
+
+def groups(coordinates: tuple[Coordinate, ...], components: Sequence[int]) -> list[list[int]]:
+    """The coordinates of one component and unit, group by group."""
+    found: dict[tuple[int, Dimension], list[int]] = {}
+    for index, coordinate in enumerate(coordinates):
+        component = components[index] if len(components) else 0
+        found.setdefault((component, coordinate.dimension), []).append(index)
+    return list(found.values())
 
 
 @record()
@@ -138,7 +150,7 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
     parameters = np.array(layout.defaults, dtype=np.float64) if p is None else p
     t = flat.experiment.start_time
     q, qd, z, u = functions.evaluate("start", t, parameters)
-    sizes = natural_sizes(flat.coordinates, q)
+    sizes = natural_sizes(flat.coordinates, layout.components, q)
     every = np.ones((len(layout.constraints), len(q)), dtype=np.bool_)
     open_, closed = _discretes(functions, t, q, qd, z, u, parameters)
     plain = Geometry(functions, t, q, qd, z, u, closed, parameters, sizes, np.ones(0), every)

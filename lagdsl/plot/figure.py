@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from lagdsl.simulate.trajectory import Column, Trajectory
+from lagdsl.signals.trajectory import Column, Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

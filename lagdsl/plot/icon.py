@@ -12,7 +12,7 @@ from lagdsl.plot.figure import COLORS, STYLE, escaped
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from lagdsl.simulate.trajectory import Trajectory
+    from lagdsl.signals.trajectory import Trajectory
 
 _CURVES = 3
 _INCHES, _DOTS = 2.0, 128

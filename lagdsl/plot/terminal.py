@@ -7,7 +7,7 @@ import shutil
 import numpy as np
 
 from lagdsl.mechanics.rank import Floats
-from lagdsl.simulate.trajectory import Column, Trajectory
+from lagdsl.signals.trajectory import Column, Trajectory
 
 # Bits of the dots of a Braille character, two across and four down.
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))

@@ -49,6 +49,8 @@ class Layout:
 
     `definitions` are those of the function `definition`, where the program has it.
     `redundant` flags constraint rows found dependent on others; `position_level` flags rows that restrict q itself.
+    `components` (nq + nz,) are the connected components of what the equations couple, see
+    `program/passes/components.py`; where it is empty, everything counts as coupled.
     """
 
     coordinates: tuple[Slot, ...]
@@ -66,6 +68,7 @@ class Layout:
     invariants: tuple[Slot, ...]
     assertions: tuple[str, ...]
     definitions: tuple[Slot, ...] = ()
+    components: tuple[int, ...] = ()
 
     def size(self, group: Group) -> int:
         """Length of the argument array of `group`."""

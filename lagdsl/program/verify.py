@@ -60,6 +60,8 @@ def _verify_layout(layout: Layout) -> None:
     _require(len(layout.defaults) == len(layout.parameters), "one default per parameter")
     _require(len(layout.position_level) == len(layout.constraints), "one level per constraint row")
     _require(len(layout.redundant) == len(layout.constraints), "one redundancy flag per constraint row")
+    members = len(layout.coordinates) + len(layout.states)
+    _require(len(layout.components) in (0, members), "one component per coordinate and state")
 
 
 def _verify_rows(program: Program) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import weakref
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,15 +17,15 @@ from lagdsl.backends.tape.emit import PARTS, tape
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
-from lagdsl.runtime.build import cache_folder, content_hash
 from lagdsl.runtime.c_engine import opened
-from lagdsl.runtime.compiler import ALIKE, Compiler, find_compiler
+from lagdsl.runtime.cache import cache_folder
 from lagdsl.runtime.engine import EngineName
 from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.tape_engine import TapeEngine
 
 if TYPE_CHECKING:
     from lagdsl.runtime.background_build import BackgroundBuild
+    from lagdsl.runtime.compiler import Compiler
 
 # Seconds that compiling takes: always, and for each byte of a tape (GCC 12, a core of 2022).
 _ALWAYS, _PER_BYTE = 0.2, 2e-5
@@ -46,7 +46,6 @@ class AutoEngine(TapeEngine):
         self._compiled: NativeModel | None = None
         self._worked = 0.0
         self._build: BackgroundBuild | None = None
-        self._compiler = _compiler()
         super().__init__(program)
 
     @property
@@ -56,10 +55,11 @@ class AutoEngine(TapeEngine):
     def worked(self, seconds: float, left: float = 0.0) -> None:
         """So many seconds of work were done, and so many are known to come. Without better knowledge there comes as
         much again as there was."""
-        if self._compiled is not None or self._build is not None or self._compiler is None:
+        if self._compiled is not None or self._build is not None:
             return
         self._worked += seconds
-        if _SAVED * max(left, self._worked) > _ALWAYS + _PER_BYTE * len(self._tape):
+        pays = _SAVED * max(left, self._worked) > _ALWAYS + _PER_BYTE * len(self._tape)
+        if pays and self._compiler is not None:
             self._build = _building(self._program, self._name(self._compiler))
             weakref.finalize(self, self._build.cancel)
 
@@ -83,30 +83,49 @@ class AutoEngine(TapeEngine):
         return self._compiled
 
     def _provide(self, part: str | None = None) -> NativeModel:
-        if part is None and self._compiler is not None:
+        if part is None and _has_library(self._key) and self._compiler is not None:
             self._compiled = _cached(self._name(self._compiler), self._program)
         return super()._provide(part) if part is not None or self._compiled is None else self._compiled
 
     def _made(self, part: str | None) -> bytes:
         return super()._made(part) if part in PARTS else self._tape
 
+    @cached_property
+    def _compiler(self) -> Compiler | None:
+        """None where there is none, or where it failed. Few models run long enough to ask."""
+        from lagdsl.runtime.compiler import find_compiler
+
+        try:
+            return find_compiler()
+        except CompilationFailed:
+            return None
+
+    @cached_property
+    def _key(self) -> str:
+        """What the names of the libraries in the cache begin with that were made of this tape."""
+        return hashlib.sha256(self._tape).hexdigest()[:20]
+
     def _name(self, compiler: Compiler) -> str:
         """Of the library in the cache: made of all that decides what is in it."""
-        read = {"tape": self._tape.hex(), "program": _writers()}
-        return content_hash(read, compiler, (ALIKE,))
+        from lagdsl.runtime.build import content_hash
+        from lagdsl.runtime.compiler import ALIKE
+
+        return f"{self._key}-{content_hash({'program': _writers()}, compiler, (ALIKE,))}"
 
 
-def _compiler() -> Compiler | None:
+def _has_library(key: str) -> bool:
+    """Whether the cache has a library whose name begins so; its whole name takes longer to find."""
     try:
-        return find_compiler()
-    except CompilationFailed:
-        return None
+        return any(path.name.startswith(key) for path in cache_folder().iterdir())
+    except (CompilationFailed, OSError):
+        return False
 
 
 def _building(program: Program, name: str) -> BackgroundBuild:
     """What writes and compiles C is loaded where it is used: most models run shorter than that takes."""
     from lagdsl.backends.c.emit import engine_sources
     from lagdsl.runtime.background_build import BackgroundBuild
+    from lagdsl.runtime.compiler import ALIKE
 
     return BackgroundBuild(lambda: engine_sources(program), (ALIKE,), name)
 

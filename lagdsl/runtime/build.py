@@ -7,14 +7,13 @@ path, and processes that build the same one at the same time write the same byte
 from __future__ import annotations
 
 import hashlib
-import os
 import platform
-import stat
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from lagdsl.record import record
+from lagdsl.runtime.cache import cache_folder
 from lagdsl.runtime.compiler import (
     FLAGS,
     Cancellation,
@@ -53,29 +52,14 @@ def build(
 def content_hash(sources: Mapping[str, str], compiler: Compiler, flags: Sequence[str] = ()) -> str:
     """Hexadecimal digest of sources, flags, compiler and machine, its processor too: the folder may be shared."""
     digest = hashlib.sha256()
-    machine = (platform.platform(), platform.machine(), processor())
+    system = (platform.system(), platform.release(), platform.version(), *platform.libc_ver())
+    machine = (*system, platform.machine(), processor())
     for part in (*compiler.command, compiler.identity, *FLAGS, *flags, *native_flags(compiler), *machine):
         digest.update(part.encode() + b"\0")
     for path, text in sources.items():
         data = text.encode()
         digest.update(f"{path}:{len(data)}:".encode() + data)
     return digest.hexdigest()[:40]
-
-
-def cache_folder() -> Path:
-    """A folder that nobody else can write to: code is loaded from it. Raises CompilationFailed (E0913)."""
-    base = os.environ.get("XDG_CACHE_HOME", "")
-    try:
-        folder = (Path(base) if base else Path.home() / ".cache") / "lagdsl"
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        status = folder.stat()
-    except (OSError, RuntimeError) as problem:
-        raise failure("E0913", reason=str(problem)) from None
-    if hasattr(os, "getuid") and status.st_uid != os.getuid():
-        raise failure("E0913", reason=f"{folder} belongs to somebody else")
-    if status.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
-        raise failure("E0913", reason=f"{folder} can be written by others")
-    return folder
 
 
 def _build_into(

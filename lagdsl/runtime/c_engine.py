@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.backends.python.emit import motion_sizes
+from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.support.derivatives import variables
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
@@ -19,14 +19,16 @@ from lagdsl.program.program import Program
 from lagdsl.program.verify import sizes
 from lagdsl.runtime.broadcast import Spread, spread
 from lagdsl.runtime.buffers import Buffers
-from lagdsl.runtime.build import build
 from lagdsl.runtime.cores import Part, cores, share_out
 from lagdsl.runtime.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel, load_compiled
 from lagdsl.runtime.state_jacobian import StateJacobian
-from lagdsl.runtime.structures import VECTORS, Arguments, Batch, Range
+from lagdsl.runtime.structures import Arguments, Batch, Range
 
+# The vectors of lag_arguments, in its order.
+_NAMED = {name: group for group, name in ARGUMENT_NAMES.items() if group is not Group.TIME}
+VECTORS = tuple(_NAMED[name] for name, *_ in Arguments._fields_ if name in _NAMED)
 _SINGULAR = 1
 _STATE_VECTORS = STATE[1:]
 _SOLVED = (Group.QDD, Group.LAMBDA)
@@ -243,6 +245,7 @@ def opened(library: Path, program: Program) -> NativeModel:
 
 def _loaded(program: Program, part: str | None = None) -> NativeModel:
     from lagdsl.backends.c.emit import engine_sources, model_symbol, part_symbol
+    from lagdsl.runtime.build import build
 
     texts = engine_sources(program, () if part is None else (part,))
     constant = None if part is None else part_symbol(program, part)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from typing import TypeAlias
 
 # States of one part: few enough to stop soon after an interrupt and to end together, and a multiple of any number of
@@ -36,6 +35,8 @@ def share_out(count: int, threads: int, worker: Callable[[], Part], largest: int
         for first, end in bounds:
             part(first, end)
         return
+    from concurrent.futures import ThreadPoolExecutor
+
     own = threading.local()
 
     def work(first: int, end: int) -> None:

@@ -13,7 +13,7 @@ from lagdsl.runtime.engine import Floats
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.run_options import Flags, RunSettings, address, shared_options
-from lagdsl.runtime.run_structures import Ensemble, Status
+from lagdsl.runtime.structures import Ensemble, Status
 
 
 @record(kw_only=True)

@@ -2,7 +2,7 @@
 
 The table is `lagdsl/program/functions.py`. From it come the function pointers of lag_model, the enumeration
 lag_function and the dispatcher lag_evaluate(), and what tapes check and call, each between two marks in a written
-file.
+file. What ctypes sees of the headers (`headers.py`) is written after them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ from lagdsl.backends.tape.instructions import GROUPS
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import FUNCTIONS, SOLVED, SOLVED_DIRECTIONS, Presence, Result, Signature
 from lagdsl.resources import c_folder
+from lagdsl.runtime.headers import structures_text
 
+STRUCTURES = Path(__file__).with_name("structures.py")
 _FIRST = "/* ---- the functions, generated ---- */\n"
 _LAST = "/* ---- end of what is generated ---- */\n"
 _WIDTH = 132
@@ -174,3 +176,4 @@ def _with(path: Path, indent: str, section: str) -> str:
 if __name__ == "__main__":
     for path, text in texts().items():
         path.write_text(text, encoding="utf-8")
+    STRUCTURES.write_text(structures_text(), encoding="utf-8")

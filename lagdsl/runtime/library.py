@@ -7,10 +7,12 @@ from ctypes import c_char, c_double, c_int, c_size_t, c_void_p
 from functools import cache
 
 from lagdsl.resources import is_checkout, runtime_library_folder
-from lagdsl.runtime.compiler import failure
 from lagdsl.runtime.platforms import library_name, this_machine
-from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
 from lagdsl.runtime.structures import Range
+
+# Methods of the runtime by the names of solvers: those that choose their steps, those that are given a length.
+METHODS = {"dop853": "lag_dop853", "radau": "lag_radau"}
+FIXED_METHODS = {"rk4": "lag_steps_rk4", "leapfrog": "lag_steps_leapfrog", "ros2": "lag_steps_ros2"}
 
 _STATUS = c_int
 _SIZE = c_size_t
@@ -116,4 +118,6 @@ def runtime_library() -> Runtime:
     try:
         return Runtime(ctypes.CDLL(str(path)))
     except OSError as problem:
+        from lagdsl.runtime.compiler import failure
+
         raise failure("E0914", reason=str(problem)) from None

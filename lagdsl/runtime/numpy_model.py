@@ -18,8 +18,7 @@ from lagdsl.program.program import Program, Slot
 from lagdsl.program.verify import counted, sizes
 from lagdsl.runtime.engine import Engine, Floats
 from lagdsl.runtime.native_model import NativeModel, native_model
-from lagdsl.runtime.run_structures import Status
-from lagdsl.runtime.structures import VERSION, Model
+from lagdsl.runtime.structures import VERSION, Model, Status
 
 _NOTHING = np.zeros(0)
 
@@ -93,6 +92,7 @@ class Callbacks:
             "switched_rows": (np.uintp, instants.switched_rows),
             "reset_places": (np.uintp, instants.reset_places),
             "kept_rows": (np.uintp, kept_rows),
+            **({"components": (np.uintp, layout.components)} if layout.components else {}),
         }
         for name, (kind, values) in numbers.items():
             array: np.ndarray = np.array([*values, 0], dtype=kind)

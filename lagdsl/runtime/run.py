@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ctypes import addressof, byref, c_size_t
+from ctypes import addressof, byref, c_double, c_size_t
+from typing import Any
 
 import numpy as np
 
@@ -15,9 +16,7 @@ from lagdsl.runtime.engine import Floats
 from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.run_options import Flags, RunSettings, address, shared_options
-from lagdsl.runtime.run_structures import (
-    FULL,
-    INPUTS,
+from lagdsl.runtime.structures import (
     WHAT,
     Extremes,
     Initial,
@@ -30,6 +29,8 @@ from lagdsl.runtime.run_structures import (
     Status,
 )
 
+# Types of the functions that C calls.
+_CALLED: dict[str, Any] = {field[0]: field[1] for structure in (RunOptions, Results) for field in structure._fields_}
 _ALIGNED = 16
 # Rows and notes that C keeps before Python takes them.
 _ROWS, _NOTES = 256, 1024
@@ -39,7 +40,8 @@ _FUNCTIONS = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MAN
 @record(kw_only=True)
 class Found:
     """The start that was found, or what stands in the way: lag_initial. x (2 nq + nz,), `starts` are the values that
-    it was looked for from; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq)."""
+    it was looked for from; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq); `p` are the parameters, those
+    that were found too."""
 
     starts: Floats
     x: Floats
@@ -53,6 +55,7 @@ class Found:
     dependent: Flags
     row_sizes: Floats
     pattern: Flags
+    p: Floats
 
 
 @record(kw_only=True)
@@ -69,7 +72,8 @@ class Fault:
 class Run:
     """Not to be used by several threads at once. What inputs raise is raised by the call that asked for them.
 
-    `notes` are what happened: time, kind (one of WHAT), number of the clock, relation, contact, reset or `terminate`.
+    `p` are the parameters, those that are found with the start too. `notes` are what happened: time, kind (one of
+    WHAT), number of the clock, relation, contact, reset or `terminate`.
     """
 
     def __init__(self, model: NativeModel, layout: Layout, settings: RunSettings) -> None:
@@ -81,6 +85,7 @@ class Run:
         self._kept: list[object] = []
         count = len(layout.constraints)
         self._row_sizes = np.ones(count)
+        self.p = settings.p
         self._drifts = np.zeros((3, len(layout.invariants)))
         self._width = int(self._library.results_width(model.model))
         self._row_buffer = np.zeros((_ROWS, self._width))
@@ -103,10 +108,10 @@ class Run:
             for name, values in zip(("start", "size", "drift"), self._drifts, strict=True):
                 setattr(options, f"invariant_{name}", values.ctypes.data)
         if callable(settings.inputs):
-            self._inputs = options.inputs = INPUTS(self._tell_inputs)
+            self._inputs = options.inputs = _CALLED["inputs"](self._tell_inputs)
         else:
             options.u = address(settings.inputs, self._kept)
-        self._full = FULL(self._empty)
+        self._full = _CALLED["full"](self._empty)
         self._results = Results(
             most_rows=_ROWS,
             most_notes=_NOTES,
@@ -170,6 +175,8 @@ class Run:
         )
         at = chosen.ctypes.data if given else None
         self._checked(self._library.run_find(self._run, t, at, x.ctypes.data, byref(told)))
+        if self.settings.start.free:
+            self.p = np.array((c_double * len(layout.parameters)).from_address(told.p))
         return Found(
             starts=starts,
             x=x,
@@ -183,6 +190,7 @@ class Run:
             dependent=dependent.astype(np.bool_),
             row_sizes=self._row_sizes.copy(),
             pattern=pattern != 0.0,
+            p=self.p,
         )
 
     def begin(self, t: float, x: Floats) -> Status:

@@ -12,7 +12,7 @@ from lagdsl.backends.start import Start as StartTold
 from lagdsl.record import record
 from lagdsl.runtime.engine import Floats
 from lagdsl.runtime.library import Runtime
-from lagdsl.runtime.run_structures import RunOptions, Start
+from lagdsl.runtime.structures import RunOptions, Start
 
 Flags = NDArray[np.bool_]
 
@@ -78,4 +78,7 @@ def address(values: ArrayLike, kept: list[object], kind: type = np.float64) -> i
 def _start(told: StartTold, kept: list[object]) -> Start:
     flags = {name: address(getattr(told, name), kept, np.uint8) for name in ("fixed", "written")}
     numbers = {name: address(getattr(told, name), kept) for name in ("nominal", "minimum", "maximum")}
+    if told.free:
+        flags["free"] = address(told.free, kept, np.uint8)
+        numbers["parameter_nominal"] = address(told.parameter_nominal, kept)
     return Start(t=told.t, **flags, **numbers)

@@ -1,99 +1,283 @@
-"""The structures of the C runtime as ctypes sees them."""
+"""The structures and enumerations of the C runtime as ctypes sees them.
+
+Generated from its headers: `python -m lagdsl.runtime.generate`.
+"""
 
 from __future__ import annotations
 
-import ctypes
 from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
+from enum import IntEnum
+from typing import Any
 
-from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.program.functions import FUNCTIONS
+_Numbers = POINTER(c_double)
+_Fields = list[tuple[str, Any]]
 
-# Of lag/model.h.
+
+def _all(kind: Any, names: str) -> _Fields:
+    """Members of one type."""
+    return [(name, kind) for name in names.split()]
+
+
+def _evaluated(results: int) -> Any:
+    """A function of lag_model that fills so many arrays."""
+    return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
+
+
 VERSION = 2
 
-# The vectors of lag_arguments, in its order.
-VECTORS: tuple[Group, ...] = (
-    Group.Q,
-    Group.QD,
-    Group.Z,
-    Group.U,
-    Group.W,
-    Group.P,
-    Group.QDD,
-    Group.LAMBDA,
-    Group.DIRECTION_Q,
-    Group.DIRECTION_QD,
-    Group.DIRECTION_Z,
-    Group.DIRECTION_U,
-    Group.DIRECTION_P,
-    Group.DIRECTION_QDD,
-    Group.DIRECTION_LAMBDA,
-)
-_NAMES = [ARGUMENT_NAMES[group] for group in VECTORS]
+# lag_what.
+WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
+
+
+class Status(IntEnum):
+    """Of lag/status.h."""
+
+    OK = 0
+    SINGULAR = 1
+    NOT_FINITE = 2
+    MISSING = 3
+    STUCK = 4
+    TOO_LONG = 5
+    OFF = 6
+    ATTENTION = 7
+    VIOLATED = 8
+    STOPPED = 9
+    CHATTER = 10
+    HAPPENS = 11
+    UNSETTLED = 12
+    CONFLICT = 13
+    REFUSED = 14
+    PIERCED = 15
+    TORN = 16
+    FORKED = 17
+    FOREIGN = 18
+    TIMELESS = 19
+
+
+class InitialFault(IntEnum):
+    """Of lag/initial.h."""
+
+    NONE = 0
+    NUMBERS = 1
+    POSITIONS = 2
+    RATES = 3
+    EQUATIONS = 4
+    RANK = 5
+    PARAMETERS = 6
 
 
 class Arguments(Structure):
     """lag_arguments."""
 
     _fields_ = [
-        ("t", c_double),
-        *((name, c_void_p) for name in _NAMES),
-        ("workspace", c_void_p),
-        ("times", c_void_p),
-        ("context", c_void_p),
-    ]
-
-
-def function_type(results: int) -> type[ctypes._CFunctionType]:
-    """The type of a function of lag_model that fills so many arrays of results."""
-    return CFUNCTYPE(c_int, POINTER(Arguments), *[POINTER(c_double)] * results)
-
-
-class Batch(Structure):
-    """lag_batch."""
-
-    _fields_ = [
-        ("count", c_size_t),
-        ("t", c_void_p),
-        *((name, c_void_p) for name in _NAMES),
-        ("t_stride", c_size_t),
-        *((f"{name}_stride", c_size_t) for name in _NAMES),
-        ("workspace", c_void_p),
-        ("memory", c_void_p),
-        ("lanes", c_void_p),
+        *_all(c_double, "t"),
+        *_all(c_void_p, "q qd z u w p qdd lam dq dqd dz du dp dqdd dlam workspace times context"),
     ]
 
 
 class Model(Structure):
-    """lag_model. Its functions are those of `lagdsl.program.functions`, in that order; null is what a model lacks."""
+    """lag_model."""
 
     _fields_ = [
-        ("version", c_uint),
-        ("size", c_size_t),
-        ("name", c_char_p),
-        *((name, c_size_t) for name in ("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "ne", "rank")),
-        ("workspace", c_size_t),
-        ("prepared", c_size_t),
-        ("context", c_void_p),
-        *((name, c_void_p) for name in ("coordinates", "states", "inputs", "discretes", "parameters", "constraints")),
-        *((name, c_void_p) for name in ("outputs", "invariants", "assertions", "defaults", "position_level")),
-        ("redundant", c_void_p),
-        ("prepare", CFUNCTYPE(c_int, POINTER(Arguments))),
-        *((function.name, function_type(len(function.results))) for function in FUNCTIONS if function.single),
-        ("jacobian_pattern", c_void_p),
-        ("nk", c_size_t),
-        ("kept_rows", c_void_p),
-        *((name, c_size_t) for name in ("nindicator", "ncontact", "ngap", "nclock")),
-        *((name, c_size_t) for name in ("nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance", "ncorner")),
-        *((name, c_void_p) for name in ("kinds", "strict", "contact_rows")),
-        ("nswitched", c_size_t),
-        *((name, c_void_p) for name in ("switched_rows", "reset_places", "resets", "stops", "failures")),
-        ("nd", c_size_t),
-        ("definitions", c_void_p),
+        *_all(c_uint, "version"),
+        *_all(c_size_t, "size"),
+        *_all(c_char_p, "name"),
+        *_all(c_size_t, "nq nz nu nw np nc ny ni na ne rank workspace prepared"),
+        *_all(c_void_p, "context coordinates states inputs discretes parameters constraints outputs"),
+        *_all(c_void_p, "invariants assertions defaults position_level redundant"),
+        *_all(_evaluated(0), "prepare"),
+        *_all(_evaluated(4), "start"),
+        *_all(_evaluated(2), "position_constraint velocity_constraint"),
+        *_all(_evaluated(1), "mass_matrix"),
+        *_all(_evaluated(4), "dynamics"),
+        *_all(_evaluated(1), "inverse_dynamics"),
+        *_all(_evaluated(2), "residual residual_tangent"),
+        *_all(_evaluated(1), "state_derivative state_derivative_tangent output output_tangent"),
+        *_all(_evaluated(4), "energies"),
+        *_all(_evaluated(1), "momenta"),
+        *_all(_evaluated(2), "power"),
+        *_all(_evaluated(3), "monitor"),
+        *_all(_evaluated(1), "initial_equation"),
+        *_all(_evaluated(2), "constraint_tangent"),
+        *_all(_evaluated(7), "elimination"),
+        *_all(_evaluated(1), "discrete_start indicator standing"),
+        *_all(_evaluated(6), "contact"),
+        *_all(_evaluated(2), "clock"),
+        *_all(_evaluated(7), "event time_event"),
+        *_all(_evaluated(2), "corner"),
+        *_all(_evaluated(1), "momentum_tangent definition definition_tangent"),
+        *_all(_evaluated(4), "start_tangent energies_tangent"),
+        *_all(_evaluated(1), "initial_equation_tangent"),
+        *_all(_evaluated(11), "time_tangent"),
+        *_all(c_void_p, "jacobian_pattern components"),
+        *_all(c_size_t, "nk"),
+        *_all(c_void_p, "kept_rows"),
+        *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),
+        *_all(c_size_t, "ncorner"),
+        *_all(c_void_p, "kinds strict contact_rows"),
+        *_all(c_size_t, "nswitched"),
+        *_all(c_void_p, "switched_rows reset_places resets stops failures"),
+        *_all(c_size_t, "nd"),
+        *_all(c_void_p, "definitions"),
+    ]
+
+
+class Start(Structure):
+    """lag_start."""
+
+    _fields_ = [
+        *_all(c_double, "t"),
+        *_all(c_void_p, "x fixed written nominal minimum maximum free parameter_nominal"),
     ]
 
 
 class Range(Structure):
     """lag_range."""
 
-    _fields_ = [("first", c_size_t), ("count", c_size_t)]
+    _fields_ = [
+        *_all(c_size_t, "first count"),
+    ]
+
+
+class Batch(Structure):
+    """lag_batch."""
+
+    _fields_ = [
+        *_all(c_size_t, "count"),
+        *_all(c_void_p, "t q qd z u w p qdd lam dq dqd dz du dp dqdd dlam"),
+        *_all(c_size_t, "t_stride q_stride qd_stride z_stride u_stride w_stride p_stride qdd_stride"),
+        *_all(c_size_t, "lam_stride dq_stride dqd_stride dz_stride du_stride dp_stride dqdd_stride"),
+        *_all(c_size_t, "dlam_stride"),
+        *_all(c_void_p, "workspace memory lanes"),
+    ]
+
+
+class Note(Structure):
+    """lag_note."""
+
+    _fields_ = [
+        *_all(c_double, "t"),
+        *_all(c_int, "what"),
+        *_all(c_size_t, "which"),
+    ]
+
+
+class Extremes(Structure):
+    """lag_extremes."""
+
+    _fields_ = [
+        *_all(c_size_t, "size count"),
+        *_all(c_void_p, "low high turns pivot way sample outputs"),
+    ]
+
+
+class Results(Structure):
+    """lag_results."""
+
+    _fields_ = [
+        *_all(c_size_t, "most_rows most_notes"),
+        *_all(c_void_p, "rows notes"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p), "full"),
+        *_all(c_void_p, "context"),
+        *_all(c_size_t, "row note"),
+        *_all(c_int, "any"),
+        *_all(c_double, "last after"),
+        *_all(c_void_p, "turning extremes angle"),
+    ]
+
+
+class Initial(Structure):
+    """lag_initial."""
+
+    _fields_ = [
+        *_all(c_int, "fault"),
+        *_all(c_size_t, "which"),
+        *_all(c_double, "residual"),
+        *_all(c_size_t, "rank"),
+        *_all(c_int, "moved"),
+        *_all(c_size_t, "freedom excess general"),
+        *_all(c_int, "given"),
+        *_all(c_void_p, "dependent row_sizes pattern p"),
+    ]
+
+
+class RunOptions(Structure):
+    """lag_run_options."""
+
+    _fields_ = [
+        *_all(c_double, "tolerance"),
+        *_all(c_void_p, "method"),
+        *_all(c_double, "h_first h_most h_fixed part"),
+        *_all(c_void_p, "p context"),
+        *_all(CFUNCTYPE(None, c_void_p, c_double, c_int, _Numbers), "inputs"),
+        *_all(c_void_p, "u group natural cap row_sizes"),
+        *_all(c_int, "careful"),
+        *_all(c_void_p, "lasting"),
+        *_all(c_size_t, "general"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p), "tell"),
+        *_all(c_double, "length"),
+        *_all(c_size_t, "count"),
+        *_all(c_void_p, "times rows"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_double, _Numbers), "output"),
+        *_all(c_void_p, "results"),
+        *_all(c_size_t, "indicators"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_double, _Numbers, _Numbers), "indicate"),
+        *_all(c_size_t, "clocks"),
+        *_all(c_void_p, "first period"),
+        *_all(CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p), "event"),
+        *_all(c_uint, "looks"),
+        *_all(c_double, "time_tolerance"),
+        *_all(c_void_p, "invariant_tolerance invariant_start invariant_size invariant_drift"),
+        *_all(c_int, "continued"),
+        *_all(c_void_p, "start"),
+    ]
+
+
+class RunChange(Structure):
+    """lag_change."""
+
+    _fields_ = [
+        *_all(c_double, "t"),
+        *_all(c_int, "implicit"),
+    ]
+
+
+class RunReport(Structure):
+    """lag_run_report."""
+
+    _fields_ = [
+        *_all(c_double, "t h trouble_time"),
+        *_all(_Numbers, "x"),
+        *_all(c_size_t, "row steps all_steps rejections evaluations jacobians decompositions projections"),
+        *_all(c_size_t, "events changes"),
+        *_all(_Numbers, "w changed guilty slack"),
+        *_all(c_size_t, "fault"),
+        *_all(c_double, "next"),
+        *_all(POINTER(RunChange), "change"),
+        *_all(c_int, "implicit"),
+    ]
+
+
+class RunFault(Structure):
+    """lag_fault."""
+
+    _fields_ = [
+        *_all(c_double, "t"),
+        *_all(_Numbers, "x"),
+        *_all(c_size_t, "which"),
+        *_all(c_double, "value limit"),
+    ]
+
+
+class Ensemble(Structure):
+    """lag_ensemble."""
+
+    _fields_ = [
+        *_all(c_void_p, "model options"),
+        *_all(c_double, "t stop"),
+        *_all(c_size_t, "breaks"),
+        *_all(c_void_p, "at"),
+        *_all(c_size_t, "first_piece piece most_steps"),
+        *_all(c_int, "equations"),
+        *_all(c_void_p, "set turning stopped p u natural x rows kept ended status"),
+    ]

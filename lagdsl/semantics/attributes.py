@@ -22,7 +22,7 @@ _BOUNDS = ("min", "max")
 ALLOWED: dict[str, tuple[str, ...]] = {
     "constant": (*_BOUNDS, *_SHOWN),
     "structural": (*_BOUNDS, *_SHOWN),
-    "parameter": (*_BOUNDS, *_SHOWN),
+    "parameter": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN),
     "input": ("start", "smooth", *_SHOWN),
     "output": _SHOWN,
     "algebraic": _SHOWN,
@@ -52,7 +52,7 @@ class Attribute:
 def attributes(ctx: Context, symbol: Symbol) -> dict[str, Attribute]:
     """The attributes of a declared quantity by name (`der.start` for a nested one); what does not fit is reported."""
     found: dict[str, Attribute] = {}
-    if symbol.kind == "unknown" or _is_free(ctx, symbol):
+    if symbol.kind == "unknown":
         return found
     if symbol.info is not None:
         for modifier, scope in symbol.info.modifiers:
@@ -137,23 +137,6 @@ def _declared(symbol: Symbol, modifier: nodes.Modifier) -> tuple[Label, ...]:
     if symbol.declarator is None or modifier in symbol.declarator.modifiers:
         return ()
     return (Label(symbol.span, f"`{symbol.short}` is declared here as {symbol.title}"),)
-
-
-def _is_free(ctx: Context, symbol: Symbol) -> bool:
-    """E0311 for a parameter that is to be found from the start of the motion; nothing more is said about it."""
-    if symbol.kind != "parameter" or symbol.declarator is None:
-        return False
-    for modifier in symbol.declarator.modifiers:
-        if isinstance(modifier, nodes.Modifier) and modifier.name.parts == ("fixed",) and _is_false(modifier.value):
-            later = "parameters found from the start of the motion come later; give it a value"
-            ctx.sink.report("E0311", modifier.name.span, what="a free parameter", hint=later)
-            symbol.kind = "unknown"
-            return True
-    return False
-
-
-def _is_false(node: nodes.Expression | None) -> bool:
-    return isinstance(node, nodes.Boolean) and not node.value
 
 
 # ---- values of attributes --------------------------------------------------------------------------------------------

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics.scope import FunctionSymbol, Instance, Scope, Symbol
 from lagdsl.syntax import nodes
 
@@ -22,7 +22,7 @@ class Placed:
     symbol: Symbol | None = None
 
 
-@dataclass(slots=True)
+@mutable_record()
 class Contents:
     """All of a model, depth first in the order of the text: what a component holds stands where it is declared.
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Spans
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics.occurrences import Mode, Occurrences
 from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
 from lagdsl.semantics.values import AnyDimension, ContactValue, Order, Value
@@ -62,7 +62,7 @@ class Places(Protocol):
     def reaction(self, instance: Instance, span: Span) -> Value: ...
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Context:
     """Mutable state of one flattening; every product is collected here in the order in which it is complete.
 

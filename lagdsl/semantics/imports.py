@@ -7,11 +7,11 @@ followed when a name is asked for; it is neither inherited nor seen from outside
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics.scope import ClassSymbol, Entry, Root, Scope, lookup_path
 from lagdsl.semantics.values import POISON
 from lagdsl.source import Span
@@ -28,7 +28,7 @@ class Target:
     span: Span
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class ImportList:
     """The imports of one scope: `Imports` of it."""
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from lagdsl.diagnostics import Label
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.declarations import enter
 from lagdsl.semantics.imports import check_imports, declare_imports
@@ -27,7 +27,7 @@ class Part:
     protected: bool
 
 
-@dataclass(slots=True)
+@mutable_record()
 class Body:
     """`given` are the modifiers of `extends` and from outside, innermost first; `line` the class and its bases."""
 

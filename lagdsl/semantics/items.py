@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
+from lagdsl.record import mutable_record
 from lagdsl.semantics import constraints, contacts, drawings, labels, loads
 from lagdsl.semantics.arithmetic import Operand, boolean
 from lagdsl.semantics.bodies import rigid_body
@@ -26,7 +27,7 @@ from lagdsl.syntax import nodes
 from lagdsl.units.dimension import ACCELERATION, DIMENSIONLESS, MASS
 
 
-@dataclass(slots=True)
+@mutable_record()
 class Physics:
     """The physics of one model, in source order."""
 

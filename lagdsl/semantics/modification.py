@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TypeAlias
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
+from lagdsl.record import mutable_record
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.scope import Binding, ClassSymbol, Entry, Instance, InstanceArray, Scope, Symbol
 from lagdsl.source import Span
@@ -20,7 +21,7 @@ _REBOUND = ("parameter", "structural", "input", "algebraic", "output", "point", 
 _MOST_LISTED = 12
 
 
-@dataclass(slots=True)
+@mutable_record()
 class Changes:
     """Modifiers of one instance by the name they go to, the innermost first: outer ones win."""
 

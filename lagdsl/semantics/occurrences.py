@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from itertools import count
 
@@ -11,6 +11,7 @@ from lagdsl.flat.events import INITIAL, TERMINAL, Branch, Clock, Contact, Discre
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import GeneralizedForce
 from lagdsl.flat.quantity import Spans
+from lagdsl.record import mutable_record
 from lagdsl.units import Dimension
 
 # Names are the text, as far as this.
@@ -25,7 +26,7 @@ class Mode(Enum):
     EVENT = "event"
 
 
-@dataclass(slots=True)
+@mutable_record()
 class Occurrences:
     """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier.
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TypeAlias
 
 from lagdsl import resources
 from lagdsl.diagnostics import Sink
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics import prelude
 from lagdsl.semantics.library import item_of
 from lagdsl.semantics.scope import ClassSymbol, Entry, FunctionSymbol, Scope, TypeSymbol
@@ -36,7 +36,7 @@ class Place:
     shown: str
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Folder:
     """The classes and packages in the files of one folder; `within` is empty where they are top-level ones."""
 
@@ -106,7 +106,7 @@ class Folder:
         return symbol
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Roots:
     """The top-level names of several folders: the first that has a name wins."""
 
@@ -123,7 +123,7 @@ class Roots:
         return tuple(folder.searched(name) for folder in self.folders)
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class FileRoot:
     """Top-level names for the imports of a file: its own classes, then what lies elsewhere."""
 
@@ -141,7 +141,7 @@ class FileRoot:
         return ("looked for in this file", *self.roots.places(name))
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Packages:
     """The packages among top-level names: they are known without an import, unless the language has the name."""
 

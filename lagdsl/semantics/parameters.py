@@ -7,7 +7,7 @@ from itertools import product as cartesian
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics import attributes
+from lagdsl.semantics import attributes, free_parameters
 from lagdsl.semantics.bindings import Expected, bound
 from lagdsl.semantics.constants import NoValue, evaluate
 from lagdsl.semantics.context import Context
@@ -34,6 +34,9 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
     if info is None:
         return
     binding = symbol.bindings.get(key) or symbol.bindings.get(None)
+    if free_parameters.is_free(ctx, symbol, shape):
+        free_parameters.make(ctx, symbol, shape, binding)
+        return
     if info.base == "String":
         _text(ctx, symbol)
         return

@@ -10,10 +10,10 @@ the stack of spans of the instance it belongs to, so that instances of classes c
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal, Protocol, TypeAlias
 
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics.prelude import BaseType
 from lagdsl.semantics.values import Poison, Scalar, Value
 from lagdsl.source import Span
@@ -63,7 +63,7 @@ class TypeInfo:
     literals: tuple[str, ...] = ()
 
 
-@dataclass(slots=True)
+@mutable_record()
 class Binding:
     """The text that gives a value, with the scope it is read in (it holds the loop indices)."""
 
@@ -72,7 +72,7 @@ class Binding:
     span: Span
 
 
-@dataclass(slots=True)
+@mutable_record()
 class LabelInstance:
     """One labelled item; inside loops there is one for each set of indices."""
 
@@ -81,7 +81,7 @@ class LabelInstance:
     name: str
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Symbol:
     """A declared name, before and while it gets its value.
 
@@ -126,19 +126,19 @@ class Symbol:
         return self.declarator.name if self.declarator is not None else self.name.rpartition(".")[2]
 
 
-@dataclass(slots=True)
+@mutable_record()
 class FunctionSymbol:
     node: nodes.Function
     scope: Scope
 
 
-@dataclass(slots=True)
+@mutable_record()
 class TypeSymbol:
     node: nodes.TypeDefinition | nodes.ShortClass
     scope: Scope
 
 
-@dataclass(slots=True)
+@mutable_record()
 class ClassSymbol:
     """A class; `inner` holds the names of a package.
 
@@ -151,7 +151,7 @@ class ClassSymbol:
     instead: tuple[Span, str] | None = None
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Instance:
     """A component: one instance of a class, with its names in a scope of its own (prefix `arm.`, `wheel[2].`).
 
@@ -175,7 +175,7 @@ class Instance:
     misfit: bool = False
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class InstanceArray:
     """An array of components by their 1-based indices."""
 
@@ -216,7 +216,7 @@ class Imports(Protocol):
     def names(self) -> Iterable[str]: ...
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Scope:
     """`path` are the indices of the loops around, for labels; `title` names the scope in diagnostics.
 

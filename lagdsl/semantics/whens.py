@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from lagdsl.flat import events
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.record import mutable_record
 from lagdsl.semantics import arrays
 from lagdsl.semantics.arguments import named_element, positional
 from lagdsl.semantics.arithmetic import Operand, boolean
@@ -87,7 +88,7 @@ def _truths(ctx: Context, scope: Scope, node: nodes.Expression) -> list[Scalar]:
     return [condition] if condition is not None else []
 
 
-@dataclass(slots=True)
+@mutable_record()
 class _Body:
     """The actions of one branch in the order of the text."""
 

@@ -1,1 +1,1 @@
-"""Motion: consistent starts, steppers, projection, trajectories."""
+"""Motion: options, scales and words around a run of the C runtime."""

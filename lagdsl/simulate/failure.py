@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from lagdsl.diagnostics import Diagnostic
 
 if TYPE_CHECKING:
-    from lagdsl.simulate.trajectory import Trajectory
+    from lagdsl.signals.trajectory import Trajectory
 
 
 class SimulationFailed(Exception):  # noqa: N818 the interface's name

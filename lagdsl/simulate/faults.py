@@ -14,7 +14,7 @@ from lagdsl.mechanics.structure_names import located, place
 from lagdsl.program.program import Layout
 from lagdsl.record import record
 from lagdsl.runtime.run import Fault, Run
-from lagdsl.runtime.run_structures import Status
+from lagdsl.runtime.structures import Status
 from lagdsl.simulate.state_words import component_name, state_text, time_text, zero_norm
 
 # Steps are at least so many units in the last place of time.
@@ -79,7 +79,7 @@ def _row(flat: FlatModel, row: int) -> Constraint:
 def _report_not_finite(course: Course, fault: Fault, u: Floats, sink: Sink) -> str:
     """E0813 or E0808: at this state there are no accelerations."""
     flat, time = course.flat, time_text(fault.t)
-    norm = zero_norm(flat, course.layout, fault.t, fault.x, u, course.run.settings.p)
+    norm = zero_norm(flat, course.layout, fault.t, fault.x, u, course.run.p)
     if norm is not None:
         item, element = norm
         sink.report("E0813", item.spans[0] if item.spans else None, time=time, element=element)

@@ -7,7 +7,7 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.runtime.engine import Engine
-from lagdsl.runtime.run_structures import Status
+from lagdsl.runtime.structures import Status
 from lagdsl.simulate.faults import Course, report_fault
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.placed import placed
@@ -22,8 +22,7 @@ def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, 
     if flat.inputs:
         return
     with np.errstate(all="ignore"):
-        p = np.array(engine.layout.defaults, dtype=np.float64)
-        run = placed(flat, engine, p, np.zeros(0), t0=initial.t)
+        run = placed(flat, engine, initial.p, np.zeros(0), t0=initial.t)
         status = run.begin(initial.t, initial.x)
         if status not in (Status.OK, Status.STOPPED):
             course = Course(flat, engine.layout, run, flat.experiment.stop_time, 0)

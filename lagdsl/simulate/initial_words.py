@@ -5,12 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel
+from lagdsl.flat.spans import place as place_of
 from lagdsl.mechanics.rank import Floats
 from lagdsl.mechanics.structure_names import Located, configuration, located, place, seat, unit_suffix
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Found, Run
-from lagdsl.runtime.run_structures import InitialFault
+from lagdsl.runtime.structures import InitialFault
 
 # Residuals, as a part of the row's size, above which a constraint is said to be left over (LAG_HOLDS).
 _HOLDS = 1e-7
@@ -19,7 +21,7 @@ _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", 
 
 
 def report_no_start(flat: FlatModel, layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
-    """E0801, E0802, E0803, E0815, E0816 or E0831, if there is no start."""
+    """E0801, E0802, E0803, E0815, E0816, E0831 or E0837, if there is no start."""
     match found.fault:
         case InitialFault.NONE:
             return
@@ -36,6 +38,10 @@ def report_no_start(flat: FlatModel, layout: Layout, run: Run, t: float, found: 
             _report_overdetermined(flat, found, sink)
         case InitialFault.RANK:
             _report_rank(flat, layout, found, sink)
+        case InitialFault.PARAMETERS:
+            name = layout.parameters[found.which].name
+            parameter = next(p for p in flat.parameters if p.name == name)
+            sink.report("E0837", place_of(parameter), name=name)
 
 
 def report_numbers(flat: FlatModel, starts: Floats, u: Floats, sink: Sink) -> bool:
@@ -51,6 +57,31 @@ def report_numbers(flat: FlatModel, starts: Floats, u: Floats, sink: Sink) -> bo
     for name in wrong:
         sink.report("E0816", None, name=name)
     return bool(wrong)
+
+
+def report_found(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> None:
+    """E0838 for a parameter that was found outside of its bounds, E0334 for what is told to events with it."""
+    if found.fault is not InitialFault.NONE or not any(parameter.free for parameter in flat.parameters):
+        return
+    values = {slot.name: value for slot, value in zip(layout.parameters, found.p.tolist(), strict=True)}
+    for parameter in flat.parameters:
+        low, high = parameter.minimum, parameter.maximum
+        value = values.get(parameter.name, parameter.value)
+        for word, bound, outside in (
+            ("min", low, low is not None and value < low),
+            ("max", high, high is not None and value > high),
+        ):
+            if parameter.free and outside and bound is not None:
+                unit = "" if parameter.unit == "1" else f" {parameter.unit}"
+                sink.report(
+                    "E0838",
+                    place_of(parameter),
+                    name=parameter.name,
+                    value=f"{value:.6g}{unit}",
+                    which=word,
+                    limit=f"{bound:g}{unit}",
+                )
+    check_limits(flat, values, sink)
 
 
 def _report_numbers(layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:

@@ -12,8 +12,8 @@ from lagdsl.mechanics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
 from lagdsl.runtime.run import Found, Run
-from lagdsl.simulate.initial_words import report_no_start, report_numbers
-from lagdsl.simulate.moved import MovedRow, Starts, loops_of, moved_rows, moved_text, report_moved
+from lagdsl.signals.moved import MovedRow, Starts, found_rows, loops_of, moved_rows, moved_text, report_moved
+from lagdsl.simulate.initial_words import report_found, report_no_start, report_numbers
 from lagdsl.simulate.placed import placed
 
 
@@ -21,13 +21,14 @@ from lagdsl.simulate.placed import placed
 class InitialState:
     """q, qd (nq,) and z (nz,) at time t, SI units; `moved` tells which starts were changed, `freedom` counts the
     rates that the constraints leave free here, `loops` names the joints at which loops are cut, `redundant` flags the
-    rows that depend on others near this state."""
+    rows that depend on others near this state; `p` are the independent parameters, those that were found with them."""
 
     model: str
     t: float
     q: Floats
     qd: Floats
     z: Floats
+    p: Floats
     freedom: int
     moved: tuple[MovedRow, ...]
     redundant: tuple[bool, ...]
@@ -81,7 +82,11 @@ def find_start(
         report_no_start(flat, engine.layout, run, t, found, sink)
     n = len(flat.coordinates)
     starts = _starts(flat, run, found, given)
-    rows = () if _wrong(sink, before) else moved_rows(starts, found.x, _cut_joints(flat, run, t, found))
+    report_found(flat, engine.layout, found, sink)
+    rows: tuple[MovedRow, ...] = ()
+    if not _wrong(sink, before):
+        rows = moved_rows(starts, found.x, _cut_joints(flat, run, t, found))
+        rows += found_rows(flat, engine.layout, run.settings.p, found.p)
     if not flat.initial_equations:  # these say themselves that starts are to be moved
         report_moved(starts, rows, sink)
     return InitialState(
@@ -90,6 +95,7 @@ def find_start(
         q=found.x[:n],
         qd=found.x[n : 2 * n],
         z=found.x[2 * n :],
+        p=found.p,
         freedom=found.freedom,
         moved=rows,
         redundant=tuple(found.dependent.tolist()),

@@ -14,14 +14,14 @@ from lagdsl.record import record
 from lagdsl.runtime.auto_engine import AutoEngine
 from lagdsl.runtime.engine import Engine
 from lagdsl.runtime.run import Run
-from lagdsl.runtime.run_structures import Status
+from lagdsl.runtime.structures import Status
+from lagdsl.signals.inputs import Signals
+from lagdsl.signals.trajectory import Statistics, Trajectory
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.faults import Course, report_fault
 from lagdsl.simulate.initialize import InitialState
-from lagdsl.simulate.signals import Signals
 from lagdsl.simulate.state_words import state_values, time_text
 from lagdsl.simulate.table import trajectory
-from lagdsl.simulate.trajectory import Statistics, Trajectory
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
 STEPS = 1000

@@ -60,7 +60,7 @@ def settings_of(
     those of many runs."""
     experiment = flat.experiment
     relative = experiment.tolerance if tolerance is None else tolerance
-    scales = scales_of(flat, q)
+    scales = scales_of(flat, layout.components, q)
     loose = contact_rows(flat)
     invariants = [_INVARIANT_FACTOR * relative if i.tolerance is None else i.tolerance for i in flat.invariants]
     asked = np.zeros(0) if times is None else times

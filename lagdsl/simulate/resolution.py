@@ -9,12 +9,12 @@ import numpy as np
 
 from lagdsl.mechanics.rank import Floats
 from lagdsl.record import record
-from lagdsl.simulate.trajectory import Trajectory
+from lagdsl.signals.trajectory import Trajectory
 
 # Rows where nobody says how many, if they are enough.
 DEFAULT_ROWS = 500
 # Rows from one turning point of the motion to the next: fewer hide what it does, so many draw it.
-_LEAST, _ENOUGH = 4, 16
+_LEAST, _ENOUGH = 4, 8
 # What turns around by this part as often as another one does so as often.
 _AS_OFTEN = 0.9
 # Of a motion that turns more often no more are made without being asked for.

@@ -1,17 +1,19 @@
 """What accuracy is measured by: groups, natural sizes and largest scales of every number of the state (lag/accuracy.h).
 
 A number is as accurate as the tolerance times its scale, which is the largest magnitude seen so far among the numbers
-of the same group (coordinates of one dimension, their rates, one state), at least 1e-4 of the natural size, and for
-angles at most 1: an angle that has turned a thousand times still enters through its sine.
+of the same group (coordinates of one dimension that the equations couple, their rates, one state), at least 1e-4 of the
+natural size, and for angles at most 1: an angle that has turned a thousand times still enters through its sine.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_points import natural_sizes
+from lagdsl.mechanics.structure_points import groups, natural_sizes
 from lagdsl.record import record
 
 
@@ -25,20 +27,20 @@ class Scales:
     caps: Floats
 
 
-def scales_of(flat: FlatModel, q: Floats) -> Scales:
-    """q (..., nq): the start values of the coordinates."""
+def scales_of(flat: FlatModel, components: Sequence[int], q: Floats) -> Scales:
+    """q (..., nq): the start values of the coordinates; `components` those of the layout."""
     n = len(flat.coordinates)
-    kinds: dict[object, int] = {}
-    groups = [kinds.setdefault(c.dimension, len(kinds)) for c in flat.coordinates]
-    first = len(kinds)
-    sizes = natural_sizes(flat.coordinates, q)
+    alike = groups(flat.coordinates, components)
+    first = len(alike)
+    group = np.zeros(n)
+    for number, members in enumerate(alike):
+        group[members] = number
+    sizes = natural_sizes(flat.coordinates, components, q)
     nominals = np.array([abs(s.nominal) if s.nominal else 1.0 for s in flat.states])
     states = np.broadcast_to(nominals, (*sizes.shape[:-1], len(nominals)))
     angles = np.array([c.dimension.is_dimensionless for c in flat.coordinates], dtype=bool)
     return Scales(
-        groups=np.array(
-            [*groups, *(g + first for g in groups), *range(2 * first, 2 * first + len(flat.states))], dtype=np.float64
-        ),
+        groups=np.concatenate([group, group + first, 2.0 * first + np.arange(len(flat.states))]),
         sizes=np.concatenate([sizes, sizes, states], axis=-1),
         caps=np.concatenate([np.where(angles, 1.0, np.inf), np.full(n + len(flat.states), np.inf)]),
     )

@@ -15,14 +15,14 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
-from lagdsl.runtime.run_structures import FIXED_METHODS, METHODS
+from lagdsl.runtime.library import FIXED_METHODS, METHODS
+from lagdsl.signals.inputs import Signal, Signals, signals
+from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.initialize import find_start
 from lagdsl.simulate.instants import Instants
 from lagdsl.simulate.motion import MOST_STEPS, Motion, Task
 from lagdsl.simulate.placed import placed
 from lagdsl.simulate.resolution import DEFAULT_ROWS, noted, resolution_of
-from lagdsl.simulate.signals import Signal, Signals, signals
-from lagdsl.simulate.trajectory import Trajectory
 
 SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
 # Solvers of SciPy and SUNDIALS that there were, and what takes their place.

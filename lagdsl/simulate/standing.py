@@ -8,7 +8,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
-from lagdsl.runtime.run_structures import Status
+from lagdsl.runtime.structures import Status
 from lagdsl.simulate.placed import placed
 
 

@@ -8,8 +8,8 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.structure_display import Display, display, display_rate
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
-from lagdsl.simulate.moved import MovedRow
-from lagdsl.simulate.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
+from lagdsl.signals.moved import MovedRow
+from lagdsl.signals.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
 
 
 def trajectory(

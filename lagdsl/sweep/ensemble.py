@@ -14,10 +14,10 @@ from lagdsl.mechanics.rank import Floats
 from lagdsl.runtime.auto_engine import AutoEngine
 from lagdsl.runtime.broadcast import BatchEngine
 from lagdsl.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
+from lagdsl.signals.inputs import given_inputs, signals
 from lagdsl.simulate.initialize import places_of
 from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.simulate.placed import settings_of
-from lagdsl.simulate.signals import given_inputs, signals
 from lagdsl.simulate.simulate import grid
 from lagdsl.simulate.table import heads_of
 from lagdsl.sweep.plan import Task
@@ -88,7 +88,9 @@ class Ensemble:
         return None if sink.diagnostics else p
 
     def _settings(self, tasks: Sequence[Task], p: Floats) -> EnsembleSettings | None:
-        """What C is told; None where each has to tell by itself what is wrong with its options."""
+        """What C is told; None where each tells by itself what is wrong with its options or what it finds."""
+        if any(p.free and (p.minimum, p.maximum) != (None, None) for p in self._flat.parameters):
+            return None
         flat, engine, options = self._flat, self._engine, self._options
         t0, sink = flat.experiment.start_time, Sink()
         with np.errstate(all="ignore"):

@@ -16,10 +16,10 @@ from lagdsl.mechanics.rank import Floats
 from lagdsl.pipeline import engine_of
 from lagdsl.program.program import Layout, Program
 from lagdsl.runtime.engine import EngineName
+from lagdsl.signals.inputs import Signal
+from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.signals import Signal
 from lagdsl.simulate.simulate import grid, simulate
-from lagdsl.simulate.trajectory import Trajectory
 from lagdsl.sweep.plan import Task
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Writes `grammar.json`, the serialised parser of the grammar: `python -m lagdsl.syntax.generate`.
+"""Writes `grammar.jsonl`, the parser of the grammar: `python -m lagdsl.syntax.generate`.
 
 Lark numbers the states of the automaton in the order of sets, which follows the hash seed. Here a walk from the start
 states numbers them, so that equal grammars give equal bytes.
@@ -6,14 +6,12 @@ states numbers them, so that equal grammars give equal bytes.
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
-from lark.grammar import Rule
-from lark.lexer import TerminalDef
 from lark.parsers.lalr_analysis import IntParseTable, Shift
 
 from lagdsl.resources import grammar_file
+from lagdsl.syntax.automaton import automaton_text
 from lagdsl.syntax.language import STARTS, STORED, compiled, lark_version
 
 UNBOUNDED = 2**32 - 1
@@ -21,21 +19,14 @@ UNBOUNDED = 2**32 - 1
 
 
 def stored_text(grammar: str) -> str:
-    """The text of `grammar.json` for the text of a grammar: a state of the automaton a line."""
-    lark = compiled(grammar)
-    parser: Any = lark.parser
-    parser.parser._parse_table = _in_order(parser.parser._parse_table)
-    data, memo = lark.memo_serialize([TerminalDef, Rule])
-    data["options"]["postlex"] = None
-    for item in memo.values():
-        if "pattern" in item and "_width" in item["pattern"]:
-            item["pattern"]["_width"] = [min(width, UNBOUNDED) for width in item["pattern"]["_width"]]
-    states = data["parser"]["parser"].pop("states")
-    rows = ",\n".join(f'"{state}":{_json(row)}' for state, row in states.items())
-    rest = _json({"lark": lark_version(), "memo": memo, "data": data})
-    marker = '"parser":{"tokens":'
-    assert rest.count(marker) == 1
-    return rest.replace(marker, f'"parser":{{"states":{{\n{rows}}},\n"tokens":') + "\n"
+    """The text of `grammar.jsonl` for the text of a grammar."""
+    lark: Any = compiled(grammar)
+    for terminal in lark.terminals:
+        if terminal.pattern.type == "re":
+            terminal.pattern._width = [min(width, UNBOUNDED) for width in terminal.pattern._get_width()]
+    return automaton_text(
+        _in_order(lark.parser.parser._parse_table), lark.terminals, lark.ignore_tokens, lark_version()
+    )
 
 
 def _in_order(table: IntParseTable) -> IntParseTable:
@@ -66,10 +57,6 @@ def _state_order(table: IntParseTable) -> dict[int, int]:
             order[state] = len(order)
             waiting += [argument for _, (kind, argument) in sorted(table.states[state].items()) if kind is Shift]
     return order
-
-
-def _json(value: object) -> str:
-    return json.dumps(value, separators=(",", ":"), ensure_ascii=False)
 
 
 def main() -> None:

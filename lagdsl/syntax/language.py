@@ -1,26 +1,32 @@
 """The language as Lark runs it: LALR(1) with the contextual lexer, from grammar/lagdsl.lark.
 
-Lark takes most of a second to compute the automaton of the grammar. `grammar.json` beside this file holds it, as Lark
-serialises it; `python -m lagdsl.syntax.generate` writes that file.
+Lark takes most of a second to compute the automaton of the grammar. `grammar.jsonl` beside this file holds it
+(`automaton.py`); `python -m lagdsl.syntax.generate` writes that file.
 """
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterator
+import re
+from collections.abc import Collection, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import lark
 from lark import Lark, Token
+from lark.common import LexerConf
 from lark.lark import PostLex
-from lark.lexer import BasicLexer
+from lark.lexer import BasicLexer, LexerThread, TerminalDef
+from lark.parsers.lalr_analysis import IntParseTable
+from lark.parsers.lalr_interactive_parser import InteractiveParser
+from lark.parsers.lalr_parser_state import ParseConf, ParserState
 
 from lagdsl.resources import grammar_file
+from lagdsl.syntax.automaton import Row, States, stored_automaton
+from lagdsl.syntax.lexer import StateLexers
 
 STARTS = ("start", "expr")
-STORED = Path(__file__).with_name("grammar.json")
+STORED = Path(__file__).with_name("grammar.jsonl")
 
 
 class _InEveryState(PostLex):
@@ -36,17 +42,40 @@ class _InEveryState(PostLex):
         return stream
 
 
+class Language:
+    """An automaton with a lexer for its states. `table.states` may hold only the states that were asked for."""
+
+    def __init__(self, table: IntParseTable, terminals: Collection[TerminalDef], ignored: Collection[str]) -> None:
+        self.table = table
+        self.terminals = {terminal.name: terminal for terminal in terminals}
+        conf = LexerConf(list(terminals), re, ignored, skip_validation=True)
+        self.lexers = StateLexers(conf, table.states, _InEveryState.always_accept)
+
+    def parser(self, text: str, start: str) -> InteractiveParser:
+        """A parser at the beginning of `text`. It has no callbacks and makes no trees."""
+        thread = LexerThread.from_text(self.lexers, text)
+        conf: Any = ParseConf(self.table, {}, start)
+        return InteractiveParser(None, ParserState(conf, thread), thread)
+
+
 @cache
-def language() -> Lark:
-    """The parser; from the grammar itself if another version of Lark has serialised what is stored."""
-    stored = json.loads(STORED.read_text(encoding="utf-8"))
-    if stored["lark"] != lark_version():
-        return compiled(grammar_file().read_text(encoding="utf-8"))
-    return _loaded(stored["data"], stored["memo"])
+def language() -> Language:
+    """From what is stored, else, if another version of Lark stored it, from the grammar itself."""
+    found = stored_automaton(STORED.read_text(encoding="utf-8"), lark_version())
+    if found is None:
+        made: Any = compiled(grammar_file().read_text(encoding="utf-8"))
+        return Language(made.parser.parser._parse_table, made.terminals, made.ignore_tokens)
+    return Language(*found)
+
+
+def all_states() -> Mapping[int, Row]:
+    """What every state of the automaton does at each symbol."""
+    states = language().table.states
+    return states.complete() if isinstance(states, States) else states
 
 
 def compiled(grammar: str) -> Lark:
-    """The parser of the text of a grammar."""
+    """Lark's own parser of the text of a grammar."""
     return Lark(
         grammar,
         parser="lalr",
@@ -64,15 +93,6 @@ def lark_version() -> str:
 
 def plain_lexer() -> BasicLexer:
     """The lexer that asks no parser: every word that may be a keyword is one."""
-    frontend: Any = language().parser
-    lexer = frontend.lexer.lexer.root_lexer
+    lexer = language().lexers.root_lexer
     assert isinstance(lexer, BasicLexer)
     return lexer
-
-
-def _loaded(data: dict[str, Any], memo: dict[str, Any]) -> Lark:
-    """The parser from what it was serialised to; JSON has made texts of the numbers of states and rules."""
-    table = data["parser"]["parser"]
-    table["states"] = {int(state): row for state, row in table["states"].items()}
-    data["options"]["postlex"] = _InEveryState()
-    return Lark.load({"data": data, "memo": {int(number): item for number, item in memo.items()}})

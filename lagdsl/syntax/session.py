@@ -49,7 +49,7 @@ class Session:
         self.file = file
         self.sink = sink
         self.builder = Builder(file, sink)
-        self.parser: Any = language().parse_interactive(file.text, start)
+        self.parser: Any = language().parser(file.text, start)
         conf: Any = self.parser.parser_state.parse_conf
         conf.callbacks = self.builder
         self.stack = Stack(self.parser)

@@ -10,7 +10,7 @@ from lark import Token
 from lark.exceptions import UnexpectedInput, UnexpectedToken
 from lark.parsers.lalr_analysis import Shift
 
-from lagdsl.syntax.language import language
+from lagdsl.syntax.language import all_states
 from lagdsl.syntax.tokens import as_text
 from lagdsl.syntax.vocabulary import vocabulary
 
@@ -128,8 +128,7 @@ class Stack:
 @cache
 def boundaries() -> dict[int, str]:
     """States of the automaton in which a statement may begin, with the kind of the statement."""
-    frontend: Any = language().parser
-    table = frontend.parser._parse_table.states
+    table = all_states()
     kinds = {state: next((kind for kind in STATEMENTS if kind in row), None) for state, row in table.items()}
     return {state: kind for state, kind in kinds.items() if kind is not None}
 
@@ -137,8 +136,7 @@ def boundaries() -> dict[int, str]:
 @cache
 def statement_words() -> frozenset[str]:
     """Words that begin a statement or end a list of statements."""
-    frontend: Any = language().parser
-    table = frontend.parser._parse_table.states
+    table = all_states()
     begins = {terminal for state in boundaries() for terminal in table[state]}
     return frozenset(
         word

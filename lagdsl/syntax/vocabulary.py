@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from lark.lexer import Pattern, TerminalDef
+from lark.lexer import Pattern
 
 from lagdsl.syntax.language import language
 
@@ -24,7 +24,7 @@ def vocabulary() -> Vocabulary:
     """Read from the patterns of the grammar's terminals."""
     words: dict[str, tuple[str, ...]] = {}
     marks: dict[str, str] = {}
-    for terminal in sorted(language().terminals, key=lambda t: t.name):
+    for terminal in sorted(language().terminals.values(), key=lambda t: t.name):
         for text in _spellings(terminal.pattern):
             if text[0].isalpha():
                 words[text] = (*words.get(text, ()), terminal.name)
@@ -47,9 +47,7 @@ def soft_terminals() -> frozenset[str]:
 @cache
 def pattern(terminal: str) -> re.Pattern[str]:
     """The regular expression of a terminal."""
-    definition: Any = language().get_terminal(terminal)
-    assert isinstance(definition, TerminalDef)
-    return re.compile(definition.pattern.to_regexp())
+    return re.compile(language().terminals[terminal].pattern.to_regexp())
 
 
 def _spellings(pattern: Pattern) -> list[str]:

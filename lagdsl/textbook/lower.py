@@ -17,6 +17,7 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import DIRECTION_OF, Group, Op
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.layout import layout
+from lagdsl.program.passes.components import with_components
 from lagdsl.program.program import Block, Function, Program
 from lagdsl.textbook.equations import EquationsOfMotion
 from lagdsl.textbook.symbols import Symbols
@@ -81,7 +82,7 @@ def lower(equations: EquationsOfMotion, flat: FlatModel) -> Program:
     functions = tuple(
         Function(name=name, arguments=arguments, results=results[name]) for name, arguments in SIGNATURES.items()
     )
-    return Program(name=equations.name, layout=layout(flat), graph=graph, functions=functions)
+    return with_components(Program(name=equations.name, layout=layout(flat), graph=graph, functions=functions))
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,8 +12,8 @@ import pytest
 import lagdsl
 from lagdsl.runtime import auto_engine
 from lagdsl.runtime.auto_engine import AutoEngine
-from lagdsl.runtime.build import cache_folder
 from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.cache import cache_folder
 from lagdsl.runtime.numpy_engine import NumpyEngine
 from lagdsl.runtime.tape_engine import TapeEngine
 

@@ -282,6 +282,8 @@ static inline size_t write_random_tape(random_tape *tape)
     for (int i = 0; i < 2; ++i) {
         put_rows(tape, entries, i == 0 ? n[LAG_TAPE_NC] : n[LAG_TAPE_NQ]);
     }
+    const uint32_t members = n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
+    put_rows(tape, any(&tape->seed, 1) == 0 ? members : 0, members);
     put_section(tape, numbers, started ? (1 + state) * sizeof(double) : 0);
     put_section(tape, flags, started ? state : 0);
     put_section(tape, flags, 0);

@@ -148,6 +148,52 @@ class TestExplain:
         assert result.exit_code == 2
         assert "E0401" in result.stderr
 
+    def test_a_component_with_its_inherited_parameters(self, invoke: Invoke) -> None:
+        page = invoke("explain", "DCMotor").stdout
+        assert "| `J` | Inertia | kg.m2 | `0` | of the rotor |" in page
+        assert "| `k` | ElectricalTorqueConstant | N.m/A |" in page
+
+    @pytest.mark.parametrize(
+        ("name", "said"),
+        [("DCMtor", "did you mean `DCMotor`?"), ("Revolute", "Lag.Planar.Revolute, Lag.Spatial.Revolute")],
+    )
+    def test_a_name_that_is_no_class_or_of_several(self, invoke: Invoke, name: str, said: str) -> None:
+        result = invoke("explain", name)
+        assert result.exit_code == 2
+        assert said in result.stderr
+
+
+class TestNewFromAModel:
+    @pytest.fixture(autouse=True)
+    def elsewhere(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.chdir(tmp_path)
+
+    def test_a_copy_under_its_own_name(self, invoke: Invoke, root: Path, tmp_path: Path) -> None:
+        assert invoke("new", "--from", "dc_motor").exit_code == 0
+        original = root / "models" / "library" / "dc_motor.lag"
+        assert (tmp_path / "dc_motor.lag").read_text() == original.read_text()
+
+    def test_a_copy_under_another_name(self, invoke: Invoke, tmp_path: Path) -> None:
+        assert invoke("new", "mine", "--from", "four_bar").exit_code == 0
+        text = (tmp_path / "mine.lag").read_text()
+        assert text.startswith("model Mine ") and text.rstrip().endswith("end Mine;")
+        assert invoke("check", "mine.lag").exit_code == 0
+
+    def test_an_unknown_model(self, invoke: Invoke, tmp_path: Path) -> None:
+        result = invoke("new", "--from", "four_bars")
+        assert result.exit_code == 2
+        assert "`four_bar`" in result.stderr
+        assert not list(tmp_path.iterdir())
+
+    def test_neither_name_nor_model(self, invoke: Invoke) -> None:
+        assert invoke("new").exit_code == 2
+
+    def test_the_list_names_every_model(self, invoke: Invoke, root: Path) -> None:
+        listed = invoke("new", "--list").stdout
+        names = {line.split()[0] for line in listed.splitlines()}
+        files = (root / "models").rglob("*.lag")
+        assert names == {path.relative_to(root / "models").with_suffix("").as_posix() for path in files}
+
 
 class TestNew:
     def test_it_runs(self, invoke: Invoke, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

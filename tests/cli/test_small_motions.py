@@ -14,7 +14,7 @@ from click.testing import Result
 
 Invoke = Callable[..., Result]
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "oscillations.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "explanation" / "oscillations.md").read_text(encoding="utf-8")
 MODELS = ROOT / "models"
 
 

@@ -8,7 +8,7 @@ import lagdsl
 from lagdsl.diagnostics import Sink
 from lagdsl.pipeline import check, front
 from lagdsl.semantics.flatten import flatten
-from lagdsl.simulate.table_io import write_table
+from lagdsl.signals.table_io import write_table
 from lagdsl.source import SourceFile
 from lagdsl.syntax.parser import parse
 

@@ -55,7 +55,7 @@ ROWS = 50
 
 
 def record(**found: Any) -> None:
-    """A line of the table in docs/fmi.md, to the file that FMI_RESULTS names."""
+    """A line of the table in docs/reference/fmi.md, to the file that FMI_RESULTS names."""
     if path := os.environ.get("FMI_RESULTS"):
         with Path(path).open("a", encoding="utf-8") as file:
             file.write(json.dumps(found) + "\n")

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 import lagdsl
 from lagdsl.pipeline import EngineName
+from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 Verdict = Literal["same", "grazing", "differs", "hang", "nan"]

@@ -19,8 +19,10 @@ CARRIED = {
     "stdlib/Lag/package.lag": "lagdsl/_data/stdlib/Lag/package.lag",
     "stdlib/Lag/Planar/Revolute.lag": "lagdsl/_data/stdlib/Lag/Planar/Revolute.lag",
     "docs/diagnostics/E0401.md": "lagdsl/_data/diagnostics/E0401.md",
+    "models/four_bar.lag": "lagdsl/_data/models/four_bar.lag",
+    "models/library/dc_motor.lag": "lagdsl/_data/models/library/dc_motor.lag",
     "LICENSE": "lagdsl/_data/LICENSE",
-    "lagdsl/syntax/grammar.json": "lagdsl/syntax/grammar.json",
+    "lagdsl/syntax/grammar.jsonl": "lagdsl/syntax/grammar.jsonl",
     "lagdsl/runtime/c/include/lag/model.h": "lagdsl/runtime/c/include/lag/model.h",
     "lagdsl/runtime/c/src/dynamics.c": "lagdsl/runtime/c/src/dynamics.c",
     "lagdsl/fmi/c/include/lag/instance.h": "lagdsl/fmi/c/include/lag/instance.h",
@@ -126,8 +128,10 @@ def test_the_wheel_runs_a_model(packages: tuple[Path, Path], root: Path, tmp_pat
     lag = [sys.executable, "-m", "lagdsl"]
     assert "1 degree of freedom" in _run([*lag, "check", str(model)], tmp_path, **environment)
     assert "E0401" in _run([*lag, "explain", "E0401"], tmp_path, **environment)
+    assert "rotor" in _run([*lag, "explain", "DCMotor"], tmp_path, **environment)
     parts = tmp_path / "four_bar.lag"
-    parts.write_text((root / "models" / "four_bar.lag").read_text())
+    _run([*lag, "new", "--from", "four_bar"], tmp_path, **environment)
+    assert parts.read_text() == (root / "models" / "four_bar.lag").read_text()
     assert "1 degree of freedom" in _run([*lag, "check", str(parts)], tmp_path, **environment)
     out = _run(
         [*lag, "run", str(model), "--stop", "0.2", "--engine", "c", "-o", "/dev/stdout"], tmp_path, **environment

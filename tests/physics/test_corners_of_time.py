@@ -14,7 +14,7 @@ import pytest
 
 import lagdsl
 from lagdsl.api.model import Model
-from lagdsl.simulate.trajectory import Trajectory
+from lagdsl.signals.trajectory import Trajectory
 
 CLOSE = 1e-8
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(40)

@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import lagdsl
-from lagdsl.simulate.trajectory import Trajectory
+from lagdsl.signals.trajectory import Trajectory
 
 G = 9.81
 

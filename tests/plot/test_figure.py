@@ -13,7 +13,7 @@ import pytest
 from lagdsl.mechanics.structure_display import Display
 from lagdsl.plot.figure import plot
 from lagdsl.plot.terminal import braille, sketch
-from lagdsl.simulate.trajectory import Column, Event, Kind, Statistics, Trajectory
+from lagdsl.signals.trajectory import Column, Event, Kind, Statistics, Trajectory
 
 T = np.linspace(0.0, 2.0, 201)
 

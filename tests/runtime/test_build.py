@@ -19,8 +19,9 @@ from lagdsl.backends.c.emit import engine_sources, model_symbol, sources
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.runtime import compiler as compilers
 from lagdsl.runtime.background_build import BackgroundBuild
-from lagdsl.runtime.build import build, cache_folder, content_hash
+from lagdsl.runtime.build import build, content_hash
 from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.cache import cache_folder
 from lagdsl.runtime.compiler import FLAGS, Compiler, find_compiler
 from lagdsl.runtime.native_model import load_compiled
 

@@ -12,42 +12,19 @@ import pytest
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import ALONG_MANY, COUNTED, FUNCTIONS, OPTIONAL, SIGNATURES
 from lagdsl.resources import c_folder
-from lagdsl.runtime import generate
+from lagdsl.runtime import generate, structures
 from lagdsl.runtime.build import build
+from lagdsl.runtime.c_engine import VECTORS
+from lagdsl.runtime.headers import STRUCTURES, structures_text
 from lagdsl.runtime.native_model import native_model
-from lagdsl.runtime.run_structures import (
-    WHAT,
-    Ensemble,
-    Extremes,
-    Initial,
-    InitialFault,
-    Note,
-    Results,
-    RunChange,
-    RunFault,
-    RunOptions,
-    RunReport,
-    Start,
-    Status,
-)
-from lagdsl.runtime.structures import VECTORS, VERSION, Arguments, Batch, Model, Range
+from lagdsl.runtime.structures import VERSION, WHAT, InitialFault, Model, Status
 
-MIRRORED: dict[str, type[Structure]] = {
-    "lag_arguments": Arguments,
-    "lag_batch": Batch,
-    "lag_change": RunChange,
-    "lag_ensemble": Ensemble,
-    "lag_extremes": Extremes,
-    "lag_fault": RunFault,
-    "lag_initial": Initial,
-    "lag_model": Model,
-    "lag_note": Note,
-    "lag_range": Range,
-    "lag_results": Results,
-    "lag_run_options": RunOptions,
-    "lag_run_report": RunReport,
-    "lag_start": Start,
-}
+MIRRORED: dict[str, type[Structure]] = {name: getattr(structures, mirror) for name, (_, mirror) in STRUCTURES.items()}
+
+
+def test_structures_are_those_of_the_headers() -> None:
+    """`make update` writes them."""
+    assert structures_text() == generate.STRUCTURES.read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("path", generate.texts(), ids=lambda path: path.name)
@@ -114,7 +91,7 @@ def test_the_table_is_whole() -> None:
             for length in result.shape:
                 assert length in COUNTED or hasattr(Model, length), f"{length} of {function.name} is no member"
     assert {name for name in OPTIONAL if not hasattr(Model, name)} == set(ALONG_MANY)
-    assert {ARGUMENT_NAMES[group] for group in VECTORS} < {field[0] for field in Arguments._fields_}
+    assert {ARGUMENT_NAMES[group] for group in VECTORS} | {"t"} == set(ARGUMENT_NAMES.values())
     assert Group.TIME not in VECTORS
 
 

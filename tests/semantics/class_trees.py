@@ -2,7 +2,8 @@
 
 `tree(draw)` makes classes of masses on springs: arrays of components inside arrays of components, values given through
 modifiers, `each`, slices, comprehensions, inheritance. `instances` says what the text means, by following the rules of
-`docs/classes.md` on the tree that was drawn, not by reading the text: one `Mass` for every coordinate, with numbers.
+`docs/reference/classes.md` on the tree that was drawn, not by reading the text: one `Mass` for every coordinate, with
+numbers.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""docs/library.md lists every class of the library; LAGDSL_UPDATE=1 rewrites the list."""
+"""docs/reference/library.md lists every class of the library; LAGDSL_UPDATE=1 rewrites the list."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def listed() -> str:
 
 
 def test_the_page_lists_every_class(root: Path) -> None:
-    page = root / "docs" / "library.md"
+    page = root / "docs" / "reference" / "library.md"
     head = page.read_text(encoding="utf-8").partition(HEAD)[0] + HEAD
     if os.environ.get("LAGDSL_UPDATE"):
         page.write_text(head + listed(), encoding="utf-8")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import lagdsl
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.simulate.signals import Signals, signals
+from lagdsl.signals.inputs import Signals, signals
 
 TRAPEZOID = ([0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 1.0, 0.0])
 DRIVEN = """

@@ -11,9 +11,9 @@ from scipy.special import ellipj, ellipk
 from simulate.hand import FourBar, Hand, Pendulum, TwiceTied, constraint, coordinate, flat_model, four_bar, length
 
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.runtime.run_structures import METHODS
+from lagdsl.runtime.library import METHODS
+from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.simulate import grid, simulate
-from lagdsl.simulate.trajectory import Trajectory
 
 
 def run(engine: Hand, **more: Any) -> Trajectory:
@@ -461,7 +461,7 @@ def test_crossings_are_the_times_of_passing() -> None:
 
 
 def test_crossings_on_rows_count_once() -> None:
-    from lagdsl.simulate.trajectory import crossing_times
+    from lagdsl.signals.trajectory import crossing_times
 
     t = np.arange(5.0)
     assert crossing_times(t, np.array([-1.0, 0.0, 1.0, 0.0, -1.0]), 0).tolist() == [1.0, 3.0]
@@ -471,7 +471,7 @@ def test_crossings_on_rows_count_once() -> None:
 
 
 def test_crossings_do_not_reach_across_events() -> None:
-    from lagdsl.simulate.trajectory import crossing_times
+    from lagdsl.signals.trajectory import crossing_times
 
     t = np.array([0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.55, 0.6, 0.7, 0.8, 0.9, 1.0])
     before, after = t[:7], t[7:]

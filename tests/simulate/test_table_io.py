@@ -13,9 +13,9 @@ import pytest
 from simulate.hand import Pendulum, coordinate, flat_model
 
 from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.signals.table_io import csv_text, parse_inputs, read_inputs, write_events, write_table
+from lagdsl.signals.trajectory import Event, Trajectory
 from lagdsl.simulate.simulate import simulate
-from lagdsl.simulate.table_io import csv_text, parse_inputs, read_inputs, write_events, write_table
-from lagdsl.simulate.trajectory import Event, Trajectory
 from lagdsl.source import SourceFile
 
 
@@ -114,7 +114,7 @@ def test_an_old_file_survives_a_failed_write(
     def full(trajectory: Trajectory) -> str:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("lagdsl.simulate.table_io.csv_text", full)
+    monkeypatch.setattr("lagdsl.signals.table_io.csv_text", full)
     with pytest.raises(CompilationFailed, match="No space left"):
         write_table(motion, path)
     assert path.read_text() == "old" and len(list(tmp_path.iterdir())) == 1
@@ -169,7 +169,7 @@ def test_a_quoted_name_may_hold_a_comma() -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="devices of Unix")
 def test_a_device_without_end_is_read_no_further_than_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lagdsl.simulate.table_io._LARGEST_INPUT", 1_000_000)
+    monkeypatch.setattr("lagdsl.signals.table_io._LARGEST_INPUT", 1_000_000)
     sink = Sink()
     assert read_inputs(Path("/dev/zero"), sink) is None
     assert "larger than 1 MB" in sink.diagnostics[0].message
@@ -193,7 +193,7 @@ def test_unreadable_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert read_inputs(latin, sink) is None
     assert read_inputs(tmp_path / "none.csv", sink) is None
     assert read_inputs(tmp_path, sink) is None
-    monkeypatch.setattr("lagdsl.simulate.table_io._LARGEST_INPUT", 3)
+    monkeypatch.setattr("lagdsl.signals.table_io._LARGEST_INPUT", 3)
     assert read_inputs(latin, sink) is None
     assert [d.code for d in sink.diagnostics] == ["E0820"] * 4
     assert "not UTF-8" in sink.diagnostics[0].message and "larger than" in sink.diagnostics[3].message

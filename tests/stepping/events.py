@@ -1,6 +1,6 @@
 """What happens at an instant: passes over the clauses, resets, blows, contacts that close and open.
 
-Written from docs/events.md and docs/mechanics.md, section 9.
+Written from docs/reference/events.md and docs/explanation/mechanics.md, section 9.
 """
 
 from __future__ import annotations

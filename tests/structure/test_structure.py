@@ -313,7 +313,7 @@ def test_functions_that_exist_nowhere_are_left_to_the_start_values() -> None:
 def test_check_needs_no_scipy() -> None:
     code = (
         "import sys, lagdsl.mechanics.structure, lagdsl.simulate.initialize, lagdsl.simulate.simulate, "
-        "lagdsl.simulate.table_io; "
+        "lagdsl.signals.table_io; "
         "sys.exit(any(name in sys.modules for name in ('scipy', 'matplotlib', 'pandas', 'pyarrow', 'sympy')))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

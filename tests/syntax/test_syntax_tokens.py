@@ -5,7 +5,7 @@ from texts_of_syntax import parsed
 
 from lagdsl.diagnostics import Sink
 from lagdsl.source import SourceFile
-from lagdsl.syntax.language import language
+from lagdsl.syntax.language import all_states, language
 from lagdsl.syntax.parser import parse_expression
 from lagdsl.syntax.tokens import comments, lexer_state, plain_tokens
 from lagdsl.syntax.vocabulary import vocabulary
@@ -20,8 +20,8 @@ def tokens(text):
 
 def lexers_of_states():
     """The lexers of the parser's states; states that accept the same share one."""
-    lexers = language().parser.lexer.lexer.lexers
-    return list({id(lexer): lexer for lexer in lexers.values()}.values())
+    lexers = language().lexers.lexers
+    return list({id(lexers[state]): lexers[state] for state in all_states()}.values())
 
 
 @pytest.mark.parametrize("word", [*WORDS])

@@ -115,7 +115,7 @@ def test_short_names_belong_to_the_user():
 
 
 def quantities() -> str:
-    """docs/quantities.md: what the language knows without import."""
+    """docs/reference/quantities.md: what the language knows without import."""
     lines = ["# Quantities, constants, units", ""]
     lines += ["Every model knows these without import. Written from `lagdsl/semantics/prelude.py` and"]
     lines += ["`lagdsl/units/vocabulary.py` by `make update`.", "", "## Types", ""]
@@ -136,7 +136,7 @@ def quantities() -> str:
 
 
 def test_the_documentation_lists_them_all(root):
-    path = root / "docs" / "quantities.md"
+    path = root / "docs" / "reference" / "quantities.md"
     expected = quantities()
     if os.environ.get("LAGDSL_UPDATE"):
         path.write_text(expected, encoding="utf-8")

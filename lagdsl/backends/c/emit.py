@@ -115,10 +115,13 @@ def runtime_sources() -> dict[str, str]:
     return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in needed}
 
 
+_NUMBERS = ("x", "nominal", "minimum", "maximum", "parameter_nominal")
+
+
 def _start(stem: str, start: Start | None) -> str:
     told = start or Start(0.0, ())
-    flags = {name: [str(int(flag)) for flag in getattr(told, name)] for name in ("fixed", "written")}
-    numbers = {name: [number(v) for v in getattr(told, name)] for name in ("x", "nominal", "minimum", "maximum")}
+    flags = {name: [str(int(flag)) for flag in getattr(told, name)] for name in ("fixed", "written", "free")}
+    numbers = {name: [number(v) for v in getattr(told, name)] for name in _NUMBERS}
     tables = [*(("unsigned char", item) for item in flags.items()), *(("double", item) for item in numbers.items())]
     arrays = [
         "".join([f"static const {kind} start_{name}[] = {{\n", *(f"    {row},\n" for row in rows), "};\n"])

@@ -122,6 +122,7 @@ def _tables(program: Program) -> str:
     texts = [_slots(name, slots) for name, slots in _slot_tables(layout).items()]
     texts += [_array("unsigned char", name, [str(int(flag)) for flag in values]) for name, values in flags.items()]
     texts.append(_array("size_t", "kept_rows", [str(row) for row in program.kept_rows]))
+    texts.append(_array("size_t", "components", [str(component) for component in layout.components]))
     texts.append(_array("double", "defaults", [number(value) for value in layout.defaults]))
     texts.append(_array("char *const", "assertions", [string(text) for text in layout.assertions]))
     texts += [_array(kind, name, rows) for name, (kind, rows) in _instant_tables(layout).items()]
@@ -213,6 +214,7 @@ def _model(program: Program, stem: str, prepared: int, memory: int) -> str:
         "position_level": layout.position_level,
         "redundant": layout.redundant,
         "kept_rows": program.kept_rows,
+        "components": layout.components,
         **{name: rows for name, (_, rows) in _instant_tables(layout).items()},
     }
     members = [

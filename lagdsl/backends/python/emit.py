@@ -7,7 +7,7 @@ from pathlib import Path
 from lagdsl.backends.backend import Artifact
 from lagdsl.backends.identifier import identifier
 from lagdsl.backends.python.body import body, body_name
-from lagdsl.backends.python.support.motion import Sizes
+from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.tables import tables
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import ALONG_MANY
@@ -96,23 +96,6 @@ def shapes(function: Function) -> tuple[tuple[int, ...], ...]:
 def sizes_text(program: Program) -> str:
     sizes = motion_sizes(program)
     return f"Sizes({', '.join(f'{name}={value}' for name, value in vars(sizes).items())})"
-
-
-def motion_sizes(program: Program) -> Sizes:
-    """Lengths of the arrays, and the largest number of rows of J that can be independent."""
-    layout = program.layout
-    return Sizes(
-        q=len(layout.coordinates),
-        z=len(layout.states),
-        u=len(layout.inputs),
-        w=len(layout.discretes),
-        p=len(layout.parameters),
-        c=len(layout.constraints),
-        rank=len(layout.constraints) - sum(layout.redundant),
-        eliminated=program.has("elimination"),
-        kept=program.kept_rows,
-        independent=tuple(not layout.redundant[row] for row in program.kept_rows),
-    )
 
 
 def _support(name: str) -> str:

@@ -20,7 +20,7 @@ from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Layout, Program, Slot
 from lagdsl.program.verify import counted, sizes
 
-VERSION: Final = 1
+VERSION: Final = 2
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
@@ -171,6 +171,7 @@ def _tables(program: Program) -> list[bytes]:
         _words(instants.switched_rows),
         _words(instants.reset_places),
         *map(_words, jacobian_pattern(program)),
+        _words(layout.components),
     ]
 
 

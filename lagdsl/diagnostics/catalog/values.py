@@ -134,6 +134,31 @@ ROWS: dict[str, Row] = {
         label="given again here",
         help="keep one of the two",
     ),
+    "E0346": error(
+        "the free parameter `{name}` has no guess",
+        label="found with the start, from nowhere",
+        help="write `{name}(fixed = false, start = ...)` with a value that is about right",
+    ),
+    "E0347": error(
+        "`{name}` is found with the start, so it has no value of its own",
+        label="a value of a free parameter",
+        help="write the value as the guess, `start = ...`, or leave out `fixed = false`",
+    ),
+    "E0348": error(
+        "`{name}` cannot be a free parameter: {reason}",
+        label="cannot be found with the start",
+        help="leave out `fixed = false` and give it a value",
+    ),
+    "E0349": error(
+        "{free} and {equations}: nothing decides the value",
+        label="found with the start",
+        help="state in `initial equation` what the start has to satisfy: one equation for each free parameter",
+    ),
+    "E0350": error(
+        "the fixed start of `{name}` depends on a parameter that is found with the start",
+        label="a condition that moves with what it decides",
+        help="leave out `fixed = true` and write the condition as an `initial equation`",
+    ),
     "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
     "E0361": error(
         "the {which} must be known while compiling",

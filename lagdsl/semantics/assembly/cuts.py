@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from lagdsl.flat.model import FrameStep, Output
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics.assembly.net import Link, Port
 from lagdsl.semantics.contents import Placed
 from lagdsl.semantics.values import FrameValue
@@ -23,7 +23,7 @@ class Place:
     spans: tuple[Span, ...]
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Cut:
     """A link that closes a loop. `computed`: its coordinates are to follow from the frames, by `equations`. `hidden` is
     the frame that stands for the end of the link in all that closes it, so that it can be released alone, `start` the

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
 
-from lagdsl.record import record
+from lagdsl.record import mutable_record, record
 
 Cost: TypeAlias = tuple[int, ...]
 
@@ -59,7 +59,7 @@ def span(count: int, edges: Sequence[Edge], givens: Sequence[Given]) -> Tree:
     return _Growth(count, edges, givens).grown()
 
 
-@dataclass(slots=True)
+@mutable_record()
 class _Waiting:
     """What edges and givens still need."""
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from lagdsl.record import mutable_record
 from lagdsl.semantics.assembly.mentions import Mentions
 from lagdsl.semantics.context import Context
 from lagdsl.semantics.naming import element_name
@@ -13,7 +14,7 @@ from lagdsl.source import Span
 WORLD = 0
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Port:
     """A frame: the world (no symbol, no binding), a declared one, or one written in a `connect` (a binding only)."""
 
@@ -29,7 +30,7 @@ class Port:
         return self.binding.node.span.text if self.binding is not None else "world"
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Link:
     """`child = f(base, coordinates)`, from the kinematics of a component. `needs`: other ports that f mentions.
 
@@ -46,7 +47,7 @@ class Link:
     foreign: bool
 
 
-@dataclass(eq=False, slots=True)
+@mutable_record()
 class Loose:
     """A port with a place of its own: known when `needs` are."""
 
@@ -54,7 +55,7 @@ class Loose:
     needs: tuple[int, ...]
 
 
-@dataclass(slots=True)
+@mutable_record()
 class Net:
     """Ports by number (0 is the world), joined into sets by `connect`.
 

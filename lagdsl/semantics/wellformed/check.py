@@ -9,6 +9,7 @@ from lagdsl.semantics.wellformed.bounds import check_bounds
 from lagdsl.semantics.wellformed.effect import check_effects, check_unused_coordinates
 from lagdsl.semantics.wellformed.energy import check_energies
 from lagdsl.semantics.wellformed.frames import check_frames
+from lagdsl.semantics.wellformed.free_parameters import check_free_parameters
 from lagdsl.semantics.wellformed.gravity import check_gravity
 from lagdsl.semantics.wellformed.inertia import check_inertias
 
@@ -23,3 +24,4 @@ def check(flat: fm.FlatModel, sink: Sink) -> None:
     check_effects(flat, dependence, sink)
     check_frames(flat, sink)
     check_bounds(flat, sink)
+    check_free_parameters(flat, sink)

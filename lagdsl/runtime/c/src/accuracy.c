@@ -38,22 +38,34 @@ static int same(const char *a, const char *b)
     return *a == *b;
 }
 
+/* Coordinates of one component and unit. */
+static int alike(const lag_model *model, size_t i, size_t j)
+{
+    return (model->components == NULL || model->components[i] == model->components[j]) &&
+           same(model->coordinates[i].unit, model->coordinates[j].unit);
+}
+
+static int is_angle(const lag_model *model, size_t i)
+{
+    return same(model->coordinates[i].unit, "rad") || same(model->coordinates[i].unit, "1");
+}
+
 void lag_accuracy_groups(const lag_model *model, const double *start, double *group, double *natural, double *cap)
 {
     const size_t n = model->nq;
     for (size_t i = 0; i < n; ++i) {
-        const char *unit = model->coordinates[i].unit;
-        const int angle = same(unit, "rad") || same(unit, "1");
         size_t first = 0;
-        double most = 0.0;
-        while (!same(unit, model->coordinates[first].unit)) {
+        while (first < i && !(group[first] == (double)first && alike(model, first, i))) {
             ++first;
-        }
-        for (size_t j = 0; j < n; ++j) {
-            most = same(unit, model->coordinates[j].unit) ? fmax(most, fabs(start[j])) : most;
         }
         group[i] = (double)first;
         group[n + i] = (double)(n + first);
+        natural[i] = 0.0;
+        natural[first] = fmax(natural[first], fabs(start[i]));
+    }
+    for (size_t i = n; i-- > 0;) { /* the first of a group last */
+        const double most = natural[(size_t)group[i]];
+        const int angle = is_angle(model, i);
         natural[i] = natural[n + i] = angle || !(most > 0.0 && isfinite(most)) ? 1.0 : most;
         cap[i] = angle ? 1.0 : (double)INFINITY;
         cap[n + i] = (double)INFINITY;

@@ -19,6 +19,8 @@ static const double ABSENT = 1e-13;
 static const double RANK = 1e-9;
 /* Beside the start, rows are measured at so many points: the median of their lengths hardly depends on which they are. */
 enum { SIZED_AT = 9 };
+/* Which coordinates a row ties, where the model does not say it, is seen at so many. */
+enum { LOOKED_AT = 3 };
 
 static size_t numbers(const lag_model *model)
 {
@@ -123,12 +125,60 @@ size_t lag_beginning_rank(size_t count, size_t width, const double *matrix, doub
 
 /* ---- sizes ---- */
 
+/* The model may know better where J vanishes everywhere. Which coordinates a row ties is not seen while it is off. */
+static void find_pattern(lag_beginning *b)
+{
+    const lag_model *model = b->motion->model;
+    const lag_pattern *entries = model->jacobian_pattern;
+    lag_fill(entries != NULL ? model->nc * model->nq : 0, 0.0, b->pattern);
+    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
+        b->pattern[entries->row[k] * model->nq + entries->column[k]] = 1.0;
+    }
+    for (size_t k = 0; entries == NULL && k < model->nswitched; ++k) {
+        lag_fill(model->nq, 1.0, b->pattern + model->switched_rows[k] * model->nq);
+    }
+}
+
+/* Coordinates that constraints tie together have one size for each unit: their largest start value, not that of strangers. */
+static void find_sizes_of_parts(lag_beginning *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    const double *group = b->widths;
+    unsigned long long seed = 20011;
+    lag_fill(model->nc * n, 0.0, b->pattern);
+    memcpy(b->q, q, n * sizeof(double));
+    for (size_t point = 0; point < LOOKED_AT && model->jacobian_pattern == NULL; ++point) {
+        lag_beginning_velocities(b);
+        for (size_t k = 0; k < model->nc * n; ++k) {
+            b->pattern[k] = b->pattern[k] != 0.0 || b->jacobian[k] != 0.0;
+        }
+        lag_beginning_point(b, &seed, point, q, b->q);
+    }
+    find_pattern(b);
+    const lag_parts parts = lag_parts_of(model->nc, n, b->pattern, b->memory);
+    for (size_t j = 0; j < n; ++j) {
+        double most = 0.0;
+        for (size_t k = 0; k < n; ++k) {
+            const int alike = parts.column_part[k] == parts.column_part[j] && group[k] == group[j];
+            most = alike && isfinite(q[k]) ? fmax(most, fabs(q[k])) : most;
+        }
+        b->sizes[j] = isfinite(b->written[j]) ? 1.0 : most > 0.0 ? most : 1.0; /* angles have a cap, and size 1 */
+    }
+}
+
 static void find_sizes(lag_beginning *b, const double *q)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
     const double *nominal = b->start != NULL ? b->start->nominal : NULL;
-    lag_accuracy_groups(model, q, b->widths, b->sizes, b->written); /* of the three only sizes are wanted */
+    lag_accuracy_groups(model, q, b->widths, b->sizes, b->written); /* groups, sizes and caps */
+    if (model->nc > 0) {
+        find_sizes_of_parts(b, q);
+    }
+    for (size_t j = 0; j < n; ++j) {
+        b->sizes[n + j] = b->sizes[j];
+    }
     for (size_t i = 0; i < n && nominal != NULL; ++i) {
         b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : b->sizes[i];
         b->sizes[n + i] = b->sizes[i];
@@ -153,20 +203,6 @@ static double usual(size_t count, double *lengths)
         }
     }
     return some > 0 ? lengths[(some - 1) / 2] : 0.0;
-}
-
-/* The model may know better where J vanishes everywhere. Which coordinates a row ties is not seen while it is off. */
-static void find_pattern(lag_beginning *b)
-{
-    const lag_model *model = b->motion->model;
-    const lag_pattern *entries = model->jacobian_pattern;
-    lag_fill(entries != NULL ? model->nc * model->nq : 0, 0.0, b->pattern);
-    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
-        b->pattern[entries->row[k] * model->nq + entries->column[k]] = 1.0;
-    }
-    for (size_t k = 0; entries == NULL && k < model->nswitched; ++k) {
-        lag_fill(model->nq, 1.0, b->pattern + model->switched_rows[k] * model->nq);
-    }
 }
 
 /* Rows are as large as their derivatives usually come out, at the start and at points about it. */
@@ -221,8 +257,8 @@ static void find_widths(lag_beginning *b, const unsigned char *set)
 
 /* ---- discretes ---- */
 
-/* Those of the start, relations as they stand. */
-static lag_status find_discretes(lag_beginning *b)
+/* Those of the start, relations as they stand in the state (q, qd, z). */
+static lag_status find_discretes(lag_beginning *b, const double *q, const double *qd, const double *z)
 {
     lag_motion *motion = b->motion;
     const lag_model *model = motion->model;
@@ -231,9 +267,9 @@ static lag_status find_discretes(lag_beginning *b)
         return LAG_OK;
     }
     lag_status status = model->discrete_start(&at, motion->w);
-    at.q = b->q;
-    at.qd = b->qd;
-    at.z = b->z;
+    at.q = q;
+    at.qd = qd;
+    at.z = z;
     at.qdd = b->still;
     at.lam = b->still + model->nq;
     if (status == LAG_OK && model->standing != NULL) {
@@ -250,6 +286,14 @@ static void close_contacts(lag_beginning *b, double closed)
     for (size_t i = 0; i < model->ncontact; ++i) {
         b->motion->w[places.contact + i] = closed;
     }
+}
+
+void lag_beginning_parameters(lag_beginning *b)
+{
+    const size_t n = b->motion->model->nq;
+    (void)lag_motion_parameters(b->motion, b->told.p);
+    (void)find_discretes(b, b->x, b->x + n, b->x + 2 * n);
+    close_contacts(b, 0.0);
 }
 
 lag_status lag_beginning_at(lag_beginning *b, const lag_start *start, const unsigned char *set, double t, const double *x)
@@ -271,12 +315,12 @@ lag_status lag_beginning_at(lag_beginning *b, const lag_start *start, const unsi
     memcpy(b->q, own, n * sizeof(double));
     memcpy(b->qd, own + n, n * sizeof(double));
     memcpy(b->z, own + 2 * n, model->nz * sizeof(double));
-    status = find_discretes(b);
+    status = find_discretes(b, b->q, b->qd, b->z);
     if (status != LAG_OK) {
         return status;
     }
-    find_sizes(b, b->fixed);
     close_contacts(b, 1.0);
+    find_sizes(b, b->fixed);
     find_row_sizes(b, b->fixed);
     close_contacts(b, 0.0);
     find_widths(b, set);

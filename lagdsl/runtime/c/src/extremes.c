@@ -87,10 +87,14 @@ static void count_turns(lag_extremes *extremes, const double *x)
 static void find_bulge(double a, double fa, double b, double fb, double *up, double *down)
 {
     const double change = b - a;
+    const double most = 3.0 * fabs(change);
+    *up = *down = 0.0;
+    if (fa * change > 0.0 && fb * change > 0.0 && fabs(fa) < most && fabs(fb) < most) {
+        return; /* Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238: it is monotone */
+    }
     const double linear = 3.0 * change - 2.0 * fa - fb; /* the derivative is fa + 2 linear s + square s^2 */
     const double square = 3.0 * (fa + fb - 2.0 * change);
     const double root = linear * linear - fa * square;
-    *up = *down = 0.0;
     if (root < 0.0) {
         return;
     }

@@ -24,6 +24,7 @@ typedef struct positions {
     lag_beginning *b;
     size_t count;  /* coordinates that are free */
     double *free;  /* (count) which they are */
+    double *base;  /* (nq) where they begin */
 } positions;
 
 static size_t count_rows(const lag_model *model)
@@ -39,13 +40,24 @@ size_t lag_beginning_q_memory(const lag_model *model)
 {
     const size_t m = count_rows(model);
     const size_t n = model->nq;
-    return n + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + larger(lag_nearest_memory(m, n), m * n + lag_svd_memory(m, n));
+    return 2 * n + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + larger(lag_nearest_memory(m, n), m * n + lag_svd_memory(m, n));
+}
+
+/* Whether initial equations decide the coordinates of a row. */
+static int is_joined(const lag_beginning *b, size_t row)
+{
+    const size_t n = b->motion->model->nq;
+    size_t j = 0;
+    while (b->joined != NULL && j < n && !(b->joined[j] && b->pattern[row * n + j] != 0.0)) {
+        ++j;
+    }
+    return b->joined != NULL && j < n;
 }
 
 static void put(const positions *p, const double *y)
 {
     lag_beginning *b = p->b;
-    memcpy(b->q, b->x, b->motion->model->nq * sizeof(double));
+    memcpy(b->q, p->base, b->motion->model->nq * sizeof(double));
     for (size_t k = 0; k < p->count; ++k) {
         const size_t j = (size_t)p->free[k];
         b->q[j] += b->widths[j] * y[k];
@@ -60,7 +72,7 @@ static void at_positions(void *context, const double *y, double *residual, doubl
     lag_beginning_positions(b);
     for (size_t i = 0; i < b->rows; ++i) {
         const size_t row = (size_t)b->row[i];
-        residual[i] = b->phi[row] / b->row_sizes[row];
+        residual[i] = is_joined(b, row) ? 0.0 : b->phi[row] / b->row_sizes[row];
         for (size_t k = 0; k < p->count; ++k) {
             const size_t j = (size_t)p->free[k];
             jacobian[i * p->count + k] = b->jacobian[row * b->motion->model->nq + j] * b->widths[j] / b->row_sizes[row];
@@ -68,13 +80,15 @@ static void at_positions(void *context, const double *y, double *residual, doubl
     }
 }
 
-static int already_there(lag_beginning *b)
+static int already_there(const positions *p)
 {
+    lag_beginning *b = p->b;
     int there = 1;
+    memcpy(b->q, p->base, b->motion->model->nq * sizeof(double));
     lag_beginning_positions(b);
     for (size_t i = 0; i < b->rows; ++i) {
         const size_t row = (size_t)b->row[i];
-        there = there && fabs(b->phi[row]) <= THERE * b->row_sizes[row];
+        there = there && (fabs(b->phi[row]) <= THERE * b->row_sizes[row] || is_joined(b, row));
     }
     return there;
 }
@@ -127,7 +141,7 @@ static void tell(const positions *p, double *point, double *memory)
     for (size_t i = 0; i < b->rows; ++i) {
         const size_t row = (size_t)b->row[i];
         const double size = isfinite(b->phi[row]) ? fabs(b->phi[row]) / b->row_sizes[row] : (double)INFINITY;
-        if (size > worst) {
+        if (size > worst && !is_joined(b, row)) {
             worst = size;
             b->told.which = row;
             b->told.residual = fabs(b->phi[row]);
@@ -142,13 +156,16 @@ void lag_beginning_find_q(lag_beginning *b, double *x)
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
     double *memory = b->memory;
-    positions p = {b, 0, lag_take(&memory, n)};
+    positions p = {b, 0, lag_take(&memory, n), lag_take(&memory, n)};
     lag_nearest search;
-    if (b->rows == 0 || already_there(b)) {
+    for (size_t j = 0; j < n; ++j) {
+        p.base[j] = b->joined != NULL && b->joined[j] ? x[j] : b->x[j];
+    }
+    if (b->rows == 0 || already_there(&p)) {
         return;
     }
     for (size_t j = 0; j < n; ++j) {
-        if (b->fixed[j] == 0.0) {
+        if (b->fixed[j] == 0.0 && !(b->joined != NULL && b->joined[j])) {
             p.free[p.count++] = (double)j;
         }
     }
@@ -241,7 +258,9 @@ static void find(lag_beginning *b, const unsigned char *set, double *x)
         return;
     }
     if (model->ne > 0 && !b->told.given) {
+        double *memory = b->memory;
         lag_beginning_find_all(b, x);
+        b->memory = memory;
     } else {
         lag_beginning_find_q(b, x);
         if (b->told.fault == LAG_INITIAL_NONE) {
@@ -297,12 +316,17 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
         found.dependent = told->dependent;
         found.row_sizes = told->row_sizes;
         found.pattern = told->pattern;
+        found.p = told->p;
     }
     for (size_t i = 0; found.dependent != NULL && i < model->nc; ++i) {
         found.dependent[i] = model->redundant != NULL && model->redundant[i];
     }
     lag_status status = LAG_OK;
-    if (model->nc + model->ne > 0) {
+    if (start != NULL && start->free != NULL && found.p != NULL) { /* they are changed from here on */
+        memmove(found.p, motion->at.p, model->np * sizeof(double));
+        status = lag_motion_parameters(motion, found.p);
+    }
+    if (status == LAG_OK && model->nc + model->ne > 0) {
         lag_beginning_place(&b, motion, memory);
         b.told = found;
         status = lag_beginning_at(&b, start, set, t, x);

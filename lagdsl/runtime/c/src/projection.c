@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/memory.h"
+
 static const double ROUNDING = 1e-14;
 /* So much larger than its limit a residual may stay where round-off or a singular position stops the convergence. */
 static const double CLOSE = 1e3;
@@ -31,7 +33,40 @@ size_t lag_projection_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t rows = m + most_held(model);
-    return 3 * m + 2 * rows + 4 * n + m * n + rows * n + n * n + lag_system_memory(n, rows);
+    return 4 * m + 2 * rows + 5 * n + model->nz + m * n + rows * n + n * n + lag_system_memory(n, rows);
+}
+
+/* All belong together where nobody tells what the rows hold. */
+static size_t component_of(const lag_model *model, size_t coordinate)
+{
+    return model->components != NULL && model->jacobian_pattern != NULL ? model->components[coordinate] : 0;
+}
+
+/* Rows hold coordinates of one component; those that hold none may count to any. */
+static void find_components(lag_projection *projection)
+{
+    const lag_model *model = projection->motion->model;
+    const lag_pattern *entries = model->jacobian_pattern;
+    lag_fill(model->nc, 0.0, projection->component);
+    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
+        projection->component[entries->row[k]] = (double)component_of(model, entries->column[k]);
+    }
+}
+
+static void clear_largest(lag_projection *projection, double value)
+{
+    const lag_model *model = projection->motion->model;
+    lag_fill(model->nq + model->nz, value, projection->largest);
+}
+
+static void enlarge(lag_projection *projection, size_t component, double value)
+{
+    projection->largest[component] = fmax(projection->largest[component], value);
+}
+
+static double largest_beside(const lag_projection *projection, size_t row)
+{
+    return projection->largest[(size_t)projection->component[row]];
 }
 
 void lag_projection_place(lag_projection *projection, lag_motion *motion, double *memory)
@@ -56,7 +91,9 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->change = projection->force + n;
     projection->lam = projection->change + n;
     projection->point = projection->lam + rows;
-    projection->system = projection->point + n;
+    projection->component = projection->point + n;
+    projection->largest = projection->component + m;
+    projection->system = projection->largest + n + motion->model->nz;
     for (size_t i = 0; i < n; ++i) {
         projection->sizes[i] = 1.0;
         projection->force[i] = 0.0;
@@ -64,6 +101,7 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     for (size_t i = 0; i < m; ++i) {
         projection->limits[i] = projection->round_off[i] = 0.0;
     }
+    find_components(projection);
 }
 
 void lag_projection_limits(lag_projection *projection, double tolerance, const double *row_sizes)
@@ -74,33 +112,33 @@ void lag_projection_limits(lag_projection *projection, double tolerance, const d
     }
 }
 
-/* The largest residual among rows of the level, in limits; `every`: of both levels. Not a number stays none. */
-static double largest(const lag_projection *projection, int every)
+/* The largest residual among rows of position level, in limits. Not a number stays none. */
+static double largest(const lag_projection *projection)
 {
     const lag_model *model = projection->motion->model;
     double most = 0.0;
     for (size_t i = 0; i < model->nc; ++i) {
-        if (every || model->position_level[i]) {
-            const double part = fabs(projection->phi[i]) / projection->least[i];
-            if (!(part <= most)) {
-                most = part;
-            }
+        const double part = fabs(projection->phi[i]) / projection->least[i];
+        if (model->position_level[i] && !(part <= most)) {
+            most = part;
         }
     }
     return most;
 }
 
-/* A little inertia for what has none, as a part of the largest there is, all in natural sizes. */
+/* A little inertia for what has none, as a part of the largest there is in its component, all in natural sizes. */
 static void fill_mass(lag_projection *projection)
 {
-    const size_t n = projection->motion->model->nq;
+    const lag_model *model = projection->motion->model;
+    const size_t n = model->nq;
     const double *sizes = projection->sizes;
-    double most = 0.0;
+    clear_largest(projection, 0.0);
     for (size_t i = 0; i < n; ++i) {
-        most = fmax(most, projection->mass[i * n + i] * sizes[i] * sizes[i]);
+        enlarge(projection, component_of(model, i), projection->mass[i * n + i] * sizes[i] * sizes[i]);
     }
     for (size_t i = 0; i < n; ++i) {
-        projection->mass[i * n + i] += (most > 0.0 ? LIGHT * most : 1.0) / (sizes[i] * sizes[i]);
+        const double scale = projection->largest[component_of(model, i)];
+        projection->mass[i * n + i] += (scale > 0.0 ? LIGHT * scale : 1.0) / (sizes[i] * sizes[i]);
     }
 }
 
@@ -144,7 +182,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
     motion->at.q = projection->point;
     for (unsigned k = 0; k < projection->iterations && projection->rows > 0; ++k) {
         lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
-        const double size = largest(projection, 0);
+        const double size = largest(projection);
         if (status != LAG_OK || !(size < (double)INFINITY) || size > CLOSE * before) {
             return LAG_OFF;
         }
@@ -166,21 +204,35 @@ static lag_status positions(lag_projection *projection, double t, const double *
     return projection->rows == 0 || before <= CLOSE ? LAG_OK : LAG_OFF;
 }
 
+/* The largest residual of the rates in limits, which grow with the rates of the row's component. Not a number stays none. */
+static double largest_of_rates(lag_projection *projection, const double *rates)
+{
+    const lag_model *model = projection->motion->model;
+    double most = 0.0;
+    clear_largest(projection, 1.0);
+    for (size_t i = 0; i < model->nq; ++i) {
+        enlarge(projection, component_of(model, i), fabs(rates[i]) / projection->sizes[i]);
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        const double part = fabs(projection->phi[i]) / (projection->least[i] * largest_beside(projection, i));
+        if (!(part <= most)) {
+            most = part;
+        }
+    }
+    return most;
+}
+
 /* The rates at the positions `point`, into x. */
 static lag_status velocities(lag_projection *projection, double *x, int *moved)
 {
     lag_motion *motion = projection->motion;
     const size_t n = motion->model->nq;
-    double pace = 1.0;
     lag_status status = motion->model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
-    for (size_t i = 0; i < n; ++i) {
-        pace = fmax(pace, fabs(x[n + i]) / projection->sizes[i]);
-    }
-    const double size = largest(projection, 1);
-    if (status != LAG_OK || !(size < (double)INFINITY)) {
+    const double size = status == LAG_OK ? largest_of_rates(projection, x + n) : (double)INFINITY;
+    if (!(size < (double)INFINITY)) {
         return LAG_OFF;
     }
-    if (size <= pace) {
+    if (size <= 1.0) {
         return LAG_OK;
     }
     status = motion->model->mass_matrix(&motion->at, projection->mass);
@@ -226,13 +278,13 @@ static lag_status change_rates(lag_projection *projection, const double *held, i
     const lag_model *model = projection->motion->model;
     const size_t n = model->nq;
     size_t rows = model->nc;
-    double size = 0.0;
     lag_system system;
     *reached = 1;
+    clear_largest(projection, 0.0);
     memcpy(projection->chosen, projection->jacobian, rows * n * sizeof(double));
     for (size_t i = 0; i < rows; ++i) {
         projection->right[i] = -projection->phi[i];
-        size = fmax(size, fabs(projection->phi[i]) * ROUNDING / projection->round_off[i]);
+        enlarge(projection, (size_t)projection->component[i], fabs(projection->phi[i]) * ROUNDING / projection->round_off[i]);
     }
     for (size_t j = 0; j < n && held != NULL; ++j) {
         if (held[j] != 0.0) {
@@ -254,6 +306,7 @@ static lag_status change_rates(lag_projection *projection, const double *held, i
         for (size_t j = 0; j < n; ++j) {
             rest += projection->chosen[i * n + j] * projection->change[j];
         }
+        const double size = i < model->nc ? largest_beside(projection, i) : 0.0;
         rest *= i < model->nc ? ROUNDING / projection->round_off[i] : 1.0;
         *reached = *reached && fabs(rest) <= REACHED * (1.0 + size);
     }

@@ -21,7 +21,7 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
            lag_look_memory(model->nc, model->nq) + lag_alert_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
-           model->nindicator + model->ncontact + 1;
+           model->nindicator + model->ncontact + model->np + 1;
 }
 
 /* Doubles of which nothing is remembered. */
@@ -138,6 +138,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     place_instants(run, model, &memory);
     run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&memory, size), 0.0};
     run->point = lag_take(&memory, size);
+    run->p = lag_take(&memory, model->np);
     run->lost = lag_take(&memory, size);
     run->lost_time = (double)INFINITY;
     place_watch(run, model, &memory);

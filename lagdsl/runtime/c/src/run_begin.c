@@ -62,6 +62,7 @@ lag_status lag_run_start(lag_run *run, double t, double *x)
 
 lag_status lag_run_find(lag_run *run, double t, const unsigned char *set, double *x, lag_initial *told)
 {
+    told->p = told->p != NULL ? told->p : run->p;
     const lag_status status = lag_initial_find(&run->motion, run->options.start, set, t, x, run->initial, told);
     if (told->dependent != NULL) {
         lag_run_depend(run, told->dependent);

@@ -89,11 +89,17 @@ static uint64_t pattern_length(const lag_tape_parts *parts)
     return parts->part[LAG_TAPE_JACOBIAN_ROWS].length / sizeof(uint32_t);
 }
 
+/* Coordinates and states whose component is told. */
+static uint64_t components_length(const lag_tape_parts *parts)
+{
+    return parts->part[LAG_TAPE_COMPONENTS].length / sizeof(uint32_t);
+}
+
 static uint64_t rows(const lag_tape_parts *parts)
 {
     const uint32_t *size = parts->size;
     const uint64_t listed = (uint64_t)size[LAG_TAPE_NK] + size[LAG_TAPE_NCONTACT] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
-    return listed + 2 * pattern_length(parts);
+    return listed + 2 * pattern_length(parts) + components_length(parts);
 }
 
 static int sizes_agree(const lag_tape_parts *parts)
@@ -112,6 +118,7 @@ static int sizes_agree(const lag_tape_parts *parts)
            pattern_length(parts) <= (uint64_t)n[LAG_TAPE_NC] * n[LAG_TAPE_NQ] &&
            holds(parts, LAG_TAPE_JACOBIAN_ROWS, pattern_length(parts), word) &&
            holds(parts, LAG_TAPE_JACOBIAN_COLUMNS, pattern_length(parts), word) &&
+           may_hold(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ], word) &&
            may_hold(parts, LAG_TAPE_START_STATE, 1 + state, sizeof(double)) &&
            may_hold(parts, LAG_TAPE_START_FIXED, state, 1) && may_hold(parts, LAG_TAPE_START_WRITTEN, state, 1) &&
            may_hold(parts, LAG_TAPE_START_NOMINAL, state, sizeof(double)) &&
@@ -204,6 +211,7 @@ static int rows_agree(const lag_tape_parts *parts)
            n[LAG_TAPE_PREPARED] <= n[LAG_TAPE_ROW] && along_agrees(parts, 0) && along_agrees(parts, 1) && below(parts, LAG_TAPE_KEPT_ROWS, n[LAG_TAPE_NC]) &&
            below(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NC]) &&
            below(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_JACOBIAN_COLUMNS, n[LAG_TAPE_NQ]) &&
+           below(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]) &&
            below(parts, LAG_TAPE_RESET_PLACES, 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]);
 }
 
@@ -384,6 +392,7 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     tape->pattern.row = take_rows(parts, LAG_TAPE_JACOBIAN_ROWS, &row_memory, tape->pattern.count);
     tape->pattern.column = take_rows(parts, LAG_TAPE_JACOBIAN_COLUMNS, &row_memory, tape->pattern.count);
     model->jacobian_pattern = tape->pattern.count > 0 ? &tape->pattern : NULL;
+    model->components = take_rows(parts, LAG_TAPE_COMPONENTS, &row_memory, (size_t)components_length(parts));
     model->defaults = section(parts, LAG_TAPE_DEFAULTS);
     model->position_level = section(parts, LAG_TAPE_POSITION_LEVEL);
     model->redundant = section(parts, LAG_TAPE_REDUNDANT);

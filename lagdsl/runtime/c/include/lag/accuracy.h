@@ -1,9 +1,10 @@
 /*
  * From the one tolerance of a motion to absolute tolerances of every number of its state.
  *
- * A number is as accurate as the tolerance times its scale: the largest magnitude seen so far among the numbers of the same kind
- * (coordinates of one unit, their rates, one state), at least 1e-4 of the natural size, and for angles at most 1: an angle that
- * has turned a thousand times still enters through its sine.
+ * A number is as accurate as the tolerance times its scale: the largest magnitude seen so far among the numbers of the same group
+ * (coordinates of one unit that the equations couple, their rates, one state), at least 1e-4 of the natural size, and for angles at
+ * most 1: an angle that has turned a thousand times still enters through its sine. Components that nothing couples do not loosen
+ * each other's error control.
  */
 #ifndef LAG_ACCURACY_H
 #define LAG_ACCURACY_H
@@ -23,8 +24,8 @@ typedef struct lag_accuracy {
 void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *tolerance);
 
 /*
- * Groups by unit, natural sizes and caps of a model's state, each (2 nq + nz): angles and numbers have size 1, other coordinates
- * the largest start value of the same unit, where all are zero 1.
+ * Groups by component and unit, natural sizes and caps of a model's state, each (2 nq + nz): angles and numbers have size 1, other
+ * coordinates the largest start value of the same group, where all are zero 1.
  */
 void lag_accuracy_groups(const lag_model *model, const double *start, double *group, double *natural, double *cap);
 

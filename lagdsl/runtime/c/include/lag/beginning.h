@@ -24,6 +24,8 @@ typedef struct lag_beginning {
     double *still;               /* (nq + nc) zeros */
     double *lengths;             /* of rows at several points */
     double *pattern;             /* (nc, nq) 1: the entry of J is not zero everywhere */
+    unsigned char *joined;       /* (nq) or null: 1: initial equations decide this coordinate, with what they tie to it */
+    const double *slopes;        /* (ne, nq) or null: how initial equations change with rates, in natural sizes */
     double *memory;              /* of each part in turn */
     lag_initial told;
 } lag_beginning;
@@ -34,6 +36,9 @@ void lag_beginning_place(lag_beginning *b, lag_motion *motion, double *memory);
 
 /* Sizes, weights and discretes for the start values x at time t, of which those flagged in `set` (or null) were changed. */
 lag_status lag_beginning_at(lag_beginning *b, const lag_start *start, const unsigned char *set, double t, const double *x);
+
+/* Parameters were changed: they are prepared, and discretes are those of the start with them. */
+void lag_beginning_parameters(lag_beginning *b);
 
 /* phi or J qd + b, and J, at q and qd of `b`; no numbers where there are none. */
 void lag_beginning_positions(lag_beginning *b);

@@ -19,7 +19,8 @@ typedef enum lag_initial_fault {
     LAG_INITIAL_POSITIONS, /* row `which` cannot be satisfied, */
     LAG_INITIAL_RATES,     /* or the rate that it asks for, or behind all rows the fixed rate of coordinate which - nc, */
     LAG_INITIAL_EQUATIONS, /* `which`: a row of constraints, then of initial equations, the worst */
-    LAG_INITIAL_RANK       /* with these parameters `which` more rows are independent than with those the model was compiled for */
+    LAG_INITIAL_RANK,      /* with these parameters `which` more rows are independent than with those the model was compiled for */
+    LAG_INITIAL_PARAMETERS /* no equation decides the free parameter `which` */
 } lag_initial_fault;
 
 typedef struct lag_initial {
@@ -36,6 +37,7 @@ typedef struct lag_initial {
     unsigned char *dependent; /* (nc) 1 for rows that depend on others near that state */
     double *row_sizes;        /* (nc) natural sizes of the rows: as large as their derivatives usually come out */
     double *pattern;          /* (nc, nq) 1: the row depends on the coordinate */
+    double *p;                /* (np) the parameters with those that were found, which the motion has from then on, if some are free */
 } lag_initial;
 
 /* Doubles for the search. */

@@ -33,6 +33,8 @@ typedef struct lag_start {
     const unsigned char *written;    /* 1: it was written, and weighs 100 times one that was not; null: none was */
     const double *nominal;           /* what counts as a change of order one; zero, or null: not said */
     const double *minimum, *maximum; /* (nq) where the search stays; null: anywhere */
+    const unsigned char *free;       /* (np) 1: the parameter is found with the start, from its value as a guess; null: none is */
+    const double *parameter_nominal; /* (np) what counts as a change of order one; zero, or null: not said */
 } lag_start;
 
 /* Positions of the nonzero elements of a matrix, row by row. */
@@ -229,6 +231,8 @@ typedef struct lag_model {
 
     /* where J can be nonzero; null: anywhere */
     const lag_pattern *jacobian_pattern;
+    /* (nq + nz) which coordinates and states the equations couple: those of one number; null: all of them */
+    const size_t *components;
 
     size_t nk;               /* rows of constraints whose multipliers elimination() leaves to run time */
     const size_t *kept_rows; /* (nk) ascending */

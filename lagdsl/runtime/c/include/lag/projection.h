@@ -25,6 +25,8 @@ typedef struct lag_projection {
     double *right, *force; /* (nc + most held) (nq) */
     double *change, *lam;  /* (nq) (nc + most held) */
     double *point;         /* (nq) */
+    double *component;     /* (nc) that of the coordinates of each row, */
+    double *largest;       /* (nq + nz) and what is largest in each of them */
     double *system;
     size_t count;          /* of states that were moved */
 } lag_projection;

@@ -130,6 +130,7 @@ struct lag_run {
     double *lasting;          /* (nc) rows that come and go, or depend on others, are 0 */
     unsigned char *dependent; /* (nc) */
     double *point;            /* (2 nq + nz) */
+    double *p;                /* (np) the parameters, where some are found with the start */
     double *lost;             /* (2 nq + nz) the state that could not be accepted, at time */
     double lost_time;         /* infinite: none */
     double *sign, *value, *crossed, *other; /* (indicators) */

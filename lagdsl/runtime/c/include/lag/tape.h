@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 1u
+#define LAG_TAPE_VERSION 2u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
@@ -32,6 +32,7 @@ typedef enum lag_tape_section {
     LAG_TAPE_RESET_PLACES,   /* uint32 (nreset) */
     LAG_TAPE_JACOBIAN_ROWS,  /* uint32: where J can be nonzero; or nothing */
     LAG_TAPE_JACOBIAN_COLUMNS, /* uint32, as many */
+    LAG_TAPE_COMPONENTS,     /* uint32 (nq + nz), or nothing */
     LAG_TAPE_START_STATE,    /* double: the time and x (1 + 2 nq + nz), or nothing */
     LAG_TAPE_START_FIXED,    /* bytes (2 nq + nz), or nothing; so are those that follow */
     LAG_TAPE_START_WRITTEN,  /* bytes (2 nq + nz) */

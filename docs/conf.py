@@ -1,0 +1,49 @@
+"""The site of the documents: Sphinx with MyST (docs/adr/0080). `make docs` builds it into build/site."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE / "_extensions")]
+
+import lagdsl  # noqa: E402
+
+project = "lagdsl"
+author = "the authors of lagdsl"
+release = version = lagdsl.__version__
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "sphinx_click",
+    "mathml_renderer",
+    "generated_pages",
+    "lag_lexer",
+]
+exclude_patterns = ["_extensions", "**/_*.md"]
+nitpicky = False
+myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline"]
+myst_heading_anchors = 4
+myst_links_external_new_tab = False
+# Indexes link to the pages of diagnostics, decisions and components; they would make the sidebar too long.
+# A page of diagnostics may show a character that no lexer knows.
+suppress_warnings = ["toc.not_included", "misc.highlighting_failure"]
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_typehints_format = "short"
+
+html_theme = "furo"
+html_title = "lagdsl"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_math_renderer = "mathml"
+html_copy_source = False
+html_show_sphinx = False
+html_show_copyright = False
+html_theme_options = {"sidebar_hide_name": False, "navigation_with_keys": True}
+highlight_language = "none"
+pygments_style = "friendly"

@@ -1,0 +1,23 @@
+"""Lengths of the arrays of a program, as the functions in NumPy take them."""
+
+from __future__ import annotations
+
+from lagdsl.backends.python.support.motion import Sizes
+from lagdsl.program.program import Program
+
+
+def motion_sizes(program: Program) -> Sizes:
+    """Lengths of the arrays, and the largest number of rows of J that can be independent."""
+    layout = program.layout
+    return Sizes(
+        q=len(layout.coordinates),
+        z=len(layout.states),
+        u=len(layout.inputs),
+        w=len(layout.discretes),
+        p=len(layout.parameters),
+        c=len(layout.constraints),
+        rank=len(layout.constraints) - sum(layout.redundant),
+        eliminated=program.has("elimination"),
+        kept=program.kept_rows,
+        independent=tuple(not layout.redundant[row] for row in program.kept_rows),
+    )

@@ -1,0 +1,1 @@
+"""Pages about what comes with the compiler: the classes of the library, the models to start from."""

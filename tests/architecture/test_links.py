@@ -1,0 +1,55 @@
+"""Links and paths in documents lead somewhere."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+FOLDERS = ("benchmarks", "docs", "grammar", "lagdsl", "models", "stdlib", "tests")
+
+
+def documents(root: Path) -> list[Path]:
+    """README and its neighbors, all pages of docs/, the indexes of models and benchmarks."""
+    return [
+        *root.glob("*.md"),
+        *(root / "docs").rglob("*.md"),
+        *root.glob("models/*.md"),
+        *root.glob("benchmarks/*.md"),
+    ]
+
+
+def prose(page: Path) -> str:
+    """The page without blocks of code, where brackets are arrays."""
+    return re.sub(r"^ *(`{3,}).*?^ *\1`*$", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+
+
+def anchors(page: Path) -> set[str]:
+    """The anchors of the headings, formed as GitHub and MyST do."""
+    headings = re.findall(r"^#+ +(.*?)#*$", prose(page), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-") for heading in headings}
+
+
+def test_links_between_documents_lead_somewhere(root: Path) -> None:
+    broken = []
+    for page in documents(root):
+        for target, anchor in re.findall(
+            r"\]\(([A-Za-z0-9_./-]*)(?:#([^)\s]*))?\)", re.sub(r"`[^`]*`", "", prose(page))
+        ):
+            found = (page.parent / target) if target else page
+            if not found.exists() or (anchor and found.suffix == ".md" and anchor not in anchors(found)):
+                broken.append((page.relative_to(root).as_posix(), target, anchor))
+    assert broken == []
+
+
+def test_paths_in_documents_exist(root: Path) -> None:
+    """Records of decisions and the changelog speak of their time; all other pages of the tree as it is."""
+    named = re.compile(rf"`((?:{'|'.join(FOLDERS)})/[\w./-]+)`")
+    pages = [page for page in documents(root) if page.parent.name != "adr" and page.name != "CHANGELOG.md"]
+    missing = [
+        (page.relative_to(root).as_posix(), path)
+        for page in pages
+        for path in named.findall(page.read_text(encoding="utf-8"))
+        if not re.search(r"N{4}|NAME", path)
+        and not list(root.glob(f"{path}*" if path.startswith("docs/adr/") else path.rstrip("/")))
+    ]
+    assert missing == []
