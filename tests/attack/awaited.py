@@ -1,12 +1,6 @@
 """Rows whose repair is under way: they run with LAGDSL_AWAITED=1 only. The list ends empty."""
 
-AWAITED: frozenset[str] = frozenset(
-    (
-        "kinetic_energy_switched_in_place",
-        "step_of_a_potential",
-        "step_of_a_potential_that_throws_back",
-    )
-)
+AWAITED: frozenset[str] = frozenset()
 
 # Random models, by kind and seed.
 SEEDS: frozenset[tuple[str, int]] = frozenset({("of_what_is_hard", 14), ("of_what_is_hard", 23)})
