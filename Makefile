@@ -6,7 +6,7 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check wheels wasm bench peers docs
+.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check wheels wasm bench peers docs figures
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
@@ -65,6 +65,13 @@ peers:  ## an environment of their own for the libraries that the benchmarks com
 	test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
 	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae libcosimpy ecospy
 
-docs: $(READY)  ## figures of the documents
+$(VENV)/.docs: $(READY)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	touch $@
+
+docs: $(VENV)/.docs  ## the site in build/site; broken links are errors
+	$(BIN)/python -m sphinx -W --keep-going -q -b html -d build/doctrees docs build/site
+
+figures: $(READY)  ## figures of the documents
 	$(BIN)/lag run models/double_pendulum.lag --plot docs/images/double_pendulum.png -o /dev/null
 	$(BIN)/lag run models/bouncing_ball.lag --plot docs/images/bouncing_ball.png -o /dev/null
