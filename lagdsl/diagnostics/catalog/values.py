@@ -38,7 +38,7 @@ ROWS: dict[str, Row] = {
     "N0309": note(
         "no event tells of the jumps of `{name}`",
         label="the first place",
-        help="write a relation, `if x > ... then ...`, for a jump that is to be told; `noEvent(...)` says that it is not",
+        help="write a relation, `if x > ... then ...`, for a jump that is an event; `noEvent(...)` says that it is not",
     ),
     "E0311": error("{what} is not supported yet", label="comes with a later release", help="{hint}"),
     "E0312": error("expected {expected}, found {found}", label="this is {found}"),
