@@ -28,8 +28,9 @@ nitpicky = False
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline"]
 myst_heading_anchors = 4
 myst_links_external_new_tab = False
-# Tables of options name `--flag` values that are no cross-references.
-suppress_warnings = ["myst.header"]
+# Indexes link to the pages of diagnostics, decisions and components; they would make the sidebar too long.
+# A page of diagnostics may show a character that no lexer knows.
+suppress_warnings = ["toc.not_included", "misc.highlighting_failure"]
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "description"

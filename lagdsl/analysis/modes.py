@@ -41,13 +41,13 @@ class Modes:
 
     @property
     def frequencies(self) -> Floats:
-        """Natural frequencies |s|/(2 pi) [Hz] (n,); 0 for modes that do not oscillate."""
+        """Natural frequencies abs(s)/(2 pi) [Hz] (n,); 0 for modes that do not oscillate."""
         size = np.abs(self.eigenvalues)
         return np.where(np.abs(self.eigenvalues.imag) > AXIS * size, size / (2.0 * np.pi), 0.0)
 
     @property
     def damping(self) -> Floats:
-        """Damping ratios -Re(s)/|s| (n,); nan for s = 0."""
+        """Damping ratios -Re(s)/abs(s) (n,); nan for s = 0."""
         size = np.abs(self.eigenvalues)
         return np.where(size > 0.0, -self.eigenvalues.real / np.where(size > 0.0, size, 1.0), np.nan)
 

@@ -51,17 +51,16 @@ class InvariantRecord:
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Event:
-    """Something that happened at an instant, which has two rows of the trajectory: before and after.
+    """An event at an instant. The trajectory has two rows of this time: just before and just after the event.
 
-    | `kind` | `name` |
-    |---|---|
-    | `true`, `false` | the relation that became so, as written |
-    | `tick` | the clock: `sample(0, 5 ms)` |
-    | `impact`, `closed`, `opened` | the contact |
-    | `reinit` | the state or rate that was set |
-    | `terminate` | the message |
+    - `kind` `true`, `false`: `name` is the relation that changed, as written
+    - `tick`: the clock, `sample(0, 5 ms)`
+    - `impact`, `closed`, `opened`: the contact
+    - `jump`: `floor`, `ceil`, `mod` or `wrap` of time, as written
+    - `reinit`: the state or rate that was set
+    - `terminate`: the message
 
-    At one instant clocks and relations, which bring the event, come first; relations that change by it are not listed.
+    At one instant, clocks and relations, which cause the event, come first; relations that change by it are not listed.
     """
 
     time: float

@@ -18,7 +18,7 @@ AWAITED: frozenset[str] = frozenset(
 )
 
 # Random models, by kind and seed.
-SEEDS: frozenset[tuple[str, int]] = frozenset({("of_what_is_hard", 14), ("of_what_is_hard", 23)})
+SEEDS: frozenset[tuple[str, int]] = frozenset()
 
 # Models beside a stranger, by what is large or small, name and scale.
 STRANGERS: frozenset[tuple[str, str, float]] = frozenset()

@@ -106,7 +106,7 @@ def test_what_happened_before_a_failure_is_written(invoke: Invoke, tmp_path: Pat
     model.write_text(BALL.replace(contact, "").replace("equation", f"equation {clause}"))
     result = invoke("run", model, "--stop", "3", "--events", happened)
     assert result.exit_code == 3
-    assert "error[E0833]: events of `h <= 0` crowd together at t = 1.35" in result.stderr
+    assert "error[E0833]: events of `h <= 0` accumulate at t = 1.35" in result.stderr
     _, *rows = csv.reader(happened.read_text().splitlines())
     times = [float(time) for time, kind, _ in rows if kind == "reinit"]
     first = np.sqrt(2 / 9.81)

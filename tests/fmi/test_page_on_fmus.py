@@ -1,4 +1,4 @@
-"""What docs/reference/fmi.md shows runs and gives what it says; its table of options is that of the command."""
+"""The pages on FMUs run and give the numbers that they show; the table of options is that of the command."""
 
 from __future__ import annotations
 
@@ -12,11 +12,13 @@ import pytest
 from lagdsl.cli.fmu import command
 from lagdsl.runtime.platforms import PLATFORMS
 
+PAGES = ("export_fmu", "cosimulate")
+
 
 def test_python_of_the_page_runs_and_gives_its_numbers(
     root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    page = (root / "docs" / "reference" / "fmi.md").read_text(encoding="utf-8")
+    page = "".join((root / "docs" / "howto" / f"{name}.md").read_text(encoding="utf-8") for name in PAGES)
     (tmp_path / "models").symlink_to(root / "models")
     monkeypatch.chdir(tmp_path)
     found: dict[str, Any] = {}
@@ -43,7 +45,7 @@ def _place(t: float) -> float:
 
 
 def test_the_page_tells_every_option(root: Path) -> None:
-    page = (root / "docs" / "reference" / "fmi.md").read_text(encoding="utf-8")
+    page = (root / "docs" / "howto" / "export_fmu.md").read_text(encoding="utf-8")
     table = page.split("| option | |")[1].split("\n\n")[0]
     own = {option for parameter in command.params for option in parameter.opts if option.startswith("--")}
     assert set(re.findall(r"`(--[a-z][a-z-]*)", table)) == own - {"--model", "--format", "--output"}

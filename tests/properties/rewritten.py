@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -56,4 +57,56 @@ def reordered(s: Source) -> str:
 
 def wrapped(s: Source) -> str:
     """An instance of it in another model."""
-    return f"{s.text}\nmodel Around\n  {s.model.name} inner;\nend Around;\n"
+    return s.text + around(s.model.name)
+
+
+def around(name: str, items: str = "", equations: str = "") -> str:
+    return f"\nmodel Around\n  {name} inner;\n{items}{equations}end Around;\n"
+
+
+def renamed(s: Source, suffix: str) -> str:
+    """Coordinates of the model itself by other names."""
+    names = [d.name for item in s.model.items if isinstance(item, nodes.Coordinate) for d in item.declarators]
+    start, end = s.model.items[0].span.start, s.model.items[-1].span.end
+    body = s.text[start:end]
+    for name in names:
+        body = re.sub(rf"(?<![\w.]){name}(?!\w)(?!\s*=[^=])", f"{name}{suffix}", body)
+    return s.text[:start] + body + s.text[end:]
+
+
+@dataclass(frozen=True)
+class Mass:
+    """A parameter of the model itself, in kg."""
+
+    name: str
+    value: float
+
+
+def mass_of(s: Source) -> Mass | None:
+    """The first mass among its parameters that is a number."""
+    found = re.search(r"parameter Mass (\w+) = ([\d.e]+) kg", s.text[s.model.span.start : s.model.span.end])
+    return None if found is None else Mass(found[1], float(found[2]))
+
+
+def heavier(s: Source, mass: Mass) -> str:
+    return f"{s.text}\nmodel Heavier\n  extends {s.model.name}({mass.name} = {_more(mass)});\nend Heavier;\n"
+
+
+def twice(s: Source, mass: Mass | None) -> str:
+    """With gravity, which a model has once, around both."""
+    values = "" if mass is None else f"({mass.name} = {_more(mass)})"
+    text, gravity = s.text, ""
+    for item in s.model.items:
+        if isinstance(item, nodes.Gravity):
+            gravity = re.sub(r"(?<!\d )(?<!/)\b[A-Za-z]\w*", lambda word: _inside(s, word[0]), item.span.text)
+            text = s.text[: item.span.start] + s.text[item.span.end :]
+    return text + around(s.model.name, f"  {s.model.name} other{values};\n  {gravity}\n")
+
+
+def _inside(s: Source, name: str) -> str:
+    own = (d.name for item in s.model.items for d in getattr(item, "declarators", ()))
+    return f"inner.{name}" if name in own else name
+
+
+def _more(mass: Mass) -> str:
+    return f"{1.25 * mass.value!r} kg"

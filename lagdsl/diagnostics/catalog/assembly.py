@@ -44,7 +44,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0708": error("`prefer` is `always` or `never`, not `{found}`", "no such choice"),
     "W0709": warning(
-        "this `connect` joins what was one already",
+        "this `connect` joins items that are connected already",
         "without effect",
         "delete it, or name the frames that are meant",
     ),
@@ -84,12 +84,12 @@ ROWS: dict[str, Row] = {
         "connect it, or leave the component out",
     ),
     "E0717": error(
-        "nothing says what flows into `{name}`",
+        "the flow into `{name}` is not defined",
         "no component here gives its flow",
         "bind it to the rate of a coordinate, as in `Pin p(i = der(q));`",
     ),
     "N0718": note(
-        "`{name}` follows from the other joints of its loop; its start tells only from where turns are counted",
+        "`{name}` follows from the other joints of its loop; its start value only selects the turn of the angle",
         "no initial value",
         "`prefer = always` keeps the coordinate, with its start",
     ),

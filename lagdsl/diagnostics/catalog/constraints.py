@@ -34,6 +34,6 @@ ROWS: dict[str, Row] = {
     "W0608": warning(
         "at t = {time} s the constraints lose rank ({rank} instead of {general}) at `{name}`",
         "a singular position of the mechanism",
-        "the motion is not unique there; the one that the given rates and the smallest accelerations lead to is taken",
+        "the motion is not unique there; the simulation takes the branch of the smallest accelerations",
     ),
 }

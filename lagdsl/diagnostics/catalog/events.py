@@ -9,7 +9,7 @@ ROWS: dict[str, Row] = {
         help="write `{name}(start = ...)` for its first value; without `discrete` the binding is fine",
     ),
     "E0371": error(
-        "nothing tells when this becomes true",
+        "this condition is not located, so the clause cannot act on it",
         label="a relation taken as it stands",
         help="leave out `noEvent`: the condition of a `when` is located",
     ),
@@ -39,7 +39,7 @@ ROWS: dict[str, Row] = {
         help="name the variable itself",
     ),
     "E0377": error(
-        "`{name}` is something to do, not a value",
+        "`{name}` is an action, not a value",
         label="no value",
         help="write it as an equation in a `when` clause: `{name}(...);`",
     ),

@@ -9,7 +9,7 @@ ROWS: dict[str, Row] = {
         help="declare `{name}` as `Real`, or take a smaller number",
     ),
     "N0903": note(
-        "who drives `{name}` of this FMU drives its time derivatives, too: the inputs {derivatives}",
+        "this FMU takes the time derivatives of `{name}` as inputs, too: {derivatives}",
         label="declared with its derivatives here",
         help="give all of them from one signal; positions that follow `{name}` are as smooth as these fit together",
     ),
@@ -27,11 +27,11 @@ ROWS: dict[str, Row] = {
     ),
     "E0907": error(
         "the finished FMU does not satisfy the standard, so it was not written",
-        help="this is a fault of lagdsl: please report the model; the other version of the standard (`--fmi`) may do",
+        help="this is a fault of lagdsl: please report the model; the other version of the standard (`--fmi`) may work",
     ),
     "E0908": error(
         "the finished FMU does not run, so it was not written: {reason}",
-        help="see whether `lag run` does from the same start; a start that moves at once may need other values",
+        help="check that `lag run` works from the same start values",
     ),
     "E0909": error(
         "an FMU does not find the free parameter `{name}`",

@@ -19,8 +19,8 @@ ROWS: dict[str, Row] = {
         "drop a `fixed = true` of a rate",
     ),
     "E0804": error(
-        "what happens at t = {time} s does not settle: there is no end of changes of {text}",
-        label="goes on changing",
+        "event iteration did not converge at t = {time} s; still changing: {text}",
+        label="still changing",
         help="two clauses may trigger each other, or a force may reverse at every crossing: smooth it, `tanh(v/v0)`",
     ),
     "E0805": error(
@@ -59,7 +59,7 @@ ROWS: dict[str, Row] = {
         "the mechanism reached a position in which it cannot move on; limit the motion or check the lengths",
     ),
     "E0812": error(
-        "gave up at t = {time} s after {steps} steps",
+        "the simulation reached its limit of {steps} steps at t = {time} s",
         None,
         "use a larger tolerance, another solver, or allow more steps",
     ),
@@ -145,7 +145,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0830": error(
         "the motion cannot be continued at t = {time} s: near a singular position, where `{name}` loses its effect, "
-        "its branch is not decided",
+        "the equations do not decide on its branch",
         "without effect there",
         "a smaller tolerance may lead across; lengths or start values that avoid the position decide it",
     ),
@@ -156,14 +156,14 @@ ROWS: dict[str, Row] = {
         "the degrees of freedom would be {freedom}; write the values into the model, so that it is compiled with them",
     ),
     "E0832": error(
-        "`{text}` is given two values by `reinit` at t = {time} s",
+        "`reinit` gives `{text}` two values at t = {time} s",
         label="one of them",
         help="use the branches of one `when ... elsewhen`, or conditions that exclude each other",
     ),
     "E0833": error(
-        "events of {text} crowd together at t = {time} s, and the motion does not get beyond",
-        label="this happens ever faster",
-        help="say what holds after: a `contact` comes to rest, a force can be smooth, a condition can have a margin",
+        "events of {text} accumulate at t = {time} s, and the simulation cannot continue",
+        label="the time between events goes to zero",
+        help="use a `contact`, which comes to rest, a smooth force, or a condition with a margin",
     ),
     "E0834": error(
         "the gap of {text} is negative at the start",
@@ -171,9 +171,9 @@ ROWS: dict[str, Row] = {
         help="give starts at which every gap is positive or zero",
     ),
     "E0835": error(
-        "{text} does not hold at the positions that the motion has at t = {time} s, when it begins to",
-        label="asks for a jump of positions",
-        help="let it begin where it holds, or write it for rates: `der(...) = ...`",
+        "{text} becomes active at t = {time} s, but the current position violates it",
+        label="would need a jump of positions",
+        help="activate it where it is satisfied, or write it for rates: `der(...) = ...`",
     ),
     "E0837": error(
         "no initial equation decides the free parameter `{name}`",
@@ -186,7 +186,7 @@ ROWS: dict[str, Row] = {
         "check the initial equations, or give a guess on the side you mean",
     ),
     "E0845": error(
-        "input `{name}` is counted and is given as {value}",
+        "input `{name}` takes whole numbers, not {value}",
         "whole numbers only",
         "give whole numbers; in a table each holds until the next row",
     ),
@@ -206,7 +206,7 @@ ROWS: dict[str, Row] = {
         "give `{derivative}` and the derivative before it as tables too, if they are known",
     ),
     "E0849": error(
-        "input `{derivative}` is given and `{name}`, of which it is a time derivative, is not",
+        "input `{derivative}` is given, but `{name}` is not, whose time derivative it is",
         None,
         "give `{name}` too, from the same signal",
     ),

@@ -46,7 +46,7 @@ ROWS: dict[str, Row] = {
     "E0223": error("{model} has no `{name}`", label="cannot be modified"),
     "E0224": error("`{name}` cannot be given another value from outside", label="it is fixed"),
     "E0225": error(
-        "component `{name}` would hold itself without end: {path}",
+        "component `{name}` would contain itself: {path}",
         label="a component of a class that it is part of",
         help="what repeats is an array of components in the class around: `Link link[n]`",
     ),
@@ -59,11 +59,11 @@ ROWS: dict[str, Row] = {
         help="modify its members: `{name}(member = ...)`",
     ),
     "E0228": error("{what} is an array of components", label="of which one?"),
-    "E0229": error("`{name}` is protected in {what}", label="not to be seen from outside"),
-    "E0230": error("component `{name}` is not there: its condition is false", label="used here"),
+    "E0229": error("`{name}` is protected in {what}", label="not visible from outside"),
+    "E0230": error("component `{name}` does not exist: its condition is false", label="used here"),
     "E0231": error(
         "`{name}` is a partial class; it cannot be {what}",
-        label="incomplete on purpose",
+        label="incomplete",
         help="use a class that extends it",
     ),
     "E0232": error("`extends` must stand at the top of a class", label="what is inherited cannot depend on conditions"),
@@ -90,7 +90,7 @@ ROWS: dict[str, Row] = {
         help="delete it; prefixes of components are `final` and `replaceable`",
     ),
     "E0239": error(
-        "`{name}` counts without units, the model with them",
+        "`{name}` is written without units, the model with units",
         label="used here",
         help='write `annotation(units = "none")` in the model, too, or give the class its units',
     ),
@@ -104,9 +104,9 @@ ROWS: dict[str, Row] = {
     ),
     "E0242": error("a redeclaration keeps the size of `{name}`", label="says a size", help="delete the subscripts"),
     "E0243": error(
-        "`{name}` is inherited on two ways with different modifiers",
-        label="which ones hold?",
-        help="say the same on both ways, or modify it where the class is used",
+        "`{name}` is inherited along two paths with conflicting modifiers",
+        label="which modifiers apply?",
+        help="use the same modifiers on both paths, or modify it where the class is used",
     ),
     "E0244": error("`{new}` cannot stand in for `{old}`: it has no {missing}", label="put in here"),
     "E0245": error(

@@ -16,7 +16,7 @@ ROWS: dict[str, Row] = {
     "E0503": error(
         "`{name}` has no inertia",
         label="no kinetic energy depends on der({name})",
-        help="give what it moves a mass or an inertia, or prescribe the motion by a definition",
+        help="give a mass or an inertia to the body that it moves, or prescribe the motion by a definition",
     ),
     "E0504": error(
         "`kinetic` is not quadratic in the rates",
@@ -26,7 +26,7 @@ ROWS: dict[str, Row] = {
     "E0505": error(
         "the {what} depends on `{name}`, but masses and inertias cannot change during the motion",
         label="must be built from parameters",
-        help="a changing mass carries momentum away: state energies and forces by hand in `lagrangian` and `force`",
+        help="a changing mass carries momentum away: state energies and forces in `lagrangian` and `force`",
     ),
     "E0506": error(
         "the {what} is negative: {value} {unit} with the given parameters",

@@ -84,7 +84,7 @@ ROWS: dict[str, Row] = {
         "{name} contains the character NUL (position {position}) and is no model text", help="give a `.lag` file"
     ),
     "E0137": error(
-        "the text holds characters that change its direction and are not seen ({codes})",
+        "the text contains invisible characters that change its direction ({codes})",
         label="here, or beside it",
         help="remove them; they may stand in a string with letters from right to left, each closed in it",
     ),
@@ -93,7 +93,7 @@ ROWS: dict[str, Row] = {
         label="one more than the limit",
         help="name parts of the expression",
     ),
-    "N0106": note("`{literal}` is a number with a unit, not a product with {names}; write `{meant}` for that"),
+    "N0106": note("`{literal}` is a number with a unit, not a product with {names}; write `{meant}` for the product"),
     "N0199": note("stopped after {count} errors", help="repair the first ones; later ones often follow from them"),
 }
 

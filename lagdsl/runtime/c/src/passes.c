@@ -8,8 +8,6 @@
 enum { MOST_PASSES = 100 };
 /* What a constraint that discretes switch may be off the positions, as a part of the size of its row. */
 static const double TORN = 1e-6;
-/* A relation that passes zero within this part of the moment does so at the event. */
-static const double PASSING = 1e-2;
 
 size_t lag_passes_memory(const lag_model *model)
 {
@@ -59,19 +57,6 @@ lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, 
     return passes->tell != NULL ? passes->tell(passes->context, &happening) : LAG_OK;
 }
 
-/* Accelerations and multipliers; no numbers where there are none. */
-static void solve(lag_motion *motion, double t, const double *x)
-{
-    const lag_model *model = motion->model;
-    const lag_status status = lag_motion_solve(motion, t, x);
-    for (size_t i = 0; i < model->nq && status != LAG_OK; ++i) {
-        motion->qdd[i] = (double)NAN;
-    }
-    for (size_t i = 0; i < model->nc && status != LAG_OK; ++i) {
-        motion->lam[i] = (double)NAN;
-    }
-}
-
 static int same(size_t count, const double *a, const double *b)
 {
     size_t i = 0;
@@ -81,98 +66,12 @@ static int same(size_t count, const double *a, const double *b)
     return i == count;
 }
 
-/* ---- relations ---- */
-
-static lag_status indicate(lag_passes *passes, double t, const double *x, double *g)
-{
-    solve(passes->motion, t, x);
-    return passes->motion->model->indicator(&passes->motion->at, g);
-}
-
-static int holds(const lag_model *model, size_t i, double g)
-{
-    return g > 0.0 || (g == 0.0 && model->strict[i] == 0);
-}
-
-/* Relations as they stand at a state, into w. */
-static lag_status stand(lag_passes *passes, double t, const double *x)
-{
-    const lag_model *model = passes->motion->model;
-    const lag_status status = model->nindicator > 0 ? indicate(passes, t, x, passes->now) : LAG_OK;
-    for (size_t i = 0; i < model->nindicator; ++i) {
-        passes->motion->w[passes->places.relation + i] = holds(model, i, passes->now[i]);
-    }
-    return status;
-}
-
-/* The state a moment later, as w has it. */
-static void move_on(lag_passes *passes, double t, const double *x)
-{
-    lag_motion *motion = passes->motion;
-    const int moves = motion->ode.rates(motion, t, x, passes->rate) == LAG_OK;
-    for (size_t i = 0; i < lag_motion_size(motion->model); ++i) {
-        passes->later[i] = moves ? x[i] + passes->moment * passes->rate[i] : x[i];
-    }
-}
-
-/* Whether relation i passes zero here, as it was looked at now and a moment later. */
-static int passing(const lag_passes *passes, size_t i)
-{
-    return fabs(passes->now[i]) <= PASSING * fabs(passes->then[i] - passes->now[i]);
-}
-
-/* Round-off of the relations, where one of those that have turned may be zero but for that. */
-static void weigh(lag_passes *passes, double t, const double *x, const double *turned)
-{
-    int any = 0;
-    for (size_t i = 0; i < passes->motion->model->nindicator && turned != NULL; ++i) {
-        any = any || (turned[i] != 0.0 && !passing(passes, i));
-    }
-    if (any) {
-        lag_noise_find(passes->noise, t, x);
-    }
-}
-
-/*
- * Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero what they have turned to
- * (flags, or null).
- */
-static lag_status ahead(lag_passes *passes, double t, const double *x, const double *turned)
-{
-    lag_motion *motion = passes->motion;
-    const lag_model *model = motion->model;
-    if (model->nindicator == 0) {
-        return LAG_OK;
-    }
-    move_on(passes, t, x);
-    lag_status status = indicate(passes, t, x, passes->now);
-    if (status == LAG_OK) {
-        status = indicate(passes, t + passes->moment, passes->later, passes->then);
-    }
-    if (status == LAG_OK) {
-        weigh(passes, t, x, turned);
-    }
-    for (size_t i = 0; i < model->nindicator; ++i) {
-        const int passes_zero = passing(passes, i);
-        const int stays = turned != NULL && turned[i] != 0.0 && !passes_zero && fabs(passes->now[i]) <= passes->noise->sigma[i];
-        if (!stays) {
-            motion->w[passes->places.relation + i] = holds(model, i, passes_zero ? passes->then[i] : passes->now[i]);
-        }
-    }
-    return status;
-}
-
-lag_status lag_passes_turn(lag_passes *passes, double t, const double *x)
-{
-    return ahead(passes, t, x, NULL);
-}
-
 /* ---- one pass ---- */
 
 static lag_status look(lag_passes *passes, double t, const double *x)
 {
     const lag_model *model = passes->motion->model;
-    solve(passes->motion, t, x);
+    lag_passes_solve(passes->motion, t, x);
     return model->event(&passes->motion->at, passes->next, passes->reset, passes->value, passes->collision, passes->restitution,
         passes->stop, passes->fail);
 }
@@ -185,7 +84,7 @@ lag_status lag_passes_settle(lag_passes *passes, double t, const double *x)
     lag_status status = LAG_OK;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         memcpy(passes->before, w, model->nw * sizeof(double));
-        status = stand(passes, t, x);
+        status = lag_passes_stand(passes, t, x);
         if (status == LAG_OK) {
             status = look(passes, t, x);
         }
@@ -243,8 +142,8 @@ static lag_status collide(lag_passes *passes, double t, double *x, const double 
 static void keep_pulling(lag_passes *passes, double t, const double *x, double *pulling)
 {
     lag_motion *motion = passes->motion;
-    move_on(passes, t, x);
-    solve(motion, t + passes->moment, passes->later);
+    lag_passes_move_on(passes, t, x);
+    lag_passes_solve(motion, t + passes->moment, passes->later);
     for (size_t i = 0; i < motion->model->ncontact; ++i) {
         const double force = motion->lam[motion->model->contact_rows[i]];
         pulling[i] = pulling[i] != 0.0 && force < -lag_contacts_force_noise(passes->contacts, i);
@@ -421,7 +320,7 @@ static lag_status pass(lag_passes *passes, double t, double *x, const double *tu
     if (status == LAG_OK) {
         status = strike(passes, t, x, acted);
     }
-    return status == LAG_OK ? ahead(passes, t, x, turned) : status;
+    return status == LAG_OK ? lag_passes_ahead(passes, t, x, turned) : status;
 }
 
 /* 1: a constraint that discretes switch asks for other positions. */

@@ -56,4 +56,21 @@ lag_status lag_passes_turn(lag_passes *passes, double t, const double *x);
 /* Tells that something happened. */
 lag_status lag_passes_tell(const lag_passes *passes, double t, const double *x, lag_what what, size_t which);
 
+/* For the parts of a pass. */
+
+/* Accelerations and multipliers; no numbers where there are none. */
+void lag_passes_solve(lag_motion *motion, double t, const double *x);
+
+/* Relations as they stand at a state, into w. */
+lag_status lag_passes_stand(lag_passes *passes, double t, const double *x);
+
+/* The state a moment later, as w has it, into `later`. */
+void lag_passes_move_on(lag_passes *passes, double t, const double *x);
+
+/*
+ * Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero what they have turned to
+ * (flags, or null).
+ */
+lag_status lag_passes_ahead(lag_passes *passes, double t, const double *x, const double *turned);
+
 #endif
