@@ -25,7 +25,12 @@ _TARGETS = ("numpy", "c")
 @takes_model
 @click.option("--target", type=click.Choice(_TARGETS), required=True, help="Language of the module.")
 @click.option("-o", "--output", "folder", type=click.Path(path_type=Path), required=True, help="Folder to write to.")
-@click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
+@click.option(
+    "--derivation",
+    type=click.Choice(["graph", "textbook"]),
+    default="graph",
+    help="Derivation of the equations: graph, or textbook in SymPy.",
+)
 @click.option(
     "--fix",
     "fixed",
@@ -33,7 +38,7 @@ _TARGETS = ("numpy", "c")
     metavar="NAME[=VALUE]",
     help="Make a parameter a number of the module: 'm', 'm=2 kg', 'arm.*' or '*'. The equations become shorter.",
 )
-@click.option("--batch", is_flag=True, help="C: also functions of many states and many directions at once.")
+@click.option("--batch", is_flag=True, help="With C: add functions of many states and many directions at once.")
 def command(
     file: Path,
     model: str | None,

@@ -18,7 +18,7 @@ _MOST_NAMED = 8
 @click.command("check")
 @takes_model
 def command(file: Path, model: str | None, style: Format) -> None:
-    """Find everything that is wrong with the model in FILE; then one line of what it is."""
+    """Find all errors of the model in FILE, and show its degrees of freedom."""
     source = read_or_leave(file, style, to_output=True)
     diagnostics, compilation = check(source, model=model)
     tell(diagnostics, style, to_output=True)

@@ -20,7 +20,7 @@ Form = Literal["text", "markdown", "latex", "html"]
 )
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file instead.")
 def command(file: Path, model: str | None, style: Format, form: Form, output: Path | None) -> None:
-    """Show how the equations of motion of FILE come about, step by step."""
+    """Show the derivation of the equations of motion of FILE, step by step."""
     require_writable(output)
     flat = flat_or_leave(file, model, style)
 

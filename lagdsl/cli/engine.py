@@ -19,6 +19,6 @@ def takes_engine(command: _Command) -> _Command:
         type=click.Choice(ENGINES),
         default="auto",
         show_default=True,
-        help="auto: tape, at once and without a compiler, and C for long work; numpy: to compare with.",
+        help="tape: interpreted, no compiler; c: compiled; numpy: for comparison; auto: tape, and C for long runs.",
     )
     return option(command)

@@ -21,7 +21,7 @@ from lagdsl.runtime.platforms import PLATFORMS
 @click.command("fmu")
 @takes_model
 @click.option(
-    "--fmi", "version", type=click.Choice(["2", "3"]), default="2", show_default=True, help="Of the standard."
+    "--fmi", "version", type=click.Choice(["2", "3"]), default="2", show_default=True, help="Version of the standard."
 )
 @click.option(
     "--kind",
@@ -36,7 +36,7 @@ from lagdsl.runtime.platforms import PLATFORMS
     type=click.Choice([*PLATFORMS, "all"]),
     multiple=True,
     metavar="NAME",
-    help=f"Machine that a binary is made for; default: this one. Any of {', '.join(PLATFORMS)}, all.",
+    help=f"Platform of a binary; default: this machine. One of {', '.join(PLATFORMS)}, all.",
 )
 @click.option(
     "--set",
@@ -60,7 +60,7 @@ def command(
     with_source: bool,
     output: Path | None,
 ) -> None:
-    """Write the model in FILE as an FMU: checked, run once, then moved into place."""
+    """Write the model in FILE as an FMU. The FMU is validated and run once before it appears."""
     require_writable(output)
     source = read_or_leave(file, style)
     sink = Sink()

@@ -18,7 +18,7 @@ from lagdsl.cli.status import INTERNAL, INTERRUPTED, SUCCESS, USAGE
 
 # Commands by name and what `lag --help` says of each; the module is loaded when the command is used.
 _COMMANDS = {
-    "check": "Find everything that is wrong with a model.",
+    "check": "Find all errors of a model.",
     "run": "Simulate a model.",
     "sweep": "Simulate a model many times, over values of parameters and starts.",
     "linearize": "Show the matrices of the motion about a state.",

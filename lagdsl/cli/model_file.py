@@ -31,9 +31,11 @@ def takes_model(command: _Command) -> _Command:
             type=click.Choice(["text", "json"]),
             default="text",
             show_default=True,
-            help="Form of the diagnostics.",
+            help="Format of the diagnostics.",
         ),
-        click.option("-m", "--model", metavar="MODEL", help="Which model of the file; default: the last complete one."),
+        click.option(
+            "-m", "--model", metavar="MODEL", help="Name of the model in the file; default: the last complete one."
+        ),
         click.argument("file", type=click.Path(path_type=Path)),
     ):
         command = decorate(command)

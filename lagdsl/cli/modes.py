@@ -21,8 +21,13 @@ from lagdsl.runtime.engine import EngineName
 
 @click.command("modes")
 @takes_state
-@click.option("--trim", is_flag=True, help="About the equilibrium nearest to the start.")
-@click.option("--vary", "varied", metavar="NAME=FROM:TO:COUNT", help="Eigenvalues over a parameter, and thresholds.")
+@click.option("--trim", is_flag=True, help="Linearize about the equilibrium nearest to the start.")
+@click.option(
+    "--vary",
+    "varied",
+    metavar="NAME=FROM:TO:COUNT",
+    help="Compute eigenvalues over a parameter, and locate thresholds.",
+)
 @click.option("--plot", "picture", type=click.Path(path_type=Path), help="Write a figure: mode shapes or root locus.")
 def command(
     file: Path,

@@ -44,9 +44,14 @@ _SECONDS = "e.g. 10, '500 ms'"
     "--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau, rk4, leapfrog, ros2."
 )
 @click.option("--step", metavar="H", help="Length of steps [s], for the solvers rk4, leapfrog and ros2.")
-@click.option("--derivation", type=click.Choice(["graph", "textbook"]), default="graph", help="Route to the equations.")
+@click.option(
+    "--derivation",
+    type=click.Choice(["graph", "textbook"]),
+    default="graph",
+    help="Derivation of the equations: graph, or textbook in SymPy.",
+)
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the columns to this .csv or .parquet.")
-@click.option("--events", type=click.Path(path_type=Path), help="Write what happened, and when, to this .csv.")
+@click.option("--events", type=click.Path(path_type=Path), help="Write the events to this .csv.")
 @click.option("--plot", "picture", type=click.Path(path_type=Path), help="Write a figure of the motion.")
 def command(
     file: Path,

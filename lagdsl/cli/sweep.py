@@ -42,7 +42,7 @@ _MOST_REASONS = 3
     help="'l=0.1:0.1:1 m', 'm=1, 2, 5 kg', 'm=normal(1, 0.1) kg'; starts as 'x.start=...'.",
 )
 @click.option("--random", type=click.IntRange(min=1), metavar="N", help="Number of draws from the distributions.")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Of the draws.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the draws.")
 @click.option("--stop", metavar="T", help="End of every run [s]; default: the model's experiment.")
 @click.option("--interval", metavar="H", help="Time between rows [s].")
 @click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration.")
@@ -52,8 +52,8 @@ _MOST_REASONS = 3
 @click.option("--column", "columns", multiple=True, metavar="NAME", help="Keep this column only; may be repeated.")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the dataset: .nc, .parquet or .csv.")
 @click.option("--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one for each core.")
-@click.option("--scheduler", metavar="ADDRESS", help="Make the runs on the Dask cluster there.")
-@click.option("--resume", is_flag=True, help="Go on with an interrupted sweep to the same output.")
+@click.option("--scheduler", metavar="ADDRESS", help="Make the runs on the Dask cluster at ADDRESS.")
+@click.option("--resume", is_flag=True, help="Continue an interrupted sweep to the same output.")
 def command(
     file: Path,
     model: str | None,

@@ -23,9 +23,9 @@ from lagdsl.runtime.engine import EngineName
 @click.command("trim")
 @takes_state
 @click.option(
-    "--free", multiple=True, metavar="NAME", help="Also unknown: an input, a rate der(x), a fixed coordinate."
+    "--free", multiple=True, metavar="NAME", help="Add an unknown: an input, a rate der(x), a fixed coordinate."
 )
-@click.option("--hold", multiple=True, metavar="NAME", help="Not unknown: keeps its start value.")
+@click.option("--hold", multiple=True, metavar="NAME", help="Remove an unknown: it keeps its start value.")
 @click.option("--steady", is_flag=True, help="Keep the rates of the start: a steady motion instead of rest.")
 def command(
     file: Path,
