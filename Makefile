@@ -6,19 +6,26 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check lint test coverage test-fast update c-check c-test fmu-check wheels wasm bench peers docs figures
+.PHONY: help check check-all lint test test-all coverage test-fast update c-check c-runtime c-shells c-test fmu-check wheels wasm \
+  bench peers docs figures
+
+# Many processes import the same modules: the first one that does compiles them for all, whatever the environment says.
+export PYTHONDONTWRITEBYTECODE :=
 
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
 
+# Modules that nothing imports need not be compiled.
 $(READY): pyproject.toml
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --editable '.[dev]'
 	touch $@
 
-check: $(READY)  ## everything that must hold: style, types, floors, C tests, all tests
-	$(MAKE) --jobs=2 lint c-check
-	$(MAKE) test
+check:  ## what must hold before a merge, in six minutes: style, types, floors, C under sanitizers, tests with one of each kind
+	$(MAKE) --jobs=3 lint c-check test
+
+check-all:  ## everything, in an hour: `check` with all models, all compilers that are installed, threads, valgrind
+	$(MAKE) --jobs=3 lint c-test test-all
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -26,21 +33,29 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-test: $(READY)  ## all tests
+test: $(READY)  ## the tests, with one of each kind where they repeat a rule
 	$(BIN)/python -m pytest -n auto --dist loadgroup
 
-coverage: $(READY)  ## the tests of the floors, which cover at least 95 % of the branches; tracing takes three times as long
-	$(BIN)/python -m pytest -n auto --dist loadgroup -m 'not no_cover' --cov --cov-report=term
+test-all: $(READY)  ## the tests, with every model
+	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto --dist loadgroup
+
+coverage: $(READY)  ## all tests of the floors, which cover at least 95 % of the branches; tracing takes three times as long
+	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto --dist loadgroup -m 'not no_cover' --cov --cov-report=term
 
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
 	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
 
-c-check: $(READY)  ## tests of the C runtime and of the shells of FMUs under sanitizers, warnings of every compiler there is
-	$(MAKE) --directory=lagdsl/runtime/c sanitized warnings
-	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) sanitized warnings
+c-check: c-runtime c-shells  ## tests of the C runtime and of the shells of FMUs under sanitizers
 
-c-test: $(READY)  ## the same, with the sanitizer of threads and ten thousand runs under valgrind
+c-runtime:
+	$(MAKE) --directory=lagdsl/runtime/c sanitized
+
+c-shells: c-runtime $(READY)
+	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) sanitized
+
+c-test: c-check  ## the same, with warnings of every compiler there is, the sanitizer of threads and ten thousand runs under valgrind
 	$(MAKE) --directory=lagdsl/runtime/c test
+	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) test
 
 fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (half an hour)
 	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest -n auto --dist loadgroup tests/fmi

@@ -57,6 +57,15 @@ class Timed(Item):
 
 
 @record(kw_only=True)
+class Corner(Item):
+    """Where a force, an energy or a rate has a corner or a jump along the motion: `distance` passes zero there. Steps
+    end there; nothing else happens. `solved`: it reads accelerations or multipliers."""
+
+    distance: FlatExpression
+    solved: bool
+
+
+@record(kw_only=True)
 class Clock(Item):
     """`sample(start, period)`: ticks at start + k*period, k = 0, 1, 2 ...; both depend on parameters only."""
 
@@ -173,6 +182,7 @@ class Events:
     contacts: tuple[Contact, ...] = ()
     relations: tuple[Relation, ...] = ()
     timed: tuple[Timed, ...] = ()
+    corners: tuple[Corner, ...] = ()
     whens: tuple[When, ...] = ()
     clocks: tuple[Clock, ...] = ()
     instants: tuple[str, ...] = ()

@@ -16,6 +16,7 @@ from lagdsl.record import record
 from lagdsl.runtime.cache import cache_folder
 from lagdsl.runtime.compiler import failure
 from lagdsl.runtime.cores import cores
+from lagdsl.runtime.lock import lock_of, locked
 from lagdsl.runtime.platforms import Platform, this_machine
 
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
@@ -105,9 +106,11 @@ def _objects(
         tool, path = jobs[number]
         target = kept / f"{_digest(*tool.flags, *_read(path, sources))}.o"
         if not target.exists():
-            draft = f"{number}.o"
-            tool.compile(folder, path, draft)
-            (folder / draft).replace(target)
+            with locked(lock_of(target)):
+                if not target.exists():
+                    draft = f"{number}.o"
+                    tool.compile(folder, path, draft)
+                    (folder / draft).replace(target)
         return str(target)
 
     with ThreadPoolExecutor(cores()) as pool:

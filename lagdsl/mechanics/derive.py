@@ -14,7 +14,7 @@ from lagdsl.graph.operation import Group
 from lagdsl.mechanics import constraints, energies, lagrange
 from lagdsl.mechanics.acceleration import refuse_accelerations
 from lagdsl.mechanics.eliminated import eliminated_equations
-from lagdsl.mechanics.events import event_functions
+from lagdsl.mechanics.events import corner_functions, event_functions
 from lagdsl.mechanics.inverse import inverse_dynamics
 from lagdsl.mechanics.lowering import Lowering
 from lagdsl.mechanics.monitor import largest_term
@@ -96,7 +96,7 @@ def derived(flat: FlatModel, *, dense: bool | None = None) -> Derived:
         for name, arguments in {**SIGNATURES, **OPTIONAL}.items()
         if name in blocks
     )
-    functions += event_functions(derivation.lowering, flat)
+    functions += event_functions(derivation.lowering, flat) + corner_functions(derivation.lowering, flat)
     program = with_components(Program(name=flat.name, layout=layout(flat), graph=derivation.graph, functions=functions))
     result = Derived(derivation=derivation, program=program, forming=_cost_of_forming(derivation, blocks))
     return result if flat.constraints else replace(result, program=_with_elimination(result, None))

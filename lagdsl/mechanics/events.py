@@ -1,4 +1,4 @@
-"""What happens at instants, on the graph: indicators, one pass over the `when` clauses, gaps of contacts, clocks.
+"""What happens at instants, on the graph: indicators, passes over the `when` clauses, gaps, clocks, corners.
 
 In a pass a discrete variable means its new value wherever the flow of data has it already; `pre` and everything that is
 not assigned is an entry of `w`.
@@ -40,6 +40,18 @@ def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]
     }
     found["time_event"] = _time_events(lowering, flat)
     return tuple(Function(name=name, arguments=OPTIONAL[name], results=tuple(found[name])) for name in found)
+
+
+def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
+    """`corner` of a model with corners along the motion; none for others."""
+    graph = lowering.graph
+    nodes = {lowering.scalar(each.distance): each.solved for each in flat.events.corners}
+    moving = {node: solved for node, solved in nodes.items() if graph.op[node] is not Op.CONSTANT}
+    if not moving:
+        return ()
+    solved = Block(name="solved", shape=(), elements=(graph.constant(float(any(moving.values()))),))
+    blocks = (_vector("far", list(moving)), solved)
+    return (Function(name="corner", arguments=OPTIONAL["corner"], results=blocks),)
 
 
 def _vector(name: str, nodes: Sequence[int]) -> Block:

@@ -49,6 +49,7 @@ class Presence(Enum):
     BY_COLUMNS = "Only where M is not written out"
     ELIMINATED = "Only where the equations are solved while they are expressions"
     DISCRETES = "Only in models with discretes"
+    CORNERS = "Only in models with corners"
     NAMED = "Only in programs that tell every named value"
 
 
@@ -171,6 +172,14 @@ FUNCTIONS: tuple[Signature, ...] = (
         "that turns over",
         Presence.DISCRETES,
     ),
+    _function(
+        "corner",
+        SOLVED,
+        "far[ncorner] solved",
+        "distances that pass zero where forces, energies or rates have a corner along the motion; 1 where one of them "
+        "reads accelerations or multipliers",
+        Presence.CORNERS,
+    ),
     _function("momentum_tangent", (*STATE, Group.DIRECTION_QD), "momentum[nq]", "M dqd", Presence.BY_COLUMNS),
     _function("definition", SOLVED, "d[nd]", "every named value, first those that depend on p only", Presence.NAMED),
     _function("definition_tangent", (*SOLVED, *SOLVED_DIRECTIONS), "d[nd]", "dd", Presence.NAMED),
@@ -215,7 +224,7 @@ FUNCTIONS: tuple[Signature, ...] = (
 # Lengths that a program tells by its results only.
 COUNTED = (
     *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
-    *("ntimed", "ndistance"),
+    *("ntimed", "ndistance", "ncorner"),
 )
 
 BY_NAME = {function.name: function for function in FUNCTIONS}

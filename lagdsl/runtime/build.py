@@ -25,6 +25,7 @@ from lagdsl.runtime.compiler import (
     native_flags,
     processor,
 )
+from lagdsl.runtime.lock import lock_of, locked
 
 
 def build(
@@ -99,7 +100,11 @@ def _object(call: _Call, cache: Path, path: str, sources: Mapping[str, str]) -> 
     }
     made = call.folder / f"{path.removesuffix('.c')}.o"
     kept = cache / f"{content_hash(read, call.compiler, call.flags)}.o" if shared else made
-    if not kept.exists():
+    if not shared:
         compile_object(call.compiler, call.folder, path, str(made), call.flags, call.cancellation)
-        made.replace(kept)
+    elif not kept.exists():
+        with locked(lock_of(kept)):
+            if not kept.exists():
+                compile_object(call.compiler, call.folder, path, str(made), call.flags, call.cancellation)
+                made.replace(kept)
     return kept

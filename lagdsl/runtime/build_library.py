@@ -12,9 +12,8 @@ import os
 import platform as machine
 import sysconfig
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
@@ -22,6 +21,7 @@ from lagdsl.backends.c.include_files import included
 from lagdsl.resources import c_folder
 from lagdsl.runtime.compiler import FLAGS, Compiler, find_compiler, run_compiler
 from lagdsl.runtime.linking import libraries, link_flags
+from lagdsl.runtime.lock import locked
 from lagdsl.runtime.platforms import PLATFORMS, Platform, library_name, platform_of, this_machine
 
 # Calls within the library stay within it, and may be inlined.
@@ -117,7 +117,7 @@ def up_to_date(library: Path, build: Callable[[Path], None] | None = None) -> Pa
     if _is_current(library):
         return library
     library.parent.mkdir(parents=True, exist_ok=True)
-    with _locked(library.parent / "lock"):
+    with locked(library.parent / "lock"):
         if not _is_current(library):
             (build or _rebuild)(library)
     return library
@@ -149,15 +149,3 @@ def _newest_source() -> int:
         times.append(folder.stat().st_mtime_ns)
         times += [entry.stat().st_mtime_ns for entry in os.scandir(folder)]
     return max(times)
-
-
-@contextmanager
-def _locked(path: Path) -> Iterator[None]:
-    try:
-        import fcntl
-    except ImportError:  # Windows: whoever comes last replaces what the others built
-        yield
-        return
-    with path.open("w") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield

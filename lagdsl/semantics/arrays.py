@@ -295,7 +295,9 @@ def combined(ctx: Context, scope: Scope, name: str, left: Operand, right: Operan
 def extreme(ctx: Context, scope: Scope, node: nodes.Node, name: str, one: Scalar, two: Scalar) -> FlatExpression:
     """`min` or `max` of two; of time alone the one that an entry of the discretes tells."""
     if not corners.has_corner(ctx, one, two):
-        return corners.met(ctx, node, flat.Function(name, (one.expression, two.expression)), one, two)
+        distance = flat.Binary("-", one.expression, two.expression)
+        value = flat.Function(name, (one.expression, two.expression))
+        return corners.met(ctx, scope, node, value, distance, one, two)
     larger = corners.of_call(ctx, scope, node, flat.Binary("-", one.expression, two.expression))
     pair = (one.expression, two.expression) if name == "max" else (two.expression, one.expression)
     return flat.Conditional(larger, *pair)

@@ -57,7 +57,8 @@ def _rounded(call: Application, x: Scalar) -> Scalar:
     """`floor` and `ceil`: of time alone a number that is constant between events."""
     if not corners.has_corner(call.ctx, x):
         _note_jumps(call)
-        return _with_corner(call, _function(call, call.name, (x.expression,), DIMENSIONLESS))
+        rounded = _function(call, call.name, (x.expression,), DIMENSIONLESS)
+        return _with_corner(call, rounded, corners.at_whole_numbers(x.expression))
     if call.name == "floor":
         below: FlatExpression = corners.whole(call.ctx, call.scope, call.node, x.expression)
     else:
@@ -65,8 +66,8 @@ def _rounded(call: Application, x: Scalar) -> Scalar:
     return Scalar(below, DIMENSIONLESS, Variability.DISCRETE)
 
 
-def _with_corner(call: Application, value: Scalar) -> Scalar:
-    corners.met(call.ctx, call.node, value.expression, *call.numeric)
+def _with_corner(call: Application, value: Scalar, distance: FlatExpression) -> Scalar:
+    corners.met(call.ctx, call.scope, call.node, value.expression, distance, *call.numeric)
     return value
 
 
@@ -104,7 +105,7 @@ def _preserving(call: Application) -> Value:
         return POISON
     x, kind = values[0], _joint_kind(values)
     if not corners.has_corner(call.ctx, x):
-        return _with_corner(call, _function(call, call.name, (x.expression,), x.dimension, kind))
+        return _with_corner(call, _function(call, call.name, (x.expression,), x.dimension, kind), x.expression)
     positive = corners.of_call(call.ctx, call.scope, call.node, x.expression)
     value = flat.Conditional(positive, x.expression, negative(x.expression))
     return Scalar(value, x.dimension, x.variability, x.order, kind)
@@ -138,7 +139,9 @@ def _pair(call: Application) -> Value:
     if corners.has_corner(call.ctx, *values):
         return Scalar(_remainder(call, *arguments), dimension, latest(*values), highest(*values), kind)
     _note_jumps(call)
-    return _with_corner(call, _function(call, call.name, arguments, dimension, kind))
+    turns = flat.Binary("/", *arguments)
+    remainder = _function(call, call.name, arguments, dimension, kind)
+    return _with_corner(call, remainder, corners.at_whole_numbers(turns))
 
 
 def _remainder(call: Application, x: FlatExpression, y: FlatExpression) -> FlatExpression:
@@ -184,7 +187,8 @@ def _wrap(call: Application) -> Value:
     turn = flat.Number(2 * pi)
     timed = corners.has_corner(call.ctx, values[0])
     wrapped = _remainder(call, turned, turn) if timed else flat.Function("mod", (turned, turn))
-    corners.met(call.ctx, call.node, wrapped, values[0])
+    turns = flat.Binary("/", turned, turn)
+    corners.met(call.ctx, call.scope, call.node, wrapped, corners.at_whole_numbers(turns), values[0])
     shifted = flat.Binary("-", wrapped, flat.Number(pi))
     return Scalar(shifted, DIMENSIONLESS, values[0].variability, values[0].order)
 

@@ -10,14 +10,26 @@ from typing import Protocol
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.record import mutable_record
+from lagdsl.flat.quantity import Spans
+from lagdsl.record import mutable_record, record
 from lagdsl.semantics.occurrences import Mode, Occurrences
 from lagdsl.semantics.scope import Indices, Instance, Scope, Symbol
-from lagdsl.semantics.values import AnyDimension, ContactValue, Value
+from lagdsl.semantics.values import AnyDimension, ContactValue, Order, Value
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
+
+
+@record()
+class Met:
+    """An expression with a corner where `distance` passes zero; not `sharp`: its slope is continuous there."""
+
+    expression: FlatExpression
+    distance: FlatExpression
+    spans: Spans
+    order: Order
+    sharp: bool
 
 
 class Resolver(Protocol):
@@ -57,7 +69,7 @@ class Context:
     `home` is the file of the model: advice is not given about texts of libraries.
     `splits` are modifiers whose values are split over an array of components, `split_values` what they are worth: by
     the scope in which they stand, as every instance of a class has its own, and the identity of their node.
-    `corners` are what has one along the motion, with its text.
+    `corners` are what has one along the motion.
     `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
     `withheld` is an unknown name about which nothing was said, as something before must have been.
     `named` is therefore sorted: what a definition uses was complete before it.
@@ -79,7 +91,7 @@ class Context:
     splits: list[tuple[nodes.Modifier, Indices, Scope]] = field(default_factory=list)
     split_values: dict[tuple[Scope, int], Value] = field(default_factory=dict)
     jump: nodes.Call | None = None
-    corners: list[tuple[FlatExpression, Span]] = field(default_factory=list)
+    corners: list[Met] = field(default_factory=list)
     quiet: bool = False
     mode: Mode = Mode.ALWAYS
     occurrences: Occurrences = field(default_factory=Occurrences)

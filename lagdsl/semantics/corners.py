@@ -3,17 +3,21 @@
 `max(a, b)` is `a` or `b` by the truth of `a - b >= 0`, `floor(x)` a whole number, a table the polynomial of one
 interval. All of that is constant between events, so the equations are smooth there, and a derivative by time is that of
 the present piece. Nothing is stepped over: the instants are computed ahead.
+
+What depends on the motion or on inputs, too, is taken as it stands (`sqrt(max(x, 0))` must not see a negative number);
+for each such corner there is a distance that passes zero there, at which steps end.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.events import Timed
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Spans, Variability
-from lagdsl.semantics.context import Context
+from lagdsl.semantics.context import Context, Met
 from lagdsl.semantics.occurrences import Mode
 from lagdsl.semantics.scope import Scope
 from lagdsl.semantics.values import Numeric, Order, highest, latest
@@ -31,11 +35,44 @@ def has_corner(ctx: Context, *values: Numeric) -> bool:
     return is_timed(ctx, *values) and ctx.mode is not Mode.EVENT
 
 
-def met(ctx: Context, node: nodes.Node, expression: FlatExpression, *values: Numeric) -> FlatExpression:
-    """The same expression, remembered as one with a corner where the motion can meet it."""
-    if highest(*values) >= Order.CONFIGURATION and not ctx.quiet and ctx.mode is Mode.ALWAYS:
-        ctx.corners.append((expression, node.span))
+def met(
+    ctx: Context,
+    scope: Scope,
+    node: nodes.Node,
+    expression: FlatExpression,
+    distance: FlatExpression,
+    *values: Numeric,
+    sharp: bool = True,
+) -> FlatExpression:
+    """The same expression, remembered as one with a corner where the motion or an input can meet it. Not `sharp`: its
+    slope is continuous."""
+    moving = latest(*values) == Variability.CONTINUOUS and highest(*values) > Order.STILL
+    if moving and not ctx.quiet and ctx.mode is Mode.ALWAYS:
+        spans = (node.span, *scope.spans)
+        ctx.corners.append(Met(expression, distance, spans, highest(*values), sharp))
     return expression
+
+
+def at_whole_numbers(x: FlatExpression) -> FlatExpression:
+    """A distance that passes zero where x is a whole number: parabolas in turn above and below, with slopes of 1 there.
+    Zero is met exactly."""
+    below = flat.Function("floor", (x,))
+    beyond = flat.Binary("-", x, below)
+    arc = flat.Binary("*", beyond, flat.Binary("-", flat.ONE, beyond))
+    odd = flat.Function("mod", (below, flat.Number(2.0)))
+    return flat.Binary("*", flat.Binary("-", flat.ONE, flat.Binary("*", flat.Number(2.0), odd)), arc)
+
+
+def at_borders(x: FlatExpression, borders: Sequence[float]) -> FlatExpression:
+    """The same for given numbers; straight outside of them."""
+    pieces: list[FlatExpression] = [flat.Binary("-", flat.Number(borders[0]), x)]
+    for k, (a, b) in enumerate(pairwise(borders)):
+        sides = flat.Binary("-", x, flat.Number(a)), flat.Binary("-", x, flat.Number(b))
+        arc = flat.Binary("*", flat.Binary("*", flat.Number((-1) ** k / (b - a)), sides[0]), sides[1])
+        pieces.append(arc)
+    sign = flat.Number((-1.0) ** len(borders))
+    pieces.append(flat.Binary("*", sign, flat.Binary("-", x, flat.Number(borders[-1]))))
+    return chosen(x, borders, pieces)
 
 
 def truth(

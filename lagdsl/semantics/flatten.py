@@ -35,7 +35,7 @@ from lagdsl.semantics.splitting import check_splits
 from lagdsl.semantics.stack import InstanceSink
 from lagdsl.semantics.switched import check_switched
 from lagdsl.semantics.usage import warn_unused, warn_unused_imports
-from lagdsl.semantics.wellformed.corners import check_changing_inertia, check_corners
+from lagdsl.semantics.wellformed.corners import check_changing_inertia, check_corners, corners_of_motion
 from lagdsl.semantics.whens import check_targets
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
@@ -204,6 +204,7 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     check_events(flat, dependence, ctx.sink)
     check_limits(flat, {}, ctx.sink)
     check_corners(ctx.corners, flat, dependence, ctx.sink)
+    flat = replace(flat, events=replace(flat.events, corners=corners_of_motion(ctx.corners, flat)))
     check_changing_inertia(flat, dependence, ctx.sink)
     if ctx.jump is not None:
         ctx.sink.report("N0309", ctx.jump.span, name=ctx.jump.function.span.text)

@@ -21,7 +21,7 @@ from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.application import Application
 from lagdsl.semantics.arithmetic import negative
 from lagdsl.semantics.constants import NoValue, evaluate
-from lagdsl.semantics.corners import chosen, chosen_by_number, has_corner, met, piece
+from lagdsl.semantics.corners import at_borders, chosen, chosen_by_number, has_corner, met, piece
 from lagdsl.semantics.dimensions import fits, report_unequal
 from lagdsl.semantics.naming import kind_of
 from lagdsl.semantics.values import NUMERIC, POISON, Array, Poison, Scalar, Text, Value, highest, is_structural, latest
@@ -53,8 +53,9 @@ def table(call: Application) -> Value:
     timed = bool(borders) and has_corner(call.ctx, x)
     number = piece(call.ctx, call.scope, call.node, x.expression, borders) if timed else None
     expression = interpolation(x.expression, places, values, method, number)
-    if method == "linear" and borders:
-        met(call.ctx, call.node, expression, x)
+    if borders:
+        distance = at_borders(x.expression, borders)
+        met(call.ctx, call.scope, call.node, expression, distance, x, sharp=method == "linear")
     return Scalar(expression, ys.dimension, latest(x, ys), highest(x, ys))
 
 

@@ -66,7 +66,7 @@ CLUTCHES = [
         model(DISCS + "input Boolean on; constraint clutch: (if on then der(a) - der(b) else 0) = 0;"),
         1.0,
         CLOSED,
-        inputs={"on": ((0.0, 1.0), (0.0, 1.0))},
+        inputs={"on": lambda t: t},  # rows of a table would hold
     ),
     Attack(
         "clutch_by_a_state",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import examples
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from random_programs import EXACT, SMOOTH, SYMBOLS, Step, as_outputs, grow, steps, values
@@ -41,7 +42,7 @@ def _check(program: Program, exact: int, found: np.ndarray, q: np.ndarray) -> No
             assert abs(value - meaning) <= 1e-12 * size + 1e-300, (index, value, meaning, size)
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(150), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(steps, steps, st.lists(values, min_size=1, max_size=3))
 def test_numpy_means_what_the_evaluator_means(a: list[Step], b: list[Step], states: list[list[float]]) -> None:
     graph = Graph()
@@ -75,7 +76,7 @@ def compiled(request: pytest.FixtureRequest) -> tuple[Program, int, CEngine]:
     return program, exact, CEngine(program)
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(60), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(state=values)
 def test_c_means_what_the_evaluator_means(compiled: tuple[Program, int, CEngine], state: list[float]) -> None:
     program, exact, engine = compiled

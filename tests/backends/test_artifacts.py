@@ -13,7 +13,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from made_modules import SANITIZED, Made
+from made_modules import PLAIN, SANITIZED, Made
 from sample_programs import chain, closed_chain, pendulum, quaternion_body
 
 from lagdsl.backends.backend import Artifact
@@ -22,6 +22,7 @@ from lagdsl.backends.identifier import comment_text, identifier
 from lagdsl.backends.registry import BACKENDS
 from lagdsl.program.program import Program, Slot
 
+pytestmark = pytest.mark.xdist_group("made modules")  # whose runtime is compiled once
 HOSTILE = 'a"*/ #define x ??/\n\\end\u2603\'"""; import os'
 
 
@@ -93,19 +94,17 @@ def test_c_builds_with_its_own_makefile_without_a_warning(
         pytest.skip(f"{compiler} is not installed")
     artifact = BACKENDS["c"].emit(make())  # type: ignore[operator]
     _write(artifact, tmp_path)
-    done = made(tmp_path, "-j2", f"CC={compiler}", "CFLAGS=-O1")
+    done = made(tmp_path, "-j2", *(() if compiler == "gcc" else (f"CC={compiler}",)), f"CFLAGS={PLAIN}")
     assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")
-def test_the_runtime_needs_no_operating_system(tmp_path: Path) -> None:
+def test_the_runtime_needs_no_operating_system(tmp_path: Path, made: Made) -> None:
     """Nothing but mathematics and the moving of memory, which every C compiler for a microcontroller has."""
     artifact = BACKENDS["c"].emit(pendulum())
     _write(artifact, tmp_path)
-    (tmp_path / "main.c").unlink()
-    (tmp_path / "realtime.c").unlink()
-    units = sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.c"))
-    command = ["cc", "-std=c11", "-O1", "-I.", "-r", "-nostdlib", "-o", "all.o", *units]
+    assert made(tmp_path, "libPendulum.a", f"CFLAGS={PLAIN}").returncode == 0
+    command = ["cc", "-r", "-nostdlib", "-o", "all.o", "-Wl,--whole-archive", "libPendulum.a"]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
     listed = subprocess.run(["nm", "-u", "all.o"], cwd=tmp_path, check=True, capture_output=True, text=True).stdout
     known = {
@@ -118,7 +117,7 @@ def test_the_runtime_needs_no_operating_system(tmp_path: Path) -> None:
 
 def test_the_example_prints_accelerations_and_motion(tmp_path: Path, made: Made) -> None:
     _write(BACKENDS["c"].emit(pendulum()), tmp_path)
-    assert made(tmp_path).returncode == 0
+    assert made(tmp_path, f"CFLAGS={PLAIN}").returncode == 0
     program = str(tmp_path / "Pendulum")
     printed = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     m, length, torque = 1.5, 0.7, 1.0
@@ -147,7 +146,7 @@ def test_the_example_prints_accelerations_and_motion(tmp_path: Path, made: Made)
 
 def test_the_loop_for_real_time_ends_where_the_motion_does(tmp_path: Path, made: Made) -> None:
     _write(BACKENDS["c"].emit(pendulum()), tmp_path)
-    assert made(tmp_path).returncode == 0
+    assert made(tmp_path, f"CFLAGS={PLAIN}").returncode == 0
     table = subprocess.run([str(tmp_path / "Pendulum"), "1", "1"], capture_output=True, text=True, check=True).stdout
     theta = float(table.splitlines()[-1].split(",")[1])
     for method, tolerance in (("rk4", 1e-9), ("leapfrog", 1e-5), ("ros2", 1e-5)):

@@ -14,11 +14,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from made_modules import SANITIZED, Made
+from made_modules import PLAIN, SANITIZED, Made
 
 import lagdsl
 from lagdsl.cli.main import lag
 
+pytestmark = pytest.mark.xdist_group("made modules")  # whose runtime is compiled once
 G = 9.80665
 BALL = """
 model Ball
@@ -101,7 +102,7 @@ Build = Callable[..., Module]
 def build(tmp_path_factory: pytest.TempPathFactory, made: Made) -> Build:
     """Exports a model text and makes it."""
 
-    def built(text: str, flags: str = "-O1") -> Module:
+    def built(text: str, flags: str = PLAIN) -> Module:
         folder = tmp_path_factory.mktemp("module")
         (folder / "model.lag").write_text(text, encoding="utf-8")
         done = CliRunner().invoke(lag, ["build", str(folder / "model.lag"), "--target", "c", "-o", str(folder)])

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
+from choice import ALL
 from made_modules import Made
 from sample_programs import closed_chain, pendulum, quaternion_body
 
@@ -67,6 +68,7 @@ def _declared(folder: Path) -> set[str]:
 
 
 @pytest.mark.skipif(shutil.which("nm") is None, reason="nm is not installed")
+@pytest.mark.skipif(not ALL, reason="compiles the runtime for another processor: make check-all")
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("make", [pendulum, lambda: closed_chain(2), quaternion_body, _bouncing])
 def test_the_library_builds_without_a_c_library(tmp_path: Path, made: Made, compiler: str, make: object) -> None:
@@ -87,3 +89,19 @@ def test_the_library_builds_without_a_c_library(tmp_path: Path, made: Made, comp
     assert {"pow", "atan2", "memcpy"} <= allowed
     assert {name for name in undefined - allowed if OF_THE_COMPILER.fullmatch(name) is None} == set()
     assert [name for kind, name in symbols if kind in "bBdDcC"] == []  # no state outside of the caller's block
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="gcc is not installed")
+def test_headers_of_the_module_are_all_it_needs(tmp_path: Path) -> None:
+    """No header of a C library is there: those of the compiler and of the module do."""
+    for path, text in BACKENDS["c"].emit(_bouncing()).files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    own = subprocess.run(["gcc", "-print-file-name=include"], check=True, capture_output=True, text=True).stdout.strip()
+    programs = {"main.c", "realtime.c"}
+    units = sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.c") if path.name not in programs)
+    options = ["-std=c11", "-ffreestanding", "-nostdinc", "-isystem", own, "-Ifreestanding", "-I.", "-fsyntax-only"]
+    command = ["gcc", *options, "-Wall", "-Wvla", *units]
+    done = subprocess.run(command, cwd=tmp_path, check=False, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert len(units) > 50

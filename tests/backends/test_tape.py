@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import examples
 from hypothesis import HealthCheck, given, settings
 from random_programs import EXACT, SMOOTH, SYMBOLS, Step, as_outputs, grow, steps, values
 
@@ -66,7 +67,7 @@ def _check(program: Program, exact: int, found: np.ndarray, q: np.ndarray) -> No
             assert abs(value - meaning) <= 1e-12 * size + 1e-300, (index, value, meaning, size)
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(150), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(steps, steps, values)
 def test_a_tape_means_what_the_evaluator_means(a: list[Step], b: list[Step], state: list[float]) -> None:
     graph = Graph()

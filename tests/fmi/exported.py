@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import atexit
-import os
 import re
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 import fmpy
 import numpy as np
+import pytest
+from choice import EXPLORE, chosen
 from fmpy.model_description import ModelDescription, ScalarVariable, read_model_description
 from models.corpus import MODELS, compiled
 
@@ -35,7 +37,15 @@ SAMPLE = (
     "clutch",  # constraints that come and go
     "library/parts_with_play",  # components
 )
-EVERY = tuple(MODELS) if os.environ.get("LAGDSL_EXPLORE") else SAMPLE
+EVERY = tuple(MODELS) if EXPLORE else SAMPLE
+
+
+def in_versions(names: Sequence[str]) -> pytest.MarkDecorator:
+    """The test for each `name` in each `version` of the standard; in one of them in turn where not all is run: the same
+    functions stand behind both. All tests of a model run in one process, which compiles it once."""
+    pairs = chosen(product(names, VERSIONS), [(name, VERSIONS[i % 2]) for i, name in enumerate(names)])
+    marked = [pytest.param(*pair, marks=pytest.mark.xdist_group(pair[0])) for pair in pairs]
+    return pytest.mark.parametrize(("name", "version"), marked)
 
 
 @dataclass(frozen=True)

@@ -9,11 +9,12 @@ import pytest
 from fmpy.simulation import FMICallException
 from models.corpus import compiled
 
-from fmi.exported import EVERY, VERSIONS, exported
+from fmi.exported import EVERY, VERSIONS, exported, in_versions
 from fmi.importing import Floats, Model, exchanged
 
 BOTH = pytest.mark.parametrize("version", VERSIONS)
 MODELS = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in EVERY])
+MODELS_IN_VERSIONS = in_versions(EVERY)
 # Central differences of tenth order: truncation (0.3 h)^10, rounding 2^-52 / h.
 WEIGHTS = np.array([5 / 6, -5 / 21, 5 / 84, -5 / 504, 1 / 1260])
 STEPS = (3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5)
@@ -57,8 +58,7 @@ def sizes_of(x: Floats, rates: Floats, n: int) -> Floats:
     return sizes
 
 
-@MODELS
-@BOTH
+@MODELS_IN_VERSIONS
 def test_directional_derivatives_are_those_of_the_functions(name: str, version: int) -> None:
     """Along random directions of states and inputs, at the start and off the constraints, too."""
     random = np.random.default_rng(5)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from fmpy.simulation import FMICallException
 
-from fmi.exported import EVERY, SAMPLE, VERSIONS, exported
+from fmi.exported import EVERY, SAMPLE, VERSIONS, exported, in_versions
 from fmi.importing import Slave, exchanged, slave
 from fmi.motions import SAME, Floats, deviation, model, motion, signals, span
 from fmi.texts import exported_text
@@ -40,11 +40,7 @@ end Buzz;
 """
 
 
-def marked(names: tuple[str, ...]) -> pytest.MarkDecorator:
-    return pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in names])
-
-
-FEW = marked(("four_bar", "newtons_cradle", "furuta_swing_up", "clutch", "van_der_pol"))
+FEW = ("four_bar", "newtons_cradle", "furuta_swing_up", "clutch", "van_der_pol")
 
 
 def begun(instance: Slave, name: str, tolerance: float = 1e-8) -> tuple[tuple[str, ...], Floats]:
@@ -56,8 +52,7 @@ def begun(instance: Slave, name: str, tolerance: float = 1e-8) -> tuple[tuple[st
     return signals(motion(name)), times
 
 
-@marked(EVERY)
-@BOTH
+@in_versions(EVERY)
 def test_a_state_taken_back_goes_on_with_the_same_bits(name: str, version: int) -> None:
     """In the same instance, and in another one that was somewhere else."""
     with slave(exported(name, version)) as one, slave(exported(name, version)) as other:
@@ -79,8 +74,7 @@ def test_a_state_taken_back_goes_on_with_the_same_bits(name: str, version: int) 
         np.testing.assert_array_equal(other.rows(names, rest), expected)
 
 
-@FEW
-@BOTH
+@in_versions(FEW)
 def test_a_state_goes_on_in_another_process_with_the_same_bits(name: str, version: int, tmp_path: Path) -> None:
     fmu = exported(name, version)
     with slave(fmu) as one:
@@ -100,8 +94,7 @@ def test_a_state_goes_on_in_another_process_with_the_same_bits(name: str, versio
     np.testing.assert_array_equal(np.array(found), expected)
 
 
-@marked(SAMPLE)
-@BOTH
+@in_versions(SAMPLE)
 def test_reset_is_a_new_instance(name: str, version: int) -> None:
     with slave(exported(name, version)) as one:
         names, times = begun(one, name)
@@ -115,8 +108,7 @@ def test_reset_is_a_new_instance(name: str, version: int) -> None:
         np.testing.assert_array_equal(one.rows(names, times), fresh)
 
 
-@marked(SAMPLE)
-@BOTH
+@in_versions(SAMPLE)
 def test_instances_in_threads_do_not_know_of_each_other(name: str, version: int) -> None:
     """fmpy loads libraries in one thread only: it changes the folder of the process meanwhile."""
     fmu = exported(name, version)

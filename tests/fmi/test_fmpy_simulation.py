@@ -10,15 +10,13 @@ from typing import Any
 
 import fmpy.sundials
 import numpy as np
-import pytest
 from fmpy import simulate_fmu
 from fmpy.validation import validate_fmu
 
-from fmi.exported import EVERY, VERSIONS, Exported, exported
+from fmi.exported import EVERY, Exported, exported, in_versions
 from fmi.motions import PREDICTABLE, Floats, difference, motion, scales, signals, span
 
-MODELS = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in EVERY])
-BOTH = pytest.mark.parametrize("version", VERSIONS)
+MODELS_IN_VERSIONS = in_versions(EVERY)
 
 
 def simulated(fmu: Exported, name: str, kind: str, tolerance: float) -> Any:
@@ -55,22 +53,19 @@ def cvode(method: Method) -> Iterator[None]:
         fmpy.sundials.CVodeSolver, fmpy.sundials.CV_BDF = original, Method.BDF
 
 
-@MODELS
-@BOTH
+@MODELS_IN_VERSIONS
 def test_fmpy_finds_nothing_wrong(name: str, version: int) -> None:
     assert validate_fmu(str(exported(name, version).path)) == []
 
 
-@MODELS
-@BOTH
+@MODELS_IN_VERSIONS
 def test_co_simulation_is_the_same_motion(name: str, version: int) -> None:
     fmu = exported(name, version)
     rows = simulated(fmu, name, "CoSimulation", 1e-8)
     assert not difference(name, motion(name), rows["time"], fmu.columns(rows, signals(motion(name))))
 
 
-@MODELS
-@BOTH
+@MODELS_IN_VERSIONS
 def test_model_exchange_under_cvode_is_the_same_motion(name: str, version: int) -> None:
     """At 1e-10, by one of CVODE's two methods. A motion that multiplies disturbances is compared as far as CVODE at a
     tenth of the tolerance agrees with itself to 1e-7; on the whole its error has to vanish with the tolerance."""

@@ -6,6 +6,7 @@ from itertools import pairwise
 import mpmath
 import numpy as np
 import pytest
+from choice import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from random_graphs import SMOOTH, build, trees
@@ -41,7 +42,7 @@ def forward(graph: Graph, root: int) -> list[int]:
     return result
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 @given(trees(SMOOTH), points)
 def test_both_modes_equal_complex_steps(tree, values) -> None:
     graph = Graph()
@@ -140,7 +141,7 @@ def test_symmetric_jacobian_of_equal_and_of_missing_roots() -> None:
     assert symmetric_jacobian(graph, [steps], [x]) == [[graph.zero]]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(trees(SMOOTH))
 def test_time_derivatives_equal_differences_along_a_motion(tree) -> None:
     graph = Graph()

@@ -5,6 +5,7 @@ import math
 import mpmath
 import numpy as np
 import pytest
+from choice import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from random_graphs import SMOOTH, build, trees
@@ -31,7 +32,7 @@ def python_value(tree, values):
     raise AssertionError(tree)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 @given(trees(), st.lists(numbers, min_size=3, max_size=3))
 def test_evaluates_as_python_does(tree, values) -> None:
     graph = Graph()
@@ -47,7 +48,7 @@ def test_evaluates_as_python_does(tree, values) -> None:
             assert abs(value - expected) <= 1e-12 * max(sized[1], 1.0)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(trees(SMOOTH), st.lists(st.floats(0.2, 2.0), min_size=3, max_size=3))
 def test_floats_agree_with_fifty_digits_to_the_size_of_the_terms(tree, values) -> None:
     graph = Graph()

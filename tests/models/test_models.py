@@ -1,9 +1,13 @@
-"""What holds for every model in models/: drop a file in, and it is tested."""
+"""What holds for every model in models/: drop a file in, and it is tested.
+
+`make check` shows the rules of derivations, solutions and derivatives by models of each kind.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import ALL
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.text import flat_text
@@ -32,9 +36,8 @@ from models.corpus import (
     values,
     values_with_size,
 )
+from models.kinds import EVERY, OF_EACH_KIND, SOME, kinds
 
-# All tests of a model run in one process, which compiles it once.
-EVERY = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in MODELS])
 STEP = 1e-30
 ROUNDING = 1e-12  # of the size of the terms
 # Where multipliers take back what forces alone would do, the rounding of that is left: in rows in which nothing else
@@ -46,6 +49,12 @@ def test_there_are_at_least_twenty_six_models_each_with_expectations() -> None:
     assert len(MODELS) >= 26
     for name in MODELS:
         assert expectations(name)["source"]
+
+
+@pytest.mark.skipif(not ALL, reason="compiles all models: make check-all")
+def test_the_chosen_models_show_every_kind() -> None:
+    shown = set().union(*(kinds(name) for name in OF_EACH_KIND))
+    assert {name: lacking for name in MODELS if (lacking := kinds(name) - shown)} == {}
 
 
 @EVERY
@@ -61,6 +70,12 @@ def test_the_format_is_canonical_stable_and_means_the_same(name: str) -> None:
 
 
 @EVERY
+def test_compiling_finds_nothing_wrong(name: str) -> None:
+    found = [d for d in compiled(name).diagnostics if d.severity != "note"]
+    assert {d.code for d in found} <= set(expectations(name).get("warnings", [])), [d.message for d in found]
+
+
+@SOME
 def test_check_finds_nothing_wrong(name: str) -> None:
     from lagdsl import check
 
@@ -68,7 +83,7 @@ def test_check_finds_nothing_wrong(name: str) -> None:
     assert [d.code for d in found] == expectations(name).get("warnings", []), [d.message for d in found]
 
 
-@EVERY
+@SOME
 def test_the_flat_text_lists_every_coordinate_and_parameter(name: str) -> None:
     flat = compiled(name).flat
     text = flat_text(flat)
@@ -82,7 +97,7 @@ def test_the_flat_text_lists_every_coordinate_and_parameter(name: str) -> None:
 # ---- two derivations, three ways to compute -------------------------------------------------------------------------
 
 
-@EVERY
+@SOME
 def test_both_derivations_agree(name: str) -> None:
     graph, symbolic = compiled(name).graph, textbook(name)
     states = random_states(name)
@@ -95,7 +110,7 @@ def test_both_derivations_agree(name: str) -> None:
                 _assert_close(ours, theirs, np.maximum(size, other), function)
 
 
-@EVERY
+@SOME
 def test_the_derivations_solve_to_the_same_motion(name: str) -> None:
     """Accelerations and multipliers of one route leave nothing in the equations of the other.
 
@@ -108,7 +123,7 @@ def test_the_derivations_solve_to_the_same_motion(name: str) -> None:
     _assert_solved(name, NumpyEngine(symbolic), states, graph, symbolic)
 
 
-@EVERY
+@SOME
 @pytest.mark.parametrize("make", [numpy_engine, c_engine])
 def test_engines_compute_what_the_graph_means(name: str, make: object) -> None:
     assert callable(make)
@@ -123,7 +138,7 @@ def test_engines_compute_what_the_graph_means(name: str, make: object) -> None:
             _assert_close(np.array([row[index] for row in rows]), value, size, function.name)
 
 
-@EVERY
+@SOME
 @pytest.mark.parametrize("make", [numpy_engine, c_engine])
 def test_solutions_satisfy_the_equations(name: str, make: object) -> None:
     assert callable(make)
@@ -169,7 +184,7 @@ def _assert_close(ours: np.ndarray, theirs: np.ndarray, size: np.ndarray, what: 
 # ---- derivatives -----------------------------------------------------------------------------------------------------
 
 
-@EVERY
+@SOME
 @pytest.mark.parametrize("make", [numpy_engine, c_engine])
 def test_the_jacobian_is_exact(name: str, make: object) -> None:
     """Against a complex step through the equations and their solution."""
@@ -245,7 +260,7 @@ def _complex(program: Program, function: str, state: Arrays) -> list[np.ndarray]
 # ---- power -----------------------------------------------------------------------------------------------------------
 
 
-@EVERY
+@SOME
 def test_power_balance(name: str) -> None:
     """dh/dt = (Q - dD/dqd) . qd + lam . J qd - dL/dt with h = qd . dL/dqd - L, inputs and states held."""
     program, states = compiled(name).graph, random_states(name)

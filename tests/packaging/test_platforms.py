@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import ALL
 from models.corpus import compiled
 
 from lagdsl.backends.start import start_of
@@ -84,6 +85,8 @@ def close(found: Floats, expected: Floats, part: float) -> None:
 
 @pytest.fixture(scope="module")
 def wasm(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    if not ALL:
+        pytest.skip("compiles the runtime for web pages: make check-all")
     return build_wasm(tmp_path_factory.mktemp("wasm"))
 
 

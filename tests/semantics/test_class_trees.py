@@ -10,6 +10,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
+from choice import examples
 from class_trees import MODEL, Kind, Meaning, meaning, text_of, trees
 from flattening import run
 from hypothesis import given, settings
@@ -63,7 +64,7 @@ def same(found: Meaning) -> dict[str, str]:
 
 
 @given(trees())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 def test_instances_are_what_is_written_out(kinds: list[Kind]) -> None:
     found = meaning(kinds[-1])
     flat = flat_of(text_of(kinds))
@@ -74,14 +75,14 @@ def test_instances_are_what_is_written_out(kinds: list[Kind]) -> None:
 
 
 @given(trees())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_the_order_of_the_text_means_nothing(kinds: list[Kind]) -> None:
     found = meaning(kinds[-1])
     check(flat_of(text_of(kinds, Random(len(kinds)))), found, same(found))
 
 
 @given(trees())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_names_mean_nothing(kinds: list[Kind]) -> None:
     def other(text: str) -> str:
         text = re.sub(r"\b(Leaf|Row|Field|Block|House)\b", r"Z\1", text)
@@ -93,7 +94,7 @@ def test_names_mean_nothing(kinds: list[Kind]) -> None:
 
 
 @given(trees())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_class_around_means_nothing(kinds: list[Kind]) -> None:
     found = meaning(kinds[-1])
     text = text_of(kinds).replace(MODEL, "model Town House h; end Town; model Whole Town t; gravity = 0; end Whole;")
@@ -101,7 +102,7 @@ def test_a_class_around_means_nothing(kinds: list[Kind]) -> None:
 
 
 @given(trees())
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 def test_files_mean_nothing(kinds: list[Kind]) -> None:
     found = meaning(kinds[-1])
     with TemporaryDirectory() as name:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from choice import examples
 from flattening import run
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -78,13 +79,13 @@ def declare(expression: str, found: Dimension) -> list[str]:
     return errors
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(EXPRESSIONS)
 def test_the_dimension_is_the_one_known(pair: tuple[str, Dimension]) -> None:
     assert declare(*pair) == []
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(EXPRESSIONS, st.sampled_from(["l", "m", "t", "c", "v"]))
 def test_another_dimension_is_refused(pair: tuple[str, Dimension], factor: str) -> None:
     expression, found = pair

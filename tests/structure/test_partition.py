@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from choice import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -10,7 +11,7 @@ from lagdsl.mechanics.partition import partition
 from lagdsl.mechanics.structure_newton import descend
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(st.integers(0, 6), st.integers(0, 6), st.integers(0, 2**31))
 def test_no_entry_joins_two_parts(m: int, n: int, seed: int) -> None:
     pattern = np.random.default_rng(seed).random((m, n)) < 0.25

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -20,7 +21,7 @@ def low_rank(draw: st.DrawFn) -> tuple[np.ndarray, int]:
     return generator.standard_normal((rows, r)) @ generator.standard_normal((r, columns)), r
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(low_rank())
 def test_rank_null_space_and_pseudo_inverse_agree(sample: tuple[np.ndarray, int]) -> None:
     matrix, expected = sample
@@ -33,7 +34,7 @@ def test_rank_null_space_and_pseudo_inverse_agree(sample: tuple[np.ndarray, int]
     assert np.allclose(minimum_norm(matrix, right), np.linalg.pinv(matrix, rcond=1e-9) @ right, atol=1e-7)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(low_rank())
 def test_as_many_rows_are_kept_as_the_rank_says(sample: tuple[np.ndarray, int]) -> None:
     matrix, expected = sample

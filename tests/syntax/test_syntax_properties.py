@@ -1,6 +1,7 @@
 """Random expressions survive printing and reading; random and mutilated texts get an answer."""
 
 import pytest
+from choice import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from texts_of_syntax import TEXTS, expression, parsed
@@ -137,7 +138,7 @@ expressions = st.recursive(leaves, extended, max_leaves=12)
 
 
 @pytest.mark.no_cover
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=examples(400), deadline=None)
 @given(expressions)
 def test_printed_expressions_read_back(tree):
     text = print_expression(tree)
@@ -147,7 +148,7 @@ def test_printed_expressions_read_back(tree):
     assert print_expression(found) == text
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(expressions)
 def test_long_statements_wrap_without_a_change(tree):
     text = f"model M Real some_name = {print_expression(tree)}; end M;"
@@ -158,7 +159,7 @@ def test_long_statements_wrap_without_a_change(tree):
     assert declared.value == tree
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 @given(st.text(max_size=200))
 def test_any_text_gets_an_answer(text):
     unit, diagnostics = parsed(text)
@@ -187,7 +188,7 @@ pieces = st.sampled_from(
 
 
 @pytest.mark.no_cover
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=examples(500), deadline=None)
 @given(st.lists(pieces, max_size=60))
 def test_any_tokens_get_an_answer(words):
     text = " ".join(words)
@@ -200,7 +201,7 @@ def test_any_tokens_get_an_answer(words):
 
 
 @pytest.mark.no_cover
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=examples(400), deadline=None)
 @given(st.data())
 def test_mutilated_models_get_an_answer(data):
     text = data.draw(st.sampled_from(SOURCES))
@@ -217,7 +218,7 @@ def test_mutilated_models_get_an_answer(data):
 
 
 @pytest.mark.no_cover
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.sampled_from(SOURCES), st.data())
 def test_one_token_left_out_is_told_as_few_faults(text, data):
     """A single slip never draws more than three diagnostics."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import sympy
+from choice import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Symbol, cos, sin, sqrt, symbols
@@ -78,7 +79,7 @@ EXPRESSIONS = st.recursive(
 )
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(EXPRESSIONS)
 def test_never_changes_the_value(expression: sympy.Expr) -> None:
     short = tidy()(expression)

@@ -31,7 +31,7 @@ FUNCTIONS: Final = tuple(function.name for function in known.FUNCTIONS if functi
 # The lengths that a tape starts with, and where the name of the model stands, as lag_tape_size counts them.
 SIZES: Final = (
     *("nq", "nz", "nu", "nw", "np", "nc", "ny", "ni", "na", "nd", "ne", "rank", "nk", "nindicator", "ncontact"),
-    *("ngap", "nclock", "nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance", "nswitched"),
+    *("ngap", "nclock", "nreset", "ncollision", "nstop", "nfail", "ntimed", "ndistance", "ncorner", "nswitched"),
     *("row", "prepared", "shared", "along_row", "parameter_shared", "parameter_along_row", "name"),
 )
 _ROWS: Final = SIZES[-7:-1]

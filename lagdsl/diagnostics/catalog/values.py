@@ -36,9 +36,9 @@ ROWS: dict[str, Row] = {
         help="write the inertia term as an energy or a mass",
     ),
     "N0309": note(
-        "jumps of `{name}` are not located as events",
+        "no event tells of the jumps of `{name}`",
         label="the first place",
-        help="write a relation, `if x > ... then ...`, for a jump that matters; `noEvent(...)` says that it does not",
+        help="write a relation, `if x > ... then ...`, for a jump that is an event; `noEvent(...)` says that it is not",
     ),
     "E0311": error("{what} is not supported yet", label="comes with a later release", help="{hint}"),
     "E0312": error("expected {expected}, found {found}", label="this is {found}"),

@@ -8,21 +8,61 @@ step alone does not tell.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import assert_never
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
-from lagdsl.flat.events import Relation
+from lagdsl.flat.events import Corner, Relation
 from lagdsl.flat.traversal import operands, step_expressions
+from lagdsl.semantics.context import Met
+from lagdsl.semantics.values import Order
 from lagdsl.source import Span
-
-Corner = tuple[fx.FlatExpression, Span]
 
 _JUMPING = ("floor", "ceil", "mod")
 
 
-def check_corners(corners: Sequence[Corner], flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
+def corners_of_motion(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[Corner, ...]:
+    """Those that forces, energies, constraints, gaps and rates of states have, in the order of the text."""
+    if not corners:
+        return ()
+    found = {id(x) for x in _reached(flat, _what_moves(flat))}
+    return tuple(
+        Corner(spans=each.spans, distance=each.distance, solved=each.order >= Order.ACCELERATION)
+        for each in corners
+        if id(each.expression) in found
+    )
+
+
+def _what_moves(flat: fm.FlatModel) -> Iterator[fx.FlatExpression]:
+    """All expressions on which accelerations and rates depend."""
+    yield from (term.value for term in flat.energies)
+    for mass in flat.masses:
+        yield from (mass.mass, mass.position)
+    for body in flat.bodies:
+        yield from (body.mass, *body.com, *body.inertia, fx.FrameOrigin(body.frame))
+    if flat.gravity is not None:
+        yield flat.gravity
+    for load in flat.loads:
+        match load:
+            case fm.PointForce():
+                yield from (load.force, load.point)
+                yield from () if load.origin is None else (load.origin,)
+            case fm.FrameTorque():
+                yield from (load.torque, fx.AngularVelocity(load.frame))
+            case fm.GeneralizedForce():
+                yield from (load.value, load.target)
+                yield from () if load.origin is None else (load.origin,)
+            case _:
+                assert_never(load)
+    for constraint in flat.constraints:
+        yield from constraint.residuals
+    yield from (contact.gap for contact in flat.events.contacts)
+    yield from (state.derivative for state in flat.states)
+
+
+def check_corners(corners: Sequence[Met], flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """W0520 for each text with a corner over which velocities or energies jump; `corners` are those that move."""
     branching = _relations_of_the_motion(flat, dependence)
     if not corners and not branching:
@@ -40,8 +80,10 @@ def check_corners(corners: Sequence[Corner], flat: fm.FlatModel, dependence: Dep
         for name in [] if jumps_only else dict.fromkeys(x.name for x in found.values() if isinstance(x, fx.Variable)):
             if name in branching:
                 sink.report("W0520", branching[name].spans[0], name=branching[name].spans[0].text, what=what)
-        for expression, span in corners:
-            if id(expression) in found and span not in told and (_jumps(expression) or not jumps_only):
+        for each in corners:
+            expression, span = each.expression, each.spans[0]
+            tells = _jumps(expression) if jumps_only else each.sharp and each.order >= Order.CONFIGURATION
+            if id(expression) in found and span not in told and tells:
                 told.add(span)
                 sink.report("W0520", span, name=span.text, what=what)
 

@@ -10,14 +10,14 @@ static const double CLEARLY = 1e6;
 
 size_t lag_alert_memory(const lag_model *model)
 {
-    const size_t count = model->nindicator + model->ncontact;
-    return model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + (4 + LAG_ALERT_LOOKS) * count;
+    const size_t count = model->nindicator + model->ncontact + model->ncorner;
+    return model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 2 * model->ncorner + (4 + LAG_ALERT_LOOKS) * count;
 }
 
 void lag_alert_place(lag_alert *alert, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory)
 {
     const lag_model *model = motion->model;
-    const size_t count = model->nindicator + model->ncontact;
+    const size_t count = model->nindicator + model->ncontact + model->ncorner;
     alert->motion = motion;
     alert->places = lag_places_of(model);
     alert->contacts = contacts;
@@ -33,9 +33,16 @@ void lag_alert_place(lag_alert *alert, lag_motion *motion, lag_contacts *contact
     alert->gap = lag_take(&memory, model->ngap);
     alert->speed = lag_take(&memory, model->ngap);
     alert->jacobian = lag_take(&memory, model->ngap * model->nq);
+    alert->far = lag_take(&memory, model->ncorner);
+    alert->side = lag_take(&memory, model->ncorner);
     alert->laws = memory;
     alert->span = alert->reach = 0.0;
     memset(alert->band, 0, count * sizeof(double));
+}
+
+size_t lag_alert_count(const lag_alert *alert)
+{
+    return alert->motion->model->nindicator + alert->motion->model->ncontact + alert->corners;
 }
 
 static int is_closed(const lag_alert *alert, size_t i)
@@ -51,14 +58,19 @@ double lag_alert_value(const lag_alert *alert, size_t which)
         const int holds = motion->w[alert->places.relation + which] != 0.0;
         return holds ? alert->g[which] : -alert->g[which];
     }
+    if (which >= count + motion->model->ncontact) {
+        const size_t corner = which - count - motion->model->ncontact;
+        return alert->side[corner] * alert->far[corner];
+    }
     return is_closed(alert, which - count) ? motion->lam[motion->model->contact_rows[which - count]] : alert->gap[which - count];
 }
 
 double lag_alert_noise(const lag_alert *alert, size_t which)
 {
     const size_t count = alert->motion->model->nindicator;
-    if (which < count) {
-        return alert->noise->sigma[which];
+    const size_t contacts = alert->motion->model->ncontact;
+    if (which < count || which >= count + contacts) {
+        return alert->noise->sigma[which < count ? which : which - contacts];
     }
     return is_closed(alert, which - count) ? lag_contacts_force_noise(alert->contacts, which - count)
                                            : lag_contacts_gap_noise(alert->contacts, which - count);
@@ -101,11 +113,22 @@ static lag_status contacts(lag_alert *alert)
     return status;
 }
 
+static lag_status corners(lag_alert *alert)
+{
+    const size_t first = alert->motion->model->nindicator + alert->motion->model->ncontact;
+    double solved = 0.0;
+    const lag_status status = alert->motion->model->corner(&alert->motion->at, alert->far, &solved);
+    for (size_t i = first; i < first + alert->corners; ++i) {
+        alert->changed[i] = -lag_alert_value(alert, i) > alert->band[i];
+    }
+    return status;
+}
+
 /* Whether accelerations or multipliers tell anything: relations may contain them, and closed contacts have them. */
 static int needs_forces(const lag_alert *alert)
 {
     const lag_model *model = alert->motion->model;
-    int needs = model->nindicator > 0;
+    int needs = model->nindicator > 0 || (alert->corners > 0 && alert->solved);
     for (size_t i = 0; i < model->ncontact && !needs; ++i) {
         needs = is_closed(alert, i);
     }
@@ -127,7 +150,10 @@ lag_status lag_alert_look(lag_alert *alert, double t, const double *x)
     if (status == LAG_OK && model->ncontact > 0) {
         status = contacts(alert);
     }
-    for (size_t i = 0; i < model->nindicator + model->ncontact && status == LAG_OK; ++i) {
+    if (status == LAG_OK && alert->corners > 0) {
+        status = corners(alert);
+    }
+    for (size_t i = 0; i < lag_alert_count(alert) && status == LAG_OK; ++i) {
         status = alert->changed[i] != 0.0 ? LAG_HAPPENS : LAG_OK;
     }
     return status;
@@ -135,7 +161,8 @@ lag_status lag_alert_look(lag_alert *alert, double t, const double *x)
 
 lag_status lag_alert_begin(lag_alert *alert, double t, const double *x)
 {
-    const size_t count = alert->motion->model->nindicator + alert->motion->model->ncontact;
+    const size_t count = lag_alert_count(alert);
+    const size_t contacts = alert->motion->model->ncontact;
     if (count == 0) {
         return LAG_OK;
     }
@@ -146,28 +173,35 @@ lag_status lag_alert_begin(lag_alert *alert, double t, const double *x)
         const double value = lag_alert_value(alert, i);
         const size_t contact = i - alert->motion->model->nindicator;
         alert->band[i] = value < 0.0 ? -value : 0.0;
-        if (i >= alert->motion->model->nindicator && is_closed(alert, contact) && isfinite(value)) {
+        if (i >= alert->motion->model->nindicator && contact < contacts && is_closed(alert, contact) && isfinite(value)) {
             alert->contacts->force[contact] = fmax(alert->contacts->force[contact], fabs(value));
         }
     }
     return status == LAG_HAPPENS ? LAG_OK : status;
 }
 
+int lag_alert_has_noise(const lag_alert *alert, size_t which)
+{
+    const size_t relations = alert->motion->model->nindicator;
+    return which < relations || which >= relations + alert->motion->model->ncontact;
+}
+
 int lag_alert_widen(lag_alert *alert, double t, const double *x)
 {
-    const size_t count = alert->motion->model->nindicator;
-    const double *sigma = alert->noise->sigma;
+    const size_t count = lag_alert_count(alert);
     int unclear = 0;
     for (size_t i = 0; i < count; ++i) {
-        unclear = unclear || (alert->changed[i] != 0.0 && !(-lag_alert_value(alert, i) > CLEARLY * sigma[i] && sigma[i] > 0.0));
+        const double sigma = lag_alert_has_noise(alert, i) ? lag_alert_noise(alert, i) : 0.0;
+        const int clear = -lag_alert_value(alert, i) > CLEARLY * sigma && sigma > 0.0;
+        unclear = unclear || (lag_alert_has_noise(alert, i) && alert->changed[i] != 0.0 && !clear);
     }
     if (!unclear) {
         return 0;
     }
     lag_noise_find(alert->noise, t, x);
     for (size_t i = 0; i < count; ++i) {
-        if (alert->changed[i] != 0.0 && -lag_alert_value(alert, i) <= sigma[i]) {
-            alert->band[i] = fmax(alert->band[i], sigma[i]);
+        if (lag_alert_has_noise(alert, i) && alert->changed[i] != 0.0 && -lag_alert_value(alert, i) <= lag_alert_noise(alert, i)) {
+            alert->band[i] = fmax(alert->band[i], lag_alert_noise(alert, i));
         }
     }
     return 1;

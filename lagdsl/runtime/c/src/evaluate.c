@@ -192,6 +192,13 @@ static lag_status evaluate_time_event(const lag_model *model, const lag_argument
     return model->time_event == NULL ? LAG_MISSING : model->time_event(at, value, told, distance, rate, affine, entry, change);
 }
 
+static lag_status evaluate_corner(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const far = results;
+    double *const solved = far + model->ncorner;
+    return model->corner == NULL ? LAG_MISSING : model->corner(at, far, solved);
+}
+
 static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
 {
     return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
@@ -301,6 +308,8 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return evaluate_event(model, at, results);
     case LAG_TIME_EVENT:
         return evaluate_time_event(model, at, results);
+    case LAG_CORNER:
+        return evaluate_corner(model, at, results);
     case LAG_MOMENTUM_TANGENT:
         return evaluate_momentum_tangent(model, at, results);
     case LAG_DEFINITION:

@@ -20,7 +20,7 @@ static const double ROUNDING = 1e-14;
 size_t lag_instants_memory(const lag_model *model)
 {
     return 2 * model->nclock + lag_contacts_memory(model) + lag_passes_memory(model) + lag_noise_memory(model) +
-           lag_momentum_memory(model) + lag_timed_memory(model) + lag_motion_size(model) + model->nw;
+           lag_momentum_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw;
 }
 
 void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
@@ -39,6 +39,8 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
     lag_momentum_place(&instants->momentum, motion, lag_take(&memory, lag_momentum_memory(model)));
     lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
+    lag_refraction_place(
+        &instants->refraction, motion, &instants->momentum, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
     lag_passes_place(&instants->passes, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
@@ -283,17 +285,30 @@ lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
     return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 
+/* A relation changes, with what an energy that jumps there does; or the motion turns back before it does. */
+static lag_status turn_relation(lag_instants *instants, double t, double *x, size_t i)
+{
+    double *truth = instants->motion->w + instants->places.relation;
+    int refracted = 0;
+    int back = 0;
+    instants->refraction.length = instants->contacts.length;
+    lag_status status = lag_refraction_cross(&instants->refraction, t, x, i, instants->passes.moment, &refracted, &back);
+    truth[i] = back ? truth[i] : 1.0 - truth[i];
+    if (status == LAG_OK && refracted) {
+        status = lag_passes_settled(&instants->passes, t, x);
+    }
+    return status == LAG_OK && !back ? lag_passes_tell(&instants->passes, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i) : status;
+}
+
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks)
 {
     const lag_model *model = instants->motion->model;
-    double *truth = instants->motion->w + instants->places.relation;
     lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
     int any = 0;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
             any = 1;
-            truth[i] = 1.0 - truth[i];
-            status = lag_passes_tell(&instants->passes, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
+            status = turn_relation(instants, t, x, i);
         }
     }
     if (status == LAG_OK) {

@@ -64,8 +64,7 @@ lag_status lag_momentum_keep(lag_momentum *momentum, double t, const double *x, 
     return status;
 }
 
-/* Momenta, M and the constraints at x. */
-static lag_status look(lag_momentum *momentum, double t, const double *x)
+lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x)
 {
     lag_motion *motion = momentum->motion;
     const lag_model *model = motion->model;
@@ -182,7 +181,7 @@ lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, con
 {
     const size_t n = momentum->motion->model->nq;
     double *qd = x + n;
-    lag_status status = look(momentum, t, x);
+    lag_status status = lag_momentum_look(momentum, t, x);
     *jumped = 0;
     if (status != LAG_OK) {
         return status;
@@ -205,7 +204,7 @@ lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, con
             qd[j] += momentum->change[j];
         }
         settle(momentum);
-        status = look(momentum, t, x);
+        status = lag_momentum_look(momentum, t, x);
         if (status != LAG_OK) {
             return status;
         }

@@ -300,6 +300,14 @@ static lag_status take_hold(lag_passes *passes, double t, double *x, int acted)
     return status == LAG_OK ? lag_momentum_balance(passes->momentum, t, x, held, &jumped) : status;
 }
 
+lag_status lag_passes_settled(lag_passes *passes, double t, double *x)
+{
+    int jumped = 0;
+    const lag_status status = lag_momentum_keep(passes->momentum, t, x, passes->motion->w);
+    memcpy(passes->settled, passes->motion->w, passes->motion->model->nw * sizeof(double));
+    return status == LAG_OK ? lag_momentum_balance(passes->momentum, t, x, NULL, &jumped) : status;
+}
+
 /* One pass; `acted`: it did more than to change w. */
 static lag_status pass(lag_passes *passes, double t, double *x, const double *turned, int *acted)
 {

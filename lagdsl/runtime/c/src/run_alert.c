@@ -73,7 +73,7 @@ static double root_of(change *one, double a, double b, double tolerance)
 
 double lag_scan_earliest(lag_run *run, double a, double b)
 {
-    const size_t count = run->motion.model->nindicator + run->motion.model->ncontact;
+    const size_t count = lag_alert_count(&run->alert);
     const double tolerance = lag_scan_tolerance(run);
     double *root = run->alert.root;
     double first = b;

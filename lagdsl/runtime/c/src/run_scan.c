@@ -29,6 +29,8 @@ static const double BESIDE = 0.25, JUST = 1e-6;
 static const double CLEARER = 0.25;
 /* The last piece of a step may be longer by this factor. */
 static const double LAST_STRETCH = 1.2;
+/* A piece that is shorter than it was to be by more than this part was cut at the end of a step; by less, times were rounded. */
+static const double CUT = 0.01;
 /* Values below so many times their round-off have no shape. */
 static const double SHAPELESS = 1e3;
 
@@ -44,7 +46,7 @@ static double place_of(const piece *in, int k)
 
 static size_t count_of(const lag_run *run)
 {
-    return run->motion.model->nindicator + run->motion.model->ncontact;
+    return lag_alert_count(&run->alert);
 }
 
 static void remember(lag_run *run, int k)
@@ -186,7 +188,7 @@ static double doubt_of(lag_run *run, const piece *in, size_t i)
     if (!(difference > KNOWN * most)) {
         return most > 0.0 ? difference / most : 0.0;
     }
-    if (i < run->motion.model->nindicator && !(run->alert.noise->sigma[i] > 0.0)) {
+    if (lag_alert_has_noise(&run->alert, i) && !(lag_alert_noise(&run->alert, i) > 0.0)) {
         lag_noise_find(run->alert.noise, run->stepper.t_before, run->stepper.x_before);
     }
     return most > SHAPELESS * lag_alert_noise(&run->alert, i) ? difference / most : 0.0;
@@ -244,7 +246,8 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
     }
     if (whole && status == LAG_OK) {
         const double next = next_length(w, doubt);
-        on->reach = fmin(on->longest, w < on->reach ? fmin(on->reach, fmax(w, next)) : next);
+        const int cut = w < (1.0 - CUT) * on->reach;
+        on->reach = fmin(on->longest, cut ? fmin(on->reach, fmax(w, next)) : next);
         run->alert.span = fmax(run->alert.span, w);
     }
     return 1;

@@ -10,6 +10,8 @@
 static const double ULPS = 16.0;
 /* A step from which the constraints are out of reach is tried again with this part of its length. */
 static const double SHORTER = 0.25;
+/* So often a step is cut where a corner is found in it. */
+enum { MOST_CUTS = 10 };
 
 static double least_length(const lag_run *run, double stop)
 {
@@ -156,12 +158,11 @@ static lag_status give_back(lag_run *run, double t, lag_status status)
     return status;
 }
 
-/* Where in the last step something happens first, the model's at *own, the caller's at *other; infinite: nowhere. */
-static lag_status find(lag_run *run, double *own, double *other)
+/* Where in the last step something happens first, the model's at *own, the caller's at *other, a corner; infinite: nowhere. */
+static lag_status find(lag_run *run, double *own, double *other, double *corner)
 {
     *own = *other = (double)INFINITY;
-    lag_status status = lag_run_happening(run, own);
-    status = status == LAG_HAPPENS ? LAG_OK : status;
+    lag_status status = lag_run_next_corner(run, own, corner);
     if (status == LAG_OK && run->options.indicators > 0) {
         status = lag_run_crossing(run, other);
     }
@@ -169,6 +170,35 @@ static lag_status find(lag_run *run, double *own, double *other)
         *own = (double)INFINITY;
     } else if (*own < (double)INFINITY) {
         *other = (double)INFINITY;
+    }
+    return status;
+}
+
+/* One step that ends at a corner, if there is one in it, and what happens then. */
+static lag_status advance_to_corner(lag_run *run, double limit, double *own, double *other)
+{
+    lag_stepper *s = &run->stepper;
+    lag_half *half = &run->half;
+    double corner = (double)INFINITY;
+    double end = corner;
+    *own = *other = (double)INFINITY;
+    lag_status status = advance(run, limit);
+    half->next = s->h;
+    half->corner = 0;
+    for (int k = 0; k < MOST_CUTS && status == LAG_OK; ++k) {
+        status = lag_run_face_corners(run);
+        run->alert.corners = k + 1 < MOST_CUTS ? run->alert.corners : 0;
+        status = status == LAG_OK ? find(run, own, other, &corner) : status;
+        const int found = corner < (double)INFINITY;
+        const int inside = found && !lag_run_is_at_end(run, corner);
+        half->corner = found || (s->t == end && !(fmin(*own, *other) < (double)INFINITY));
+        if (status != LAG_OK || !inside) {
+            return status;
+        }
+        half->corner = 0;
+        end = lag_run_before_corner(run, corner);
+        lag_stepper_undo(s, end - s->t_before);
+        status = advance(run, end);
     }
     return status;
 }
@@ -217,12 +247,8 @@ lag_status lag_run_step(lag_run *run, double stop)
     const double t = s->t;
     double own = (double)INFINITY;
     double other = (double)INFINITY;
-    lag_status status = advance(run, fmin(stop, lag_run_instant(run)));
-    half->next = s->h;
+    lag_status status = advance_to_corner(run, fmin(stop, lag_run_instant(run)), &own, &other);
     half->length = s->t - t;
-    if (status == LAG_OK) {
-        status = find(run, &own, &other);
-    }
     half->t = fmin(fmin(own, other), s->t);
     if (status == LAG_OK) {
         status = lag_run_rows(run, half->t, 0);
@@ -261,6 +287,11 @@ lag_status lag_run_finish(lag_run *run, double stop)
         s->h = fmin(half->next, s->h_most);
         run->look.rank = 0;
         status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
+    } else if (status == LAG_OK && half->corner) {
+        status = lag_run_rows(run, s->t, 1);
+        lag_run_pass_corner(run, fmin(stop, lag_run_instant(run)));
+        s->h = fmin(fmax(s->h, half->next), s->h_most);
+        status = status == LAG_OK && s->t < stop ? restart(run, s->method, stop - s->t) : status;
     } else if (status == LAG_OK) {
         status = follow(run, stop);
     }

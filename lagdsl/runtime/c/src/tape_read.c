@@ -356,6 +356,7 @@ static void give_sizes(lag_model *model, const uint32_t *size)
     model->nfail = size[LAG_TAPE_NFAIL];
     model->ntimed = size[LAG_TAPE_NTIMED];
     model->ndistance = size[LAG_TAPE_NDISTANCE];
+    model->ncorner = size[LAG_TAPE_NCORNER];
     model->nswitched = size[LAG_TAPE_NSWITCHED];
     model->prepared = size[LAG_TAPE_PREPARED];
     model->workspace = (size_t)workspace(size);

@@ -2,6 +2,7 @@
  * Does anything happen that the discretes w of a model do not know of yet? Relations that changed their truth, open contacts whose
  * gaps are negative, closed contacts that would pull. Each has a value that is positive while nothing changes; where it was negative
  * already when the step began, or is so by no more than round-off, it has to fall further. What follows from a change is not said here.
+ * Corners are looked at where somebody asks for it (lag/corners.h): the discretes do not know them.
  */
 #ifndef LAG_ALERT_H
 #define LAG_ALERT_H
@@ -18,9 +19,12 @@ typedef struct lag_alert {
     lag_contacts *contacts;
     lag_noise *noise;
     double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
-    double *changed;               /* (nindicator + ncontact) 1: this one, at the state looked at last */
-    double *band;                  /* (nindicator + ncontact) how far below zero values may be */
-    double *seen[LAG_ALERT_LOOKS]; /* (nindicator + ncontact) values, for those who look for the time */
+    double *far, *side;            /* (ncorner) distances of corners, 1 or -1: the side on which this one is positive, 0: not looked at */
+    size_t corners;                /* ncorner where corners are looked at, else 0 */
+    int solved;                    /* they read accelerations or multipliers */
+    double *changed;               /* (nindicator + ncontact + ncorner) 1: this one, at the state looked at last */
+    double *band;                  /* the same: how far below zero values may be */
+    double *seen[LAG_ALERT_LOOKS]; /* the same: values, for those who look for the time */
     double *root, *found;          /* the same */
     double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
 } lag_alert;
@@ -30,11 +34,17 @@ size_t lag_alert_memory(const lag_model *model);
 
 void lag_alert_place(lag_alert *alert, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory);
 
-/* What passes zero, downward, when relation or contact number `which` changes; as it was looked at last. */
+/* So many things are looked at: relations, contacts, corners. */
+size_t lag_alert_count(const lag_alert *alert);
+
+/* What passes zero, downward, when relation, contact or corner number `which` changes; as it was looked at last. */
 double lag_alert_value(const lag_alert *alert, size_t which);
 
 /* Round-off of that, as far as it is known. */
 double lag_alert_noise(const lag_alert *alert, size_t which);
+
+/* Whether that is found by lag/noise.h: contacts have other means. */
+int lag_alert_has_noise(const lag_alert *alert, size_t which);
 
 /* A step begins at x at time t. */
 lag_status lag_alert_begin(lag_alert *alert, double t, const double *x);

@@ -33,6 +33,7 @@ typedef enum lag_function {
     LAG_CLOCK,
     LAG_EVENT,
     LAG_TIME_EVENT,
+    LAG_CORNER,
     LAG_MOMENTUM_TANGENT,
     LAG_DEFINITION,
     LAG_DEFINITION_TANGENT,

@@ -7,6 +7,7 @@
 
 #include "lag/clock.h"
 #include "lag/passes.h"
+#include "lag/refraction.h"
 #include "lag/timed.h"
 
 /* Watches the times of events that were located for crowding towards an instant, so that time does not get beyond it (Zeno). */
@@ -23,6 +24,7 @@ typedef struct lag_instants {
     lag_passes passes;
     lag_momentum momentum;
     lag_timed timed;
+    lag_refraction refraction;
     double *x_before, *w_before; /* (2 nq + nz) (nw) */
     lag_clock *clock; /* (nclock) */
     double *first, *period; /* (nclock) */

@@ -193,6 +193,11 @@ typedef struct lag_model {
     lag_status (*time_event)(
         const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry,
         double *change);
+    /*
+     * t q qd z u w p qdd lam -> far (ncorner), solved: distances that pass zero where forces, energies or rates have a corner along
+     * the motion; 1 where one of them reads accelerations or multipliers. Only in models with corners
+     */
+    lag_status (*corner)(const lag_arguments *at, double *far, double *solved);
     /* t q qd z u w p, dqd -> momentum (nq): M dqd. Only where M is not written out */
     lag_status (*momentum_tangent)(const lag_arguments *at, double *momentum);
     /*
@@ -234,6 +239,7 @@ typedef struct lag_model {
 
     /* of models with discretes: gaps are those of the contacts, then those that clauses let collide */
     size_t nindicator, ncontact, ngap, nclock, nreset, ncollision, nstop, nfail, ntimed, ndistance;
+    size_t ncorner; /* of models with corners along the motion */
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
     const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
     const size_t *contact_rows;  /* (ncontact) rows of constraints that hold while they are closed; with their names */

@@ -37,6 +37,9 @@ void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memo
 /* Remembers the momenta at x = (q, qd, z) with discretes w (nw). */
 lag_status lag_momentum_keep(lag_momentum *momentum, double t, const double *x, const double *w);
 
+/* Momenta, M and the rows of the constraints at x, with the discretes that hold now but all contacts open. */
+lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x);
+
 /*
  * With the discretes that hold now: rates at which the momenta are those that were kept, but for impulses of the constraints. Closed
  * contacts only push, and do not take part. Rates that are `held` (nq flags, or null; at most one for each reset of the model) stay if

@@ -1,5 +1,5 @@
 /*
- * Round-off of the indicators of a model at a state. A number x enters an indicator g with a relative error of the unit round-off eps, so
+ * Round-off of the indicators of a model, and of the distances of its corners, at a state. A number x enters an indicator g with a relative error of the unit round-off eps, so
  * g is known to about eps |dg/dx x|: only what enters g counts, in its own units. The derivatives are differences along changes of all
  * numbers at once, with signs such that no two numbers change alike in all of them.
  */
@@ -12,8 +12,8 @@ typedef struct lag_noise {
     lag_motion *motion;
     double *peak;         /* (2 nq + nz) largest magnitude of each number so far */
     double *point;        /* (2 nq + nz) */
-    double *value, *other; /* (nindicator) */
-    double *sigma;        /* (nindicator) round-off, as it was found last; zero: not yet */
+    double *value, *other; /* (nindicator + ncorner) */
+    double *sigma;        /* (nindicator + ncorner) round-off, as it was found last; zero: not yet */
 } lag_noise;
 
 /* Doubles for it. */

@@ -50,6 +50,9 @@ lag_status lag_passes_settle(lag_passes *passes, double t, const double *x);
  */
 lag_status lag_passes_run(lag_passes *passes, double t, double *x, const double *relations, const double *contacts);
 
+/* The rates are those that belong to the discretes of now, but for constraints that take hold. */
+lag_status lag_passes_settled(lag_passes *passes, double t, double *x);
+
 /* Relations that pass zero here become what they are a moment later. */
 lag_status lag_passes_turn(lag_passes *passes, double t, const double *x);
 

@@ -105,6 +105,7 @@ enum { LAG_CHANGES = 16 };
 typedef struct lag_half {
     int open;            /* there is one */
     int own, other;      /* something of the model's, of the caller's happens at its end */
+    int corner;          /* a corner is at its end */
     double t;            /* where that is; the end of the step where nothing happens */
     double length, next; /* of the step, as far as the method went; proposed for the next one */
 } lag_half;
@@ -296,6 +297,18 @@ double lag_run_instant(const lag_run *run);
 lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
 /* LAG_HAPPENS: something of the model's happens within the last step, first at *t; run->alert.changed tells what (see lag/scan.h). */
 lag_status lag_run_happening(lag_run *run, double *t);
+/*
+ * Corners (run_corners.c). Steps end a moment before a corner; on a straight line over some roundings of time the run passes it, so that no
+ * step has a corner inside. Whether the last step may have met one: then they are looked at, in the scan.
+ */
+lag_status lag_run_face_corners(lag_run *run);
+/* lag_run_happening(), where what happens first is a corner at *corner; else at *own. Infinite: nowhere. */
+lag_status lag_run_next_corner(lag_run *run, double *own, double *corner);
+/* Where a step to a corner is to end; whether the last one did. */
+double lag_run_before_corner(const lag_run *run, double corner);
+int lag_run_is_at_end(const lag_run *run, double corner);
+/* Over a corner at the end of the last step, unless something is due before `limit`. */
+void lag_run_pass_corner(lag_run *run, double limit);
 /* The state on the constraints at a time within the last step. */
 lag_status lag_run_inside(lag_run *run, double t, double *x);
 /* The run goes back to a time within its last step, on the constraints to round-off: what is left of a rate would be an impact. */

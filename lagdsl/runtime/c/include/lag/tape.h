@@ -74,6 +74,7 @@ typedef enum lag_tape_size {
     LAG_TAPE_NFAIL,
     LAG_TAPE_NTIMED,
     LAG_TAPE_NDISTANCE,
+    LAG_TAPE_NCORNER,
     LAG_TAPE_NSWITCHED,
     LAG_TAPE_ROW,      /* length of the row */
     LAG_TAPE_PREPARED, /* of these, how many prepare() fills */

@@ -1,0 +1,36 @@
+"""How much of what repeats runs.
+
+Where a test shows one rule of many things, `make check` takes some of them, one of each kind, and `make check-all`
+(LAGDSL_ALL=1) all. LAGDSL_EXPLORE=1 takes all, too, and looks for new ones. What is chosen stands at the test.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from typing import TypeVar
+
+EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))
+ALL = EXPLORE or bool(os.environ.get("LAGDSL_ALL"))
+Item = TypeVar("Item")
+
+
+def chosen(every: Iterable[Item], some: Sequence[Item]) -> list[Item]:
+    """All of them, or some, which must be among them."""
+    items = list(every)
+    strangers = [item for item in some if item not in items]
+    assert not strangers, f"not there to choose from: {strangers}"
+    return items if ALL else list(some)
+
+
+def spread(every: Iterable[Item], count: int) -> list[Item]:
+    """All of them, or `count` at equal distances, the first and the last among them."""
+    items = list(every)
+    if ALL or len(items) <= count:
+        return items
+    return [items[round(i * (len(items) - 1) / (count - 1))] for i in range(count)]
+
+
+def examples(many: int) -> int:
+    """How many random examples of a property: all of them, or a fifth, the same ones in every run."""
+    return many if ALL else max(many // 5, min(many, 10))

@@ -1,0 +1,30 @@
+"""An exported model with a time event and a corner of place moves as closed forms say, through FMPy's co-simulation."""
+
+from __future__ import annotations
+
+from math import sqrt
+from pathlib import Path
+
+import pytest
+from fmpy import simulate_fmu
+
+import lagdsl
+
+TEXT = """model Exported
+  coordinate Real x(der(start = 1));
+  kinetic 1/2*der(x)^2;
+  force -100*max(0, 1 - abs(x - 1)/0.001) + max(0, 1 - abs(time - 2.5)/1e-3) on x;
+  output Real v = der(x);
+  annotation(units = "none", experiment(StopTime = 3, Tolerance = 1e-10));
+end Exported;
+"""
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_corners_of_time_and_place_in_an_fmu(version: int, tmp_path: Path) -> None:
+    path = tmp_path / "corners.fmu"
+    lagdsl.compile(TEXT).export_fmu(path, fmi=version)
+    rows = simulate_fmu(
+        str(path), fmi_type="CoSimulation", stop_time=3.0, output_interval=1.5, relative_tolerance=1e-10
+    )
+    assert rows["v"][-1] == pytest.approx(sqrt(1 - 2 * 0.1) + 1e-3, abs=1e-8)
