@@ -42,7 +42,7 @@ def generate(app: Sphinx) -> None:
 def components(folder: Path) -> None:
     """A page for each class, one for each package, and their index."""
     for name in class_names():
-        write(folder / f"{name}.md", escaped(component_page(name)))
+        write(folder / f"{name}.md", linked(escaped(component_page(name))))
     for package in package_names():
         names = [name for name in class_names() if library_class(name).package == package]
         rows = [f"| [{n.rpartition('.')[2]}]({n}.md) | {escaped(title(n))} |" for n in names]
@@ -55,6 +55,11 @@ def components(folder: Path) -> None:
         "[Packages and imports](../library.md) lists the constants of `Lag.Constants` and the types of `Lag.Units`.",
     ]
     write(folder / "index.md", page(lines))
+
+
+def linked(text: str) -> str:
+    """The names of ancestors become links."""
+    return re.sub(r"(?<=[ ,])`(Lag\.\w+\.\w+)`", r"[`\1`](\1.md)", text)
 
 
 def title(name: str) -> str:
