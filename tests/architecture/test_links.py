@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
+
 FOLDERS = ("benchmarks", "docs", "grammar", "lagdsl", "models", "stdlib", "tests")
 
 
@@ -53,3 +55,12 @@ def test_paths_in_documents_exist(root: Path) -> None:
         and not list(root.glob(f"{path}*" if path.startswith("docs/adr/") else path.rstrip("/")))
     ]
     assert missing == []
+
+
+@pytest.mark.parametrize("folder", ["tutorial", "howto", "reference", "explanation"])
+def test_the_index_of_a_folder_has_every_page(root: Path, folder: str) -> None:
+    """Both the list that people read and the sidebar."""
+    pages = {path.stem for path in (root / "docs" / folder).glob("*.md")} - {"index"}
+    written, sidebar = (root / "docs" / folder / "index.md").read_text(encoding="utf-8").split("```{toctree}")
+    assert pages <= set(re.findall(r"\]\((\w+)\.md\)", written))
+    assert pages <= set(re.findall(r"^\w+$", sidebar, re.MULTILINE))
