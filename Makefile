@@ -64,7 +64,7 @@ update: $(READY)  ## regenerate what is generated: automaton of the grammar, uni
 	$(BIN)/python -m lagdsl.syntax.generate
 	$(BIN)/python -m lagdsl.units.generate
 	$(BIN)/python -m lagdsl.runtime.generate
-	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/units tests/semantics
+	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/docs tests/units tests/semantics
 
 wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
 	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.platforms); do \

@@ -23,12 +23,12 @@ ROWS: dict[str, Row] = {
         "end the list here, or name the frame that the next one joins, too",
     ),
     "E0704": error(
-        "`{name}` has no `{port}`: which of its frames is meant?",
+        "`{name}` has no `{port}`; name one of its frames",
         "several frames",
         "name the frame: {ports}",
     ),
     "E0705": error(
-        "`{name}.{port}` is joined already: which frame of `{name}` is meant here?",
+        "`{name}.{port}` is connected already; name the frame of `{name}` to connect",
         "ambiguous",
         "name the frame that is meant: {ports}",
     ),
@@ -50,7 +50,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0710": error(
         "the reaction of `{name}` is not one wrench",
-        "which of its frames is meant?",
+        "several frames",
         "name the frame: {ports}",
     ),
     "E0711": error(

@@ -70,7 +70,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0383": error(
         "a contact has either a restitution or a compliance",
-        label="which law?",
+        label="needs one law",
         help="write `with restitution = 0.5`, optionally `v_stick`, `t_eps`; or `with compliance = k`, optionally "
         "`damping`, `exponent`",
     ),

@@ -6,7 +6,7 @@ ROWS: dict[str, Row] = {
     "E0201": error("unknown name `{name}`", label="not declared in {scope}"),
     "E0202": error("unknown modifier `{name}` for `{type}`; the attributes are {attributes}", label="not an attribute"),
     "E0203": error(
-        "`{name}` is ambiguous: it is imported from {imports}", label="which one is meant?", secondary="has one, too"
+        "`{name}` is ambiguous: it is imported from {imports}", label="ambiguous name", secondary="has one, too"
     ),
     "E0204": error("`{name}` is declared twice, as {first} and as {second}", label="declared again here"),
     "N0205": note("`{name}` hides the built-in {what} of that name"),
@@ -58,7 +58,7 @@ ROWS: dict[str, Row] = {
         label="a component is no quantity",
         help="modify its members: `{name}(member = ...)`",
     ),
-    "E0228": error("{what} is an array of components", label="of which one?"),
+    "E0228": error("{what} is an array of components", label="needs an index"),
     "E0229": error("`{name}` is protected in {what}", label="not visible from outside"),
     "E0230": error("component `{name}` does not exist: its condition is false", label="used here"),
     "E0231": error(
@@ -66,7 +66,7 @@ ROWS: dict[str, Row] = {
         label="incomplete",
         help="use a class that extends it",
     ),
-    "E0232": error("`extends` must stand at the top of a class", label="what is inherited cannot depend on conditions"),
+    "E0232": error("`extends` must stand at the top of a class", label="inherited parts cannot depend on conditions"),
     "E0233": error("`{name}` is a class, not the type of a quantity", label="a quantity has one value"),
     "E0234": error(
         "`{name}` is given for {found} components, there are {count}",
@@ -105,7 +105,7 @@ ROWS: dict[str, Row] = {
     "E0242": error("a redeclaration keeps the size of `{name}`", label="says a size", help="delete the subscripts"),
     "E0243": error(
         "`{name}` is inherited along two paths with conflicting modifiers",
-        label="which modifiers apply?",
+        label="conflicting modifiers",
         help="use the same modifiers on both paths, or modify it where the class is used",
     ),
     "E0244": error("`{new}` cannot stand in for `{old}`: it has no {missing}", label="put in here"),

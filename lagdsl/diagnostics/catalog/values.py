@@ -15,7 +15,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0303": error(
         "parameter `{name}` has no value and no default",
-        label="what is its value?",
+        label="needs a value",
         help="write `{name} = ...` here",
     ),
     "E0304": error(
@@ -36,7 +36,7 @@ ROWS: dict[str, Row] = {
         help="write the inertia term as an energy or a mass",
     ),
     "N0309": note(
-        "no event tells of the jumps of `{name}`",
+        "jumps of `{name}` are no events",
         label="the first place",
         help="write a relation, `if x > ... then ...`, for a jump that is an event; `noEvent(...)` says that it is not",
     ),
@@ -57,7 +57,7 @@ ROWS: dict[str, Row] = {
     "E0319": error("`{name}` is defined twice", label="a second definition"),
     "E0320": error(
         "state `{name}` has no equation",
-        label="how does it change?",
+        label="needs an equation",
         help="write `der({name}) = ...` in an `equation` section",
     ),
     "E0321": error(
@@ -89,7 +89,7 @@ ROWS: dict[str, Row] = {
         label="depends on a parameter",
         help="use a `structural parameter Boolean`",
     ),
-    "E0331": error("`draw {shape}` has no place", label="where?", help="write {ways} after the shape"),
+    "E0331": error("`draw {shape}` has no place", label="needs a place", help="write {ways} after the shape"),
     "E0332": error(
         "{what} is given in the frame's own axes, this is a vector in world axes",
         label="a world vector",
@@ -98,8 +98,8 @@ ROWS: dict[str, Row] = {
     "E0333": error("an index must be known when the model is compiled", label="not structural"),
     "E0334": error("{what} must be {expected}, found {found}", label="this is {found}"),
     "E0335": error("one value for a whole array needs `each`", label="which element?", help="write `each {text}`"),
-    "E0336": error("the size of `{name}` comes from its binding, and it has none", label="how many?"),
-    "E0337": error("{kind} `{name}` has no value", label="what is its value?", help="write `{name} = ...` here"),
+    "E0336": error("the size of `{name}` comes from its binding, and it has none", label="needs a size"),
+    "E0337": error("{kind} `{name}` has no value", label="needs a value", help="write `{name} = ...` here"),
     "E0338": error(
         "`{name}` is a state; give its start value and an equation, not a binding",
         label="a state has an equation `der({name}) = ...`",
