@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from time import perf_counter
 from typing import NoReturn
 
@@ -32,18 +32,29 @@ _PROGRESS_STEP = 0.002
 
 
 @record(kw_only=True)
-class Task:
-    """Everything one motion needs; `run` has not begun."""
+class Asked:
+    """A motion but for its rows."""
 
     flat: FlatModel
     engine: Engine
-    run: Run
+    p: Floats
     signals: Signals
+    start: Mapping[str, float]
+    tolerance: float
+    solver: str
+    step: float | None
+    max_steps: int
+
+
+@record(kw_only=True)
+class Task:
+    """Everything one motion needs; `run` has not begun."""
+
+    asked: Asked
+    run: Run
     initial: InitialState
     times: Floats
     sink: Sink
-    solver: str
-    max_steps: int
     progress: Callable[[float], None] | None
 
 
@@ -51,7 +62,7 @@ class Motion:
     """Not to be used twice."""
 
     def __init__(self, task: Task) -> None:
-        self._task, self._run = task, task.run
+        self._task, self._asked, self._run = task, task.asked, task.run
         self._first, self._last = float(task.times[0]), float(task.times[-1])
         self._steps = 0
         self._shown = 0.0
@@ -62,7 +73,7 @@ class Motion:
         task, run = self._task, self._run
         status = self._ended(run.begin(self._first, task.initial.x))
         self._tell_lost_rank()
-        for stop in (*(b for b in task.signals.breaks if b > self._first), self._last):
+        for stop in (*(b for b in self._asked.signals.breaks if b > self._first), self._last):
             if status is Status.OK:
                 status = self._segment(stop)
             if status is Status.OK and stop < self._last:
@@ -73,7 +84,7 @@ class Motion:
     def _segment(self, stop: float) -> Status:
         """Up to `stop`; whether the motion goes on there."""
         while True:
-            steps = min(STEPS if self._steps > 0 else FIRST_STEPS, self._task.max_steps - self._steps)
+            steps = min(STEPS if self._steps > 0 else FIRST_STEPS, self._asked.max_steps - self._steps)
             status = self._on(stop, steps) if steps > 0 else Status.TOO_LONG
             self._tell_progress()
             if status is not Status.TOO_LONG or steps <= 0:
@@ -81,7 +92,7 @@ class Motion:
 
     def _on(self, stop: float, steps: int) -> Status:
         """At most so many steps; those that follow are taken in C where that pays and there is C by then."""
-        engine, run, before = self._task.engine, self._run, self._run.t
+        engine, run, before = self._asked.engine, self._run, self._run.t
         started = perf_counter()
         status = run.to(stop, steps)
         self._steps += run.report.steps
@@ -100,12 +111,12 @@ class Motion:
         return status
 
     def _fail(self, status: Status) -> NoReturn:
-        task, run = self._task, self._run
-        course = Course(task.flat, task.engine.layout, run, self._last, task.max_steps)
+        asked, run = self._asked, self._run
+        course = Course(asked.flat, asked.engine.layout, run, self._last, asked.max_steps)
         fault = run.explain(status)
         sink = Sink()
-        name = report_fault(course, status, fault, task.signals.at(fault.t), sink)
-        values = state_values(task.flat, fault.x)
+        name = report_fault(course, status, fault, asked.signals.at(fault.t), sink)
+        values = state_values(asked.flat, fault.x)
         raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
 
     def _tell_progress(self) -> None:
@@ -117,12 +128,12 @@ class Motion:
     def _tell_lost_rank(self) -> None:
         """W0608 where rank is lost at the start."""
         task = self._task
-        if not any(task.engine.layout.position_level):
+        if not any(self._asked.engine.layout.position_level):
             return
         rank, general, row = self._run.rank()
         if rank < general:
-            constraint = next(item.constraint for item in located(task.flat) if row in item.rows)
-            name, time = task.engine.layout.constraints[row].name, time_text(self._first)
+            constraint = next(item.constraint for item in located(self._asked.flat) if row in item.rows)
+            name, time = self._asked.engine.layout.constraints[row].name, time_text(self._first)
             task.sink.report("W0608", place(constraint), time=time, rank=rank, general=general, name=name)
             self._notes.append(f"the constraints lost rank at t = {time} s ({rank} instead of {general}) at {name}")
 
@@ -132,14 +143,14 @@ class Motion:
         run, report = self._run, self._run.report
         automatic = "radau" if report.implicit else "dop853"
         statistics = Statistics(
-            solver=automatic if self._task.solver == "auto" else self._task.solver,
+            solver=automatic if self._asked.solver == "auto" else self._asked.solver,
             steps=self._steps,
             evaluations=report.evaluations,
             jacobians=report.jacobians,
             projections=report.projections,
             notes=(*self._notes, *self._changes()),
         )
-        return trajectory(self._task.flat, self._task.engine.layout, run, self._task.initial.moved, statistics)
+        return trajectory(self._asked.flat, self._asked.engine.layout, run, self._task.initial.moved, statistics)
 
     def _changes(self) -> list[str]:
         """Changes of the method, where the runtime chooses it."""

@@ -13,14 +13,13 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.rank import Floats
-from lagdsl.record import record
 from lagdsl.runtime.engine import Engine
 from lagdsl.runtime.library import FIXED_METHODS, METHODS
-from lagdsl.signals.inputs import Signal, Signals, signals
+from lagdsl.signals.inputs import Signal, signals
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.initialize import find_start
-from lagdsl.simulate.instants import Instants
-from lagdsl.simulate.motion import MOST_STEPS, Motion, Task
+from lagdsl.simulate.instants import equidistant
+from lagdsl.simulate.motion import MOST_STEPS, Asked, Motion, Task
 from lagdsl.simulate.placed import placed
 from lagdsl.simulate.resolution import DEFAULT_ROWS, noted, resolution_of
 
@@ -69,7 +68,7 @@ def simulate(
         defaults = engine.evaluate("start", t0, parameters)[3]
         given = signals(flat, defaults, inputs or {}, (t0, end), own)
         own.raise_if_errors()
-    asked = _Asked(
+    asked = Asked(
         flat=flat,
         engine=engine,
         p=parameters,
@@ -84,7 +83,7 @@ def simulate(
 
 
 def _shown(
-    asked: _Asked,
+    asked: Asked,
     span: tuple[float, float],
     interval: float | None,
     progress: Callable[[float], None] | None,
@@ -92,12 +91,12 @@ def _shown(
 ) -> Trajectory:
     """With rows as they are asked for; where nobody asks, with as many as show the motion."""
     times = grid(*span, interval)
-    motion, turns = asked.motion(times, progress, sink)
+    motion, turns = _motion(asked, times, progress, sink)
     resolution = resolution_of(turns)
 
     @cache
     def finer() -> Trajectory:
-        return asked.motion(grid(*span, (span[1] - span[0]) / resolution.rows), None, Sink())[0]
+        return _motion(asked, grid(*span, (span[1] - span[0]) / resolution.rows), None, Sink())[0]
 
     if len(times) > resolution.rows:
         return noted(motion, resolution, len(times) - 1)
@@ -106,53 +105,30 @@ def _shown(
     return replace(noted(motion, resolution, len(times) - 1), finer=finer)
 
 
-@record(kw_only=True)
-class _Asked:
-    """A motion but for its rows."""
-
-    flat: FlatModel
-    engine: Engine
-    p: Floats
-    signals: Signals
-    start: Mapping[str, float]
-    tolerance: float
-    solver: str
-    step: float | None
-    max_steps: int
-
-    def motion(self, times: Floats, progress: Callable[[float], None] | None, sink: Sink) -> tuple[Trajectory, Floats]:
-        """With rows at `times`; and how often every number of the state turns around."""
-        flat, engine, given, t0 = self.flat, self.engine, self.signals, float(times[0])
-        course = given.at(t0) if given.constant else lambda t, before: given.at(t, before=before)
-        with np.errstate(all="ignore"), warnings.catch_warnings():
-            # What is not a number is found by looking at the numbers.
-            warnings.simplefilter("ignore", RuntimeWarning)
-            run = placed(
-                flat,
-                engine,
-                self.p,
-                course,
-                t0=t0,
-                times=times,
-                tolerance=self.tolerance,
-                solver=self.solver,
-                step=self.step,
-            )
-            initial = find_start(flat, engine, run, t0, given.at(t0), self.start, sink)
-            sink.raise_if_errors()
-            task = Task(
-                flat=flat,
-                engine=engine,
-                run=run,
-                signals=given,
-                initial=initial,
-                times=times,
-                sink=sink,
-                solver=self.solver,
-                max_steps=self.max_steps,
-                progress=progress,
-            )
-            return Motion(task).trajectory(), run.turns()
+def _motion(
+    asked: Asked, times: Floats, progress: Callable[[float], None] | None, sink: Sink
+) -> tuple[Trajectory, Floats]:
+    """With rows at `times`; and how often every number of the state turns around."""
+    flat, engine, given, t0 = asked.flat, asked.engine, asked.signals, float(times[0])
+    course = given.at(t0) if given.constant else lambda t, before: given.at(t, before=before)
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        # What is not a number is found by looking at the numbers.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        run = placed(
+            flat,
+            engine,
+            asked.p,
+            course,
+            t0=t0,
+            times=times,
+            tolerance=asked.tolerance,
+            solver=asked.solver,
+            step=asked.step,
+        )
+        initial = find_start(flat, engine, run, t0, given.at(t0), asked.start, sink)
+        sink.raise_if_errors()
+        task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress)
+        return Motion(task).trajectory(), run.turns()
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:
@@ -161,11 +137,11 @@ def grid(t0: float, stop: float, interval: float | None) -> Floats:
     if not step > 0.0 or not (stop - t0) / step < LARGEST_ROWS:
         raise ValueError(f"the interval must be positive and give at most {LARGEST_ROWS} rows")
     count = int(np.floor((stop - t0) / step * (1.0 + 1e-12)))
-    times = Instants(t0, step).up_to(np.arange(count + 1))
+    times = equidistant(t0, step, count + 1)
     if count == 0 or stop - times[-1] > 1e-9 * step:
         return np.append(times, stop)
     times[-1] = stop
-    return np.asarray(times)
+    return times
 
 
 def check_options(t0: float, stop: float, tolerance: float, solver: str, step: float | None = None) -> None:

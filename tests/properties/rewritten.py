@@ -10,6 +10,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.pipeline import read
 from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse
+from lagdsl.units.vocabulary import UNITS
 
 
 @dataclass(frozen=True)
@@ -64,13 +65,23 @@ def around(name: str, items: str = "", equations: str = "") -> str:
     return f"\nmodel Around\n  {name} inner;\n{items}{equations}end Around;\n"
 
 
-def renamed(s: Source, suffix: str) -> str:
-    """Coordinates of the model itself by other names."""
+def names_of(s: Source) -> tuple[str, ...]:
+    """Coordinates of the model itself that can be renamed word by word: no unit is called like them."""
     names = [d.name for item in s.model.items if isinstance(item, nodes.Coordinate) for d in item.declarators]
-    start, end = s.model.items[0].span.start, s.model.items[-1].span.end
+    return tuple(name for name in names if name not in UNITS)
+
+
+def renamed(s: Source, suffix: str) -> str:
+    """Coordinates by other names, but for arguments of components that are called the same."""
+    start, end = s.model.span.start, s.model.span.end
     body = s.text[start:end]
-    for name in names:
-        body = re.sub(rf"(?<![\w.]){name}(?!\w)(?!\s*=[^=])", f"{name}{suffix}", body)
+    for name in names_of(s):
+        argument = rf"(?<=[(,])\s*{name}\s*=[^=]"
+        body = re.sub(
+            rf"{argument}|(?<![\w.]){name}(?!\w)",
+            lambda found, name=name: found[0] if found[0] != name else name + suffix,
+            body,
+        )
     return s.text[:start] + body + s.text[end:]
 
 
@@ -98,7 +109,7 @@ def twice(s: Source, mass: Mass | None) -> str:
     text, gravity = s.text, ""
     for item in s.model.items:
         if isinstance(item, nodes.Gravity):
-            gravity = re.sub(r"(?<!\d )(?<!/)\b[A-Za-z]\w*", lambda word: _inside(s, word[0]), item.span.text)
+            gravity = re.sub(r"(?<!\d )(?<![/.\w])[A-Za-z]\w*", lambda word: _inside(s, word[0]), item.span.text)
             text = s.text[: item.span.start] + s.text[item.span.end :]
     return text + around(s.model.name, f"  {s.model.name} other{values};\n  {gravity}\n")
 

@@ -6,9 +6,10 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from properties.rewritten import (
     around,
     heavier,
     mass_of,
+    names_of,
     renamed,
     reordered,
     source,
@@ -65,15 +67,20 @@ def assert_same(name: str, text: str, prefix: str = "") -> None:
 
 
 def assert_columns(
-    one: Trajectory, coarser: Trajectory, other: Trajectory, prefix: str = "", suffix: str = "", until: float = STOP
+    one: Trajectory,
+    coarser: Trajectory,
+    other: Trajectory,
+    prefix: str = "",
+    names: Mapping[str, str] = MappingProxyType({}),
+    until: float = STOP,
 ) -> None:
-    """`other` moves like `one`, whose error `coarser` shows; its names have a prefix, those of coordinates a suffix."""
+    """`other` moves like `one`, whose error `coarser` shows; its names have a prefix, or are others."""
     times = _clear(one, coarser, other)
     times = times[times < until - 1e-6]
     for column in one.columns:
         if column.kind not in ("coordinate", "rate", "state", "discrete"):
             continue
-        named = _renamed(column.name, prefix, suffix if column.kind in ("coordinate", "rate") else "")
+        named = _renamed(column.name, prefix, names)
         values, near, found = (
             _at(m, n, times) for m, n in ((one, column.name), (coarser, column.name), (other, named))
         )
@@ -82,10 +89,10 @@ def assert_columns(
         assert np.all(np.abs(values - found) <= limit), (column.name, float(np.max(np.abs(values - found) / limit)))
 
 
-def _renamed(name: str, prefix: str, suffix: str) -> str:
+def _renamed(name: str, prefix: str, names: Mapping[str, str]) -> str:
     inner = name[4:-1] if name.startswith("der(") else name
     stem, bracket, index = inner.partition("[")
-    inner = f"{prefix}{stem}{suffix if '.' not in inner else ''}{bracket}{index}"
+    inner = f"{prefix}{names.get(stem, stem)}{bracket}{index}"
     return f"der({inner})" if name.startswith("der(") else inner
 
 
@@ -119,9 +126,12 @@ def test_in_a_class(name: str) -> None:
 
 @pytest.mark.parametrize("name", FEW)
 def test_by_other_names(name: str) -> None:
-    other = moved(renamed(source(ROOT / "models" / f"{name}.lag"), "_other"), TOLERANCE)
+    s = source(ROOT / "models" / f"{name}.lag")
+    other = moved(renamed(s, "_other"), TOLERANCE)
     assert _kinds(original(name, TOLERANCE), STOP) == _kinds(other, STOP)
-    assert_columns(original(name, TOLERANCE), original(name, 10 * TOLERANCE), other, suffix="_other")
+    assert_columns(
+        original(name, TOLERANCE), original(name, 10 * TOLERANCE), other, names={n: f"{n}_other" for n in names_of(s)}
+    )
 
 
 @pytest.mark.parametrize("name", FEW)
