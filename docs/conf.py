@@ -24,7 +24,7 @@ extensions = [
     "lag_lexer",
 ]
 exclude_patterns = ["_extensions", "**/_*.md"]
-nitpicky = False
+default_role = "literal"  # docstrings write `names` as Markdown does
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline"]
 myst_heading_anchors = 4
 myst_links_external_new_tab = False

@@ -23,8 +23,8 @@ FAMILIES = {
     "3": "Values and equations",
     "4": "Dimensions",
     "5": "Physics",
-    "6": "Constraints and loops",
-    "7": "Notes on the structure",
+    "6": "Constraints",
+    "7": "Connections, joints, loops",
     "8": "Start values, simulation, analysis",
     "9": "Export",
 }
@@ -42,7 +42,7 @@ def generate(app: Sphinx) -> None:
 def components(folder: Path) -> None:
     """A page for each class, one for each package, and their index."""
     for name in class_names():
-        write(folder / f"{name}.md", escaped(component_page(name)))
+        write(folder / f"{name}.md", linked(escaped(component_page(name))))
     for package in package_names():
         names = [name for name in class_names() if library_class(name).package == package]
         rows = [f"| [{n.rpartition('.')[2]}]({n}.md) | {escaped(title(n))} |" for n in names]
@@ -50,7 +50,16 @@ def components(folder: Path) -> None:
         write(folder / f"{package}.md", page([*lines]))
     lines = ["# Components of the library", "", "`lag explain NAME` shows the page of a component in the terminal.", ""]
     lines += [f"- [{package}]({package}.md): {escaped(package_title(package))}" for package in package_names()]
+    lines += [
+        "",
+        "[Packages and imports](../library.md) lists the constants of `Lag.Constants` and the types of `Lag.Units`.",
+    ]
     write(folder / "index.md", page(lines))
+
+
+def linked(text: str) -> str:
+    """The names of ancestors become links."""
+    return re.sub(r"(?<=[ ,])`(Lag\.\w+\.\w+)`", r"[`\1`](\1.md)", text)
 
 
 def title(name: str) -> str:
@@ -72,7 +81,7 @@ def diagnostics(folder: Path) -> str:
         "`lag explain CODE` shows a page in the terminal. E is an error, W a warning, N a note.",
     ]
     for digit, family in FAMILIES.items():
-        codes = sorted((code for code in ROWS if code[1] == digit), key=lambda code: (code[1:], code[0]))
+        codes = sorted((code for code in ROWS if code[2] == digit), key=lambda code: code[1:])
         lines += ["", f"## {family}", "", "| code | |", "|---|---|"]
         lines += [f"| [{code}]({code}.md) | {heading(folder / f'{code}.md')} |" for code in codes]
     return page(lines)
