@@ -99,13 +99,13 @@ def mass_of(s: Source) -> Mass | None:
     return None if found is None else Mass(found[1], float(found[2]))
 
 
-def heavier(s: Source, mass: Mass) -> str:
-    return f"{s.text}\nmodel Heavier\n  extends {s.model.name}({mass.name} = {_more(mass)});\nend Heavier;\n"
+def lighter(s: Source, mass: Mass) -> str:
+    return f"{s.text}\nmodel Lighter\n  extends {s.model.name}({mass.name} = {_less(mass)});\nend Lighter;\n"
 
 
 def twice(s: Source, mass: Mass | None) -> str:
     """With gravity, which a model has once, around both."""
-    values = "" if mass is None else f"({mass.name} = {_more(mass)})"
+    values = "" if mass is None else f"({mass.name} = {_less(mass)})"
     text, gravity = s.text, ""
     for item in s.model.items:
         if isinstance(item, nodes.Gravity):
@@ -119,5 +119,5 @@ def _inside(s: Source, name: str) -> str:
     return f"inner.{name}" if name in own else name
 
 
-def _more(mass: Mass) -> str:
-    return f"{1.25 * mass.value!r} kg"
+def _less(mass: Mass) -> str:
+    return f"{0.9 * mass.value!r} kg"

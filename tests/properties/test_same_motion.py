@@ -18,7 +18,7 @@ from attack.rows import FIRST
 from properties.rewritten import (
     Source,
     around,
-    heavier,
+    lighter,
     mass_of,
     names_of,
     renamed,
@@ -152,12 +152,14 @@ def test_twice_with_different_values(name: str) -> None:
     both = moved(twice(s, mass), TOLERANCE)
     assert_columns(original(name, TOLERANCE), original(name, 10 * TOLERANCE), both, prefix="inner.")
     if mass is not None:
-        one, coarser = (moved(heavier(s, mass), tolerance) for tolerance in (TOLERANCE, 10 * TOLERANCE))
+        one, coarser = (moved(lighter(s, mass), tolerance) for tolerance in (TOLERANCE, 10 * TOLERANCE))
         assert_columns(one, coarser, both, prefix="other.")
 
 
 # Where something happens: one event a model, the first that is neither at the start nor a tick.
 HAPPENING = NAMES if EXPLORE else ["bouncing_ball", "escapement"]
+# Its seat bounces until it rests, by a part of the length of the run (docs/adr/0064): another stop, other last bounces.
+BOUNCES_TO_REST = {"valve_train"}
 
 
 def _first(name: str) -> float | None:
@@ -165,7 +167,7 @@ def _first(name: str) -> float | None:
     return next((event.time for event in events), None)
 
 
-@pytest.mark.parametrize("name", HAPPENING)
+@pytest.mark.parametrize("name", [name for name in HAPPENING if name not in BOUNCES_TO_REST])
 def test_stop_where_something_happens(name: str) -> None:
     at = _first(name)
     if at is None:

@@ -179,6 +179,9 @@ lag_status lag_refraction_cross(
     double mu = 0.0;
     lag_system system;
     *refracted = *back = 0;
+    if (motion->model->energies == NULL) { /* nothing is known of an energy that jumps */
+        return LAG_OK;
+    }
     lag_status status = motion->ode.rates(motion, t, x, r->rate);
     if (status != LAG_OK || !differentiate(r, t, x, which, &g, &drift)) {
         return LAG_OK; /* where there are no accelerations, passes tell */
