@@ -52,8 +52,8 @@ def export(
     and `start`, by name in SI units, become the defaults. `source` goes into the file with all that the model
     was read from. Without `documented` there is neither documentation nor a picture nor a motion to compare with,
     which take most of the time. `engine` finds the start and that motion. `progress` is called with the part of the
-    work that is done. The file appears when the validator of fmpy found nothing and its own library, if it is for this machine, came through
-    its first steps; the same model gives the same bytes.
+    work that is done. The file appears when the validator of fmpy found nothing and its own library, if it is for this
+    machine, came through its first steps; the same model gives the same bytes.
 
     Raises CompilationFailed with E09xx, ValueError for a platform that there is not, OSError where `path` cannot be
     written.

@@ -186,7 +186,7 @@ class Instant:
         capture_speed = float(found["capture_speed"][i])
         if speed <= zero or 0 <= speed < capture_speed:
             return 0.0
-        rest = float(found["zeno_time"][i]) if found["rest"][i] >= 0 else _REST * self._system.length
+        rest = float(found["zeno_time"][i]) if found["zeno_time"][i] >= 0 else _REST * self._system.length
         flight, ratio = 2 * speed / back if back > 0 else np.inf, speed / was
         left = flight / (1 - ratio) if ratio < 1 else np.inf
         return min(left, flight / _SHORT) if left < rest or flight < _SHORT * rest else np.inf
