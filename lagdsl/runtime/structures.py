@@ -148,7 +148,7 @@ class Batch(Structure):
         *_all(c_size_t, "t_stride q_stride qd_stride z_stride u_stride w_stride p_stride qdd_stride"),
         *_all(c_size_t, "lam_stride dq_stride dqd_stride dz_stride du_stride dp_stride dqdd_stride"),
         *_all(c_size_t, "dlam_stride"),
-        *_all(c_void_p, "workspace arena lanes"),
+        *_all(c_void_p, "workspace memory lanes"),
     ]
 
 

@@ -140,14 +140,14 @@ static void contacts_at_the_start(void)
 /* With steps of fixed length the impact is at the end of a step; energy never grows. */
 static void fixed_steps_bounce(void)
 {
-    double arena[16];
+    double memory[16];
     set_ball(0.7);
     const lag_model model = linear_model();
     lag_run *run = begin(&model, LAG_OK);
     double energy = 25.0;
-    CHECK(lag_fixed_memory(2) <= sizeof arena / sizeof arena[0]);
+    CHECK(lag_fixed_memory(2) <= sizeof memory / sizeof memory[0]);
     for (int i = 0; i < 4000; ++i) {
-        CHECK(lag_run_fixed(run, 1e-3, lag_rk4, arena) == LAG_OK);
+        CHECK(lag_run_fixed(run, 1e-3, lag_rk4, memory) == LAG_OK);
         const double now = kinetic(run) + 20.0 * run->stepper.x[0];
         CHECK(now < energy + 0.2);
         CHECK(run->stepper.x[0] > -0.006);

@@ -145,16 +145,16 @@ static lag_status find(const lag_model *model, const lag_start *said, const doub
     double *x, lag_initial *told)
 {
     lag_motion motion;
-    double *arena = malloc((lag_motion_memory(model) + lag_initial_memory(model)) * sizeof(double));
-    CHECK(arena != NULL);
-    lag_motion_place(&motion, model, arena);
+    double *memory = malloc((lag_motion_memory(model) + lag_initial_memory(model)) * sizeof(double));
+    CHECK(memory != NULL);
+    lag_motion_place(&motion, model, memory);
     CHECK(lag_motion_parameters(&motion, p) == LAG_OK);
     CHECK(lag_motion_start(&motion, 0.0, x) == LAG_OK);
     for (size_t i = 0; set != NULL && i < SIZE; ++i) {
         x[i] = set[i] ? changed[i] : x[i];
     }
-    const lag_status status = lag_initial_find(&motion, said, set, 0.0, x, arena + lag_motion_memory(model), told);
-    free(arena);
+    const lag_status status = lag_initial_find(&motion, said, set, 0.0, x, memory + lag_motion_memory(model), told);
+    free(memory);
     return status;
 }
 

@@ -33,10 +33,10 @@ static void *give(size_t count, size_t size)
     return calloc(count, size);
 }
 
-static void take(void *arena)
+static void take(void *memory)
 {
     --host.living;
-    free(arena);
+    free(memory);
 }
 
 static const fmi2CallbackFunctions functions = {hear, give, take, NULL, &host};

@@ -53,12 +53,12 @@ static void *shift(size_t count, size_t size)
     return (char *)block + 1;
 }
 
-static void keep(void *arena)
+static void keep(void *memory)
 {
-    (void)arena;
+    (void)memory;
 }
 
-static void arena(void)
+static void memory(void)
 {
     fmi2CallbackFunctions without = {hear, starve, keep, NULL, &host};
     CHECK(fmi2Instantiate("one", fmi2ModelExchange, STAND_IN_TOKEN, NULL, &without, 0, 0) == NULL && strstr(host.message, "memory"));
@@ -253,7 +253,7 @@ static void callbacks(void)
 int main(void)
 {
     instances();
-    arena();
+    memory();
     values();
     steps();
     exchange();

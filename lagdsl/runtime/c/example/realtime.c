@@ -63,8 +63,8 @@ int main(int argc, char **argv)
     const lag_run_options options = {.tell = count_events, .context = &events};
     /* All memory there is: after this nothing is allocated. */
     void *block = malloc(lag_run_size(model, &options));
-    double *arena = malloc((lag_fixed_memory(lag_motion_size(model)) + 1) * sizeof(double));
-    if (block == NULL || arena == NULL || !(h > 0.0)) {
+    double *memory = malloc((lag_fixed_memory(lag_motion_size(model)) + 1) * sizeof(double));
+    if (block == NULL || memory == NULL || !(h > 0.0)) {
         return EXIT_FAILURE;
     }
     lag_run *run = lag_run_place(block, model, &options);
@@ -74,7 +74,7 @@ int main(int argc, char **argv)
     for (size_t i = 1; status == LAG_OK && (double)i * h <= length * (1.0 + 1e-12); ++i) {
         const size_t so_far = events;
         const double before = now();
-        status = lag_run_fixed(run, h, step, arena); /* a controller would set run->motion.u here */
+        status = lag_run_fixed(run, h, step, memory); /* a controller would set run->motion.u here */
         add(events > so_far ? &eventful : &quiet, now() - before, h);
     }
     print(&quiet, "", h);
@@ -83,6 +83,6 @@ int main(int argc, char **argv)
         (void)printf("%s = %.9g %s\n", model->coordinates[i].name, run->stepper.x[i], model->coordinates[i].unit);
     }
     free(block);
-    free(arena);
+    free(memory);
     return status == LAG_OK || status == LAG_STOPPED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

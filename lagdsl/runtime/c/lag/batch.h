@@ -13,7 +13,7 @@ typedef struct lag_batch {
     size_t t_stride, q_stride, qd_stride, z_stride, u_stride, w_stride, p_stride, qdd_stride, lam_stride, dq_stride,
         dqd_stride, dz_stride, du_stride, dp_stride, dqdd_stride, dlam_stride;
     double *workspace; /* lag_jacobian_workspace() for Jacobians, else that of the model */
-    double *arena;    /* lag_jacobian_memory() for Jacobians, else lag_dynamics_memory() */
+    double *memory;    /* lag_jacobian_memory() for Jacobians, else lag_dynamics_memory() */
     double *lanes;     /* lag_batch_memory() for several states at once */
 } lag_batch;
 

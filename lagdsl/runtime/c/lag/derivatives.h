@@ -35,7 +35,7 @@ typedef struct lag_derivatives {
 size_t lag_derivatives_memory(const lag_model *model);
 
 /* Lays it out; the direction is zero. */
-void lag_derivatives_place(lag_derivatives *derivatives, const lag_model *model, double *arena);
+void lag_derivatives_place(lag_derivatives *derivatives, const lag_model *model, double *memory);
 
 /*
  * qdd and lam at t q qd z u w p, after prepare(), whose arrays must stay as long as derivatives are asked for; what they need is factored.

@@ -40,7 +40,7 @@ typedef struct lag_system {
 size_t lag_system_memory(size_t n, size_t m);
 
 /* Lays out `system` in `memory`. */
-void lag_system_place(lag_system *system, size_t n, size_t m, double *arena);
+void lag_system_place(lag_system *system, size_t n, size_t m, double *memory);
 
 /*
  * Factors the system of `mass` (n, n) and `jacobian` (m, n), of whose rows at most `most` are independent; both must stay.
@@ -60,7 +60,7 @@ size_t lag_dynamics_memory(const lag_model *model);
 
 /* Accelerations qdd (nq) and multipliers lam (nc) at t q qd z u w p, after prepare(). */
 lag_status lag_forward_dynamics(
-    const lag_model *model, const lag_arguments *at, double *arena, double *qdd, double *lam, size_t *coordinate);
+    const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
 
 /* Where a pivot of elimination() is not above this, the dense system tells whether it is singular. */
 double lag_smallest_pivot(const lag_model *model);
@@ -77,7 +77,7 @@ lag_status lag_solve_eliminated(
     const double *jacobian,
     const double *gamma,
     double pivot,
-    double *arena,
+    double *memory,
     double *qdd,
     double *lam);
 
@@ -88,7 +88,7 @@ lag_status lag_factor_eliminated(
     const double *lam_response,
     const double *jacobian,
     double pivot,
-    double *arena,
+    double *memory,
     lag_delassus *system);
 
 /* What elimination() of several states gave, or, where qdd is null, dynamics(): every array in groups of `lanes`. */
@@ -104,7 +104,7 @@ lag_status lag_forward_dynamics_of_lane(
     const lag_model *model,
     const lag_formed *formed,
     size_t lane,
-    double *arena,
+    double *memory,
     double *qdd,
     double *lam,
     size_t *coordinate);

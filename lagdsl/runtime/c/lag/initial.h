@@ -49,7 +49,7 @@ size_t lag_initial_memory(const lag_model *model);
  * become those of the start, contacts open. `told` may be null; `dependent` is all that is
  * read of it. LAG_PROJECTION_FAILED: there is no such state, x is the best that was found.
  */
-lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *arena,
+lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *memory,
     lag_initial *told);
 
 #endif

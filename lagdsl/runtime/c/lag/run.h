@@ -145,7 +145,7 @@ struct lag_run {
     double event_time;        /* of the last one */
     lag_change change[LAG_CHANGES];
     size_t changes;           /* all; the first LAG_CHANGES are kept */
-    double *arena;           /* (numbers) all arrays of it, one after the other */
+    double *memory;           /* (numbers) all arrays of it, one after the other */
     size_t numbers;
     double *initial;          /* lag_initial_memory(), where there is a `start`; nothing of it is remembered */
 };
@@ -237,7 +237,7 @@ lag_status lag_run_finish(lag_run *run, double stop);
  * `memory`: lag_fixed_memory() doubles.
  */
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
-    double *arena);
+    double *memory);
 
 /*
  * Between two calls: the functions of `model` from now on, another filling of the same equations, such as compiled C after a tape.

@@ -45,7 +45,7 @@ struct lag_method {
     int implicit;         /* needs the Jacobian */
     double factor;        /* local tolerance as a part of the tolerance of the whole motion */
     unsigned error_order; /* of the error estimate, for the first step; 0: there is none, and steps are of the stepper's `length` */
-    size_t (*arena)(size_t size);
+    size_t (*memory)(size_t size);
     void (*begin)(lag_stepper *s);
     lag_status (*step)(lag_stepper *s, double limit);
     lag_status (*prepare_dense)(lag_stepper *s);
@@ -61,7 +61,7 @@ extern const lag_method lag_steps_rk4, lag_steps_leapfrog, lag_steps_ros2;
 size_t lag_stepper_memory(size_t size);
 
 /* Lays out `s` in `memory` for the system. The caller sets t, x, tolerance, h_least and h_most, then begins. */
-void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *arena);
+void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory);
 
 /* Start, or start again after x jumped or with another method: evaluates f; finds h where it is 0, within `span`. */
 lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double span);

@@ -92,13 +92,13 @@ typedef enum lag_tape_size {
  * Looks at `bytes` (count), on an address that is a multiple of 8. LAG_OK: they are a tape, and *memory tells how many bytes the
  * model takes. LAG_BAD_STATE_DATA: they are none, of another version, or were changed.
  */
-lag_status lag_tape_check(const void *bytes, size_t count, size_t *arena);
+lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory);
 
 /*
  * The model of a tape that was checked, in `memory`, on an address that is a multiple of 8. It refers to `bytes`, which must stay as long as
  * it does. Copies of it work as well.
  */
-const lag_model *lag_tape_model(const void *bytes, size_t count, void *arena);
+const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory);
 
 /* Its functions of several states at once; null where the compiler has no vectors. */
 const lag_states *lag_tape_states(const lag_model *model);

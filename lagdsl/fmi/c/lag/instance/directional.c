@@ -29,15 +29,15 @@ size_t lag_instance_slopes(const lag_model *model)
 static changes lay_out(const lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
-    double *arena = instance->slopes;
+    double *memory = instance->slopes;
     changes to = {.known = 0};
-    to.rates = lag_take(&arena, lag_motion_size(model));
-    to.y = lag_take(&arena, model->ny);
-    to.local = lag_take(&arena, model->nd);
-    to.energy = lag_take(&arena, 3);
+    to.rates = lag_take(&memory, lag_motion_size(model));
+    to.y = lag_take(&memory, model->ny);
+    to.local = lag_take(&memory, model->nd);
+    to.energy = lag_take(&memory, 3);
     for (size_t level = 0; level < 2; ++level) {
-        to.residual[level] = lag_take(&arena, model->nc);
-        to.value[level] = lag_take(&arena, model->nc);
+        to.residual[level] = lag_take(&memory, model->nc);
+        to.value[level] = lag_take(&memory, model->nc);
     }
     return to;
 }

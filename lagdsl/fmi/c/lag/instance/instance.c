@@ -85,37 +85,37 @@ size_t lag_instance_size(const lag_fmu *fmu)
     return padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
 }
 
-static void lay_out(lag_instance *instance, double *arena)
+static void lay_out(lag_instance *instance, double *memory)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_model *model = fmu->model;
     const size_t size = lag_motion_size(model);
     const size_t indicators = lag_instance_indicator_count(fmu);
-    instance->kept = arena;
-    instance->x = lag_take(&arena, size);
-    instance->p = lag_take(&arena, model->np);
-    instance->begin = lag_take(&arena, size);
-    instance->given = lag_take(&arena, size);
-    instance->course = lag_take(&arena, (LAG_INPUT_ORDER + 1) * model->nu);
-    instance->given_inputs = lag_take(&arena, model->nu);
-    instance->largest = lag_take(&arena, indicators);
-    instance->latched = lag_take(&arena, indicators);
-    instance->turned = lag_take(&arena, model->ny);
-    instance->kept_count = (size_t)(arena - instance->kept);
-    instance->g = lag_take(&arena, indicators);
-    instance->xd = lag_take(&arena, size);
-    instance->y = lag_take(&arena, model->ny);
-    instance->local = lag_take(&arena, fmu->model->nd);
-    instance->unasked = lag_take(&arena, model->nc);
-    instance->point = lag_take(&arena, size);
-    instance->tangent = lag_take(&arena, size);
-    instance->entry = lag_take(&arena, longest(fmu));
-    instance->invariant_limits = lag_take(&arena, model->ni);
-    instance->written = (unsigned char *)lag_take(&arena, size);
-    instance->initial_memory = lag_take(&arena, lag_initial_memory(model));
-    instance->fixed_memory = lag_take(&arena, lag_fixed_memory(size));
-    instance->slopes = lag_take(&arena, lag_instance_slopes(model));
-    lag_derivatives_place(&instance->derivatives, model, arena);
+    instance->kept = memory;
+    instance->x = lag_take(&memory, size);
+    instance->p = lag_take(&memory, model->np);
+    instance->begin = lag_take(&memory, size);
+    instance->given = lag_take(&memory, size);
+    instance->course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
+    instance->given_inputs = lag_take(&memory, model->nu);
+    instance->largest = lag_take(&memory, indicators);
+    instance->latched = lag_take(&memory, indicators);
+    instance->turned = lag_take(&memory, model->ny);
+    instance->kept_count = (size_t)(memory - instance->kept);
+    instance->g = lag_take(&memory, indicators);
+    instance->xd = lag_take(&memory, size);
+    instance->y = lag_take(&memory, model->ny);
+    instance->local = lag_take(&memory, fmu->model->nd);
+    instance->unasked = lag_take(&memory, model->nc);
+    instance->point = lag_take(&memory, size);
+    instance->tangent = lag_take(&memory, size);
+    instance->entry = lag_take(&memory, longest(fmu));
+    instance->invariant_limits = lag_take(&memory, model->ni);
+    instance->written = (unsigned char *)lag_take(&memory, size);
+    instance->initial_memory = lag_take(&memory, lag_initial_memory(model));
+    instance->fixed_memory = lag_take(&memory, lag_fixed_memory(size));
+    instance->slopes = lag_take(&memory, lag_instance_slopes(model));
+    lag_derivatives_place(&instance->derivatives, model, memory);
 }
 
 lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)

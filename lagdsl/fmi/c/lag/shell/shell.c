@@ -120,13 +120,13 @@ void *lag_shell_allocate(const lag_shell *shell, size_t size)
     return shell->host.allocate != NULL ? shell->host.allocate(1, size) : calloc(1, size);
 }
 
-void lag_shell_release(const lag_shell *shell, void *arena)
+void lag_shell_release(const lag_shell *shell, void *memory)
 {
     void (*release)(void *) = shell->host.release;
-    if (arena != NULL && release != NULL) {
-        release(arena);
+    if (memory != NULL && release != NULL) {
+        release(memory);
     } else {
-        free(arena);
+        free(memory);
     }
 }
 

@@ -61,7 +61,7 @@ typedef struct lag_host {
     void (*logger)(void);
     void (*update)(void); /* null: no intermediate update */
     void *(*allocate)(size_t count, size_t size);
-    void (*release)(void *arena);
+    void (*release)(void *memory);
 } lag_host;
 
 /* The part of a shell that belongs to a snapshot. */
@@ -111,7 +111,7 @@ lag_shell *lag_shell_enter(void *handle, const char *call, unsigned modes);
 lag_answer lag_shell_reset(lag_shell *shell);
 /* What a host asked for and did not get. */
 void *lag_shell_allocate(const lag_shell *shell, size_t size);
-void lag_shell_release(const lag_shell *shell, void *arena);
+void lag_shell_release(const lag_shell *shell, void *memory);
 
 /* ---- messages.c ---- */
 

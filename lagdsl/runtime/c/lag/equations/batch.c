@@ -67,7 +67,7 @@ static lag_status solve_singly(
         const lag_arguments at = state(model, batch, i);
         lag_status status = prepare(model, batch, &at, i);
         if (status == LAG_OK) {
-            status = lag_forward_dynamics(model, &at, batch->arena, qdd + i * model->nq, lam + i * model->nc, coordinate);
+            status = lag_forward_dynamics(model, &at, batch->memory, qdd + i * model->nq, lam + i * model->nc, coordinate);
         }
         first = worse(first, status);
     }
@@ -80,7 +80,7 @@ static lag_status solve_again(
 {
     const lag_arguments at = state(model, batch, i);
     const lag_status status = model->prepare(&at);
-    return status == LAG_OK ? lag_forward_dynamics(model, &at, batch->arena, qdd, lam, coordinate) : status;
+    return status == LAG_OK ? lag_forward_dynamics(model, &at, batch->memory, qdd, lam, coordinate) : status;
 }
 
 /* Where several states keep what, all in lanes; `at` are their arguments. */
@@ -91,14 +91,14 @@ typedef struct crowd {
     lag_arguments at;
 } crowd;
 
-static size_t place(const lag_model *model, const lag_states *states, double *arena, crowd *all)
+static size_t place(const lag_model *model, const lag_states *states, double *memory, crowd *all)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t kept = model->nk;
     const size_t lanes = states->lanes;
     const int dense = states->elimination == NULL;
-    double *end = arena;
+    double *end = memory;
     all->t = lag_take(&end, lanes);
     all->q = lag_take(&end, lanes * n);
     all->qd = lag_take(&end, lanes * n);
@@ -118,7 +118,7 @@ static size_t place(const lag_model *model, const lag_states *states, double *ar
         .times = all->t, .q = all->q, .qd = all->qd, .z = all->z, .u = all->u, .w = all->w, .p = all->p, .workspace = end,
         .context = model->context
     };
-    return (size_t)(end - arena) + states->workspace;
+    return (size_t)(end - memory) + states->workspace;
 }
 
 size_t lag_batch_memory(const lag_model *model, const lag_states *states)
@@ -218,7 +218,7 @@ static lag_status solve_lanes(
     for (size_t lane = 0; lane < count && worst != LAG_SINGULAR; ++lane) {
         double *own_qdd = qdd + (first + lane) * model->nq;
         double *own_lam = lam + (first + lane) * model->nc;
-        lag_status status = lag_forward_dynamics_of_lane(model, &formed, lane, batch->arena, own_qdd, own_lam, coordinate);
+        lag_status status = lag_forward_dynamics_of_lane(model, &formed, lane, batch->memory, own_qdd, own_lam, coordinate);
         if (status == LAG_MISSING) {
             status = solve_again(model, batch, first + lane, own_qdd, own_lam, coordinate);
         }
@@ -274,7 +274,7 @@ lag_status lag_batch_jacobian(
         double *own = outputs == NULL ? NULL : outputs + i * model->ny * x.count;
         lag_status status = prepare(model, batch, &at, i);
         if (status == LAG_OK) {
-            status = lag_jacobian(model, tangents, &at, x, batch->arena, rates + i * width, own, coordinate);
+            status = lag_jacobian(model, tangents, &at, x, batch->memory, rates + i * width, own, coordinate);
         }
         first = worse(first, status);
     }

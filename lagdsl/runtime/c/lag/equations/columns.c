@@ -14,17 +14,17 @@ static void negate(size_t count, double *x)
     }
 }
 
-lag_status lag_mass_by_columns(const lag_model *model, const lag_arguments *at, double *arena, double *mass)
+lag_status lag_mass_by_columns(const lag_model *model, const lag_arguments *at, double *memory, double *mass)
 {
     const size_t n = model->nq;
     lag_arguments along = *at;
     lag_status status = LAG_OK;
-    clear(n, arena);
-    along.dqd = arena;
+    clear(n, memory);
+    along.dqd = memory;
     for (size_t i = 0; i < n && status == LAG_OK; ++i) { /* M is symmetric: columns are rows */
-        arena[i] = 1.0;
+        memory[i] = 1.0;
         status = model->momentum_tangent(&along, mass + i * n);
-        arena[i] = 0.0;
+        memory[i] = 0.0;
     }
     return status;
 }
@@ -32,7 +32,7 @@ lag_status lag_mass_by_columns(const lag_model *model, const lag_arguments *at, 
 lag_status lag_dynamics_by_columns(
     const lag_model *model,
     const lag_arguments *at,
-    double *arena,
+    double *memory,
     double *mass,
     double *force,
     double *jacobian,
@@ -40,11 +40,11 @@ lag_status lag_dynamics_by_columns(
 {
     const size_t n = model->nq;
     lag_arguments still = *at;
-    double *const unused = arena + n + model->nc;
-    lag_status status = lag_mass_by_columns(model, at, arena, mass);
-    clear(n + model->nc, arena);
-    still.qdd = arena;
-    still.lam = arena + n;
+    double *const unused = memory + n + model->nc;
+    lag_status status = lag_mass_by_columns(model, at, memory, mass);
+    clear(n + model->nc, memory);
+    still.qdd = memory;
+    still.lam = memory + n;
     if (status == LAG_OK) {
         status = model->inverse_dynamics(&still, force);
     }

@@ -15,7 +15,7 @@ size_t lag_delassus_memory(size_t m, size_t kept)
     return 2 * kept * kept + kept * m + 6 * kept;
 }
 
-void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, double *arena)
+void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, double *memory)
 {
     s->n = n;
     s->m = m;
@@ -26,15 +26,15 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->response = NULL;
     s->lam_response = NULL;
     s->jacobian = NULL;
-    s->factor = lag_take(&arena, kept * kept);
-    s->left = lag_take(&arena, kept);
-    s->weight = lag_take(&arena, kept);
-    s->chosen = lag_take(&arena, kept);
-    s->excess = lag_take(&arena, kept * m);
-    s->gram = lag_take(&arena, kept * kept);
-    s->part = lag_take(&arena, kept);
-    s->x = lag_take(&arena, kept);
-    s->rest = lag_take(&arena, kept);
+    s->factor = lag_take(&memory, kept * kept);
+    s->left = lag_take(&memory, kept);
+    s->weight = lag_take(&memory, kept);
+    s->chosen = lag_take(&memory, kept);
+    s->excess = lag_take(&memory, kept * m);
+    s->gram = lag_take(&memory, kept * kept);
+    s->part = lag_take(&memory, kept);
+    s->x = lag_take(&memory, kept);
+    s->rest = lag_take(&memory, kept);
 }
 
 static double dot(size_t count, const double *x, const double *y)

@@ -36,7 +36,7 @@ typedef struct lag_delassus {
 size_t lag_delassus_memory(size_t m, size_t kept);
 
 /* Lays out the system in `memory`; Y, K and J are set by the caller and must stay. */
-void lag_delassus_place(lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, double *arena);
+void lag_delassus_place(lag_delassus *system, size_t n, size_t m, size_t kept, const size_t *row, double *memory);
 
 /*
  * Factors S, of whose rows `rank` are independent; none: S is round-off. LAG_MISSING: it has too few digits left to be solved, or the other rows

@@ -25,38 +25,38 @@ size_t lag_derivatives_memory(const lag_model *model)
 }
 
 /* What the accelerations alone need; less than lag_jacobian_memory(). */
-static void place_system(lag_derivatives *d, const lag_model *model, double **arena)
+static void place_system(lag_derivatives *d, const lag_model *model, double **memory)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
     memset(d, 0, sizeof *d);
     d->model = model;
-    d->mass = lag_take(arena, n * n);
-    d->force = lag_take(arena, n);
-    d->jacobian = lag_take(arena, m * n);
-    d->gamma = lag_take(arena, m);
-    d->phi = lag_take(arena, m);
-    d->residual = lag_take(arena, m);
-    d->unused = lag_take(arena, m * n);
-    lag_system_place(&d->system, n, m, lag_take(arena, lag_system_memory(n, m)));
+    d->mass = lag_take(memory, n * n);
+    d->force = lag_take(memory, n);
+    d->jacobian = lag_take(memory, m * n);
+    d->gamma = lag_take(memory, m);
+    d->phi = lag_take(memory, m);
+    d->residual = lag_take(memory, m);
+    d->unused = lag_take(memory, m * n);
+    lag_system_place(&d->system, n, m, lag_take(memory, lag_system_memory(n, m)));
     d->system.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
 }
 
-void lag_derivatives_place(lag_derivatives *d, const lag_model *model, double *arena)
+void lag_derivatives_place(lag_derivatives *d, const lag_model *model, double *memory)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    place_system(d, model, &arena);
-    d->x = lag_take(&arena, variables(model));
-    d->alone = lag_take(&arena, timed(model));
-    d->qdd = lag_take(&arena, n);
-    d->lam = lag_take(&arena, m);
-    d->dqdd = lag_take(&arena, n);
-    d->dlam = lag_take(&arena, m);
-    d->motion = lag_take(&arena, n);
-    d->rows = lag_take(&arena, m);
-    d->least = lag_take(&arena, n);
-    d->pulled = lag_take(&arena, m);
+    place_system(d, model, &memory);
+    d->x = lag_take(&memory, variables(model));
+    d->alone = lag_take(&memory, timed(model));
+    d->qdd = lag_take(&memory, n);
+    d->lam = lag_take(&memory, m);
+    d->dqdd = lag_take(&memory, n);
+    d->dlam = lag_take(&memory, m);
+    d->motion = lag_take(&memory, n);
+    d->rows = lag_take(&memory, m);
+    d->least = lag_take(&memory, n);
+    d->pulled = lag_take(&memory, m);
     lag_fill(variables(model), 0.0, d->x);
 }
 
@@ -133,9 +133,9 @@ lag_status lag_derivatives_look(lag_derivatives *d, const lag_arguments *at, dou
 lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const double *x, double *qdd, double *lam)
 {
     lag_derivatives d;
-    double *arena = motion->arena;
+    double *memory = motion->memory;
     lag_motion_look(motion, t, x);
-    place_system(&d, motion->model, &arena);
+    place_system(&d, motion->model, &memory);
     d.rate = rate;
     d.at = motion->at;
     return solve(&d, qdd, lam, &motion->coordinate);

@@ -15,21 +15,21 @@ typedef struct places {
     double *system;
 } places;
 
-static places place(const lag_model *model, double *arena)
+static places place(const lag_model *model, double *memory)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
     places at;
-    at.mass = lag_take(&arena, n * n);
-    at.force = lag_take(&arena, n);
-    at.jacobian = lag_take(&arena, m * n);
-    at.gamma = lag_take(&arena, m);
-    at.response = lag_take(&arena, model->nk * n);
-    at.lam_response = lag_take(&arena, model->nk * m);
-    at.kept_jacobian = lag_take(&arena, model->nk * n);
-    at.kept_gamma = lag_take(&arena, model->nk);
-    at.delassus = lag_take(&arena, lag_delassus_memory(m, model->nk));
-    at.system = arena;
+    at.mass = lag_take(&memory, n * n);
+    at.force = lag_take(&memory, n);
+    at.jacobian = lag_take(&memory, m * n);
+    at.gamma = lag_take(&memory, m);
+    at.response = lag_take(&memory, model->nk * n);
+    at.lam_response = lag_take(&memory, model->nk * m);
+    at.kept_jacobian = lag_take(&memory, model->nk * n);
+    at.kept_gamma = lag_take(&memory, model->nk);
+    at.delassus = lag_take(&memory, lag_delassus_memory(m, model->nk));
+    at.system = memory;
     return at;
 }
 
@@ -109,11 +109,11 @@ lag_status lag_factor_eliminated(
     const double *lam_response,
     const double *jacobian,
     double pivot,
-    double *arena,
+    double *memory,
     lag_delassus *system)
 {
     size_t rank = 0;
-    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, arena);
+    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, memory);
     system->response = response;
     system->lam_response = lam_response;
     system->jacobian = jacobian;
@@ -130,12 +130,12 @@ lag_status lag_solve_eliminated(
     const double *jacobian,
     const double *gamma,
     double pivot,
-    double *arena,
+    double *memory,
     double *qdd,
     double *lam)
 {
     lag_delassus system;
-    if (lag_factor_eliminated(model, response, lam_response, jacobian, pivot, arena, &system) != LAG_OK) {
+    if (lag_factor_eliminated(model, response, lam_response, jacobian, pivot, memory, &system) != LAG_OK) {
         return LAG_MISSING;
     }
     lag_delassus_solve(&system, gamma, qdd, lam);
@@ -153,7 +153,7 @@ lag_status lag_forward_dynamics_of_lane(
     const lag_model *model,
     const lag_formed *formed,
     size_t lane,
-    double *arena,
+    double *memory,
     double *qdd,
     double *lam,
     size_t *coordinate)
@@ -162,7 +162,7 @@ lag_status lag_forward_dynamics_of_lane(
     const size_t m = model->nc;
     const size_t kept = model->nk;
     const size_t lanes = formed->lanes;
-    const places to = place(model, arena);
+    const places to = place(model, memory);
     lag_system system;
     if (formed->qdd != NULL) {
         pick(n, formed->qdd, lanes, lane, qdd);
@@ -216,12 +216,12 @@ static lag_status eliminate_all(const lag_model *model, const lag_arguments *at,
 }
 
 lag_status lag_forward_dynamics(
-    const lag_model *model, const lag_arguments *at, double *arena, double *qdd, double *lam, size_t *coordinate)
+    const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate)
 {
     if (model->elimination != NULL && model->nk == 0 && eliminate_all(model, at, qdd, lam) == LAG_OK) {
         return LAG_OK;
     }
-    const places to = place(model, arena);
+    const places to = place(model, memory);
     if (model->nk > 0 && eliminate(model, at, &to, qdd, lam) == LAG_OK) {
         return LAG_OK;
     }

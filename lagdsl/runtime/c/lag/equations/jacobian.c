@@ -45,11 +45,11 @@ static size_t lanes_of(const lag_tangents *tangents)
 }
 
 /* Lays out `at` and returns how many doubles that takes; what is in lanes comes first, so that it is aligned as `memory` is. */
-static size_t place(const lag_model *model, size_t lanes, double *arena, places *at)
+static size_t place(const lag_model *model, size_t lanes, double *memory, places *at)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    double *end = arena;
+    double *end = memory;
     at->x = lag_take(&end, lanes * variables(model));
     at->dqdd = lag_take(&end, lanes * n);
     at->dlam = lag_take(&end, lanes * m);
@@ -73,7 +73,7 @@ static size_t place(const lag_model *model, size_t lanes, double *arena, places 
     at->delassus = lag_take(&end, lag_delassus_memory(m, model->nk));
     at->system = lag_take(&end, lag_system_memory(n, m));
     at->dynamics = lag_take(&end, lag_dynamics_memory(model));
-    return (size_t)(end - arena);
+    return (size_t)(end - memory);
 }
 
 size_t lag_jacobian_memory(const lag_model *model, const lag_tangents *tangents)
@@ -307,7 +307,7 @@ lag_status lag_jacobian(
     const lag_tangents *tangents,
     const lag_arguments *at,
     lag_range x,
-    double *arena,
+    double *memory,
     double *rates,
     double *outputs,
     size_t *coordinate)
@@ -316,7 +316,7 @@ lag_status lag_jacobian(
     const size_t output_count = outputs == NULL ? 0 : model->ny * x.count;
     places to;
     lag_status status = LAG_MISSING;
-    place(model, lanes_of(tangents), arena, &to);
+    place(model, lanes_of(tangents), memory, &to);
     if (lanes_of(tangents) > 1) {
         status = along_many(model, tangents, at, x, &to, rates, outputs, coordinate);
         if (status == LAG_OK && lag_finite(count, rates) && lag_finite(output_count, outputs)) {

@@ -27,7 +27,7 @@ lag_status lag_jacobian(
     const lag_tangents *tangents,
     const lag_arguments *at,
     lag_range x,
-    double *arena,
+    double *memory,
     double *rates,
     double *outputs,
     size_t *coordinate);

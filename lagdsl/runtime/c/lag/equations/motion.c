@@ -28,21 +28,21 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
     lag_motion *motion = context;
     lag_motion_look(motion, t, x);
     const lag_range state = {0, lag_motion_size(motion->model)};
-    return lag_jacobian(motion->model, NULL, &motion->at, state, motion->arena, matrix, NULL, &motion->coordinate);
+    return lag_jacobian(motion->model, NULL, &motion->at, state, motion->memory, matrix, NULL, &motion->coordinate);
 }
 
-void lag_motion_place(lag_motion *motion, const lag_model *model, double *arena)
+void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory)
 {
     const size_t count = lag_motion_memory(model);
     for (size_t i = 0; i < count; ++i) {
-        arena[i] = 0.0;
+        memory[i] = 0.0;
     }
     memset(motion, 0, sizeof *motion);
     motion->model = model;
     motion->at.context = model->context;
-    motion->at.workspace = arena;
-    motion->arena = motion->at.workspace + model->workspace;
-    motion->u = motion->arena + lag_jacobian_memory(model, NULL);
+    motion->at.workspace = memory;
+    motion->memory = motion->at.workspace + model->workspace;
+    motion->u = motion->memory + lag_jacobian_memory(model, NULL);
     motion->w = motion->u + model->nu;
     motion->qdd = motion->w + model->nw;
     motion->lam = motion->qdd + model->nq;
@@ -85,5 +85,5 @@ lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
 {
     lag_motion_look(motion, t, x);
     return lag_forward_dynamics(
-        motion->model, &motion->at, motion->arena, motion->qdd, motion->lam, &motion->coordinate);
+        motion->model, &motion->at, motion->memory, motion->qdd, motion->lam, &motion->coordinate);
 }

@@ -13,7 +13,7 @@ typedef struct lag_motion {
     lag_arguments at;    /* what was evaluated last; w and p stay until the caller changes them */
     double *u, *w;       /* (nu) (nw) */
     double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
-    double *arena;      /* lag_jacobian_memory() without tangents */
+    double *memory;      /* lag_jacobian_memory() without tangents */
     lag_inputs *inputs;  /* null: u stays as it is */
     void *context;       /* of inputs */
     double until;        /* from this time on inputs are those before a jump */
@@ -31,7 +31,7 @@ static inline size_t lag_motion_size(const lag_model *model)
 size_t lag_motion_memory(const lag_model *model);
 
 /* Lays out `motion` in `memory`; u and w are zero, p the defaults. It must not be moved afterwards. */
-void lag_motion_place(lag_motion *motion, const lag_model *model, double *arena);
+void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory);
 
 /* Other parameters (np), which must stay: prepares the workspace. */
 lag_status lag_motion_parameters(lag_motion *motion, const double *p);

@@ -69,7 +69,7 @@ static double largest_beside(const lag_projection *projection, size_t row)
     return projection->largest[(size_t)projection->component[row]];
 }
 
-void lag_projection_place(lag_projection *projection, lag_motion *motion, double *arena)
+void lag_projection_place(lag_projection *projection, lag_motion *motion, double *memory)
 {
     const size_t n = motion->model->nq;
     const size_t m = motion->model->nc;
@@ -78,7 +78,7 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->motion = motion;
     projection->rows = position_rows(motion->model);
     projection->iterations = 12;
-    projection->limits = arena;
+    projection->limits = memory;
     projection->round_off = projection->limits + m;
     projection->least = projection->limits;
     projection->sizes = projection->round_off + m;

@@ -35,7 +35,7 @@ typedef struct lag_projection {
 size_t lag_projection_memory(const lag_model *model);
 
 /* Lays it out in `memory`. Sizes are one and limits zero until they are set. */
-void lag_projection_place(lag_projection *projection, lag_motion *motion, double *arena);
+void lag_projection_place(lag_projection *projection, lag_motion *motion, double *memory);
 
 /*
  * Limits for a residual that is `tolerance` in SI units, and the same part of the row's size where that is below one; round-off of

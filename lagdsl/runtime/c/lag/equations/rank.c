@@ -16,7 +16,7 @@ size_t lag_look_memory(size_t m, size_t n)
     return 3 * m * n + 3 * m + n;
 }
 
-void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *arena)
+void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *memory)
 {
     const size_t m = model->nc;
     const size_t n = model->nq;
@@ -26,7 +26,7 @@ void lag_look_place(lag_look *look, const lag_model *model, const double *sizes,
     look->most = model->rank;
     look->sizes = sizes;
     look->row_sizes = row_sizes;
-    look->rows = arena;
+    look->rows = memory;
     look->now = look->rows + m * n;
     look->factors = look->now + m * n;
     look->tau = look->factors + m * n;

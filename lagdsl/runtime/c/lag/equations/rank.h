@@ -22,7 +22,7 @@ typedef struct lag_look {
 /* Doubles for a look at J (m, n). */
 size_t lag_look_memory(size_t m, size_t n);
 
-void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *arena);
+void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *memory);
 
 /* LAG_ATTENTION, or LAG_OK: then this is the state that the next look starts from. */
 lag_status lag_look_at(lag_look *look, const double *jacobian);

@@ -26,7 +26,7 @@ size_t lag_system_memory(size_t n, size_t m)
     return 3 * n * n + m * n + m * m + 5 * n + 4 * m + 2 * least(n, m);
 }
 
-void lag_system_place(lag_system *s, size_t n, size_t m, double *arena)
+void lag_system_place(lag_system *s, size_t n, size_t m, double *memory)
 {
     s->n = n;
     s->m = m;
@@ -35,22 +35,22 @@ void lag_system_place(lag_system *s, size_t n, size_t m, double *arena)
     s->mass = NULL;
     s->jacobian = NULL;
     s->late = NULL;
-    s->column_scale = lag_take(&arena, n);
-    s->row_scale = lag_take(&arena, m);
-    s->rows = lag_take(&arena, m * n);
-    s->tau = lag_take(&arena, least(n, m));
-    s->diagonal = lag_take(&arena, least(n, m));
-    s->pivot = lag_take(&arena, m);
-    s->reduced = lag_take(&arena, n * n);
-    s->factor = lag_take(&arena, n * n);
-    s->eigenvalue = lag_take(&arena, n);
-    s->copy = lag_take(&arena, n * n);
-    s->excess = lag_take(&arena, m * m);
-    s->y = lag_take(&arena, n);
-    s->h = lag_take(&arena, n);
-    s->rest = lag_take(&arena, n);
-    s->l = lag_take(&arena, m);
-    s->row_rest = lag_take(&arena, m);
+    s->column_scale = lag_take(&memory, n);
+    s->row_scale = lag_take(&memory, m);
+    s->rows = lag_take(&memory, m * n);
+    s->tau = lag_take(&memory, least(n, m));
+    s->diagonal = lag_take(&memory, least(n, m));
+    s->pivot = lag_take(&memory, m);
+    s->reduced = lag_take(&memory, n * n);
+    s->factor = lag_take(&memory, n * n);
+    s->eigenvalue = lag_take(&memory, n);
+    s->copy = lag_take(&memory, n * n);
+    s->excess = lag_take(&memory, m * m);
+    s->y = lag_take(&memory, n);
+    s->h = lag_take(&memory, n);
+    s->rest = lag_take(&memory, n);
+    s->l = lag_take(&memory, m);
+    s->row_rest = lag_take(&memory, m);
 }
 
 static int usable(size_t count, const double *values)

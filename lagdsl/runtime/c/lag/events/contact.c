@@ -14,24 +14,24 @@ size_t lag_contacts_memory(const lag_model *model)
     return 12 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 8 * model->nq + lag_impact_memory(model);
 }
 
-static void place_gaps(lag_contacts *contacts, const lag_model *model, double **arena)
+static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
 {
-    contacts->gap = lag_take(arena, model->ngap);
-    contacts->speed = lag_take(arena, model->ngap);
-    contacts->jacobian = lag_take(arena, model->ngap * model->nq);
-    contacts->part = lag_take(arena, model->ngap);
-    contacts->rows = lag_take(arena, model->ngap * model->nq);
-    contacts->speeds = lag_take(arena, model->ngap);
-    contacts->factor = lag_take(arena, model->ngap);
+    contacts->gap = lag_take(memory, model->ngap);
+    contacts->speed = lag_take(memory, model->ngap);
+    contacts->jacobian = lag_take(memory, model->ngap * model->nq);
+    contacts->part = lag_take(memory, model->ngap);
+    contacts->rows = lag_take(memory, model->ngap * model->nq);
+    contacts->speeds = lag_take(memory, model->ngap);
+    contacts->factor = lag_take(memory, model->ngap);
 }
 
-static void place_each(lag_contacts *contacts, size_t count, double **arena)
+static void place_each(lag_contacts *contacts, size_t count, double **memory)
 {
     double **const arrays[] = {&contacts->scale, &contacts->pace, &contacts->force, &contacts->until, &contacts->restitution,
         &contacts->capture_speed, &contacts->zeno_time, &contacts->approach, &contacts->order, &contacts->closing, &contacts->before,
         &contacts->back};
     for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
-        *arrays[k] = lag_take(arena, count);
+        *arrays[k] = lag_take(memory, count);
         memset(*arrays[k], 0, count * sizeof(double));
     }
     for (size_t i = 0; i < count; ++i) {
@@ -45,28 +45,28 @@ static int is_angle(const char *unit)
     return unit[0] == 'r' && unit[1] == 'a' && unit[2] == 'd' && unit[3] == '\0';
 }
 
-void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *arena)
+void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memory)
 {
     const lag_model *model = motion->model;
     memset(contacts, 0, sizeof *contacts);
     contacts->motion = motion;
     contacts->places = lag_places_of(model);
     contacts->slack[0] = 1e-13;
-    place_gaps(contacts, model, &arena);
-    place_each(contacts, model->ncontact, &arena);
-    contacts->tau = lag_take(&arena, model->nq);
-    contacts->zero = lag_take(&arena, model->nq);
-    contacts->moved = lag_take(&arena, model->nq);
-    contacts->other = lag_take(&arena, model->nq);
-    contacts->forces = lag_take(&arena, model->nq);
-    contacts->peak = lag_take(&arena, 2 * model->nq);
-    contacts->least = lag_take(&arena, model->nq);
+    place_gaps(contacts, model, &memory);
+    place_each(contacts, model->ncontact, &memory);
+    contacts->tau = lag_take(&memory, model->nq);
+    contacts->zero = lag_take(&memory, model->nq);
+    contacts->moved = lag_take(&memory, model->nq);
+    contacts->other = lag_take(&memory, model->nq);
+    contacts->forces = lag_take(&memory, model->nq);
+    contacts->peak = lag_take(&memory, 2 * model->nq);
+    contacts->least = lag_take(&memory, model->nq);
     memset(contacts->zero, 0, model->nq * sizeof(double));
     memset(contacts->peak, 0, 2 * model->nq * sizeof(double));
     for (size_t j = 0; j < model->nq; ++j) {
         contacts->least[j] = model->coordinates != NULL && is_angle(model->coordinates[j].unit) ? 1.0 : 0.0;
     }
-    lag_impact_place(&contacts->impact, motion, arena);
+    lag_impact_place(&contacts->impact, motion, memory);
 }
 
 /* What is no number pulls. */

@@ -17,7 +17,7 @@ size_t lag_event_iteration_memory(const lag_model *model)
 
 void lag_event_iteration_place(
     lag_event_iteration *iteration, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
-    double *arena)
+    double *memory)
 {
     const lag_model *model = contacts->motion->model;
     const size_t size = lag_motion_size(model);
@@ -30,25 +30,25 @@ void lag_event_iteration_place(
     iteration->noise = noise;
     iteration->places = lag_places_of(model);
     iteration->lookahead = 1e-9;
-    iteration->before = lag_take(&arena, model->nw);
-    iteration->next = lag_take(&arena, model->nw);
-    iteration->guilty = lag_take(&arena, model->nw);
-    iteration->settled = lag_take(&arena, model->nw);
+    iteration->before = lag_take(&memory, model->nw);
+    iteration->next = lag_take(&memory, model->nw);
+    iteration->guilty = lag_take(&memory, model->nw);
+    iteration->settled = lag_take(&memory, model->nw);
     memset(iteration->settled, 0, model->nw * sizeof(double));
-    iteration->reset = lag_take(&arena, model->nreset);
-    iteration->value = lag_take(&arena, model->nreset);
-    iteration->collision = lag_take(&arena, model->ncollision);
-    iteration->restitution = lag_take(&arena, model->ncollision);
-    iteration->stop = lag_take(&arena, model->nstop);
-    iteration->fail = lag_take(&arena, model->nfail);
-    iteration->held = lag_take(&arena, size);
-    iteration->rate = lag_take(&arena, size);
-    iteration->later = lag_take(&arena, size);
-    iteration->now = lag_take(&arena, model->nindicator);
-    iteration->then = lag_take(&arena, model->nindicator);
-    iteration->closed = lag_take(&arena, model->ncontact);
-    iteration->meeting = lag_take(&arena, model->ncontact);
-    iteration->pulling = arena;
+    iteration->reset = lag_take(&memory, model->nreset);
+    iteration->value = lag_take(&memory, model->nreset);
+    iteration->collision = lag_take(&memory, model->ncollision);
+    iteration->restitution = lag_take(&memory, model->ncollision);
+    iteration->stop = lag_take(&memory, model->nstop);
+    iteration->fail = lag_take(&memory, model->nfail);
+    iteration->held = lag_take(&memory, size);
+    iteration->rate = lag_take(&memory, size);
+    iteration->later = lag_take(&memory, size);
+    iteration->now = lag_take(&memory, model->nindicator);
+    iteration->then = lag_take(&memory, model->nindicator);
+    iteration->closed = lag_take(&memory, model->ncontact);
+    iteration->meeting = lag_take(&memory, model->ncontact);
+    iteration->pulling = memory;
 }
 
 lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which)

@@ -39,7 +39,7 @@ size_t lag_event_iteration_memory(const lag_model *model);
 
 void lag_event_iteration_place(
     lag_event_iteration *iteration, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
-    double *arena);
+    double *memory);
 
 /* Relations and conditions as they stand, nothing carried out. */
 lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, const double *x);

@@ -13,7 +13,7 @@ size_t lag_impact_memory(const lag_model *model)
     return n * n + m * n + 3 * m + n + model->nw + k * n + k * k + 2 * k + lag_system_memory(n, m) + lag_nnls_memory(k);
 }
 
-void lag_impact_place(lag_impact *impact, lag_motion *motion, double *arena)
+void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory)
 {
     const lag_model *model = motion->model;
     const size_t n = model->nq;
@@ -22,19 +22,19 @@ void lag_impact_place(lag_impact *impact, lag_motion *motion, double *arena)
     memset(impact, 0, sizeof *impact);
     impact->motion = motion;
     impact->places = lag_places_of(model);
-    impact->mass = lag_take(&arena, n * n);
-    impact->jacobian = lag_take(&arena, m * n);
-    impact->residual = lag_take(&arena, m);
-    impact->gamma = lag_take(&arena, m);
-    impact->lam = lag_take(&arena, m);
-    impact->force = lag_take(&arena, n);
-    impact->opened = lag_take(&arena, model->nw);
-    impact->response = lag_take(&arena, k * n);
-    impact->compliance = lag_take(&arena, k * k);
-    impact->wanted = lag_take(&arena, k);
-    impact->impulse = lag_take(&arena, k);
-    impact->system = lag_take(&arena, lag_system_memory(n, m));
-    impact->search = arena;
+    impact->mass = lag_take(&memory, n * n);
+    impact->jacobian = lag_take(&memory, m * n);
+    impact->residual = lag_take(&memory, m);
+    impact->gamma = lag_take(&memory, m);
+    impact->lam = lag_take(&memory, m);
+    impact->force = lag_take(&memory, n);
+    impact->opened = lag_take(&memory, model->nw);
+    impact->response = lag_take(&memory, k * n);
+    impact->compliance = lag_take(&memory, k * k);
+    impact->wanted = lag_take(&memory, k);
+    impact->impulse = lag_take(&memory, k);
+    impact->system = lag_take(&memory, lag_system_memory(n, m));
+    impact->search = memory;
     memset(impact->gamma, 0, m * sizeof(double));
 }
 

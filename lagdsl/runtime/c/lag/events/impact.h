@@ -35,7 +35,7 @@ typedef struct lag_blow {
 /* Doubles for it. */
 size_t lag_impact_memory(const lag_model *model);
 
-void lag_impact_place(lag_impact *impact, lag_motion *motion, double *arena);
+void lag_impact_place(lag_impact *impact, lag_motion *motion, double *memory);
 
 /*
  * The rates in x = (q, qd, z) at time t, which satisfy the lasting constraints, after the blow. Closed contacts take part as gaps, not

@@ -23,7 +23,7 @@ size_t lag_instants_memory(const lag_model *model)
            lag_momentum_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw;
 }
 
-void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *arena)
+void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
 {
     const lag_model *model = motion->model;
     const double infinite = (double)INFINITY;
@@ -31,19 +31,19 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->motion = motion;
     instants->places = lag_places_of(model);
     instants->clock = clock;
-    instants->first = arena;
+    instants->first = memory;
     instants->period = instants->first + model->nclock;
-    arena = instants->period + model->nclock;
-    lag_contacts_place(&instants->contacts, motion, lag_take(&arena, lag_contacts_memory(model)));
+    memory = instants->period + model->nclock;
+    lag_contacts_place(&instants->contacts, motion, lag_take(&memory, lag_contacts_memory(model)));
     instants->contacts.limits = projection->limits;
-    lag_noise_place(&instants->noise, motion, lag_take(&arena, lag_noise_memory(model)));
-    lag_momentum_place(&instants->momentum, motion, lag_take(&arena, lag_momentum_memory(model)));
-    lag_timed_place(&instants->timed, motion, lag_take(&arena, lag_timed_memory(model)));
+    lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
+    lag_momentum_place(&instants->momentum, motion, lag_take(&memory, lag_momentum_memory(model)));
+    lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
     lag_refraction_place(
-        &instants->refraction, motion, &instants->momentum, &instants->noise, lag_take(&arena, lag_refraction_memory(model)));
-    instants->x_before = lag_take(&arena, lag_motion_size(model));
-    instants->w_before = lag_take(&arena, model->nw);
-    lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, arena);
+        &instants->refraction, motion, &instants->momentum, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
+    instants->x_before = lag_take(&memory, lag_motion_size(model));
+    instants->w_before = lag_take(&memory, model->nw);
+    lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, memory);
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 

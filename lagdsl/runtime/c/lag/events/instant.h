@@ -34,7 +34,7 @@ typedef struct lag_instants {
 /* Doubles for them, beside nclock clocks. */
 size_t lag_instants_memory(const lag_model *model);
 
-void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *arena);
+void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory);
 
 /*
  * The start at x = (q, qd, z): discretes, relations as they stand, contacts that carry, and what is to be done there. LAG_PENETRATION:

@@ -24,7 +24,7 @@ size_t lag_momentum_memory(const lag_model *model)
     return 5 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + lag_system_memory(n, rows);
 }
 
-void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *arena)
+void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memory)
 {
     const lag_model *model = motion->model;
     const size_t n = model->nq;
@@ -32,19 +32,19 @@ void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *aren
     memset(momentum, 0, sizeof *momentum);
     momentum->motion = motion;
     momentum->places = lag_places_of(model);
-    momentum->before = lag_take(&arena, n);
-    momentum->now = lag_take(&arena, n);
-    momentum->mass = lag_take(&arena, n * n);
-    momentum->jacobian = lag_take(&arena, model->nc * n);
-    momentum->rows = lag_take(&arena, model->nc);
-    momentum->open = lag_take(&arena, model->nw);
-    momentum->size = lag_take(&arena, n);
-    momentum->chosen = lag_take(&arena, rows * n);
-    momentum->right = lag_take(&arena, rows);
-    momentum->force = lag_take(&arena, n);
-    momentum->change = lag_take(&arena, n);
-    momentum->lam = lag_take(&arena, rows);
-    momentum->system = arena;
+    momentum->before = lag_take(&memory, n);
+    momentum->now = lag_take(&memory, n);
+    momentum->mass = lag_take(&memory, n * n);
+    momentum->jacobian = lag_take(&memory, model->nc * n);
+    momentum->rows = lag_take(&memory, model->nc);
+    momentum->open = lag_take(&memory, model->nw);
+    momentum->size = lag_take(&memory, n);
+    momentum->chosen = lag_take(&memory, rows * n);
+    momentum->right = lag_take(&memory, rows);
+    momentum->force = lag_take(&memory, n);
+    momentum->change = lag_take(&memory, n);
+    momentum->lam = lag_take(&memory, rows);
+    momentum->system = memory;
 }
 
 /* dL/dqd; zero where the model does not tell them: then impulses are those of constraints only. */

@@ -32,7 +32,7 @@ typedef struct lag_momentum {
 /* Doubles for it. */
 size_t lag_momentum_memory(const lag_model *model);
 
-void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *arena);
+void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *memory);
 
 /* Remembers the momenta at x = (q, qd, z) with discretes w (nw). */
 lag_status lag_momentum_keep(lag_momentum *momentum, double t, const double *x, const double *w);

@@ -21,16 +21,16 @@ size_t lag_noise_memory(const lag_model *model)
     return count_of(model) > 0 ? 2 * lag_motion_size(model) + 3 * count_of(model) : 0;
 }
 
-void lag_noise_place(lag_noise *noise, lag_motion *motion, double *arena)
+void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
 {
     const lag_model *model = motion->model;
     const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
     noise->motion = motion;
-    noise->peak = lag_take(&arena, size);
-    noise->point = lag_take(&arena, size);
-    noise->value = lag_take(&arena, count_of(model));
-    noise->other = lag_take(&arena, count_of(model));
-    noise->sigma = arena;
+    noise->peak = lag_take(&memory, size);
+    noise->point = lag_take(&memory, size);
+    noise->value = lag_take(&memory, count_of(model));
+    noise->other = lag_take(&memory, count_of(model));
+    noise->sigma = memory;
     memset(noise->peak, 0, size * sizeof(double));
     memset(noise->sigma, 0, count_of(model) * sizeof(double));
 }

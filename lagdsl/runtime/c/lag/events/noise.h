@@ -19,7 +19,7 @@ typedef struct lag_noise {
 /* Doubles for it. */
 size_t lag_noise_memory(const lag_model *model);
 
-void lag_noise_place(lag_noise *noise, lag_motion *motion, double *arena);
+void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory);
 
 /* The motion passed through x. */
 void lag_noise_follow(lag_noise *noise, const double *x);

@@ -18,15 +18,15 @@ size_t lag_refraction_memory(const lag_model *model)
     return 2 * model->nq + 2 * lag_motion_size(model) + model->nindicator;
 }
 
-void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *arena)
+void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *memory)
 {
     const lag_model *model = motion->model;
     *refraction = (lag_refraction){.motion = motion, .momentum = momentum, .noise = noise, .places = lag_places_of(model)};
-    refraction->gradient = lag_take(&arena, model->nq);
-    refraction->along = lag_take(&arena, model->nq);
-    refraction->point = lag_take(&arena, lag_motion_size(model));
-    refraction->rate = lag_take(&arena, lag_motion_size(model));
-    refraction->g = arena;
+    refraction->gradient = lag_take(&memory, model->nq);
+    refraction->along = lag_take(&memory, model->nq);
+    refraction->point = lag_take(&memory, lag_motion_size(model));
+    refraction->rate = lag_take(&memory, lag_motion_size(model));
+    refraction->g = memory;
 }
 
 /* The indicator at the point, with accelerations and multipliers as they are; not a number where there is none. */

@@ -30,7 +30,7 @@ typedef struct lag_refraction {
 /* Doubles for it. */
 size_t lag_refraction_memory(const lag_model *model);
 
-void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *arena);
+void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *memory);
 
 /*
  * Relation `which` is about to change at x at time t, a moment [s] around that; its entry of w is that of before. Where the Lagrangian jumps

@@ -21,22 +21,22 @@ size_t lag_timed_memory(const lag_model *model)
     return 3 * model->ntimed + 6 * model->ndistance;
 }
 
-void lag_timed_place(lag_timed *timed, lag_motion *motion, double *arena)
+void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory)
 {
     const lag_model *model = motion->model;
     memset(timed, 0, sizeof *timed);
     timed->motion = motion;
     timed->first = lag_places_of(model).timed;
     timed->next = (double)INFINITY;
-    timed->value = lag_take(&arena, model->ntimed);
-    timed->told = lag_take(&arena, model->ntimed);
-    timed->before = lag_take(&arena, model->ntimed);
-    timed->distance = lag_take(&arena, model->ndistance);
-    timed->rate = lag_take(&arena, model->ndistance);
-    timed->affine = lag_take(&arena, model->ndistance);
-    timed->entry = lag_take(&arena, model->ndistance);
-    timed->change = lag_take(&arena, model->ndistance);
-    timed->zero = arena;
+    timed->value = lag_take(&memory, model->ntimed);
+    timed->told = lag_take(&memory, model->ntimed);
+    timed->before = lag_take(&memory, model->ntimed);
+    timed->distance = lag_take(&memory, model->ndistance);
+    timed->rate = lag_take(&memory, model->ndistance);
+    timed->affine = lag_take(&memory, model->ndistance);
+    timed->entry = lag_take(&memory, model->ndistance);
+    timed->change = lag_take(&memory, model->ndistance);
+    timed->zero = memory;
 }
 
 static lag_status look(lag_timed *timed, double t)

@@ -26,7 +26,7 @@ typedef struct lag_timed {
 /* Doubles for them. */
 size_t lag_timed_memory(const lag_model *model);
 
-void lag_timed_place(lag_timed *timed, lag_motion *motion, double *arena);
+void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory);
 
 /* Entries are what they are just behind time t. */
 lag_status lag_timed_enter(lag_timed *timed, double t);

@@ -14,7 +14,7 @@ size_t lag_zero_crossing_memory(const lag_model *model)
     return model->nindicator + model->ngap * (2 + model->nq) + 3 * model->ncontact + 2 * model->ncorner + (4 + LAG_ZERO_CROSSING_LOOKS) * count;
 }
 
-void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *arena)
+void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory)
 {
     const lag_model *model = motion->model;
     const size_t count = model->nindicator + model->ncontact + model->ncorner;
@@ -22,20 +22,20 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
     crossings->places = lag_places_of(model);
     crossings->contacts = contacts;
     crossings->noise = noise;
-    crossings->changed = lag_take(&arena, count);
-    crossings->band = lag_take(&arena, count);
-    crossings->root = lag_take(&arena, count);
-    crossings->found = lag_take(&arena, count);
+    crossings->changed = lag_take(&memory, count);
+    crossings->band = lag_take(&memory, count);
+    crossings->root = lag_take(&memory, count);
+    crossings->found = lag_take(&memory, count);
     for (size_t k = 0; k < LAG_ZERO_CROSSING_LOOKS; ++k) {
-        crossings->seen[k] = lag_take(&arena, count);
+        crossings->seen[k] = lag_take(&memory, count);
     }
-    crossings->g = lag_take(&arena, model->nindicator);
-    crossings->gap = lag_take(&arena, model->ngap);
-    crossings->speed = lag_take(&arena, model->ngap);
-    crossings->jacobian = lag_take(&arena, model->ngap * model->nq);
-    crossings->far = lag_take(&arena, model->ncorner);
-    crossings->side = lag_take(&arena, model->ncorner);
-    crossings->laws = arena;
+    crossings->g = lag_take(&memory, model->nindicator);
+    crossings->gap = lag_take(&memory, model->ngap);
+    crossings->speed = lag_take(&memory, model->ngap);
+    crossings->jacobian = lag_take(&memory, model->ngap * model->nq);
+    crossings->far = lag_take(&memory, model->ncorner);
+    crossings->side = lag_take(&memory, model->ncorner);
+    crossings->laws = memory;
     crossings->span = crossings->reach = 0.0;
     memset(crossings->band, 0, count * sizeof(double));
 }

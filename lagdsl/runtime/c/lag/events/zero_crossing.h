@@ -32,7 +32,7 @@ typedef struct lag_zero_crossing {
 /* Doubles for it. */
 size_t lag_zero_crossing_memory(const lag_model *model);
 
-void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *arena);
+void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *memory);
 
 /* So many things are looked at: relations, contacts, corners. */
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);

@@ -109,11 +109,11 @@ static void gather(const positions *p, int only_free, double *matrix)
 }
 
 /* So many fixed coordinates are too many: by ranks in general positions, since a search stalls where the mechanism is stretched out. */
-static void count_excess(const positions *p, double *point, double *arena)
+static void count_excess(const positions *p, double *point, double *memory)
 {
     lag_initialization *b = p->b;
     const size_t n = b->motion->model->nq;
-    double *matrix = lag_take(&arena, b->rows * n);
+    double *matrix = lag_take(&memory, b->rows * n);
     unsigned long long seed = 20011;
     size_t excess = n;
     size_t most = 0;
@@ -122,9 +122,9 @@ static void count_excess(const positions *p, double *point, double *arena)
         memcpy(b->q, point, n * sizeof(double));
         lag_initialization_positions(b);
         gather(p, 0, matrix);
-        const size_t whole = lag_initialization_rank(b->rows, n, matrix, arena);
+        const size_t whole = lag_initialization_rank(b->rows, n, matrix, memory);
         gather(p, 1, matrix);
-        const size_t part = lag_initialization_rank(b->rows, p->count, matrix, arena);
+        const size_t part = lag_initialization_rank(b->rows, p->count, matrix, memory);
         excess = whole - part < excess ? whole - part : excess;
         most = whole > most ? whole : most;
     }
@@ -133,7 +133,7 @@ static void count_excess(const positions *p, double *point, double *arena)
 }
 
 /* The row that is farthest off is told. */
-static void tell(const positions *p, double *point, double *arena)
+static void tell(const positions *p, double *point, double *memory)
 {
     lag_initialization *b = p->b;
     double worst = -1.0;
@@ -148,15 +148,15 @@ static void tell(const positions *p, double *point, double *arena)
         }
     }
     b->told.fault = LAG_INITIAL_POSITIONS;
-    count_excess(p, point, arena);
+    count_excess(p, point, memory);
 }
 
 void lag_initialization_find_q(lag_initialization *b, double *x)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
-    double *arena = b->arena;
-    positions p = {b, 0, lag_take(&arena, n), lag_take(&arena, n)};
+    double *memory = b->memory;
+    positions p = {b, 0, lag_take(&memory, n), lag_take(&memory, n)};
     lag_nearest_configuration search;
     for (size_t j = 0; j < n; ++j) {
         p.base[j] = b->joined != NULL && b->joined[j] ? x[j] : b->x[j];
@@ -169,9 +169,9 @@ void lag_initialization_find_q(lag_initialization *b, double *x)
             p.free[p.count++] = (double)j;
         }
     }
-    double *pattern = lag_take(&arena, b->rows * p.count);
-    double *point = lag_take(&arena, n);
-    double *others = lag_take(&arena, LAG_NEAREST_OTHERS * p.count);
+    double *pattern = lag_take(&memory, b->rows * p.count);
+    double *point = lag_take(&memory, n);
+    double *others = lag_take(&memory, LAG_NEAREST_OTHERS * p.count);
     for (size_t i = 0; i < b->rows; ++i) {
         for (size_t k = 0; k < p.count; ++k) {
             pattern[i * p.count + k] = b->pattern[(size_t)b->row[i] * n + (size_t)p.free[k]];
@@ -185,14 +185,14 @@ void lag_initialization_find_q(lag_initialization *b, double *x)
             others[k * p.count + i] = (point[j] - b->x[j]) / b->widths[j];
         }
     }
-    const lag_parts parts = lag_parts_of(b->rows, p.count, pattern, lag_take(&arena, lag_parts_memory(b->rows, p.count)));
+    const lag_parts parts = lag_parts_of(b->rows, p.count, pattern, lag_take(&memory, lag_parts_memory(b->rows, p.count)));
     const lag_equations equations = {b->rows, p.count, at_positions, &p};
-    lag_nearest_configuration_place(&search, b->rows, p.count, arena);
+    lag_nearest_configuration_place(&search, b->rows, p.count, memory);
     const double worst = lag_nearest_configuration_search(&search, &equations, &parts, others, LAG_HOLDS);
     put(&p, search.best.point);
     memcpy(x, b->q, n * sizeof(double));
     if (!(worst <= LAG_HOLDS)) {
-        tell(&p, point, arena);
+        tell(&p, point, memory);
     }
 }
 
@@ -258,9 +258,9 @@ static void find(lag_initialization *b, const unsigned char *set, double *x)
         return;
     }
     if (model->ne > 0 && !b->told.given) {
-        double *arena = b->arena;
+        double *memory = b->memory;
         lag_initialization_find_all(b, x);
-        b->arena = arena;
+        b->memory = memory;
     } else {
         lag_initialization_find_q(b, x);
         if (b->told.fault == LAG_INITIAL_NONE) {
@@ -277,8 +277,8 @@ static size_t find_freedom(lag_initialization *b, const double *x)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
-    double *arena = b->arena;
-    double *matrix = lag_take(&arena, model->nc * n);
+    double *memory = b->memory;
+    double *matrix = lag_take(&memory, model->nc * n);
     memcpy(b->q, x, n * sizeof(double));
     lag_initialization_velocities(b);
     for (size_t i = 0; i < model->nc; ++i) {
@@ -286,7 +286,7 @@ static size_t find_freedom(lag_initialization *b, const double *x)
             matrix[i * n + j] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
         }
     }
-    return n - lag_initialization_rank(model->nc, n, matrix, arena);
+    return n - lag_initialization_rank(model->nc, n, matrix, memory);
 }
 
 static void copy(size_t count, const double *x, double *to)
@@ -305,7 +305,7 @@ static int differ(size_t count, const double *x, const double *y)
     return i < count;
 }
 
-lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *arena,
+lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *memory,
     lag_initial *told)
 {
     const lag_model *model = motion->model;
@@ -327,7 +327,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
         status = lag_motion_parameters(motion, found.p);
     }
     if (status == LAG_OK && model->nc + model->ne > 0) {
-        lag_initialization_place(&b, motion, arena);
+        lag_initialization_place(&b, motion, memory);
         b.told = found;
         status = lag_initialization_at(&b, start, set, t, x);
         if (status == LAG_OK) {

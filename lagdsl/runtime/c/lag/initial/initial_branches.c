@@ -70,13 +70,13 @@ static int descend_along(lag_rates *r, const double *along, size_t width)
 {
     const size_t n = r->b->motion->model->nq;
     const size_t m = r->b->motion->model->nc;
-    double *arena = r->minimizer;
+    double *memory = r->minimizer;
     const lag_equations equations = {r->lost, width, at_branches, r};
     lag_levenberg_marquardt minimizer;
     r->along = along;
     r->along_width = width;
-    const lag_parts parts = lag_parts_of(r->lost, width, NULL, lag_take(&arena, lag_parts_memory(m, n)));
-    lag_levenberg_marquardt_place(&minimizer, r->lost, width, arena);
+    const lag_parts parts = lag_parts_of(r->lost, width, NULL, lag_take(&memory, lag_parts_memory(m, n)));
+    lag_levenberg_marquardt_place(&minimizer, r->lost, width, memory);
     lag_fill(width, 0.0, r->change);
     lag_descend(&minimizer, &equations, &parts, TARGET, DESCENTS, r->change);
     if (!(lag_levenberg_marquardt_size(&minimizer, &equations) <= LAG_HOLDS * fmax(1.0, product(n, r->v, r->v)))) {

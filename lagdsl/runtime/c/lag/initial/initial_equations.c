@@ -22,7 +22,7 @@ typedef struct traits {
     unsigned char *joined;                 /* (nq) */
     double *slopes;                        /* (ne, nq) */
     double *found;                         /* (all) */
-    double *arena;                        /* of what is done in turn */
+    double *memory;                        /* of what is done in turn */
 } traits;
 
 static size_t larger(size_t a, size_t b)
@@ -41,23 +41,23 @@ size_t lag_initialization_all_memory(const lag_model *model)
     return lag_joint_memory(model) + lag_parts_memory(rows, all) + 4 * (rows + all) + 4 * all + model->nq + model->ne * model->nq + in_turn;
 }
 
-static void place(traits *t, lag_joint *joint, double *arena)
+static void place(traits *t, lag_joint *joint, double *memory)
 {
     const lag_model *model = joint->b->motion->model;
     const size_t some = joint->all_rows + joint->all;
     memset(t, 0, sizeof *t);
-    t->whole = lag_parts_of(joint->all_rows, joint->all, joint->pattern, lag_take(&arena, lag_parts_memory(joint->all_rows, joint->all)));
-    t->equation = lag_take(&arena, some);
-    t->rated = lag_take(&arena, some);
-    t->parametric = lag_take(&arena, some);
-    t->open = lag_take(&arena, some);
-    t->point = lag_take(&arena, joint->all);
-    t->best = lag_take(&arena, joint->all);
-    t->trial = lag_take(&arena, joint->all);
-    t->found = lag_take(&arena, joint->all);
-    t->joined = (unsigned char *)(void *)lag_take(&arena, model->nq);
-    t->slopes = lag_take(&arena, model->ne * model->nq);
-    t->arena = arena;
+    t->whole = lag_parts_of(joint->all_rows, joint->all, joint->pattern, lag_take(&memory, lag_parts_memory(joint->all_rows, joint->all)));
+    t->equation = lag_take(&memory, some);
+    t->rated = lag_take(&memory, some);
+    t->parametric = lag_take(&memory, some);
+    t->open = lag_take(&memory, some);
+    t->point = lag_take(&memory, joint->all);
+    t->best = lag_take(&memory, joint->all);
+    t->trial = lag_take(&memory, joint->all);
+    t->found = lag_take(&memory, joint->all);
+    t->joined = (unsigned char *)(void *)lag_take(&memory, model->nq);
+    t->slopes = lag_take(&memory, model->ne * model->nq);
+    t->memory = memory;
     lag_fill(some, 0.0, t->equation);
     lag_fill(some, 0.0, t->rated);
     lag_fill(some, 0.0, t->parametric);
@@ -111,14 +111,14 @@ static void choose(const traits *t, lag_joint *joint)
 /* ---- the search ---- */
 
 /* Those of the problem, by what its rows depend on. */
-static lag_parts parts_of(const lag_joint *joint, double *pattern, double *arena)
+static lag_parts parts_of(const lag_joint *joint, double *pattern, double *memory)
 {
     for (size_t i = 0; i < joint->rows; ++i) {
         for (size_t k = 0; k < joint->count; ++k) {
             pattern[i * joint->count + k] = joint->pattern[(size_t)joint->row[i] * joint->all + (size_t)joint->free[k]];
         }
     }
-    return lag_parts_of(joint->rows, joint->count, pattern, arena);
+    return lag_parts_of(joint->rows, joint->count, pattern, memory);
 }
 
 /* Beginnings about the start values. */
@@ -180,13 +180,13 @@ static double descend(const traits *t, lag_joint *joint, const lag_parts *parts,
 /* The nearest point, if more than one is admissible. Returns what is left of the equations. */
 static double search(const traits *t, lag_joint *joint)
 {
-    double *arena = t->arena;
+    double *memory = t->memory;
     lag_nearest_configuration nearest;
     lag_levenberg_marquardt minimizer;
-    double *room = lag_take(&arena, lag_parts_memory(joint->rows, joint->count));
-    const lag_parts parts = parts_of(joint, arena, room);
+    double *room = lag_take(&memory, lag_parts_memory(joint->rows, joint->count));
+    const lag_parts parts = parts_of(joint, memory, room);
     const lag_equations equations = {joint->rows, joint->count, lag_joint_evaluate, joint};
-    lag_levenberg_marquardt_place(&minimizer, joint->rows, joint->count, arena);
+    lag_levenberg_marquardt_place(&minimizer, joint->rows, joint->count, memory);
     const double smallest = descend(t, joint, &parts, &equations, &minimizer);
     if (!(smallest <= LAG_HOLDS)) {
         return smallest;
@@ -196,11 +196,11 @@ static double search(const traits *t, lag_joint *joint)
         return smallest;
     }
     unsigned long long seed = 20011;
-    double *others = lag_take(&arena, LAG_NEAREST_OTHERS * joint->count);
+    double *others = lag_take(&memory, LAG_NEAREST_OTHERS * joint->count);
     for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
         draw(joint, &seed, k, t->point, others + k * joint->count);
     }
-    lag_nearest_configuration_place(&nearest, joint->rows, joint->count, arena);
+    lag_nearest_configuration_place(&nearest, joint->rows, joint->count, memory);
     const double worst = lag_nearest_configuration_search(&nearest, &equations, &parts, others, LAG_HOLDS);
     if (worst <= LAG_HOLDS) {
         memcpy(t->best, nearest.best.point, joint->count * sizeof(double));
@@ -247,9 +247,9 @@ static void tell(const traits *t, lag_joint *joint)
 static void count_excess(const traits *t, lag_joint *joint)
 {
     lag_initialization *b = joint->b;
-    double *arena = t->arena;
-    double *matrix = lag_take(&arena, joint->all_rows * joint->all);
-    double *residual = lag_take(&arena, joint->all);
+    double *memory = t->memory;
+    double *matrix = lag_take(&memory, joint->all_rows * joint->all);
+    double *residual = lag_take(&memory, joint->all);
     lag_joint_put(joint, t->best);
     memcpy(joint->origin, joint->at, joint->all * sizeof(double));
     lag_fill(joint->all, 0.0, t->best);
@@ -270,12 +270,12 @@ static void find_undecided(const traits *t, lag_joint *joint)
 {
     lag_initialization *b = joint->b;
     const size_t size = lag_motion_size(b->motion->model);
-    double *arena = t->arena;
-    double *matrix = lag_take(&arena, joint->rows * joint->count);
+    double *memory = t->memory;
+    double *matrix = lag_take(&memory, joint->rows * joint->count);
     double *chosen = t->trial;
     lag_fill(joint->all, 0.0, chosen);
     lag_joint_evaluate(joint, t->best, joint->one, matrix);
-    const lag_svd svd = lag_svd_of(joint->rows, joint->count, matrix, arena);
+    const lag_svd svd = lag_svd_of(joint->rows, joint->count, matrix, memory);
     const size_t rank = lag_svd_rank(&svd, ROUGH);
     for (size_t k = 0; k < joint->count; ++k) {
         double along = 0.0;
@@ -321,7 +321,7 @@ static double correct(const traits *t, lag_joint *joint)
 {
     const lag_initialization *b = joint->b;
     const size_t n = b->motion->model->nq;
-    double *arena = t->arena;
+    double *memory = t->memory;
     lag_levenberg_marquardt minimizer;
     double distance = 0.0;
     choose(t, joint);
@@ -332,10 +332,10 @@ static double correct(const traits *t, lag_joint *joint)
         }
     }
     joint->count = count;
-    double *room = lag_take(&arena, lag_parts_memory(joint->rows, joint->count));
-    const lag_parts parts = parts_of(joint, arena, room);
+    double *room = lag_take(&memory, lag_parts_memory(joint->rows, joint->count));
+    const lag_parts parts = parts_of(joint, memory, room);
     const lag_equations equations = {joint->rows, joint->count, lag_joint_evaluate, joint};
-    lag_levenberg_marquardt_place(&minimizer, joint->rows, joint->count, arena);
+    lag_levenberg_marquardt_place(&minimizer, joint->rows, joint->count, memory);
     lag_fill(count, 0.0, t->trial);
     lag_joint_evaluate(joint, t->trial, minimizer.residual, minimizer.jacobian);
     if (lag_levenberg_marquardt_size(&minimizer, &equations) > TARGET) {
@@ -363,7 +363,7 @@ static void find_rates(const traits *t, lag_joint *joint, double *x)
         find_slopes(t, joint);
         memcpy(x, joint->origin, size * sizeof(double));
         b->slopes = t->slopes;
-        b->arena = t->arena;
+        b->memory = t->memory;
         lag_initialization_find_qd(b, x);
         if (b->told.fault != LAG_INITIAL_NONE) {
             return;
@@ -384,12 +384,12 @@ void lag_initialization_find_all(lag_initialization *b, double *x)
 {
     const lag_model *model = b->motion->model;
     const size_t size = lag_motion_size(model);
-    double *arena = b->arena;
+    double *memory = b->memory;
     lag_joint joint;
     traits t;
-    lag_joint_place(&joint, b, &arena);
-    lag_joint_measure(&joint, arena);
-    place(&t, &joint, arena);
+    lag_joint_place(&joint, b, &memory);
+    lag_joint_measure(&joint, memory);
+    place(&t, &joint, memory);
     classify(&t, &joint);
     choose(&t, &joint);
     double left = search(&t, &joint);
@@ -413,7 +413,7 @@ void lag_initialization_find_all(lag_initialization *b, double *x)
         return;
     }
     b->joined = t.joined;
-    b->arena = t.arena;
+    b->memory = t.memory;
     lag_initialization_find_q(b, x); /* what initial equations do not decide */
     memcpy(joint.origin, x, size * sizeof(double));
     if (b->told.fault == LAG_INITIAL_NONE) {

@@ -36,33 +36,33 @@ static void place(lag_rates *r, lag_initialization *b)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t all = most(model) + n;
-    double *arena = b->arena;
+    double *memory = b->memory;
     memset(r, 0, sizeof *r);
     r->b = b;
-    r->rows = lag_take(&arena, m * n);
-    r->table = lag_take(&arena, all * n);
-    r->pattern = lag_take(&arena, all * n);
-    r->block = lag_take(&arena, all * n);
-    r->right = lag_take(&arena, most(model));
-    r->its_right = lag_take(&arena, most(model));
-    r->v = lag_take(&arena, n);
-    r->wanted = lag_take(&arena, n);
-    r->its_v = lag_take(&arena, n);
-    r->its_wanted = lag_take(&arena, n);
-    r->free = lag_take(&arena, n * n);
-    r->unbound = lag_take(&arena, n * n);
-    r->its_free = lag_take(&arena, n * n);
-    r->other = lag_take(&arena, n * n);
-    r->inner = lag_take(&arena, n * n);
-    r->part = lag_take(&arena, n);
-    r->change = lag_take(&arena, n);
-    r->force = lag_take(&arena, n);
-    r->gamma = lag_take(&arena, m);
-    r->turned = lag_take(&arena, n * m);
-    r->vanishing = lag_take(&arena, m * m);
-    r->parts = lag_parts_of(0, 0, NULL, lag_take(&arena, lag_parts_memory(all, n)));
-    r->minimizer = lag_take(&arena, lag_levenberg_marquardt_memory(m, n) + lag_parts_memory(m, n));
-    r->svd = arena;
+    r->rows = lag_take(&memory, m * n);
+    r->table = lag_take(&memory, all * n);
+    r->pattern = lag_take(&memory, all * n);
+    r->block = lag_take(&memory, all * n);
+    r->right = lag_take(&memory, most(model));
+    r->its_right = lag_take(&memory, most(model));
+    r->v = lag_take(&memory, n);
+    r->wanted = lag_take(&memory, n);
+    r->its_v = lag_take(&memory, n);
+    r->its_wanted = lag_take(&memory, n);
+    r->free = lag_take(&memory, n * n);
+    r->unbound = lag_take(&memory, n * n);
+    r->its_free = lag_take(&memory, n * n);
+    r->other = lag_take(&memory, n * n);
+    r->inner = lag_take(&memory, n * n);
+    r->part = lag_take(&memory, n);
+    r->change = lag_take(&memory, n);
+    r->force = lag_take(&memory, n);
+    r->gamma = lag_take(&memory, m);
+    r->turned = lag_take(&memory, n * m);
+    r->vanishing = lag_take(&memory, m * m);
+    r->parts = lag_parts_of(0, 0, NULL, lag_take(&memory, lag_parts_memory(all, n)));
+    r->minimizer = lag_take(&memory, lag_levenberg_marquardt_memory(m, n) + lag_parts_memory(m, n));
+    r->svd = memory;
 }
 
 static double product(size_t n, const double *a, const double *b)
@@ -123,7 +123,7 @@ static void find_parts(lag_rates *r)
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
     double *mass = r->table + r->conditions * n;
-    double *arena = r->parts.row_part;
+    double *memory = r->parts.row_part;
     if (model->mass_matrix(&b->motion->at, mass) != LAG_OK) {
         lag_fill(n * n, 0.0, mass);
     }
@@ -136,7 +136,7 @@ static void find_parts(lag_rates *r)
     for (size_t j = 0; j < n; ++j) {
         r->pattern[(r->conditions + j) * n + j] = 1.0;
     }
-    r->parts = lag_parts_of(r->conditions + n, n, r->pattern, arena);
+    r->parts = lag_parts_of(r->conditions + n, n, r->pattern, memory);
 }
 
 /* ---- one part ---- */

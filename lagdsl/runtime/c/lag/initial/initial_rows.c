@@ -27,7 +27,7 @@ size_t lag_joint_memory(const lag_model *model)
     return model->np + 5 * all + rows * all + 5 * rows + model->nq + model->nc;
 }
 
-void lag_joint_place(lag_joint *joint, lag_initialization *b, double **arena)
+void lag_joint_place(lag_joint *joint, lag_initialization *b, double **memory)
 {
     const lag_model *model = b->motion->model;
     const size_t size = lag_motion_size(model);
@@ -35,26 +35,26 @@ void lag_joint_place(lag_joint *joint, lag_initialization *b, double **arena)
     memset(joint, 0, sizeof *joint);
     joint->b = b;
     joint->all_rows = count_rows(model);
-    joint->parameter = lag_take(arena, model->np);
+    joint->parameter = lag_take(memory, model->np);
     for (size_t i = 0; free != NULL && b->told.p != NULL && i < model->np; ++i) {
         if (free[i]) {
             joint->parameter[joint->parameters++] = (double)i;
         }
     }
     joint->all = size + joint->parameters;
-    joint->origin = lag_take(arena, joint->all);
-    joint->width = lag_take(arena, joint->all);
-    joint->scale = lag_take(arena, joint->all_rows);
-    joint->pattern = lag_take(arena, joint->all_rows * joint->all);
-    joint->row = lag_take(arena, joint->all_rows);
-    joint->free = lag_take(arena, joint->all);
-    joint->at = lag_take(arena, joint->all);
-    joint->one = lag_take(arena, joint->all_rows);
-    joint->other = lag_take(arena, joint->all_rows);
-    joint->here = lag_take(arena, joint->all_rows);
-    joint->y = lag_take(arena, joint->all);
-    joint->qdd = lag_take(arena, model->nq);
-    joint->lam = lag_take(arena, model->nc);
+    joint->origin = lag_take(memory, joint->all);
+    joint->width = lag_take(memory, joint->all);
+    joint->scale = lag_take(memory, joint->all_rows);
+    joint->pattern = lag_take(memory, joint->all_rows * joint->all);
+    joint->row = lag_take(memory, joint->all_rows);
+    joint->free = lag_take(memory, joint->all);
+    joint->at = lag_take(memory, joint->all);
+    joint->one = lag_take(memory, joint->all_rows);
+    joint->other = lag_take(memory, joint->all_rows);
+    joint->here = lag_take(memory, joint->all_rows);
+    joint->y = lag_take(memory, joint->all);
+    joint->qdd = lag_take(memory, model->nq);
+    joint->lam = lag_take(memory, model->nc);
     memcpy(joint->origin, b->x, size * sizeof(double));
     memcpy(joint->width, b->widths, size * sizeof(double));
     for (size_t k = 0; k < joint->parameters; ++k) {
@@ -129,7 +129,7 @@ void lag_joint_residuals(const lag_joint *joint, const double *y, double *residu
     motion->at.q = b->q;
     motion->at.qd = b->qd;
     motion->at.z = b->z;
-    lag_status status = lag_forward_dynamics(model, &motion->at, motion->arena, joint->qdd, joint->lam, &motion->coordinate);
+    lag_status status = lag_forward_dynamics(model, &motion->at, motion->memory, joint->qdd, joint->lam, &motion->coordinate);
     lag_arguments at = motion->at;
     at.qdd = joint->qdd;
     at.lam = joint->lam;

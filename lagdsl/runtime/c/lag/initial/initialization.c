@@ -33,30 +33,30 @@ size_t lag_initialization_memory(const lag_model *model)
            model->nc + SIZED_AT * model->nc + model->nc * model->nq;
 }
 
-void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *arena)
+void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *memory)
 {
     const lag_model *model = motion->model;
     const size_t size = numbers(model);
     memset(b, 0, sizeof *b);
     b->motion = motion;
-    b->row = lag_take(&arena, model->nc);
-    b->x = lag_take(&arena, size);
-    b->sizes = lag_take(&arena, size);
-    b->row_sizes = lag_take(&arena, model->nc);
-    b->widths = lag_take(&arena, size);
-    b->written = lag_take(&arena, size);
-    b->fixed = lag_take(&arena, size);
-    b->phi = lag_take(&arena, model->nc);
-    b->jacobian = lag_take(&arena, model->nc * model->nq);
-    b->q = lag_take(&arena, model->nq);
-    b->qd = lag_take(&arena, model->nq);
-    b->z = lag_take(&arena, model->nz);
-    b->u = lag_take(&arena, model->nu);
-    b->w = lag_take(&arena, model->nw);
-    b->still = lag_take(&arena, model->nq + model->nc);
-    b->lengths = lag_take(&arena, SIZED_AT * model->nc);
-    b->pattern = lag_take(&arena, model->nc * model->nq);
-    b->arena = arena;
+    b->row = lag_take(&memory, model->nc);
+    b->x = lag_take(&memory, size);
+    b->sizes = lag_take(&memory, size);
+    b->row_sizes = lag_take(&memory, model->nc);
+    b->widths = lag_take(&memory, size);
+    b->written = lag_take(&memory, size);
+    b->fixed = lag_take(&memory, size);
+    b->phi = lag_take(&memory, model->nc);
+    b->jacobian = lag_take(&memory, model->nc * model->nq);
+    b->q = lag_take(&memory, model->nq);
+    b->qd = lag_take(&memory, model->nq);
+    b->z = lag_take(&memory, model->nz);
+    b->u = lag_take(&memory, model->nu);
+    b->w = lag_take(&memory, model->nw);
+    b->still = lag_take(&memory, model->nq + model->nc);
+    b->lengths = lag_take(&memory, SIZED_AT * model->nc);
+    b->pattern = lag_take(&memory, model->nc * model->nq);
+    b->memory = memory;
     for (size_t i = 0; i < model->nc; ++i) {
         if (model->position_level[i]) {
             b->row[b->rows++] = (double)i;
@@ -114,12 +114,12 @@ void lag_initialization_point(const lag_initialization *b, unsigned long long *s
     }
 }
 
-size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *arena)
+size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *memory)
 {
     if (count == 0 || width == 0 || !lag_finite(count * width, matrix)) {
         return 0;
     }
-    const lag_svd svd = lag_svd_of(count, width, matrix, arena);
+    const lag_svd svd = lag_svd_of(count, width, matrix, memory);
     return lag_svd_rank(&svd, RANK);
 }
 
@@ -156,7 +156,7 @@ static void find_sizes_of_parts(lag_initialization *b, const double *q)
         lag_initialization_point(b, &seed, point, q, b->q);
     }
     find_pattern(b);
-    const lag_parts parts = lag_parts_of(model->nc, n, b->pattern, b->arena);
+    const lag_parts parts = lag_parts_of(model->nc, n, b->pattern, b->memory);
     for (size_t j = 0; j < n; ++j) {
         double most = 0.0;
         for (size_t k = 0; k < n; ++k) {

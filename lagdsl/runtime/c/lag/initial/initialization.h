@@ -26,13 +26,13 @@ typedef struct lag_initialization {
     double *pattern;             /* (nc, nq) 1: the entry of J is not zero everywhere */
     unsigned char *joined;       /* (nq) or null: 1: initial equations decide this coordinate, with what they tie to it */
     const double *slopes;        /* (ne, nq) or null: how initial equations change with rates, in natural sizes */
-    double *arena;              /* of each part in turn */
+    double *memory;              /* of each part in turn */
     lag_initial told;
 } lag_initialization;
 
 /* Doubles without `memory`. */
 size_t lag_initialization_memory(const lag_model *model);
-void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *arena);
+void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *memory);
 
 /* Sizes, weights and discretes for the start values x at time t, of which those flagged in `set` (or null) were changed. */
 lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, const unsigned char *set, double t, const double *x);
@@ -51,7 +51,7 @@ void lag_initialization_point(const lag_initialization *b, unsigned long long *s
 double lag_initialization_draw(unsigned long long *seed);
 
 /* Independent ones of the rows (count, width), whose numbers stand in `matrix`; `memory`: lag_svd_memory(). None where one is no number. */
-size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *arena);
+size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *memory);
 
 /* The parts of lag_initial_find(): each changes x or says in `told` what stands in the way. Their doubles. */
 size_t lag_initialization_q_memory(const lag_model *model);

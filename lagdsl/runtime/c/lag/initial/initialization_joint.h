@@ -26,7 +26,7 @@ typedef struct lag_joint {
 
 /* Doubles that last while a start is found, and which of the parameters are unknowns. */
 size_t lag_joint_memory(const lag_model *model);
-void lag_joint_place(lag_joint *joint, lag_initialization *b, double **arena);
+void lag_joint_place(lag_joint *joint, lag_initialization *b, double **memory);
 
 /* All rows and unknowns are those of the problem. */
 void lag_joint_take_all(lag_joint *joint);

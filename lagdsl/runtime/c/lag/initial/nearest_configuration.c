@@ -27,47 +27,47 @@ size_t lag_nearest_configuration_memory(size_t m, size_t n)
            lag_svd_memory(larger(m, n), n);
 }
 
-static void place_found(lag_found *found, size_t m, size_t n, double **arena)
+static void place_found(lag_found *found, size_t m, size_t n, double **memory)
 {
-    found->point = lag_take(arena, n);
-    found->sizes = lag_take(arena, m + n);
-    found->distances = lag_take(arena, m + n);
+    found->point = lag_take(memory, n);
+    found->sizes = lag_take(memory, m + n);
+    found->distances = lag_take(memory, m + n);
 }
 
-void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, size_t n, double *arena)
+void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, size_t n, double *memory)
 {
     double **const in_parts[] = {&s->moving, &s->moved, &s->ways, &s->also, &s->chosen, &s->lengths, &s->limits, &s->distances, &s->widths};
     double **const points[] = {&s->point, &s->steps, &s->shorter, &s->opposite, &s->trial};
     memset(s, 0, sizeof *s);
-    lag_levenberg_marquardt_place(&s->minimizer, m, n, lag_take(&arena, lag_levenberg_marquardt_memory(m, n)));
-    lag_levenberg_marquardt_place(&s->widened, m + n, n, lag_take(&arena, lag_levenberg_marquardt_memory(m + n, n)));
-    s->room = lag_take(&arena, lag_parts_memory(m + n, n));
+    lag_levenberg_marquardt_place(&s->minimizer, m, n, lag_take(&memory, lag_levenberg_marquardt_memory(m, n)));
+    lag_levenberg_marquardt_place(&s->widened, m + n, n, lag_take(&memory, lag_levenberg_marquardt_memory(m + n, n)));
+    s->room = lag_take(&memory, lag_parts_memory(m + n, n));
     for (size_t i = 0; i < LAG_NEAREST_FOUND; ++i) {
-        place_found(&s->found[i], m, n, &arena);
+        place_found(&s->found[i], m, n, &memory);
     }
     for (size_t i = 0; i < LAG_NEAREST_REFINED; ++i) {
-        place_found(&s->refined[i], m, n, &arena);
+        place_found(&s->refined[i], m, n, &memory);
     }
-    place_found(&s->best, m, n, &arena);
-    s->residual = lag_take(&arena, m);
-    s->jacobian = lag_take(&arena, m * n);
-    s->before = lag_take(&arena, m * n);
+    place_found(&s->best, m, n, &memory);
+    s->residual = lag_take(&memory, m);
+    s->jacobian = lag_take(&memory, m * n);
+    s->before = lag_take(&memory, m * n);
     for (size_t i = 0; i < sizeof points / sizeof *points; ++i) {
-        *points[i] = lag_take(&arena, n);
+        *points[i] = lag_take(&memory, n);
     }
     for (size_t i = 0; i < sizeof in_parts / sizeof *in_parts; ++i) {
-        *in_parts[i] = lag_take(&arena, m + n);
+        *in_parts[i] = lag_take(&memory, m + n);
     }
-    s->directions = lag_take(&arena, n * n);
-    s->bends = lag_take(&arena, n * n);
-    s->weights = lag_take(&arena, m);
-    s->block = lag_take(&arena, larger(m, n) * n);
-    s->part = lag_take(&arena, n);
-    s->weight = lag_take(&arena, m);
-    s->hessian = lag_take(&arena, n * n);
-    s->vectors = lag_take(&arena, n * n);
-    s->eigen = lag_take(&arena, n);
-    s->svd = arena;
+    s->directions = lag_take(&memory, n * n);
+    s->bends = lag_take(&memory, n * n);
+    s->weights = lag_take(&memory, m);
+    s->block = lag_take(&memory, larger(m, n) * n);
+    s->part = lag_take(&memory, n);
+    s->weight = lag_take(&memory, m);
+    s->hessian = lag_take(&memory, n * n);
+    s->vectors = lag_take(&memory, n * n);
+    s->eigen = lag_take(&memory, n);
+    s->svd = memory;
 }
 
 /* ---- points ---- */
@@ -122,7 +122,7 @@ static void relaxed(void *context, const double *y, double *residual, double *ja
 }
 
 /* The parts with a row more for each column. */
-static void widen(lag_nearest_configuration *s, double *arena)
+static void widen(lag_nearest_configuration *s, double *memory)
 {
     const lag_parts *parts = s->parts;
     const size_t m = parts->m;
@@ -131,12 +131,12 @@ static void widen(lag_nearest_configuration *s, double *arena)
     wide->m = m + n;
     wide->n = n;
     wide->count = parts->count;
-    wide->row_part = lag_take(&arena, m + n);
-    wide->column_part = lag_take(&arena, n);
-    wide->row = lag_take(&arena, m + n);
-    wide->column = lag_take(&arena, n);
-    wide->first_row = lag_take(&arena, m + 2 * n + 1);
-    wide->first_column = arena;
+    wide->row_part = lag_take(&memory, m + n);
+    wide->column_part = lag_take(&memory, n);
+    wide->row = lag_take(&memory, m + n);
+    wide->column = lag_take(&memory, n);
+    wide->first_row = lag_take(&memory, m + 2 * n + 1);
+    wide->first_column = memory;
     memcpy(wide->row_part, parts->row_part, m * sizeof(double));
     memcpy(wide->row_part + m, parts->column_part, n * sizeof(double));
     memcpy(wide->column_part, parts->column_part, n * sizeof(double));

@@ -44,7 +44,7 @@ typedef struct lag_nearest_configuration {
 } lag_nearest_configuration;
 
 size_t lag_nearest_configuration_memory(size_t m, size_t n);
-void lag_nearest_configuration_place(lag_nearest_configuration *nearest, size_t m, size_t n, double *arena);
+void lag_nearest_configuration_place(lag_nearest_configuration *nearest, size_t m, size_t n, double *memory);
 
 /*
  * Minimizes |y| subject to equations(y) = 0: `best`. Where no beginning leads to residuals below `holds`, it is the point of the smallest.

@@ -5,10 +5,10 @@
 #include <stddef.h>
 
 /* The next `count` doubles; *memory goes on behind them. */
-static inline double *lag_take(double **arena, size_t count)
+static inline double *lag_take(double **memory, size_t count)
 {
-    double *start = *arena;
-    *arena += count;
+    double *start = *memory;
+    *memory += count;
     return start;
 }
 

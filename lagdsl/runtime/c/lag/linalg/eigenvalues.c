@@ -161,16 +161,16 @@ static size_t block_of(const work *w, size_t last)
     return first;
 }
 
-double lag_least_real_part(size_t n, const double *a, double *arena)
+double lag_least_real_part(size_t n, const double *a, double *memory)
 {
     double least = (double)INFINITY;
     work w = {.n = n};
-    w.re = lag_take(&arena, n * n);
-    w.im = lag_take(&arena, n * n);
-    w.c_re = lag_take(&arena, n);
-    w.c_im = lag_take(&arena, n);
-    w.s_re = lag_take(&arena, n);
-    w.s_im = arena;
+    w.re = lag_take(&memory, n * n);
+    w.im = lag_take(&memory, n * n);
+    w.c_re = lag_take(&memory, n);
+    w.c_im = lag_take(&memory, n);
+    w.s_re = lag_take(&memory, n);
+    w.s_im = memory;
     memcpy(w.re, a, n * n * sizeof(double));
     lag_fill(n * n, 0.0, w.im);
     to_hessenberg(n, w.re);

@@ -12,6 +12,6 @@
 size_t lag_eigenvalues_memory(size_t n);
 
 /* The smallest real part among the eigenvalues of a (n, n); infinite for n = 0, not a number where they are not found. */
-double lag_least_real_part(size_t n, const double *a, double *arena);
+double lag_least_real_part(size_t n, const double *a, double *memory);
 
 #endif

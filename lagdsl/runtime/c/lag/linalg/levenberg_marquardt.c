@@ -65,18 +65,18 @@ void lag_parts_order(lag_parts *parts)
     order(parts->n, parts->column_part, parts->count, parts->column, parts->first_column);
 }
 
-lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *arena)
+lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *memory)
 {
     lag_parts parts;
     parts.m = m;
     parts.n = n;
     parts.count = 0;
-    parts.row_part = lag_take(&arena, m);
-    parts.column_part = lag_take(&arena, n);
-    parts.row = lag_take(&arena, m);
-    parts.column = lag_take(&arena, n);
-    parts.first_row = lag_take(&arena, m + n + 1);
-    parts.first_column = lag_take(&arena, m + n + 1);
+    parts.row_part = lag_take(&memory, m);
+    parts.column_part = lag_take(&memory, n);
+    parts.row = lag_take(&memory, m);
+    parts.column = lag_take(&memory, n);
+    parts.first_row = lag_take(&memory, m + n + 1);
+    parts.first_column = lag_take(&memory, m + n + 1);
     double *leader = parts.first_row;
     double *name = parts.first_column;
     join(m, n, pattern, leader);
@@ -131,23 +131,23 @@ size_t lag_levenberg_marquardt_memory(size_t m, size_t n)
     return 3 * m * n + 3 * m + 2 * n + 4 * (m + n) + lag_svd_memory(m, n);
 }
 
-void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m, size_t n, double *arena)
+void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m, size_t n, double *memory)
 {
     minimizer->m = m;
     minimizer->n = n;
-    minimizer->residual = lag_take(&arena, m);
-    minimizer->jacobian = lag_take(&arena, m * n);
-    minimizer->sizes = lag_take(&arena, m + n);
-    minimizer->other = lag_take(&arena, m);
-    minimizer->others_jacobian = lag_take(&arena, m * n);
-    minimizer->other_sizes = lag_take(&arena, m + n);
-    minimizer->trial = lag_take(&arena, n);
-    minimizer->damping = lag_take(&arena, m + n);
-    minimizer->active = lag_take(&arena, m + n);
-    minimizer->block = lag_take(&arena, m * n);
-    minimizer->right = lag_take(&arena, m);
-    minimizer->part = lag_take(&arena, n);
-    minimizer->svd = arena;
+    minimizer->residual = lag_take(&memory, m);
+    minimizer->jacobian = lag_take(&memory, m * n);
+    minimizer->sizes = lag_take(&memory, m + n);
+    minimizer->other = lag_take(&memory, m);
+    minimizer->others_jacobian = lag_take(&memory, m * n);
+    minimizer->other_sizes = lag_take(&memory, m + n);
+    minimizer->trial = lag_take(&memory, n);
+    minimizer->damping = lag_take(&memory, m + n);
+    minimizer->active = lag_take(&memory, m + n);
+    minimizer->block = lag_take(&memory, m * n);
+    minimizer->right = lag_take(&memory, m);
+    minimizer->part = lag_take(&memory, n);
+    minimizer->svd = memory;
 }
 
 /* Where the active parts are tried next; one whose Jacobian is no number becomes inactive. */

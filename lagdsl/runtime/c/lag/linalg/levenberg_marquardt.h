@@ -40,7 +40,7 @@ typedef struct lag_levenberg_marquardt {
 size_t lag_parts_memory(size_t m, size_t n);
 
 /* Every column of `pattern` (m, n), 0 where an entry vanishes everywhere, in a part with the rows it shares entries with. Null: one part. */
-lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *arena);
+lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *memory);
 
 /* Fills what follows from the parts of rows and columns and their count. */
 void lag_parts_order(lag_parts *parts);
@@ -68,7 +68,7 @@ int lag_parts_block(const lag_parts *parts, size_t which, size_t width, const do
 void lag_parts_norms(const lag_parts *parts, int of_rows, const double *x, double *norms);
 
 size_t lag_levenberg_marquardt_memory(size_t m, size_t n);
-void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m, size_t n, double *arena);
+void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m, size_t n, double *memory);
 
 /*
  * Reduces the residuals from `point` (n) on, which becomes the result, until they are below `target`, stall or `iterations` are used up;

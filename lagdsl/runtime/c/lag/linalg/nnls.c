@@ -145,19 +145,19 @@ static int move(problem *p)
     return p->count < before;
 }
 
-void lag_nnls(size_t n, const double *a, const double *b, double *x, double *arena)
+void lag_nnls(size_t n, const double *a, const double *b, double *x, double *memory)
 {
     problem p = {.n = n, .x = x};
-    p.a = lag_take(&arena, n * n);
-    p.b = lag_take(&arena, n);
-    p.scale = lag_take(&arena, n);
-    p.trial = lag_take(&arena, n);
-    p.free = lag_take(&arena, n);
-    p.barred = lag_take(&arena, n);
-    p.factor = lag_take(&arena, n * n);
+    p.a = lag_take(&memory, n * n);
+    p.b = lag_take(&memory, n);
+    p.scale = lag_take(&memory, n);
+    p.trial = lag_take(&memory, n);
+    p.free = lag_take(&memory, n);
+    p.barred = lag_take(&memory, n);
+    p.factor = lag_take(&memory, n * n);
     scale(&p, a, b);
     memset(p.barred, 0, n * sizeof(double));
-    into_range(&p, p.factor, arena);
+    into_range(&p, p.factor, memory);
     for (size_t k = 0; k < 30 * n; ++k) {
         const size_t found = steepest(&p);
         if (found == n) {

@@ -13,6 +13,6 @@
 size_t lag_nnls_memory(size_t n);
 
 /* x (n) for a (n, n) and b (n), which stay. */
-void lag_nnls(size_t n, const double *a, const double *b, double *x, double *arena);
+void lag_nnls(size_t n, const double *a, const double *b, double *x, double *memory);
 
 #endif

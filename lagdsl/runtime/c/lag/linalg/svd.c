@@ -112,21 +112,21 @@ static void right_vectors(lag_svd *svd, size_t rank)
     }
 }
 
-lag_svd lag_svd_of(size_t m, size_t n, const double *a, double *arena)
+lag_svd lag_svd_of(size_t m, size_t n, const double *a, double *memory)
 {
     lag_svd svd;
     const size_t k = smaller(m, n);
     svd.m = m;
     svd.n = n;
     svd.k = k;
-    svd.value = lag_take(&arena, k);
-    svd.u = lag_take(&arena, k * m);
-    svd.v = lag_take(&arena, n * n);
-    svd.factors = lag_take(&arena, m * n);
-    svd.tau = lag_take(&arena, k);
-    svd.diagonal = lag_take(&arena, k);
-    svd.pivot = lag_take(&arena, m);
-    svd.turned = arena;
+    svd.value = lag_take(&memory, k);
+    svd.u = lag_take(&memory, k * m);
+    svd.v = lag_take(&memory, n * n);
+    svd.factors = lag_take(&memory, m * n);
+    svd.tau = lag_take(&memory, k);
+    svd.diagonal = lag_take(&memory, k);
+    svd.pivot = lag_take(&memory, m);
+    svd.turned = memory;
     if (m * n > 0) {
         memcpy(svd.factors, a, m * n * sizeof(double));
     }

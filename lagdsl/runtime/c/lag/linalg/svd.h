@@ -22,7 +22,7 @@ typedef struct lag_svd {
 size_t lag_svd_memory(size_t m, size_t n);
 
 /* Of A (m, n), with what is found in `memory`. A must be finite. */
-lag_svd lag_svd_of(size_t m, size_t n, const double *a, double *arena);
+lag_svd lag_svd_of(size_t m, size_t n, const double *a, double *memory);
 
 /* Number of values above `tolerance` times the largest. */
 size_t lag_svd_rank(const lag_svd *svd, double tolerance);

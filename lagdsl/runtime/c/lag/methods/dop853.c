@@ -151,7 +151,7 @@ static places place(const lag_stepper *s)
     return (places){s->work, s->work + SLOPES * size, s->work + (SLOPES + 1) * size, s->work + (SLOPES + 2) * size};
 }
 
-static size_t arena(size_t size)
+static size_t memory(size_t size)
 {
     return (SLOPES + 2 + DENSE_TERMS) * size;
 }
@@ -357,7 +357,7 @@ const lag_method lag_dop853 = {
     .implicit = 0,
     .factor = 1e-2,
     .error_order = 7,
-    .arena = arena,
+    .memory = memory,
     .begin = begin,
     .step = step,
     .prepare_dense = prepare_dense,

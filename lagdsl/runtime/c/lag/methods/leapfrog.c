@@ -6,10 +6,10 @@
  */
 #include "lag/fixed.h"
 
-lag_status lag_leapfrog(const lag_ode *ode, size_t nq, double t, double h, double *x, double *arena)
+lag_status lag_leapfrog(const lag_ode *ode, size_t nq, double t, double h, double *x, double *memory)
 {
     const size_t size = ode->size;
-    double *at = arena;
+    double *at = memory;
     double *first = at + size;
     double *last = first + size;
     lag_status status = ode->rates(ode->context, t, x, first);

@@ -252,7 +252,7 @@ static lag_status prepare_dense(lag_stepper *s)
 #define RADAU(NAME, LEAST, MOST)                                                                                              \
     {                                                                                                                         \
         .name = NAME, .order = 2 * (LEAST)-1, .highest_order = 2 * (MOST)-1, .dense_order = (LEAST), .implicit = 1,            \
-        .factor = 1e-1, .error_order = (LEAST), .arena = lag_radau_memory, .begin = begin, .step = step,                      \
+        .factor = 1e-1, .error_order = (LEAST), .memory = lag_radau_memory, .begin = begin, .step = step,                      \
         .prepare_dense = prepare_dense, .dense = dense                                                                        \
     }
 

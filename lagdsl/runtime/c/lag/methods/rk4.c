@@ -6,12 +6,12 @@
  */
 #include "lag/fixed.h"
 
-lag_status lag_rk4(const lag_ode *ode, size_t nq, double t, double h, double *x, double *arena)
+lag_status lag_rk4(const lag_ode *ode, size_t nq, double t, double h, double *x, double *memory)
 {
     static const double node[4] = {0.0, 0.5, 0.5, 1.0};
     static const double weight[4] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     const size_t size = ode->size;
-    double *at = arena;
+    double *at = memory;
     double *slope = at + size;
     double *sum = slope + size;
     (void)nq;

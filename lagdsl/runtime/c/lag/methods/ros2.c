@@ -12,11 +12,11 @@ size_t lag_fixed_memory(size_t size)
     return size * size + 4 * size;
 }
 
-lag_status lag_ros2(const lag_ode *ode, size_t nq, double t, double h, double *x, double *arena)
+lag_status lag_ros2(const lag_ode *ode, size_t nq, double t, double h, double *x, double *memory)
 {
     static const double gamma = 0.29289321881345254;
     const size_t size = ode->size;
-    double *matrix = arena;
+    double *matrix = memory;
     double *pivot = matrix + size * size;
     double *at = pivot + size;
     double *first = at + size;

@@ -11,19 +11,19 @@ static const double STRETCH = 1.01;
 
 size_t lag_stepper_memory(size_t size)
 {
-    const size_t explicit_work = lag_dop853.arena(size);
-    const size_t implicit_work = lag_radau.arena(size);
-    const size_t fixed_work = lag_steps_rk4.arena(size);
+    const size_t explicit_work = lag_dop853.memory(size);
+    const size_t implicit_work = lag_radau.memory(size);
+    const size_t fixed_work = lag_steps_rk4.memory(size);
     const size_t work = explicit_work > implicit_work ? explicit_work : implicit_work;
     return 6 * size + (work > fixed_work ? work : fixed_work);
 }
 
-void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *arena)
+void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *memory)
 {
     const size_t size = ode->size;
     memset(s, 0, sizeof *s);
     s->ode = ode;
-    s->x = arena;
+    s->x = memory;
     s->f = s->x + size;
     s->x_before = s->f + size;
     s->f_before = s->x_before + size;

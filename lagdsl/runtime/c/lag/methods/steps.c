@@ -13,23 +13,23 @@ static const double STRETCH = 1.01;
 typedef struct places {
     double *start, *first, *count;
     double *x, *f;    /* (size) */
-    double *arena;
+    double *memory;
 } places;
 
 static places place(const lag_stepper *s)
 {
-    double *arena = s->work;
+    double *memory = s->work;
     places at;
-    at.start = lag_take(&arena, 1);
-    at.first = lag_take(&arena, 1);
-    at.count = lag_take(&arena, 1);
-    at.x = lag_take(&arena, s->ode->size);
-    at.f = lag_take(&arena, s->ode->size);
-    at.arena = arena;
+    at.start = lag_take(&memory, 1);
+    at.first = lag_take(&memory, 1);
+    at.count = lag_take(&memory, 1);
+    at.x = lag_take(&memory, s->ode->size);
+    at.f = lag_take(&memory, s->ode->size);
+    at.memory = memory;
     return at;
 }
 
-static size_t arena(size_t size)
+static size_t memory(size_t size)
 {
     return 3 + 2 * size + lag_fixed_memory(size);
 }
@@ -85,7 +85,7 @@ static lag_status step(lag_stepper *s, double limit, lag_fixed_step *formula)
         end = limit;
     }
     memcpy(at.x, s->x, s->ode->size * sizeof(double));
-    lag_status status = formula(&ode, s->nq, s->t, end - s->t, at.x, at.arena);
+    lag_status status = formula(&ode, s->nq, s->t, end - s->t, at.x, at.memory);
     if (status == LAG_OK) {
         status = lag_stepper_rates(s, end, at.x, at.f);
     }
@@ -140,7 +140,7 @@ const lag_method lag_steps_rk4 = {
     .implicit = 0,
     .factor = 1.0,
     .error_order = 0,
-    .arena = arena,
+    .memory = memory,
     .begin = begin,
     .step = step_rk4,
     .prepare_dense = prepare_dense,
@@ -155,7 +155,7 @@ const lag_method lag_steps_leapfrog = {
     .implicit = 0,
     .factor = 1.0,
     .error_order = 0,
-    .arena = arena,
+    .memory = memory,
     .begin = begin,
     .step = step_leapfrog,
     .prepare_dense = prepare_dense,
@@ -170,7 +170,7 @@ const lag_method lag_steps_ros2 = {
     .implicit = 1,
     .factor = 1.0,
     .error_order = 0,
-    .arena = arena,
+    .memory = memory,
     .begin = begin,
     .step = step_ros2,
     .prepare_dense = prepare_dense,

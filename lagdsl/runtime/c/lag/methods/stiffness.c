@@ -14,9 +14,9 @@ size_t lag_stiffness_memory(size_t size)
     return size * size + 3 * size;
 }
 
-void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *arena)
+void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory)
 {
-    *stiffness = (lag_stiffness){0, 0, BACK, arena, arena + size * size};
+    *stiffness = (lag_stiffness){0, 0, BACK, memory, memory + size * size};
 }
 
 /* out = matrix in */

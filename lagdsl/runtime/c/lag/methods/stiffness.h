@@ -21,7 +21,7 @@ typedef struct lag_stiffness {
 /* Doubles for states of `size` numbers. */
 size_t lag_stiffness_memory(size_t size);
 
-void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *arena);
+void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory);
 
 /* The method for the next step; to be asked after every accepted one. */
 const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s);

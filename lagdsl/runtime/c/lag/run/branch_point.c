@@ -80,7 +80,7 @@ static int take_apart(branch_point *it)
             s->tall[j * m + i] = s->wide[i * n + j];
         }
     }
-    const lag_svd rows = lag_svd_of(n, m, s->tall, s->arena);
+    const lag_svd rows = lag_svd_of(n, m, s->tall, s->memory);
     while (large < rows.k && large < s->general && rows.value[large] > NEAR) {
         ++large;
     }
@@ -91,7 +91,7 @@ static int take_apart(branch_point *it)
     }
     memcpy(s->holding, rows.v, it->held * m * sizeof(double));
     memcpy(s->vanishing, rows.v + it->held * m, it->lost * m * sizeof(double));
-    const lag_svd columns = lag_svd_of(m, n, s->wide, s->arena);
+    const lag_svd columns = lag_svd_of(m, n, s->wide, s->memory);
     memcpy(s->free, columns.v + it->held * n, (n - it->held) * n * sizeof(double));
     return 1;
 }
@@ -206,7 +206,7 @@ static double improve(branch_point *it)
     if (!lag_finite(lines * n, s->lines)) {
         return (double)INFINITY;
     }
-    const lag_svd svd = lag_svd_of(lines, n, s->lines, s->arena);
+    const lag_svd svd = lag_svd_of(lines, n, s->lines, s->memory);
     lag_svd_solve(&svd, s->wanted, LOOSE, 0.0, s->step);
     const double length = sqrt(product(n, s->step, s->step));
     for (size_t j = 0; j < n && length <= 1.0; ++j) {

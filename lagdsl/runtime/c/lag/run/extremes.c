@@ -20,18 +20,18 @@ size_t lag_extremes_memory(const lag_model *model)
     return 2 * (size + lag_places_of(model).contact + model->ny) + (3 + LAG_SAMPLES + 1) * size + model->ny;
 }
 
-void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *arena)
+void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *memory)
 {
     const size_t size = lag_motion_size(model);
     extremes->size = size;
     extremes->count = size + lag_places_of(model).contact + model->ny;
-    extremes->low = lag_take(&arena, extremes->count);
-    extremes->high = lag_take(&arena, extremes->count);
-    extremes->turns = lag_take(&arena, size);
-    extremes->pivot = lag_take(&arena, size);
-    extremes->way = lag_take(&arena, size);
-    extremes->sample = lag_take(&arena, (LAG_SAMPLES + 1) * size);
-    extremes->outputs = arena;
+    extremes->low = lag_take(&memory, extremes->count);
+    extremes->high = lag_take(&memory, extremes->count);
+    extremes->turns = lag_take(&memory, size);
+    extremes->pivot = lag_take(&memory, size);
+    extremes->way = lag_take(&memory, size);
+    extremes->sample = lag_take(&memory, (LAG_SAMPLES + 1) * size);
+    extremes->outputs = memory;
     lag_fill(extremes->count, (double)INFINITY, extremes->low);
     lag_fill(extremes->count, -(double)INFINITY, extremes->high);
     lag_fill(3 * size, 0.0, extremes->turns);

@@ -23,7 +23,7 @@ enum { LAG_SAMPLES = 8 };
 /* Doubles for it. */
 size_t lag_extremes_memory(const lag_model *model);
 
-void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *arena);
+void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *memory);
 
 /* Values of a row: state, discrete variables, outputs. What is no number does not count. */
 void lag_extremes_row(lag_extremes *extremes, const double *values);

@@ -42,18 +42,18 @@ size_t lag_run_size(const lag_model *model, const lag_run_options *options)
            (lag_run_numbers(model, options) + scratch(model, options)) * sizeof(double);
 }
 
-static void place_watch(lag_run *run, const lag_model *model, double **arena)
+static void place_watch(lag_run *run, const lag_model *model, double **memory)
 {
     const lag_run_options *options = &run->options;
     const size_t ni = model->ni;
-    double *own = lag_take(arena, 3 * ni);
+    double *own = lag_take(memory, 3 * ni);
     run->watch.motion = &run->motion;
     run->watch.begun = options->continued;
     run->watch.start = options->invariant_start != NULL ? options->invariant_start : own;
     run->watch.size = options->invariant_size != NULL ? options->invariant_size : own + ni;
     run->watch.drift = options->invariant_drift != NULL ? options->invariant_drift : own + 2 * ni;
     run->watch.tolerance = options->invariant_tolerance;
-    run->watch.value = lag_take(arena, lag_watch_memory(model));
+    run->watch.value = lag_take(memory, lag_watch_memory(model));
     run->watch.scale = run->watch.value + ni;
     run->watch.held = run->watch.scale + ni;
 }
@@ -70,12 +70,12 @@ static lag_status tell(void *context, const lag_event_notice *notice)
     return status == LAG_OK && run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : status;
 }
 
-static void place_instants(lag_run *run, const lag_model *model, double **arena)
+static void place_instants(lag_run *run, const lag_model *model, double **memory)
 {
     const lag_run_options *options = &run->options;
-    double *own = lag_take(arena, lag_instants_memory(model));
+    double *own = lag_take(memory, lag_instants_memory(model));
     lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock + options->clocks, own);
-    lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.contacts, &run->instants.noise, lag_take(arena, lag_zero_crossing_memory(model)));
+    lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.contacts, &run->instants.noise, lag_take(memory, lag_zero_crossing_memory(model)));
     run->instants.iteration.tell = tell;
     run->instants.iteration.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
@@ -107,48 +107,48 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     lag_run *run = block;
     run->options = *options;
     run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
-    double *arena = (double *)(void *)(bytes + padded(sizeof(lag_run)) +
+    double *memory = (double *)(void *)(bytes + padded(sizeof(lag_run)) +
         padded((options->clocks + model->nclock) * sizeof(lag_clock)));
-    run->arena = arena;
+    run->memory = memory;
     run->numbers = lag_run_numbers(model, options);
     run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
     run->options.part = options->part > 0.0 ? options->part : PART;
     run->options.looks = options->looks > 0 ? options->looks : 4;
-    lag_motion_place(&run->motion, model, lag_take(&arena, lag_motion_memory(model)));
+    lag_motion_place(&run->motion, model, lag_take(&memory, lag_motion_memory(model)));
     run->motion.inputs = options->inputs;
     run->motion.context = options->context;
-    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&arena, lag_stepper_memory(size)));
+    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&memory, lag_stepper_memory(size)));
     run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
     run->stepper.length = options->h_fixed;
     run->stepper.nq = model->nq;
-    lag_projection_place(&run->projection, &run->motion, lag_take(&arena, lag_projection_memory(model)));
-    run->group = lag_take(&arena, size);
-    run->natural = lag_take(&arena, size);
-    run->cap = lag_take(&arena, size);
-    run->row_sizes = lag_take(&arena, model->nc);
-    lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&arena, lag_look_memory(model->nc, model->nq)));
-    run->lasting = lag_take(&arena, model->nc);
-    run->dependent = (unsigned char *)(void *)lag_take(&arena, model->nc);
+    lag_projection_place(&run->projection, &run->motion, lag_take(&memory, lag_projection_memory(model)));
+    run->group = lag_take(&memory, size);
+    run->natural = lag_take(&memory, size);
+    run->cap = lag_take(&memory, size);
+    run->row_sizes = lag_take(&memory, model->nc);
+    lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model->nc, model->nq)));
+    run->lasting = lag_take(&memory, model->nc);
+    run->dependent = (unsigned char *)(void *)lag_take(&memory, model->nc);
     run->look.lasting = run->lasting;
-    run->initial = run->arena + run->numbers;
+    run->initial = run->memory + run->numbers;
     if (lag_run_crosses(model, options)) {
         lag_singular_place(&run->singular, run, run->initial + (options->start != NULL ? lag_initial_memory(model) : 0));
     }
     lag_run_depend(run, model->redundant);
-    place_instants(run, model, &arena);
-    run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&arena, size), 0.0};
-    run->point = lag_take(&arena, size);
-    run->p = lag_take(&arena, model->np);
-    run->lost = lag_take(&arena, size);
+    place_instants(run, model, &memory);
+    run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&memory, size), 0.0};
+    run->point = lag_take(&memory, size);
+    run->p = lag_take(&memory, model->np);
+    run->lost = lag_take(&memory, size);
     run->lost_time = (double)INFINITY;
-    place_watch(run, model, &arena);
-    lag_stiffness_place(&run->stiffness, size, lag_take(&arena, lag_stiffness_memory(size)));
-    run->sign = lag_take(&arena, options->indicators);
-    run->value = lag_take(&arena, options->indicators);
-    run->crossed = lag_take(&arena, options->indicators);
-    run->other = lag_take(&arena, options->indicators);
-    run->ticked = lag_take(&arena, options->clocks);
-    run->pending = lag_take(&arena, model->nindicator + model->ncontact);
+    place_watch(run, model, &memory);
+    lag_stiffness_place(&run->stiffness, size, lag_take(&memory, lag_stiffness_memory(size)));
+    run->sign = lag_take(&memory, options->indicators);
+    run->value = lag_take(&memory, options->indicators);
+    run->crossed = lag_take(&memory, options->indicators);
+    run->other = lag_take(&memory, options->indicators);
+    run->ticked = lag_take(&memory, options->clocks);
+    run->pending = lag_take(&memory, model->nindicator + model->ncontact);
     return run;
 }
 

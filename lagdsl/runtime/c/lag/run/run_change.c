@@ -22,5 +22,5 @@ lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspac
 
 int lag_run_is_changed(const lag_run *run)
 {
-    return run->motion.at.workspace != run->arena;
+    return run->motion.at.workspace != run->memory;
 }

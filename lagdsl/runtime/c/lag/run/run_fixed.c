@@ -30,7 +30,7 @@ static double end_of_step(lag_clock *pace, double t, double h)
 }
 
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
-    double *arena)
+    double *memory)
 {
     lag_stepper *s = &run->stepper;
     const unsigned iterations = run->projection.iterations;
@@ -39,7 +39,7 @@ lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_od
     if (status != LAG_OK) {
         return status;
     }
-    status = step(s->ode, run->motion.model->nq, s->t, h, s->x, arena);
+    status = step(s->ode, run->motion.model->nq, s->t, h, s->x, memory);
     if (status == LAG_OK) {
         s->t_before = s->t;
         s->t = end_of_step(&run->pace, s->t, h);

@@ -38,7 +38,7 @@ size_t lag_singular_memory(const lag_model *model)
            LAG_VANISHING * (n + 1) + n + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) + larger(svd, lag_eigenvalues_memory(k));
 }
 
-void lag_singular_place(lag_singular *s, lag_run *run, double *arena)
+void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
 {
     const lag_model *model = run->motion.model;
     const size_t m = model->nc;
@@ -48,32 +48,32 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *arena)
     const lag_pattern *entries = model->jacobian_pattern;
     memset(s, 0, sizeof *s);
     s->run = run;
-    double *for_parts = lag_take(&arena, lag_parts_memory(m, n));
-    s->counts = lag_take(&arena, m + n);
-    s->before = lag_take(&arena, m * n);
-    s->now = lag_take(&arena, m * n);
-    s->block = lag_take(&arena, m * n);
-    s->other = lag_take(&arena, m * n);
-    s->turned = lag_take(&arena, k * k);
-    s->wide = lag_take(&arena, m * (n + 1));
-    s->tall = lag_take(&arena, m * (n + 1));
-    s->point = lag_take(&arena, n + 1);
-    s->left = lag_take(&arena, m);
-    s->vanishing = lag_take(&arena, LAG_VANISHING * m);
-    s->free = lag_take(&arena, (n + 1) * (n + 1));
-    s->holding = lag_take(&arena, m * m);
-    s->slopes = lag_take(&arena, (n + 1) * (n + 1) * LAG_VANISHING);
-    s->lines = lag_take(&arena, lines * (n + 1));
-    s->wanted = lag_take(&arena, lines);
-    s->step = lag_take(&arena, (n + 1) + m + LAG_VANISHING * (n + 1));
-    s->still = lag_take(&arena, n);
+    double *for_parts = lag_take(&memory, lag_parts_memory(m, n));
+    s->counts = lag_take(&memory, m + n);
+    s->before = lag_take(&memory, m * n);
+    s->now = lag_take(&memory, m * n);
+    s->block = lag_take(&memory, m * n);
+    s->other = lag_take(&memory, m * n);
+    s->turned = lag_take(&memory, k * k);
+    s->wide = lag_take(&memory, m * (n + 1));
+    s->tall = lag_take(&memory, m * (n + 1));
+    s->point = lag_take(&memory, n + 1);
+    s->left = lag_take(&memory, m);
+    s->vanishing = lag_take(&memory, LAG_VANISHING * m);
+    s->free = lag_take(&memory, (n + 1) * (n + 1));
+    s->holding = lag_take(&memory, m * m);
+    s->slopes = lag_take(&memory, (n + 1) * (n + 1) * LAG_VANISHING);
+    s->lines = lag_take(&memory, lines * (n + 1));
+    s->wanted = lag_take(&memory, lines);
+    s->step = lag_take(&memory, (n + 1) + m + LAG_VANISHING * (n + 1));
+    s->still = lag_take(&memory, n);
     double **const along[] = {&s->branch, &s->earlier, &s->coefficients, &s->best};
     double **const states[] = {&s->state, &s->rates, &s->origin, &s->end};
     for (size_t i = 0; i < 4; ++i) {
-        *along[i] = lag_take(&arena, NODES * (n + model->nz));
-        *states[i] = lag_take(&arena, lag_motion_size(model));
+        *along[i] = lag_take(&memory, NODES * (n + model->nz));
+        *states[i] = lag_take(&memory, lag_motion_size(model));
     }
-    s->arena = arena;
+    s->memory = memory;
     lag_fill(m * n, entries != NULL ? 0.0 : 1.0, s->now);
     for (size_t i = 0; entries != NULL && i < entries->count; ++i) {
         s->now[entries->row[i] * n + entries->column[i]] = 1.0;
@@ -127,7 +127,7 @@ double lag_singular_margin(lag_singular *s, double t, const double *x, double *j
         const size_t count = (size_t)s->counts[which];
         if (count > 0) {
             (void)lag_parts_block(&s->parts, which, s->run->motion.model->nq, jacobian, s->block);
-            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->arena);
+            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->memory);
             margin = fmin(margin, count <= svd.k ? svd.value[count - 1] : 0.0);
         }
     }
@@ -153,7 +153,7 @@ static size_t weakest_row(lag_singular *s)
     if (rows == 0) {
         return 0;
     }
-    const lag_svd svd = lag_svd_of(n, rows, s->block, s->arena);
+    const lag_svd svd = lag_svd_of(n, rows, s->block, s->memory);
     const double *share = svd.v + (rows - 1) * rows;
     for (size_t k = 1; k < rows; ++k) {
         weakest = fabs(share[k]) > fabs(share[weakest]) ? k : weakest;
@@ -175,7 +175,7 @@ size_t lag_singular_rank(lag_singular *s, double t, const double *x, size_t *gen
         const size_t columns = lag_parts_columns(&s->parts, which, &first);
         if (s->counts[which] > 0.0) {
             (void)lag_parts_block(&s->parts, which, n, s->now, s->block);
-            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->arena);
+            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->memory);
             for (size_t k = 0; k < svd.k && (double)k < s->counts[which]; ++k) {
                 rank += svd.value[k] > LOST;
             }
@@ -195,7 +195,7 @@ static size_t seen_before(lag_singular *s, size_t which, const double *jacobian)
     size_t kept = 0;
     (void)lag_parts_block(&s->parts, which, n, s->before, s->block);
     (void)lag_parts_block(&s->parts, which, n, jacobian, s->other);
-    const lag_svd svd = lag_svd_of(rows, columns, s->block, s->arena);
+    const lag_svd svd = lag_svd_of(rows, columns, s->block, s->memory);
     while (kept < svd.k && (double)kept < s->counts[which] && svd.value[kept] > LOST) {
         ++kept;
     }
@@ -221,7 +221,7 @@ static double turn_since(lag_singular *s, const double *jacobian)
         size_t first = 0;
         if (lag_parts_rows(&s->parts, which, &first) > 0 && lag_parts_columns(&s->parts, which, &first) > 0) {
             const size_t kept = seen_before(s, which, jacobian);
-            const double part = lag_least_real_part(kept, s->turned, s->arena);
+            const double part = lag_least_real_part(kept, s->turned, s->memory);
             if (!(part >= least)) {
                 least = part < least ? part : -(double)INFINITY;
             }

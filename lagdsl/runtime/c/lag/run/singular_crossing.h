@@ -42,7 +42,7 @@ typedef struct lag_singular {
     double *still;               /* (nq) zeros */
     double *branch, *earlier, *coefficients, *best; /* (7, nq + nz) */
     double *state, *rates, *origin, *end; /* (2 nq + nz) */
-    double *arena;              /* of singular and other values */
+    double *memory;              /* of singular and other values */
 } lag_singular;
 
 /* So many combinations of rows at most may vanish at one time. */
@@ -51,7 +51,7 @@ enum { LAG_VANISHING = 6 };
 /* Doubles for it. */
 size_t lag_singular_memory(const lag_model *model);
 
-void lag_singular_place(lag_singular *singular, struct lag_run *run, double *arena);
+void lag_singular_place(lag_singular *singular, struct lag_run *run, double *memory);
 
 /* Rows with a zero in `lasting` (nc) come and go, or depend on others. */
 void lag_singular_count(lag_singular *singular, const double *lasting);

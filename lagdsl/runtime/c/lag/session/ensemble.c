@@ -131,15 +131,15 @@ static lag_status move(const lag_ensemble *ensemble, lag_run *run, const double 
     return status;
 }
 
-static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, double *arena, void *block)
+static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, double *memory, void *block)
 {
     const lag_model *model = ensemble->model;
     const size_t size = lag_motion_size(model);
-    double *rows = lag_take(&arena, ROWS * lag_results_width(model));
-    double *angle = lag_take(&arena, model->ny);
-    double *row_sizes = lag_take(&arena, model->nc);
-    unsigned char *dependent = (unsigned char *)(void *)lag_take(&arena, model->nc);
-    double *x = lag_take(&arena, size);
+    double *rows = lag_take(&memory, ROWS * lag_results_width(model));
+    double *angle = lag_take(&memory, model->ny);
+    double *row_sizes = lag_take(&memory, model->nc);
+    unsigned char *dependent = (unsigned char *)(void *)lag_take(&memory, model->nc);
+    double *x = lag_take(&memory, size);
     lag_fill(model->ny, (double)NAN, angle);
     lag_fill(model->nc, 1.0, row_sizes);
     own->kept = (keeper){
@@ -171,10 +171,10 @@ size_t lag_ensemble_run(const lag_ensemble *ensemble, size_t first, size_t end, 
 {
     char *bytes = block;
     bench *own = block;
-    double *arena = (double *)(void *)(bytes + padded(sizeof(bench)));
+    double *memory = (double *)(void *)(bytes + padded(sizeof(bench)));
     char *rest = bytes + padded(sizeof(bench)) + padded(own_memory(ensemble->model) * sizeof(double));
     for (size_t i = first; i < end; ++i) {
-        const lag_status status = run_one(ensemble, i, own, arena, rest);
+        const lag_status status = run_one(ensemble, i, own, memory, rest);
         if (is_stopped(ensemble)) {
             return i;
         }

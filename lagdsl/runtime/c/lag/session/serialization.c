@@ -167,7 +167,7 @@ void lag_run_record(lag_run *run, lag_record *record)
     for (size_t i = 0; i < run->options.clocks + model->nclock; ++i) {
         record_clock(&run->clock[i], record);
     }
-    lag_record_doubles(record, run->numbers, run->arena);
+    lag_record_doubles(record, run->numbers, run->memory);
     if (record->saved != NULL && run->singular.run != NULL) {
         lag_singular_count(&run->singular, run->lasting);
     }

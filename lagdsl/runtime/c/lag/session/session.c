@@ -96,7 +96,7 @@ lag_session *lag_session_place(void *block, const lag_model *model, const lag_st
 {
     char *bytes = block;
     lag_session *session = block;
-    double *arena = (double *)(void *)(bytes + padded(sizeof *session));
+    double *memory = (double *)(void *)(bytes + padded(sizeof *session));
     memset(block, 0, padded(sizeof *session) + padded(numbers(model) * sizeof(double)));
     session->model = model;
     session->start = start;
@@ -104,10 +104,10 @@ lag_session *lag_session_place(void *block, const lag_model *model, const lag_st
     session->length = length;
     session->block = bytes + padded(sizeof *session) + padded(numbers(model) * sizeof(double));
     session->results.most_rows = session->results.most_notes = 1;
-    session->results.rows = lag_take(&arena, lag_results_width(model));
-    session->p = lag_take(&arena, model->np + 1);
-    session->u = lag_take(&arena, model->nu + 1);
-    session->lasting = lag_take(&arena, model->nc + 1);
+    session->results.rows = lag_take(&memory, lag_results_width(model));
+    session->p = lag_take(&memory, model->np + 1);
+    session->u = lag_take(&memory, model->nu + 1);
+    session->lasting = lag_take(&memory, model->nc + 1);
     find_lasting(session);
     if (model->np > 0) {
         memcpy(session->p, model->defaults, model->np * sizeof(double));

@@ -257,12 +257,12 @@ static uint64_t largest_workspace(const uint32_t *size)
     return workspace(size) + 8 + 8 * ((uint64_t)size[LAG_TAPE_ROW] + size[LAG_TAPE_ALONG_ROW] + size[LAG_TAPE_PARAMETER_ALONG_ROW]);
 }
 
-lag_status lag_tape_check(const void *bytes, size_t count, size_t *arena)
+lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory)
 {
     const unsigned char *all = bytes;
     lag_tape_parts parts;
     uint32_t head[2]; /* version, checksum */
-    *arena = 0;
+    *memory = 0;
     if ((uintptr_t)all % 8 != 0 || count < HEAD + LENGTHS || number_at(all) != MAGIC) {
         return LAG_BAD_STATE_DATA;
     }
@@ -281,7 +281,7 @@ lag_status lag_tape_check(const void *bytes, size_t count, size_t *arena)
         largest_workspace(parts.size) > SIZE_MAX / 2 / sizeof(double)) {
         return LAG_BAD_STATE_DATA;
     }
-    *arena = (size_t)needed(&parts);
+    *memory = (size_t)needed(&parts);
     return LAG_OK;
 }
 
@@ -363,12 +363,12 @@ static void give_sizes(lag_model *model, const uint32_t *size)
 }
 
 /* Slots, messages and rows, in this order, in `memory`. */
-static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned char *arena)
+static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned char *memory)
 {
     lag_model *model = &tape->model;
     const uint32_t *slot = (const void *)parts->part[LAG_TAPE_SLOTS].bytes;
     const uint32_t *message = (const void *)parts->part[LAG_TAPE_MESSAGES].bytes;
-    lag_slot *slot_memory = (void *)arena;
+    lag_slot *slot_memory = (void *)memory;
     model->coordinates = take_slots(parts, &slot, &slot_memory, model->nq);
     model->states = take_slots(parts, &slot, &slot_memory, model->nz);
     model->inputs = take_slots(parts, &slot, &slot_memory, model->nu);
@@ -414,9 +414,9 @@ static void give_start(lag_start *start, const lag_tape_parts *parts)
     start->maximum = section(parts, LAG_TAPE_START_MAXIMUM);
 }
 
-const lag_model *lag_tape_model(const void *bytes, size_t count, void *arena)
+const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory)
 {
-    lag_tape *tape = arena;
+    lag_tape *tape = memory;
     lag_tape_parts parts;
     divide(bytes, count, &parts);
     memset(tape, 0, sizeof *tape);
@@ -434,7 +434,7 @@ const lag_model *lag_tape_model(const void *bytes, size_t count, void *arena)
     tape->model.name = text(&parts, parts.size[LAG_TAPE_NAME]);
     tape->model.context = tape;
     give_sizes(&tape->model, parts.size);
-    give_tables(tape, &parts, (unsigned char *)arena + (sizeof *tape + 7) / 8 * 8);
+    give_tables(tape, &parts, (unsigned char *)memory + (sizeof *tape + 7) / 8 * 8);
     give_start(&tape->start, &parts);
     lag_tape_functions(tape);
     lag_tape_parallel(tape);
