@@ -157,3 +157,17 @@ def test_messages_are_plain(phrase: str) -> None:
     from lagdsl.diagnostics.catalog import ROWS
 
     assert [code for code, row in ROWS.items() if phrase in repr(row)] == []
+
+
+def test_no_sentence_of_the_documents_opens_with_a_clause() -> None:
+    """The subject comes first: `What stands here is ...` becomes `Declarations here are ...`."""
+    pages = [ROOT / "README.md", *(page for page in (ROOT / "docs").rglob("*.md") if page.parent.name != "adr")]
+    opening = re.compile(r"(?:^|[.;:] |^- )(?:What|Whether) [^?\n]*$", re.MULTILINE)
+    found = [
+        (page.name, sentence)
+        for page in pages
+        for sentence in opening.findall(
+            re.sub(r"^```.*?^```", "", page.read_text("utf-8"), flags=re.DOTALL | re.MULTILINE)
+        )
+    ]
+    assert found == []
