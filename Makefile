@@ -67,7 +67,7 @@ update: $(READY)  ## regenerate what is generated: automaton of the grammar, uni
 	LAGDSL_UPDATE=1 $(BIN)/python -m pytest -n auto tests/corpus tests/diagnostics tests/docs tests/units tests/semantics
 
 wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
-	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.platforms); do \
+	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.building.platforms); do \
 	LAGDSL_PLATFORM=$$platform $(BIN)/python -m hatchling build --target wheel; done
 
 wasm: $(READY)  ## the runtime for web pages: dist/lag.wasm

@@ -1,7 +1,8 @@
 """The build hook: the C runtime as a shared library, in wheels for one platform and in the tree of editable installs.
 
-`LAGDSL_PLATFORM` names a platform of `lagdsl/runtime/platforms.py`, for which ziglang compiles. Without it the library
-is for this machine, by its C compiler or, where there is none, by ziglang, which is a build requirement only then.
+`LAGDSL_PLATFORM` names a platform of `lagdsl/runtime/building/platforms.py`, for which ziglang compiles. Without
+it the library is for this machine, by its C compiler or, where there is none, by ziglang, which is a
+build requirement only then.
 """
 
 from __future__ import annotations
@@ -18,9 +19,9 @@ _ROOT = Path(__file__).resolve().parent
 sys.path.insert(0, str(_ROOT))
 
 from lagdsl.resources import runtime_library_folder  # noqa: E402
-from lagdsl.runtime.build_library import build_library, up_to_date, wheel_tag  # noqa: E402
-from lagdsl.runtime.compiler import machine_compiler  # noqa: E402
-from lagdsl.runtime.platforms import library_name, this_machine  # noqa: E402
+from lagdsl.runtime.building.build_library import build_library, up_to_date, wheel_tag  # noqa: E402
+from lagdsl.runtime.building.compiler import machine_compiler  # noqa: E402
+from lagdsl.runtime.building.platforms import library_name, this_machine  # noqa: E402
 
 
 class RuntimeLibraryHook(BuildHookInterface[Any]):

@@ -9,9 +9,9 @@ from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.derive import derive
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.semantics.classes.library import read_source
 from lagdsl.semantics.flatten import flatten
-from lagdsl.semantics.library import read_source
 from lagdsl.syntax.parser import parse
 
 MODEL = Path(__file__).parents[1] / "models" / "cart_double_pendulum.lag"

@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import peers
 
-from lagdsl.fmi.sources import require_fmpy
-from lagdsl.runtime.cache import cache_folder
+from lagdsl.fmi.package.sources import require_fmpy
+from lagdsl.runtime.building.cache import cache_folder
 
 NATIVE = Path(__file__).parent / "native"
-RUNTIME = Path(__file__).parents[1] / "lagdsl" / "runtime" / "c" / "include"
+RUNTIME = Path(__file__).parents[1] / "lagdsl" / "runtime" / "c"
 FOLDER = cache_folder() / "benchmarks"
 ROUNDS, RUNS = 400, 5
 _SHARED = ("-fPIC", "-shared")
@@ -110,7 +110,7 @@ def built(name: str) -> Path:
         path for path in NATIVE.iterdir() if path.stem == name.removesuffix("_native") and path.suffix in (".c", ".cpp")
     )
     command = ["g++" if source.suffix == ".cpp" else "cc", *flags, f"-I{NATIVE}", str(source), *libraries]
-    headers = sorted([*NATIVE.glob("*.h*"), *(RUNTIME.glob("lag/*.h") if name in ("lagdsl", "run", "tape") else ())])
+    headers = sorted([*NATIVE.glob("*.h*"), *(RUNTIME.glob("lag/**/*.h") if name in ("lagdsl", "run", "tape") else ())])
     options = [word for word in command if not word.startswith((f"-I{NATIVE}", f"-I{RUNTIME}", str(NATIVE)))]
     content = "\0".join((*options, source.read_text(), *(path.read_text() for path in headers)))
     target = folder() / f"{name}-{hashlib.sha256(content.encode()).hexdigest()[:16]}"

@@ -16,8 +16,8 @@ from lagdsl.eliminate.count import flops
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.pipeline import front, middle
 from lagdsl.program.program import Program
-from lagdsl.runtime.build import build
-from lagdsl.semantics.library import read_source
+from lagdsl.runtime.building.build import build
+from lagdsl.semantics.classes.library import read_source
 
 MODELS = Path(__file__).with_name("models")
 

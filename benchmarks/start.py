@@ -13,8 +13,8 @@ from measure import cpu_seconds, first_call_cpu_seconds, process_cpu_seconds
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.derive import derive
 from lagdsl.program.program import Program
+from lagdsl.semantics.classes.library import read_source
 from lagdsl.semantics.flatten import flatten
-from lagdsl.semantics.library import read_source
 from lagdsl.syntax.parser import parse
 
 MODELS = Path(__file__).parents[1] / "models"

@@ -20,13 +20,13 @@ from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.pipeline import front, middle, read
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
-from lagdsl.runtime.buffers import Buffers, aligned
-from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.engines.buffers import Buffers, aligned
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.native_model import NativeModel
+from lagdsl.runtime.engines.tape_engine import TapeEngine
+from lagdsl.runtime.engines.tape_model import load_tape
 from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.structures import Arguments
-from lagdsl.runtime.tape_engine import TapeEngine
-from lagdsl.runtime.tape_model import load_tape
 
 MODELS = ("double_pendulum", "four_bar", "panda")
 BUILT = (("panda", None), ("planar_chain", 100), ("spatial_chain", 100))

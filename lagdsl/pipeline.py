@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.record import record
-from lagdsl.runtime.engine import ENGINES, EngineName
+from lagdsl.runtime.engines.engine import ENGINES, EngineName
+from lagdsl.semantics.classes.library import read_source
+from lagdsl.semantics.classes.selection import complete_models
 from lagdsl.semantics.flatten import flatten
-from lagdsl.semantics.library import read_source
-from lagdsl.semantics.selection import complete_models
 from lagdsl.semantics.wellformed.check import check as check_physics
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
@@ -28,9 +28,9 @@ if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
     from lagdsl.mechanics.derive import Derivation as GraphDerivation
     from lagdsl.mechanics.derive import Derived
-    from lagdsl.mechanics.structure import Structure
     from lagdsl.program.program import Program
-    from lagdsl.runtime.broadcast import BatchEngine
+    from lagdsl.runtime.engines.broadcast import BatchEngine
+    from lagdsl.structure.structure import Structure
 
 Derivation: TypeAlias = Literal["graph", "textbook"]
 
@@ -115,7 +115,7 @@ def _derived(flat: FlatModel, derivation: Derivation) -> tuple[Program, Derived 
 
 def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Compilation | None:
     """Flat model to program, with ranks, degrees of freedom and redundant rows; None after errors."""
-    from lagdsl.mechanics.structure import analyze
+    from lagdsl.structure.structure import analyze
 
     program, derived = _derived(flat, derivation)
     structure = analyze(flat, program, sink)
@@ -161,19 +161,19 @@ def engine_of(program: Program, name: EngineName = "auto") -> BatchEngine:
     """
     match name:
         case "auto":
-            from lagdsl.runtime.auto_engine import AutoEngine
+            from lagdsl.runtime.engines.auto_engine import AutoEngine
 
             return AutoEngine(program)
         case "tape":
-            from lagdsl.runtime.tape_engine import TapeEngine
+            from lagdsl.runtime.engines.tape_engine import TapeEngine
 
             return TapeEngine(program)
         case "numpy":
-            from lagdsl.runtime.numpy_engine import NumpyEngine
+            from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 
             return NumpyEngine(program)
         case "c":
-            from lagdsl.runtime.c_engine import CEngine
+            from lagdsl.runtime.engines.c_engine import CEngine
 
             return CEngine(program)
         case _:

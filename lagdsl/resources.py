@@ -32,7 +32,7 @@ def models_folder() -> Path:
 
 
 def c_folder() -> Path:
-    """The written C: `include/lag/*.h` and `src/*.c`."""
+    """The written C of the runtime: `lag/*.h` for who calls it, and one folder for each of its parts."""
     return _PACKAGE / "runtime" / "c"
 
 
@@ -47,8 +47,14 @@ def is_checkout() -> bool:
 
 
 def fmi_folder() -> Path:
-    """The written C of FMUs: `include/lag/*.h` and `src/*.c`."""
+    """The written C of FMUs: `lag/fmu.h`, and one folder for each of its parts."""
     return _PACKAGE / "fmi" / "c"
+
+
+def sources_in(folder: Path) -> dict[str, Path]:
+    """C sources and headers of the runtime or of FMUs, by their paths as sources include them: `lag/model.h`."""
+    files = [file for suffix in ("h", "c") for file in (folder / "lag").rglob(f"*.{suffix}")]
+    return {file.relative_to(folder).as_posix(): file for file in sorted(files)}
 
 
 def license_file() -> Path:

@@ -14,8 +14,8 @@ from lagdsl.backends.c.emit import model_symbol, sources
 from lagdsl.graph.operation import Group
 from lagdsl.pipeline import with_names
 from lagdsl.program.program import Program
-from lagdsl.runtime.build import build
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.building.build import build
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 from lagdsl.simulate.initialize import initial_state
 
 TIME = 0.3

@@ -8,7 +8,7 @@
 
 #include "lag/batch.h"
 #include "lag/dynamics.h"
-#include "lag/jacobian.h"
+#include "lag/equations/jacobian.h"
 
 enum { MANY = 1024 };
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.analysis.point import Point, Subject
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.simulate.standing import standing
 
 _MOST_TOLD = 4

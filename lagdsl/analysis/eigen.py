@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 
 Complexes = NDArray[np.complex128]
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.analysis.point import Directions, Point, Subject, constraint_changes, coordinate_sizes
-from lagdsl.mechanics.rank import Floats, null_space
-from lagdsl.mechanics.structure_points import Probe, geometry, probes
+from lagdsl.numerics.rank import Floats, null_space
+from lagdsl.structure.points import Probe, geometry, probes
 
 _CLOSED = 1e-9
 

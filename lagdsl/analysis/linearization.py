@@ -8,7 +8,7 @@ from lagdsl.analysis.linearize import Named, holonomic_rows, reduce, state_names
 from lagdsl.analysis.point import Point, Subject
 from lagdsl.analysis.steady import Steadiness, steadiness
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

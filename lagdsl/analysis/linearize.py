@@ -19,7 +19,7 @@ import numpy as np
 from lagdsl.analysis.partition import Partition, directions, partition
 from lagdsl.analysis.point import Directions, Flow, Point, Subject, changes, flow
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.units.naming import rate_text
 
 

@@ -12,7 +12,7 @@ from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, st
 from lagdsl.analysis.point import Point, Subject
 from lagdsl.analysis.steady import Steadiness, steadiness
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 
 # Real parts below this part of the eigenvalue's magnitude count as zero: twice the digits of a double eigenvalue.
 AXIS = 1e-7

@@ -16,8 +16,8 @@ import numpy as np
 
 from lagdsl.analysis.point import Directions, Point, Subject, constraint_changes, coordinate_sizes
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.rank import Floats, rank
-from lagdsl.mechanics.structure_names import contact_rows
+from lagdsl.numerics.rank import Floats, rank
+from lagdsl.structure.names import contact_rows
 
 # Of coordinates that can be left out equally well, the last ones are.
 _PREFERENCE = 1e-3

@@ -12,13 +12,13 @@ from lagdsl.backends.python.support.linear import factorize
 from lagdsl.backends.start import free_parameters
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_points import natural_sizes
+from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Program
-from lagdsl.runtime.broadcast import BatchEngine
-from lagdsl.runtime.engine import SingularSystem
+from lagdsl.runtime.engines.broadcast import BatchEngine
+from lagdsl.runtime.engines.engine import SingularSystem
 from lagdsl.simulate.initialize import initial_state
 from lagdsl.simulate.standing import standing
+from lagdsl.structure.points import natural_sizes
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ import numpy as np
 from lagdsl.analysis.linearize import Reduced, reduce, state_names
 from lagdsl.analysis.point import Point, Subject
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 
 # Parts of the natural size per natural time that count as rest, and as the same derivative elsewhere.
 RESTS = 1e-9

@@ -29,10 +29,10 @@ from lagdsl.analysis.point import (
 )
 from lagdsl.analysis.steady import Steadiness, first_order_sizes, steadiness
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_names import configuration
-from lagdsl.mechanics.structure_newton import Descent, Equations, descend
-from lagdsl.mechanics.structure_points import random_points
+from lagdsl.numerics.levenberg_marquardt import Descent, Equations, descend
+from lagdsl.numerics.rank import Floats
+from lagdsl.structure.names import configuration
+from lagdsl.structure.points import random_points
 from lagdsl.units.naming import rate_text
 
 _TRIES = 24

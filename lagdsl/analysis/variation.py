@@ -18,7 +18,7 @@ from lagdsl.analysis.linearize import Named, reduce
 from lagdsl.analysis.modes import AXIS
 from lagdsl.analysis.point import Point, Subject
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 
 Place: TypeAlias = Callable[[float], Point]
 

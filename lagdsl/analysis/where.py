@@ -16,7 +16,7 @@ from lagdsl.analysis.point import Point, Subject, point_of
 from lagdsl.analysis.trim import Equilibrium, trim_at
 from lagdsl.analysis.variation import Variation, variation
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.units.naming import rate_text
 
 _Result = TypeVar("_Result")

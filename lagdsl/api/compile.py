@@ -12,7 +12,7 @@ from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Derivation, engine_of, front, middle, read
-from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 
 
 def compile(

@@ -9,7 +9,7 @@ from typing import Literal
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.export import export
 from lagdsl.pipeline import Compilation
-from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.source import SourceFile
 
 VERSIONS: dict[int, Literal[2, 3]] = {2: 2, 3: 3}

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from lagdsl.api.motions import Motions
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
-    from lagdsl.runtime.broadcast import BatchEngine
+    from lagdsl.runtime.engines.broadcast import BatchEngine
     from lagdsl.signals.inputs import Signal
     from lagdsl.simulate.initialize import InitialState
     from lagdsl.source import SourceFile
@@ -94,7 +94,7 @@ class Model(Described):
         of `forward_dynamics`, whatever the number of threads. Raises ValueError for shapes that do not fit and
         SingularSystem for the first state whose accelerations are not determined.
         """
-        from lagdsl.runtime.cores import cores
+        from lagdsl.runtime.engines.cores import cores
 
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")

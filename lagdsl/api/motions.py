@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
-from lagdsl.runtime.cores import cores
-from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.engines.cores import cores
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.dataset import collect, require_room
 from lagdsl.sweep.plan import Task, require_few

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from lagdsl.api.names import known
 from lagdsl.flat.admissible import require_value
 from lagdsl.pipeline import Compilation
-from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.plan import Axis, Plan, Target
 from lagdsl.sweep.run import Options, Subject

@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 
 import click
 
-from lagdsl.runtime.engine import ENGINES
+from lagdsl.runtime.engines.engine import ENGINES
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 

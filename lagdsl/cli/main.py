@@ -44,7 +44,7 @@ class Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in _COMMANDS:
             return None
-        command: click.Command = import_module(f"lagdsl.cli.{cmd_name}").command
+        command: click.Command = import_module(f"lagdsl.cli.commands.{cmd_name}").command
         return command
 
     def resolve_command(

@@ -12,7 +12,7 @@ import click
 
 from lagdsl.cli.status import ERRORS, USAGE
 from lagdsl.diagnostics import Diagnostic, Sink
-from lagdsl.semantics.library import read_source
+from lagdsl.semantics.classes.library import read_source
 from lagdsl.source import SourceFile
 
 if TYPE_CHECKING:

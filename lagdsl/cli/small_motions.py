@@ -21,7 +21,7 @@ from lagdsl.cli.output import draft_of, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import engine_of, findings
-from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 _Result = TypeVar("_Result")

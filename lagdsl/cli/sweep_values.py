@@ -13,7 +13,7 @@ import numpy as np
 
 from lagdsl.cli.assignments import Settings, settings
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.sweep.plan import Axis, Plan, Target, require_few
 from lagdsl.units.definition import si_value
 from lagdsl.units.naming import rate_text

@@ -18,7 +18,7 @@ from lagdsl.eliminate.form import NotApplicable
 from lagdsl.eliminate.matrix import SparseSystem
 from lagdsl.eliminate.rotations import Rotation
 from lagdsl.eliminate.rows import Rows, components, is_multiplier, multiplier_of
-from lagdsl.eliminate.steps import Defined, Minimized, Step, Swapped
+from lagdsl.eliminate.steps import Defined, Exchanged, Pivoted, Step
 from lagdsl.graph.graph import Graph
 
 
@@ -153,7 +153,7 @@ class Elimination:
         factor = terms[rate]
         shared = {p: graph.negate(graph.divide(c, factor)) for p, c in terms.items() if p != rate}
         self._system.substitute(rate, {variable: graph.divide(graph.one, factor), **shared})
-        self.steps.append(Swapped(rate, variable, factor))
+        self.steps.append(Exchanged(rate, variable, factor))
         self._minimize(variable, rate)
 
     def _minimize(self, variable: int, rate: int | None = None) -> None:
@@ -169,7 +169,7 @@ class Elimination:
         else:
             self._enlarge(row, shares)
         acting = {k: share for k, share in shares.items() if k not in self._following} if self._following else shares
-        self.steps.append(Minimized(variable, pivot, acting))
+        self.steps.append(Pivoted(variable, pivot, acting))
         for multiplier in self._waiting.get(variable if rate is None else rate, ()):
             self._open[multiplier] -= 1
             if not self._open[multiplier]:

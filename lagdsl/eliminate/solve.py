@@ -10,9 +10,9 @@ from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.eliminate.matrix import SparseSystem
 from lagdsl.eliminate.order import Elimination, by_creation, by_depth
 from lagdsl.eliminate.pivots import References, least
+from lagdsl.eliminate.redundant_multipliers import RedundantMultipliers, find_redundant_multipliers, shortest
 from lagdsl.eliminate.rows import Rows, Side, is_multiplier, multiplier_of, velocity_of
-from lagdsl.eliminate.steps import Minimized, Step, solve_steps
-from lagdsl.eliminate.surplus import Surplus, find_surplus, shortest
+from lagdsl.eliminate.steps import Pivoted, Step, solve_steps
 from lagdsl.graph.graph import Graph
 from lagdsl.record import record
 
@@ -39,7 +39,7 @@ class Factor:
     steps: Sequence[Step]
     pivot: int
     strengths: dict[int, tuple[int, int]]
-    surplus: Surplus
+    redundant_multipliers: RedundantMultipliers
 
 
 @record(kw_only=True)
@@ -100,7 +100,7 @@ def respond(factor: Factor, side: Side, budget: Budget | None = None) -> Respons
     multipliers = {row.index: known[multiplier_of(row.index)] for row in rows.solved}
     return Response(
         accelerations=[known[rate] for rate in factor.rates],
-        multipliers=shortest(graph, factor.surplus, multipliers),
+        multipliers=shortest(graph, factor.redundant_multipliers, multipliers),
     )
 
 
@@ -134,7 +134,7 @@ def _factorize(
         system, definitions, rates, priority=priority, budget=budget, delayed=frozenset(delayed), rows=rows
     )
     steps = run.run()
-    pivots = {step.variable: step.pivot for step in steps if isinstance(step, Minimized)}
+    pivots = {step.variable: step.pivot for step in steps if isinstance(step, Pivoted)}
     inertias = [pivot for variable, pivot in pivots.items() if not is_multiplier(variable)]
     references = References(graph, of_sums=bool(rows.solved))
     left = run.rests | {v: graph.negate(pivot) for v, pivot in pivots.items() if is_multiplier(v)}
@@ -147,5 +147,5 @@ def _factorize(
         steps=steps,
         pivot=least(graph, [(pivot, references.of(pivot)) for pivot in inertias]),
         strengths={index: (left[v], run.sizes[v]) for index, v in multipliers.items()},
-        surplus=find_surplus(graph, rows, run.tied),
+        redundant_multipliers=find_redundant_multipliers(graph, rows, run.tied),
     )

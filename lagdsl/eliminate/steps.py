@@ -17,7 +17,7 @@ class Defined:
 
 
 @record()
-class Minimized:
+class Pivoted:
     """a = h / pivot - sum of shares times others, h: what is left of the right-hand side."""
 
     variable: int
@@ -26,7 +26,7 @@ class Minimized:
 
 
 @record()
-class Swapped:
+class Exchanged:
     """A rate that follows from the variable it alone makes free: variable = rest + factor * rate."""
 
     rate: int
@@ -34,7 +34,7 @@ class Swapped:
     factor: int
 
 
-Step = Defined | Minimized | Swapped
+Step = Defined | Pivoted | Exchanged
 
 
 def solve_steps(
@@ -73,11 +73,11 @@ def _forward(
         match step:
             case Defined(variable):
                 move(left.pop(variable, graph.zero), terms[variable])
-            case Minimized(variable, pivot, shares):
+            case Pivoted(variable, pivot, shares):
                 own = left.pop(variable, graph.zero)
                 parts[variable] = graph.multiply(own, graph.divide(graph.one, pivot))
                 move(graph.negate(own), shares)
-            case Swapped(rate, variable, factor):
+            case Exchanged(rate, variable, factor):
                 own = graph.divide(left.pop(rate, graph.zero), factor)
                 move(own, {variable: graph.one})
                 move(graph.negate(own), {p: c for p, c in terms[variable].items() if p != rate})
@@ -99,11 +99,11 @@ def _backward(
     for step in reversed(steps):
         budget.check()
         match step:
-            case Minimized(variable, _, shares):
+            case Pivoted(variable, _, shares):
                 known[variable] = graph.subtract(parts[variable], total(shares))
             case Defined(variable):
                 known[variable] = total(terms[variable])
-            case Swapped(rate, variable, factor):
+            case Exchanged(rate, variable, factor):
                 rest = graph.subtract(known[variable], total({p: c for p, c in terms[variable].items() if p != rate}))
                 known[rate] = graph.divide(rest, factor)
     return known

@@ -42,7 +42,7 @@ def _discrete(item: fe.Discrete) -> Line:
 
 
 def _contact(item: fe.Contact) -> Line:
-    options = [("restitution", item.restitution), ("v_stick", item.stick), ("t_eps", item.rest)]
+    options = [("restitution", item.restitution), ("v_stick", item.capture_speed), ("t_eps", item.zeno_time)]
     law = ", ".join(f"{name} = {text_of(value)}" for name, value in options if value is not None)
     return f"{item.name} [{unit_text(item.dimension)}]: {text_of(item.gap)} >= 0 with {law}", item
 

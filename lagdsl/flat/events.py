@@ -78,16 +78,16 @@ class Clock(Item):
 class Contact(Item):
     """`gap >= 0` with an impact law. `row` is the constraint that holds while it is closed.
 
-    `stick` is the rebound speed below which it closes, `rest` the time left of a series of impacts below which it does;
-    None: no speed, a millionth of the length of the experiment.
+    `capture_speed` is the rebound speed below which it closes, `zeno_time` the time left of a series of impacts
+    below which it does; None: no speed, a millionth of the length of the experiment.
     """
 
     name: str
     gap: FlatExpression
     dimension: Dimension
     restitution: FlatExpression
-    stick: FlatExpression | None
-    rest: FlatExpression | None
+    capture_speed: FlatExpression | None
+    zeno_time: FlatExpression | None
 
     @property
     def closed(self) -> str:

@@ -6,54 +6,54 @@ import hashlib
 from collections.abc import Mapping, Sequence
 from uuid import UUID
 
-from lagdsl.fmi.build_description import build_description
-from lagdsl.fmi.fmi2_description import fmi2_description
-from lagdsl.fmi.fmi3_description import fmi3_description
-from lagdsl.fmi.libraries import universal
-from lagdsl.fmi.sources import c_files, is_standard, model_sources
-from lagdsl.fmi.subject import Subject
-from lagdsl.fmi.table import table_source
-from lagdsl.fmi.terminals import terminals
-from lagdsl.fmi.variables import Version
-from lagdsl.runtime.platforms import Platform, platform_of
+from lagdsl.fmi.description.build_description import build_description
+from lagdsl.fmi.description.fmi2_description import fmi2_description
+from lagdsl.fmi.description.fmi3_description import fmi3_description
+from lagdsl.fmi.description.table import table_source
+from lagdsl.fmi.description.terminals import terminals
+from lagdsl.fmi.export_model import ExportModel
+from lagdsl.fmi.package.libraries import universal
+from lagdsl.fmi.package.sources import c_files, is_standard, model_sources
+from lagdsl.fmi.variables.variables import Version
+from lagdsl.runtime.building.platforms import Platform, platform_of
 
 _FMI2_FOLDERS = {"x86_64-linux": "linux64", "x86_64-windows": "win64", "x86_64-darwin": "darwin64"}
 
 
-def texts(subject: Subject) -> tuple[str, dict[str, str]]:
+def texts(export_model: ExportModel) -> tuple[str, dict[str, str]]:
     """The description and the sources. Both hold a token: the hash of all of them without it."""
-    version = subject.table.version
-    sources = model_sources(subject.program, subject.start, version)
-    table = f"{subject.stem}_fmu.c"
+    version = export_model.table.version
+    sources = model_sources(export_model.program, export_model.start, version)
+    table = f"{export_model.stem}_fmu.c"
     files = c_files({**sources, table: ""})
 
     def with_token(token: str) -> tuple[str, dict[str, str]]:
-        all_sources = {**sources, table: table_source(subject.table, subject.stem, token)}
-        return _description(subject, files, token), all_sources
+        all_sources = {**sources, table: table_source(export_model.table, export_model.stem, token)}
+        return _description(export_model, files, token), all_sources
 
     return with_token(_token(*with_token("")))
 
 
-def source_files(subject: Subject, sources: Mapping[str, str]) -> dict[str, bytes]:
+def source_files(export_model: ExportModel, sources: Mapping[str, str]) -> dict[str, bytes]:
     """The folder `sources`, with what tells importers how to compile it.
 
     Headers of the standard are not in it: importers have their own (FMI 2.0.5, section 2.3; FMI 3.0, section 2.5.1).
     """
     own = {path: text for path, text in sources.items() if not is_standard(path)}
-    named = {**own, "buildDescription.xml": build_description(subject.stem, c_files(sources))}
+    named = {**own, "buildDescription.xml": build_description(export_model.stem, c_files(sources))}
     return {f"sources/{path}": text.encode() for path, text in named.items()}
 
 
-def terminal_files(subject: Subject) -> dict[str, bytes]:
+def terminal_files(export_model: ExportModel) -> dict[str, bytes]:
     """Ports as terminals, which FMI 3 has."""
-    text = terminals(subject.table) if subject.table.version == 3 else None
+    text = terminals(export_model.table) if export_model.table.version == 3 else None
     return {} if text is None else {"terminalsAndIcons/terminalsAndIcons.xml": text.encode()}
 
 
-def _description(subject: Subject, files: Sequence[str], token: str) -> str:
-    if subject.table.version == 2:
-        return fmi2_description(subject.table, identifier=subject.stem, source_files=files, token=token)
-    return fmi3_description(subject.table, identifier=subject.stem, token=token)
+def _description(export_model: ExportModel, files: Sequence[str], token: str) -> str:
+    if export_model.table.version == 2:
+        return fmi2_description(export_model.table, identifier=export_model.stem, source_files=files, token=token)
+    return fmi3_description(export_model.table, identifier=export_model.stem, token=token)
 
 
 def _token(description: str, sources: Mapping[str, str]) -> str:

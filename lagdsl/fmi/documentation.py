@@ -6,8 +6,8 @@ from dataclasses import replace
 from importlib.util import find_spec
 
 import lagdsl
+from lagdsl.fmi.export_model import ExportModel
 from lagdsl.fmi.reference import Reference
-from lagdsl.fmi.subject import Subject
 from lagdsl.report.derivation import document
 from lagdsl.report.document import Block, Bullets, Code, Heading, Inline, Text
 from lagdsl.report.html import html
@@ -20,7 +20,7 @@ _ICON = {2: "model.png", 3: "terminalsAndIcons/icon.png"}
 _KINDS = {"me": "Model Exchange", "cs": "Co-Simulation"}
 
 
-def documentation_files(subject: Subject, known: Reference | None, headers: str) -> dict[str, bytes]:
+def documentation_files(export_model: ExportModel, known: Reference | None, headers: str) -> dict[str, bytes]:
     """`headers` is the text of a header of the standard, which begins with its license. Pictures need Matplotlib."""
     drawn = known is not None and find_spec("matplotlib") is not None
     files = {_LICENSE: _licenses(headers).encode()}
@@ -30,14 +30,14 @@ def documentation_files(subject: Subject, known: Reference | None, headers: str)
         from lagdsl.plot.icon import icon, png
 
         picture = png(plot(known.motion))
-        files[_ICON[subject.table.version]] = icon(known.motion)
-    whole = document(recipe(subject.compilation.flat))
-    page = replace(whole, blocks=(*whole.blocks, *_about(subject, known)))
+        files[_ICON[export_model.table.version]] = icon(known.motion)
+    whole = document(recipe(export_model.compilation.flat))
+    page = replace(whole, blocks=(*whole.blocks, *_about(export_model, known)))
     return {**files, _INDEX: html(page, picture).encode()}
 
 
-def _about(subject: Subject, known: Reference | None) -> tuple[Block, ...]:
-    table = subject.table
+def _about(export_model: ExportModel, known: Reference | None) -> tuple[Block, ...]:
+    table = export_model.table
     kinds = " and ".join(_KINDS[kind] for kind in table.kinds)
     by = f"made by lagdsl {lagdsl.__version__}"
     items: list[Inline] = [

@@ -8,22 +8,22 @@ from shutil import copyfile
 from tempfile import TemporaryDirectory
 
 from lagdsl.diagnostics import Sink
-from lagdsl.fmi.archive import write_archive
-from lagdsl.fmi.binary import objects_of
+from lagdsl.fmi.capability_checks import refuse
 from lagdsl.fmi.contents import library_files, source_files, terminal_files, texts
 from lagdsl.fmi.documentation import documentation_files
+from lagdsl.fmi.export_model import export_model
 from lagdsl.fmi.extra import extra_files
 from lagdsl.fmi.model_texts import model_texts
+from lagdsl.fmi.package.archive import write_archive
+from lagdsl.fmi.package.binary import objects_of
+from lagdsl.fmi.package.sources import require_fmpy
+from lagdsl.fmi.package.trial import try_out
 from lagdsl.fmi.reference import reference
-from lagdsl.fmi.refusals import refuse
-from lagdsl.fmi.sources import require_fmpy
-from lagdsl.fmi.subject import subject
-from lagdsl.fmi.trial import try_out
-from lagdsl.fmi.variables import KINDS, Kind, Version
+from lagdsl.fmi.variables.variables import KINDS, Kind, Version
 from lagdsl.pipeline import Compilation
-from lagdsl.runtime.compiler import failure
-from lagdsl.runtime.engine import EngineName
-from lagdsl.runtime.platforms import PLATFORMS, Platform, platform_of, this_machine
+from lagdsl.runtime.building.compiler import failure
+from lagdsl.runtime.building.platforms import PLATFORMS, Platform, platform_of, this_machine
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.source import SourceFile
 from lagdsl.source.whole_file import whole_file
 
@@ -48,12 +48,12 @@ def export(
 ) -> None:
     """Write the model as an FMU of this `version` of FMI.
 
-    `platforms` are names of `lagdsl.runtime.platforms.PLATFORMS`; none: that of this machine. `parameters` and `start`,
-    by name in SI units, become the defaults. `source` is put into the file with all else that the model was read from.
-    Without `documented` there is neither documentation nor a picture nor a motion to compare with, which take most of
-    the time. `engine` finds the start and that motion. `progress` is called with the part of the work that is done. The
-    file appears when the validator of fmpy found nothing and its own library, if it is for this machine, came through
-    its first steps; the same model gives the same bytes.
+    `platforms` are names of `lagdsl.runtime.building.platforms.PLATFORMS`; none: that of this machine. `parameters`
+    and `start`, by name in SI units, become the defaults. `source` goes into the file with all that the model
+    was read from. Without `documented` there is neither documentation nor a picture nor a motion to compare with,
+    which take most of the time. `engine` finds the start and that motion. `progress` is called with the part of the
+    work that is done. The file appears when the validator of fmpy found nothing and its own library, if it is for this
+    machine, came through its first steps; the same model gives the same bytes.
 
     Raises CompilationFailed with E09xx, ValueError for a platform that there is not, OSError where `path` cannot be
     written.
@@ -64,7 +64,7 @@ def export(
     require_fmpy()
     refuse(compilation.flat, version, parameters or {}, own)
     own.raise_if_errors()
-    exported = subject(compilation, version, kinds, parameters or {}, start or {}, own, engine)
+    exported = export_model(compilation, version, kinds, parameters or {}, start or {}, own, engine)
     description, sources = texts(exported)
     told(_WRITTEN)
     objects = objects_of(sources, exported.stem, machines, lambda part: told(_WRITTEN + (_COMPILED - _WRITTEN) * part))

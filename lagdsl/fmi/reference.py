@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.fmi.binary import Objects
-from lagdsl.fmi.subject import Subject
+from lagdsl.fmi.export_model import ExportModel
+from lagdsl.fmi.package.binary import Objects
 from lagdsl.pipeline import engine_of
 from lagdsl.record import record
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.signals.table_io import csv_text, events_text
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
@@ -37,21 +37,21 @@ class Reference:
         return {**tables, "reference.opt": "".join(f"{name}, {float(value)!r}\n" for name, value in settings.items())}
 
 
-def reference(subject: Subject, objects: Objects, engine: EngineName = "auto") -> Reference | None:
+def reference(export_model: ExportModel, objects: Objects, engine: EngineName = "auto") -> Reference | None:
     """The motion of the experiment with the chosen defaults and starts; None where there is not even a beginning.
 
     Without another choice of engine it comes from the same `objects` as the library for this machine, if there is one:
     nothing is compiled twice.
     """
-    flat = subject.compilation.flat
+    flat = export_model.compilation.flat
     tolerance = max(_PART * flat.experiment.tolerance, _LEAST)
     ended = None
     with objects.open_library() as library:
         compiled = library is not None and engine in ("auto", "c")
-        computing = CEngine(subject.program, library) if compiled else engine_of(subject.plain, engine)
+        computing = CEngine(export_model.program, library) if compiled else engine_of(export_model.plain, engine)
     try:
         motion = simulate(
-            computing, flat, tolerance=tolerance, start=subject.chosen, max_steps=_MOST_STEPS, sink=Sink()
+            computing, flat, tolerance=tolerance, start=export_model.chosen, max_steps=_MOST_STEPS, sink=Sink()
         )
     except SimulationFailed as failed:
         motion, ended = failed.trajectory, failed.diagnostics[0].message

@@ -19,14 +19,14 @@ class TimeDerivative(Tangent):
     """d/dt of nodes. Parameters, discretes and release rates are held.
 
     `rate(symbol)` gives the derivative of states, inputs, accelerations and multipliers, or raises where there is none.
-    With `coasting` the accelerations are 0 instead of symbols: what is left of d/dt then does not depend on them.
+    With `bias` the accelerations are 0 instead of symbols: what is left of d/dt then does not depend on them.
     """
 
-    def __init__(self, graph: Graph, rate: Callable[[int], int], *, coasting: bool = False) -> None:
+    def __init__(self, graph: Graph, rate: Callable[[int], int], *, bias: bool = False) -> None:
         super().__init__(graph, MOVING, self._motion)
         self._graph_of_rates = graph
         self._rate = rate
-        self._coasting = coasting
+        self._bias = bias
 
     def _motion(self, symbol: int) -> int:
         graph = self._graph_of_rates
@@ -38,7 +38,7 @@ class TimeDerivative(Tangent):
             case Group.Q:
                 return graph.symbol(Group.QD, index)
             case Group.QD:
-                return graph.zero if self._coasting else graph.symbol(Group.QDD, index)
+                return graph.zero if self._bias else graph.symbol(Group.QDD, index)
             case Group.RELEASE:
                 return graph.symbol(Group.RELEASE_RATE, index)
             case _:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from lagdsl.manual.library import LibraryClass, library_class, lineage
 from lagdsl.record import record
-from lagdsl.semantics.prelude import TYPES
+from lagdsl.semantics.scope.prelude import TYPES
 from lagdsl.syntax import nodes
 from lagdsl.syntax.printer import print_expression
 

@@ -10,7 +10,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.record import record
 from lagdsl.resources import library_folder
-from lagdsl.semantics.library import read_source
+from lagdsl.semantics.classes.library import read_source
 from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse
 

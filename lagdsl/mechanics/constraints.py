@@ -9,9 +9,9 @@ from lagdsl.eliminate.rows import Row
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import adjoints, jacobian
 from lagdsl.graph.graph import Graph
-from lagdsl.mechanics.acceleration import refuse_accelerations
-from lagdsl.mechanics.lowering import Lowering
-from lagdsl.mechanics.symbols import Directions
+from lagdsl.mechanics.lowering.acceleration import refuse_accelerations
+from lagdsl.mechanics.lowering.lowering import Lowering
+from lagdsl.mechanics.lowering.symbols import Directions
 from lagdsl.record import record
 
 
@@ -68,9 +68,7 @@ def velocity_residuals(lowering: Lowering, rows: Rows) -> list[int]:
 
 def bias(lowering: Lowering, rows: Rows) -> list[int]:
     """gamma of every row: what J qdd has to be."""
-    return [
-        lowering.graph.negate(lowering.coasting_rate.of(residual)) for residual in velocity_residuals(lowering, rows)
-    ]
+    return [lowering.graph.negate(lowering.bias_rate.of(residual)) for residual in velocity_residuals(lowering, rows)]
 
 
 def rows_of(lowering: Lowering, rows: Rows, directions: Directions) -> list[Row]:

@@ -11,17 +11,17 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics import constraints, energies, lagrange
-from lagdsl.mechanics.acceleration import refuse_accelerations
+from lagdsl.mechanics import constraints
+from lagdsl.mechanics.builtin_quantities import Provider
 from lagdsl.mechanics.eliminated import eliminated_equations
 from lagdsl.mechanics.events import corner_functions, event_functions
-from lagdsl.mechanics.inverse import inverse_dynamics
-from lagdsl.mechanics.lowering import Lowering
+from lagdsl.mechanics.lagrange import energies, lagrange
+from lagdsl.mechanics.lagrange.inverse import inverse_dynamics
+from lagdsl.mechanics.lowering.acceleration import refuse_accelerations
+from lagdsl.mechanics.lowering.lowering import Lowering
+from lagdsl.mechanics.lowering.symbols import Symbols
 from lagdsl.mechanics.monitor import largest_term
-from lagdsl.mechanics.positions import share_positions
-from lagdsl.mechanics.provided import Provider
-from lagdsl.mechanics.structure import Structure
-from lagdsl.mechanics.symbols import Symbols
+from lagdsl.mechanics.shared_position_sums import share_positions
 from lagdsl.mechanics.tangent import acceleration_tangent
 from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL, SIGNATURES
@@ -29,6 +29,7 @@ from lagdsl.program.layout import layout
 from lagdsl.program.passes.components import with_components
 from lagdsl.program.program import Block, Function, Program
 from lagdsl.record import record
+from lagdsl.structure.structure import Structure
 
 
 @record(kw_only=True)

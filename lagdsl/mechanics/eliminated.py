@@ -12,17 +12,17 @@ from lagdsl.eliminate.rows import Row, Rows
 from lagdsl.eliminate.solve import Factor, Solution, solve
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.graph import Graph
-from lagdsl.mechanics.inertia import acceleration_form
-from lagdsl.mechanics.lagrange import Dynamics
-from lagdsl.mechanics.lowering import Lowering
-from lagdsl.mechanics.multipliers import choose_rows, least_pivot, strengths_at_points, without_weak_rows
-from lagdsl.mechanics.structure import Structure
-from lagdsl.mechanics.symbols import Directions
+from lagdsl.mechanics.lagrange.inertia import acceleration_form
+from lagdsl.mechanics.lagrange.lagrange import Dynamics
+from lagdsl.mechanics.lowering.lowering import Lowering
+from lagdsl.mechanics.lowering.symbols import Directions
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.passes.fuse import exact
-from lagdsl.program.passes.shallow import shallow
+from lagdsl.program.passes.reassociate import reassociate
 from lagdsl.program.program import Block, Function
 from lagdsl.record import record
+from lagdsl.structure.redundant_multipliers import choose_rows, least_pivot, strengths_at_points, without_weak_rows
+from lagdsl.structure.structure import Structure
 
 
 @record(kw_only=True)
@@ -118,7 +118,7 @@ def _blocks(solution: Solution, m: int, pivot: int) -> tuple[Block, ...]:
 def _shallow(graph: Graph, blocks: Sequence[Block]) -> tuple[Block, ...]:
     """The same values, sooner; what the last one, the check of pivots, compares is nothing that must be exact."""
     kept = exact(graph, [node for block in blocks[:-1] for node in block.elements])
-    nodes = iter(shallow(graph, [node for block in blocks for node in block.elements], kept))
+    nodes = iter(reassociate(graph, [node for block in blocks for node in block.elements], kept))
     return tuple(
         Block(name=block.name, shape=block.shape, elements=tuple(islice(nodes, len(block.elements))))
         for block in blocks

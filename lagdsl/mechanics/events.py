@@ -17,7 +17,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
-from lagdsl.mechanics.lowering import Lowering
+from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.program import Block, Function
 
@@ -137,16 +137,18 @@ def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     rows = jacobian(graph, gaps, graph.symbols(Group.Q, len(flat.coordinates)))
     contacts = flat.events.contacts
     unknown = graph.constant(-1.0)
-    stick = [unknown if each.stick is None else lowering.scalar(each.stick) for each in contacts]
-    rest = [unknown if each.rest is None else lowering.scalar(each.rest) for each in contacts]
+    capture_speed = [
+        unknown if each.capture_speed is None else lowering.scalar(each.capture_speed) for each in contacts
+    ]
+    zeno_time = [unknown if each.zeno_time is None else lowering.scalar(each.zeno_time) for each in contacts]
     shape = (len(gaps), len(flat.coordinates))
     return [
         _vector("gap", gaps),
         _vector("speed", speeds),
         Block(name="jacobian", shape=shape, elements=tuple(node for row in rows for node in row)),
         _vector("restitution", [lowering.scalar(each.restitution) for each in contacts]),
-        _vector("stick", stick),
-        _vector("rest", rest),
+        _vector("capture_speed", capture_speed),
+        _vector("zeno_time", zeno_time),
     ]
 
 

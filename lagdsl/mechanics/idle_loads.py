@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
 from lagdsl.mechanics.derive import Derivation
-from lagdsl.mechanics.loads import VirtualWork, add_load, generalized_forces
-from lagdsl.mechanics.vanishing import vanish
+from lagdsl.mechanics.lagrange.loads import VirtualWork, add_load, generalized_forces
+from lagdsl.mechanics.zero_test import vanish
 
 # Each load takes a sweep of its own; in a larger model that would cost the square of its size.
 _MOST_LOADS = 32

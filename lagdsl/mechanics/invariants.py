@@ -19,7 +19,7 @@ from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.constraints import constraint_jacobian, velocity_residuals
 from lagdsl.mechanics.derive import Derivation
-from lagdsl.mechanics.vanishing import vanish
+from lagdsl.mechanics.zero_test import vanish
 
 
 def report_proofs(derivation: Derivation, sink: Sink) -> None:

@@ -14,11 +14,11 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group
 from lagdsl.graph.substitute import Substitution
 from lagdsl.mechanics.constraints import constraint_forces, constraint_rows
-from lagdsl.mechanics.lagrange import applied_forces, dynamics
-from lagdsl.mechanics.lowering import Lowering
-from lagdsl.mechanics.poses import Release
-from lagdsl.mechanics.symbols import Directions, Symbols
-from lagdsl.mechanics.vectors import Vector
+from lagdsl.mechanics.kinematics.poses import Release
+from lagdsl.mechanics.kinematics.vectors import Vector
+from lagdsl.mechanics.lagrange.lagrange import applied_forces, dynamics
+from lagdsl.mechanics.lowering.lowering import Lowering
+from lagdsl.mechanics.lowering.symbols import Directions, Symbols
 from lagdsl.record import mutable_record
 
 

@@ -6,7 +6,7 @@ import shutil
 
 import numpy as np
 
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.signals.trajectory import Column, Trajectory
 
 # Bits of the dots of a Braille character, two across and four down.

@@ -148,7 +148,7 @@ FUNCTIONS: tuple[Signature, ...] = (
     _function(
         "contact",
         STATE,
-        "gap[ngap] speed[ngap] jacobian[ngap,nq] restitution[ncontact] stick[ncontact] rest[ncontact]",
+        "gap[ngap] speed[ngap] jacobian[ngap,nq] restitution[ncontact] capture_speed[ncontact] zeno_time[ncontact]",
         "gaps, their rates, their Jacobian; restitution, and the rebound speed and the time below which a contact "
         "closes, negative where the defaults of the language hold",
         Presence.DISCRETES,

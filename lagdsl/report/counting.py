@@ -33,7 +33,7 @@ def count_blocks(count: Count) -> list[Block]:
 
 def _in_space(count: Count) -> list[Block]:
     """d = 3N + 6B - k."""
-    carriers = " and ".join(
+    inertial_elements = " and ".join(
         words
         for number, words in (
             (count.particles, _some(count.particles, "particle")),
@@ -41,7 +41,7 @@ def _in_space(count: Count) -> list[Block]:
         )
         if number
     )
-    sentences = [f"{carriers.capitalize()} {'has' if count.particles + count.bodies == 1 else 'have'} "]
+    sentences = [f"{inertial_elements.capitalize()} {'has' if count.particles + count.bodies == 1 else 'have'} "]
     sentences[0] += f"{_some(count.in_space, 'coordinate')} in space."
     sentences.append(f"The choice of coordinates builds in {_some(count.built_in, 'independent restriction')}")
     sentences[-1] += f", the declared constraints add {_number(count.declared)}." if count.declared else "."

@@ -52,7 +52,7 @@ def coordinates(page: Page) -> list[Block]:
 
 
 def positions(page: Page) -> list[Block]:
-    lines = [Equation(indexed("r", label), page.vector(item.position)) for label, item in page.carriers()]
+    lines = [Equation(indexed("r", label), page.vector(item.position)) for label, item in page.inertial_elements()]
     if not lines:
         return [Heading("Position vectors", "2"), Paragraph(text(_ENERGIES_BY_HAND))]
     return [Heading("Position vectors", "2"), Paragraph(text(_POSITIONS)), Equations(tuple(lines))]
@@ -60,13 +60,13 @@ def positions(page: Page) -> list[Block]:
 
 def velocities(page: Page) -> list[Block]:
     lines = []
-    for label, item in page.carriers():
+    for label, item in page.inertial_elements():
         lines.append(Equation(indexed("v", label), page.vector(item.velocity)))
         if item.frame is not None:
             lines.append(Equation(indexed("ω", label), page.typeset.vector(item.spin)))
     if not lines:
         return [Heading("Velocities", "3"), Paragraph(text("None are needed beyond the rates themselves."))]
-    spins = any(item.frame is not None for _, item in page.carriers())
+    spins = any(item.frame is not None for _, item in page.inertial_elements())
     words = "Their time derivatives." + (" Angular velocities are in the axes of the body." if spins else "")
     return [Heading("Velocities", "3"), Paragraph(text(words)), Equations(tuple(lines))]
 

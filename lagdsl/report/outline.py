@@ -95,9 +95,9 @@ def _equations(flat: FlatModel) -> list[Block]:
     terms: list[tuple[str, Box]] = [("+", Row((Name("M"), qdd)))]
     if flat.constraints:
         terms.append(("-", Row((Power(Name("J"), Upright("T")), Name("λ")))))
-    coasting = Subscript(Bracket(Derivative("d", p, Name("t"))), Row((qdd, Operator("="), Number("0"))))
+    bias = Subscript(Bracket(Derivative("d", p, Name("t"))), Row((qdd, Operator("="), Number("0"))))
     drag, gradient = Derivative("∂", Name("D"), qd), Derivative("∂", lagrangian, q)
-    force = Sum((("+", Name("Q")), ("-", drag), ("+", gradient), ("-", coasting)))
+    force = Sum((("+", Name("Q")), ("-", drag), ("+", gradient), ("-", bias)))
     left = Sum(tuple(("-" if sign == "-" else "+", box) for sign, box in terms))
     lines = [
         Equation(left, Name("f"), final=True),

@@ -27,7 +27,7 @@ class Page:
     notation: Notation
     typeset: Typesetter
 
-    def carriers(self) -> list[tuple[Box, Inertial]]:
+    def inertial_elements(self) -> list[tuple[Box, Inertial]]:
         """Masses and bodies with the index their vectors carry."""
         return list(zip(carrier_labels(self.flat), self.derivation.inertials, strict=True))
 

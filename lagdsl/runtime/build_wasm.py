@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from lagdsl.runtime.build_library import compile_runtime
-from lagdsl.runtime.compiler import Compiler, find_compiler
+from lagdsl.runtime.building.build_library import compile_runtime
+from lagdsl.runtime.building.compiler import Compiler, find_compiler
 from lagdsl.runtime.library import PROTOTYPES
 
 # The system interface is there for its library of mathematics; nothing of it is imported.

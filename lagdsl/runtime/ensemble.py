@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.record import record
-from lagdsl.runtime.buffers import aligned
-from lagdsl.runtime.engine import Floats
+from lagdsl.runtime.engines.buffers import aligned
+from lagdsl.runtime.engines.engine import Floats
+from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.run_options import Flags, RunSettings, address, shared_options
 from lagdsl.runtime.structures import Ensemble, Status
 

@@ -27,11 +27,11 @@ _WIDTH = 132
 def texts() -> dict[Path, str]:
     """The written files with the present sections, by path."""
     sections = {
-        "include/lag/model.h": ("    ", members()),
-        "include/lag/evaluate.h": ("    ", enumerators()),
-        "src/evaluate.c": ("", dispatcher()),
-        "src/tape_check.c": ("    ", tape_signatures()),
-        "src/tape_functions.c": ("", tape_functions()),
+        "lag/model.h": ("    ", members()),
+        "lag/evaluate.h": ("    ", enumerators()),
+        "lag/equations/evaluate.c": ("", dispatcher()),
+        "lag/tape/tape_check.c": ("    ", tape_signatures()),
+        "lag/tape/tape_functions.c": ("", tape_functions()),
     }
     return {c_folder() / name: _with(c_folder() / name, *section) for name, section in sections.items()}
 

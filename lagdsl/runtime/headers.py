@@ -18,11 +18,11 @@ STRUCTURES = {
     "lag_arguments": ("model", "Arguments"),
     "lag_model": ("model", "Model"),
     "lag_start": ("model", "Start"),
-    "lag_range": ("jacobian", "Range"),
+    "lag_range": ("equations/jacobian", "Range"),
     "lag_batch": ("batch", "Batch"),
-    "lag_note": ("results", "Note"),
-    "lag_extremes": ("extremes", "Extremes"),
-    "lag_results": ("results", "Results"),
+    "lag_note": ("run/results", "Note"),
+    "lag_extremes": ("run/extremes", "Extremes"),
+    "lag_results": ("run/results", "Results"),
     "lag_initial": ("initial", "Initial"),
     "lag_run_options": ("run", "RunOptions"),
     "lag_change": ("run", "RunChange"),
@@ -34,7 +34,7 @@ STRUCTURES = {
 _READ = ("lag_run_report", "lag_fault")
 _ENUMERATIONS = {"Status": ("status", "LAG_"), "InitialFault": ("initial", "LAG_INITIAL_")}
 _NUMBERS = {"double": "c_double", "size_t": "c_size_t", "int": "c_int", "unsigned": "c_uint"}
-_ENUMS = ("lag_status", "lag_what", "lag_initial_fault")
+_ENUMS = ("lag_status", "lag_event_kind", "lag_initial_fault")
 _WIDTH = 80  # of names on one line
 _HEAD = '''"""The structures and enumerations of the C runtime as ctypes sees them.
 
@@ -67,8 +67,8 @@ def _evaluated(results: int) -> Any:
 def structures_text() -> str:
     """The module `lagdsl.runtime.structures`."""
     (version,) = re.findall(r"#define LAG_MODEL_VERSION (\d+)u", _header("model"))
-    what = ", ".join(f'"{name.lower()}"' for name, _ in _enumerators("happening", "LAG_"))
-    parts = [_HEAD, f"VERSION = {version}\n\n# lag_what.\nWHAT = {_wrapped(what)}\n"]
+    what = ", ".join(f'"{name.lower()}"' for name, _ in _enumerators("event_notice", "LAG_"))
+    parts = [_HEAD, f"VERSION = {version}\n\n# lag_event_kind.\nWHAT = {_wrapped(what)}\n"]
     for name, (header, prefix) in _ENUMERATIONS.items():
         values = "".join(f"    {each} = {value}\n" for each, value in _enumerators(header, prefix))
         parts.append(f'\n\nclass {name}(IntEnum):\n    """Of lag/{header}.h."""\n\n{values}')
@@ -102,7 +102,7 @@ def _base(declaration: str) -> tuple[str, str]:
 
 
 def _type(base: str, stars: int, *, read: bool = False) -> str:
-    typedef = re.findall(rf"typedef (\w+) {base}\((.*?)\);", _header("motion"))
+    typedef = re.findall(rf"typedef (\w+) {base}\((.*?)\);", _header("equations/motion"))
     if typedef:
         return _function(*typedef[0])
     if not stars:
@@ -135,7 +135,7 @@ def _enumerators(header: str, prefix: str) -> list[tuple[str, int]]:
 
 def _header(name: str) -> str:
     """Without comments, on one line."""
-    text = (c_folder() / "include" / "lag" / f"{name}.h").read_text(encoding="utf-8")
+    text = (c_folder() / "lag" / f"{name}.h").read_text(encoding="utf-8")
     version = re.findall(r"#define LAG_MODEL_VERSION \d+u", text)
     bare = re.sub(r"/\*.*?\*/|^#.*?$", "", text, flags=re.DOTALL | re.MULTILINE)
     return " ".join([*version, *bare.split()])

@@ -7,7 +7,7 @@ from ctypes import c_char, c_double, c_int, c_size_t, c_void_p
 from functools import cache
 
 from lagdsl.resources import is_checkout, runtime_library_folder
-from lagdsl.runtime.platforms import library_name, this_machine
+from lagdsl.runtime.building.platforms import library_name, this_machine
 from lagdsl.runtime.structures import Range
 
 # Methods of the runtime by the names of solvers: those that choose their steps, those that are given a length.
@@ -112,12 +112,12 @@ def runtime_library() -> Runtime:
     """
     path = runtime_library_folder() / library_name(this_machine().partition("-")[0])
     if is_checkout():
-        from lagdsl.runtime.build_library import up_to_date
+        from lagdsl.runtime.building.build_library import up_to_date
 
         up_to_date(path)
     try:
         return Runtime(ctypes.CDLL(str(path)))
     except OSError as problem:
-        from lagdsl.runtime.compiler import failure
+        from lagdsl.runtime.building.compiler import failure
 
         raise failure("E0914", reason=str(problem)) from None

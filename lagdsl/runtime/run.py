@@ -11,10 +11,10 @@ from lagdsl.graph.operation import Group
 from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
 from lagdsl.program.program import Layout
 from lagdsl.record import record
-from lagdsl.runtime.buffers import Buffers
-from lagdsl.runtime.engine import Floats
+from lagdsl.runtime.engines.buffers import Buffers
+from lagdsl.runtime.engines.engine import Floats
+from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.native_model import NativeModel
 from lagdsl.runtime.run_options import Flags, RunSettings, address, shared_options
 from lagdsl.runtime.structures import (
     WHAT,
@@ -238,7 +238,7 @@ class Run:
     # ---- where it is -------------------------------------------------------------------------------------------------
 
     def rows(self) -> Floats:
-        """All rows so far, as lag/results.h tells them."""
+        """All rows so far, as lag/run/results.h tells them."""
         return np.concatenate(self._parts) if self._parts else np.zeros((0, self._width))
 
     def extremes(self) -> tuple[Floats, Floats]:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.backends.start import Start as StartTold
 from lagdsl.record import record
-from lagdsl.runtime.engine import Floats
+from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.library import Runtime
 from lagdsl.runtime.structures import RunOptions, Start
 
@@ -22,8 +22,8 @@ class RunSettings:
     """What a run is told: lag_run_options. `inputs` are the constant inputs (nu,), or a function of time and of whether
     the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic choice;
     `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,), see
-    lag/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are wanted at
-    `times`; `invariant_tolerance` (ni,) None: nothing is watched;
+    lag/methods/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are
+    wanted at `times`; `invariant_tolerance` (ni,) None: nothing is watched;
     `turning` (ny,) flags outputs that are angles known up to whole turns."""
 
     p: Floats

@@ -25,7 +25,7 @@ def _evaluated(results: int) -> Any:
 
 VERSION = 2
 
-# lag_what.
+# lag_event_kind.
 WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
 
 
@@ -36,22 +36,22 @@ class Status(IntEnum):
     SINGULAR = 1
     NOT_FINITE = 2
     MISSING = 3
-    STUCK = 4
+    STEP_TOO_SMALL = 4
     TOO_LONG = 5
-    OFF = 6
+    PROJECTION_FAILED = 6
     ATTENTION = 7
     VIOLATED = 8
     STOPPED = 9
     CHATTER = 10
-    HAPPENS = 11
-    UNSETTLED = 12
+    EVENT_PENDING = 11
+    EVENT_ITERATION_FAILED = 12
     CONFLICT = 13
-    REFUSED = 14
-    PIERCED = 15
-    TORN = 16
-    FORKED = 17
-    FOREIGN = 18
-    TIMELESS = 19
+    ASSERTION_FAILED = 14
+    PENETRATION = 15
+    POSITION_JUMP = 16
+    BRANCH_POINT = 17
+    BAD_STATE_DATA = 18
+    BAD_CLOCK = 19
 
 
 class InitialFault(IntEnum):
@@ -148,7 +148,7 @@ class Batch(Structure):
         *_all(c_size_t, "t_stride q_stride qd_stride z_stride u_stride w_stride p_stride qdd_stride"),
         *_all(c_size_t, "lam_stride dq_stride dqd_stride dz_stride du_stride dp_stride dqdd_stride"),
         *_all(c_size_t, "dlam_stride"),
-        *_all(c_void_p, "workspace memory lanes"),
+        *_all(c_void_p, "workspace arena lanes"),
     ]
 
 

@@ -12,31 +12,31 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
-from lagdsl.semantics import annotations as notes
-from lagdsl.semantics import quantities
 from lagdsl.semantics.assembly.assemble import assemble
 from lagdsl.semantics.assembly.assembly import Assembly
-from lagdsl.semantics.attributes import attributes
-from lagdsl.semantics.contents import Contents
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.declare import instance_of
-from lagdsl.semantics.definitions import Definitions, every
-from lagdsl.semantics.event_order import check_events, with_switches
-from lagdsl.semantics.expand import collect
-from lagdsl.semantics.expressions import elaborate
-from lagdsl.semantics.inheritance import expand_short
-from lagdsl.semantics.inline import check_function
-from lagdsl.semantics.items import Physics, elaborate_item, initial_equation
-from lagdsl.semantics.limits import MAX_COMPONENTS
-from lagdsl.semantics.rates import check_inputs, check_linear
-from lagdsl.semantics.scale_points import check_difference
-from lagdsl.semantics.selection import file_scope, functions_of, select
-from lagdsl.semantics.splitting import check_splits
-from lagdsl.semantics.stack import InstanceSink
-from lagdsl.semantics.switched import check_switched
-from lagdsl.semantics.usage import warn_unused, warn_unused_imports
+from lagdsl.semantics.classes import annotations as notes
+from lagdsl.semantics.classes.array_modifiers import check_splits
+from lagdsl.semantics.classes.conditional_components import check_switched
+from lagdsl.semantics.classes.declare import instance_of
+from lagdsl.semantics.classes.expand import collect
+from lagdsl.semantics.classes.inheritance import expand_short
+from lagdsl.semantics.classes.selection import file_scope, functions_of, select
+from lagdsl.semantics.events.event_order import check_events, with_switches
+from lagdsl.semantics.events.whens import check_targets
+from lagdsl.semantics.expressions.expressions import elaborate
+from lagdsl.semantics.expressions.inline import check_function
+from lagdsl.semantics.scope.contents import Contents
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.instance_diagnostics import InstanceSink
+from lagdsl.semantics.scope.limits import MAX_COMPONENTS
+from lagdsl.semantics.scope.usage import warn_unused, warn_unused_imports
+from lagdsl.semantics.statements import Physics, elaborate_item, initial_equation
+from lagdsl.semantics.variables import quantities
+from lagdsl.semantics.variables.attributes import attributes
+from lagdsl.semantics.variables.rates import check_inputs, check_linear
+from lagdsl.semantics.variables.resolver import Definitions, every
+from lagdsl.semantics.variables.scale_points import check_difference
 from lagdsl.semantics.wellformed.corners import check_changing_inertia, check_corners, corners_of_motion
-from lagdsl.semantics.whens import check_targets
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 

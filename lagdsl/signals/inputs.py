@@ -12,7 +12,7 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.model import FlatModel, Input
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 
 # A pair is (times, values), or an array of these two rows, see `_of_table`. Two equal times are a jump.

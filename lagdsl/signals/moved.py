@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_display import Display, display, display_rate
-from lagdsl.mechanics.structure_names import located
+from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.record import record
+from lagdsl.structure.display import Display, display, display_rate
+from lagdsl.structure.names import located
 
 Flags = NDArray[np.bool_]
 Kind: TypeAlias = Literal["fixed", "explicit", "default", "derived", "found"]

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from lagdsl.diagnostics.suggest import nearest
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_display import Display
+from lagdsl.numerics.rank import Floats
 from lagdsl.signals.moved import MovedRow
+from lagdsl.structure.display import Display
 
 if TYPE_CHECKING:
     import pandas as pd

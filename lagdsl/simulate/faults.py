@@ -9,17 +9,17 @@ from lagdsl.flat.event_flow import branches
 from lagdsl.flat.events import Check, Contact, Reset, entries
 from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.flat.quantity import Item
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_names import located, place
+from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.record import record
 from lagdsl.runtime.run import Fault, Run
 from lagdsl.runtime.structures import Status
 from lagdsl.simulate.state_words import component_name, state_text, time_text, zero_norm
+from lagdsl.structure.names import located, place
 
 # Steps are at least so many units in the last place of time.
 _LEAST_STEP = 16.0 * 2.0**-52
-_BLAMED = {Status.UNSETTLED: "E0804", Status.CHATTER: "E0833", Status.PIERCED: "E0834"}
+_BLAMED = {Status.EVENT_ITERATION_FAILED: "E0804", Status.CHATTER: "E0833", Status.PENETRATION: "E0834"}
 
 
 @record()
@@ -42,16 +42,16 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             return _told(course, "E0806", fault, coordinate, sink, name=coordinate.name)
         case Status.NOT_FINITE:
             return _report_not_finite(course, fault, u, sink)
-        case Status.STUCK:
+        case Status.STEP_TOO_SMALL:
             name = component_name(flat, fault.which)
             return _told(course, "E0809", fault, None, sink, name=name, step=f"{_LEAST_STEP * course.last:.1g}")
-        case Status.OFF:
+        case Status.PROJECTION_FAILED:
             row = _row(flat, fault.which)
             name, residual = layout.constraints[fault.which].name, f"{fault.value:.3g}"
             return _told(course, "E0811", fault, row, sink, name=name, residual=residual)
         case Status.TOO_LONG:
             return _told(course, "E0812", fault, None, sink, steps=course.most_steps)
-        case Status.FORKED:
+        case Status.BRANCH_POINT:
             name = layout.constraints[fault.which].name
             span = place(_row(flat, fault.which))
             notes = (f"state: {state_text(flat, fault.x)}",)
@@ -137,7 +137,7 @@ def _of_event(course: Course, status: Status, fault: Fault) -> tuple[str, Item, 
     resets = [action for action in actions if isinstance(action, Reset)]
     checks = [action for action in actions if isinstance(action, Check)]
     match status:
-        case Status.UNSETTLED | Status.CHATTER | Status.PIERCED:
+        case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION:
             known = entries(flat.events)
             changing = [known[k] for k in course.run.guilty()]
             items = [entry.item for entry in changing if entry.item is not None]
@@ -146,9 +146,9 @@ def _of_event(course: Course, status: Status, fault: Fault) -> tuple[str, Item, 
             return _BLAMED[status], items[0] if items else resets[0], told
         case Status.CONFLICT:
             return "E0832", resets[fault.which], resets[fault.which].name
-        case Status.REFUSED:
+        case Status.ASSERTION_FAILED:
             return "E0810", checks[fault.which], checks[fault.which].message
-        case Status.TORN:
+        case Status.POSITION_JUMP:
             return "E0835", _row(flat, fault.which), f"`{course.layout.constraints[fault.which].name}`"
         case _:
             raise AssertionError(f"the runtime ended a run with {status.name}")

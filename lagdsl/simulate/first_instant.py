@@ -6,7 +6,7 @@ import numpy as np
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.structures import Status
 from lagdsl.simulate.faults import Course, report_fault
 from lagdsl.simulate.initialize import InitialState

@@ -8,11 +8,11 @@ from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel
 from lagdsl.flat.spans import place as place_of
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_names import Located, configuration, located, place, seat, unit_suffix
+from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Found, Run
 from lagdsl.runtime.structures import InitialFault
+from lagdsl.structure.names import Located, configuration, located, place, seat, unit_suffix
 
 # Residuals, as a part of the row's size, above which a constraint is said to be left over (LAG_HOLDS).
 _HOLDS = 1e-7

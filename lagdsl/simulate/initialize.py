@@ -8,9 +8,9 @@ import numpy as np
 
 from lagdsl.diagnostics import Severity, Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
-from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.run import Found, Run
 from lagdsl.signals.moved import MovedRow, Starts, found_rows, loops_of, moved_rows, moved_text, report_moved
 from lagdsl.simulate.initial_words import report_found, report_no_start, report_numbers

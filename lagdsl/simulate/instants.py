@@ -7,7 +7,7 @@ from math import lcm
 
 import numpy as np
 
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 
 # First and period are taken for the short fractions that they are to the last bit; whole numbers up to here are exact.
 _LARGEST_DENOMINATOR = 10**6

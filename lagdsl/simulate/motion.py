@@ -8,11 +8,10 @@ from typing import NoReturn
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_names import located, place
+from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
-from lagdsl.runtime.auto_engine import AutoEngine
-from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.engines.auto_engine import AutoEngine
+from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.run import Run
 from lagdsl.runtime.structures import Status
 from lagdsl.signals.inputs import Signals
@@ -22,6 +21,7 @@ from lagdsl.simulate.faults import Course, report_fault
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.state_words import state_values, time_text
 from lagdsl.simulate.table import trajectory
+from lagdsl.structure.names import located, place
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
 STEPS = 1000

@@ -8,13 +8,13 @@ import numpy as np
 
 from lagdsl.backends.start import start_of
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_names import contact_rows
+from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
-from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_options import RunSettings
 from lagdsl.simulate.scales import scales_of
+from lagdsl.structure.names import contact_rows
 
 # Language reference, section 6.4: residuals below this part of the tolerance need no projection.
 PROJECTION_PART = 1e-3

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.signals.trajectory import Trajectory
 

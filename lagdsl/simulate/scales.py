@@ -1,4 +1,4 @@
-"""What accuracy is measured by: groups, natural sizes and largest scales of every number of the state (lag/accuracy.h).
+"""Scales of accuracy: groups, natural sizes and largest scales of the state (lag/methods/accuracy.h).
 
 A number is as accurate as the tolerance times its scale, which is the largest magnitude seen so far among the numbers
 of the same group (coordinates of one dimension that the equations couple, their rates, one state), at least 1e-4 of the
@@ -12,9 +12,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_points import groups, natural_sizes
+from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
+from lagdsl.structure.points import groups, natural_sizes
 
 
 @record()

@@ -12,8 +12,8 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
-from lagdsl.runtime.engine import Engine
+from lagdsl.numerics.rank import Floats
+from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.library import FIXED_METHODS, METHODS
 from lagdsl.signals.inputs import Signal, signals
 from lagdsl.signals.trajectory import Trajectory

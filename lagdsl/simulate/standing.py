@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
-from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.structures import Status
 from lagdsl.simulate.placed import placed
 
@@ -30,4 +30,4 @@ def standing(
     with np.errstate(all="ignore"):
         run = placed(flat, engine, p, u, t0=t)
         status = run.enter(t, np.concatenate(state))
-        return Standing(run.w, tuple(run.guilty()) if status is Status.PIERCED else ())
+        return Standing(run.w, tuple(run.guilty()) if status is Status.PENETRATION else ())

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import lagdsl
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.source.whole_file import whole_file
 from lagdsl.sweep.plan import Axis, Plan

@@ -10,9 +10,9 @@ import numpy as np
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
-from lagdsl.runtime.auto_engine import AutoEngine
-from lagdsl.runtime.broadcast import BatchEngine
+from lagdsl.numerics.rank import Floats
+from lagdsl.runtime.engines.auto_engine import AutoEngine
+from lagdsl.runtime.engines.broadcast import BatchEngine
 from lagdsl.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
 from lagdsl.signals.inputs import given_inputs, signals
 from lagdsl.simulate.initialize import places_of

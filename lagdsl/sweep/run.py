@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.rank import Floats
+from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import engine_of
 from lagdsl.program.program import Layout, Program
-from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.signals.inputs import Signal
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
@@ -23,7 +23,7 @@ from lagdsl.simulate.simulate import grid, simulate
 from lagdsl.sweep.plan import Task
 
 if TYPE_CHECKING:
-    from lagdsl.runtime.broadcast import BatchEngine
+    from lagdsl.runtime.engines.broadcast import BatchEngine
 
 Status: TypeAlias = Literal["ok", "failed"]
 

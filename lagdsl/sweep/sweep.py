@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import lagdsl
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.text import flat_text
-from lagdsl.mechanics.rank import Floats
-from lagdsl.runtime.cores import cores
+from lagdsl.numerics.rank import Floats
+from lagdsl.runtime.engines.cores import cores
 from lagdsl.simulate.resolution import DEFAULT_ROWS
 from lagdsl.simulate.simulate import check_options, grid
 from lagdsl.sweep.dataset import dataset, require_room, require_writer, write

@@ -82,8 +82,8 @@ class Contributions:
 
 def contributions(flat: FlatModel, converter: Converter, loads: Converter | None = None) -> Contributions:
     """Gather; the values of loads (not their places) are converted by `loads` where it is given."""
-    carriers: tuple[PointMass | RigidBody, ...] = (*flat.masses, *flat.bodies)
-    inertials = tuple(_inertial(item, converter) for item in carriers)
+    inertial_elements: tuple[PointMass | RigidBody, ...] = (*flat.masses, *flat.bodies)
+    inertials = tuple(_inertial(item, converter) for item in inertial_elements)
     declared = {
         kind: [converter.scalar(term.value) for term in flat.energies if term.kind == kind]
         for kind in ("kinetic", "potential", "lagrangian", "dissipation")

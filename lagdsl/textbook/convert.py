@@ -148,8 +148,8 @@ class Converter:
             case None:
                 pass
 
-    def rate(self, expression: Expr, *, coasting: bool = False) -> Expr:
-        """Total time derivative; that of a state is its equation. `coasting`: its part without accelerations."""
+    def rate(self, expression: Expr, *, bias: bool = False) -> Expr:
+        """Total time derivative; that of a state is its equation. `bias`: its part without accelerations."""
         present = occurring(expression)
         for state, symbol in zip(self.model.states, self.symbols.z, strict=True):
             if symbol in present and symbol not in self.rates:
@@ -158,7 +158,7 @@ class Converter:
         if missing:
             raise NoDerivativeError(missing[0].name)
         rates = self.rates
-        if coasting:
+        if bias:
             rates = {symbol: rate for symbol, rate in rates.items() if symbol not in self.symbols.qd}
         return self.tidy(along(expression, rates))
 

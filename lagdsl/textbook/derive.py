@@ -36,7 +36,7 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
     loads = [generalized_force(parts, q, qd) for q, qd in zip(table.q, table.qd, strict=True)]
     drag = [-partial(dissipation, qd) for qd in table.qd]
     forcing = [
-        load + resistance + partial(lagrangian, q) - converter.rate(momentum, coasting=True)
+        load + resistance + partial(lagrangian, q) - converter.rate(momentum, bias=True)
         for load, resistance, q, momentum in zip(loads, drag, table.q, momenta, strict=True)
     ]
     levels = [constraint.level for constraint in flat.constraints for _ in constraint.rows]
@@ -67,7 +67,7 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
             len(velocities), len(table.q), (partial(velocity, qd) for velocity in velocities for qd in table.qd)
         ),
         velocity_constraint=_column(velocities),
-        gamma=_column(-converter.rate(velocity, coasting=True) for velocity in velocities),
+        gamma=_column(-converter.rate(velocity, bias=True) for velocity in velocities),
         state_derivatives={
             symbol: converter.scalar(state.derivative) for symbol, state in zip(table.z, flat.states, strict=True)
         },

@@ -68,11 +68,11 @@ def test_a_coin_rolls_in_a_circle() -> None:
         free=["der(psi)"], hold=["lean"], steady=True, q={"lean": 0.2}, qd={"psi": 1.0, "spin": 6.0, "lean": 0.0}
     )
     _, _, _, lean, _ = found.point.q
-    turn, roll = found.point.qd[2], found.point.qd[4]
+    turn, reroll = found.point.qd[2], found.point.qd[4]
     assert found.steadiness.kind == "steady motion"
     assert set(found.steadiness.running) == {"x", "psi", "spin"}  # y is about to
     a, c, radius = 0.25, 0.5, 0.3  # of m R^2
-    spin = roll + turn * np.sin(lean)
+    spin = reroll + turn * np.sin(lean)
     # (C + m R^2) w_spin w_turn cos - A w_turn^2 sin cos + m g R sin = 0
     balance = (c + 1) * spin * turn * np.cos(lean) - a * turn**2 * np.sin(lean) * np.cos(lean)
     assert balance + G_N / radius * np.sin(lean) == pytest.approx(0, abs=1e-10)

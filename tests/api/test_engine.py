@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.runtime import auto_engine
-from lagdsl.runtime.auto_engine import AutoEngine
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.cache import cache_folder
-from lagdsl.runtime.numpy_engine import NumpyEngine
-from lagdsl.runtime.tape_engine import TapeEngine
+from lagdsl.runtime.building.cache import cache_folder
+from lagdsl.runtime.engines import auto_engine
+from lagdsl.runtime.engines.auto_engine import AutoEngine
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.tape_engine import TapeEngine
 
 PENDULUM = """model Pendulum
   parameter Mass m = 1 kg;
@@ -57,7 +57,7 @@ def _finished(engine: AutoEngine) -> bool:
 @pytest.mark.parametrize(
     ("name", "kind"), [("auto", AutoEngine), ("tape", TapeEngine), ("c", CEngine), ("numpy", NumpyEngine)]
 )
-def test_engines_have_the_names_that_choose_them(name: lagdsl.runtime.engine.EngineName, kind: type) -> None:
+def test_engines_have_the_names_that_choose_them(name: lagdsl.runtime.engines.engine.EngineName, kind: type) -> None:
     engine = lagdsl.compile(PENDULUM, engine=name)._engine
     assert type(engine) is kind
     assert engine.name == name

@@ -26,7 +26,7 @@ static lag_status jacobians(const lag_model *m, const lag_tangents *tangents, la
 {
     size_t coordinate;
     batch.workspace = numbers(lag_jacobian_workspace(m, tangents));
-    batch.memory = numbers(lag_jacobian_memory(m, tangents));
+    batch.arena = numbers(lag_jacobian_memory(m, tangents));
     return lag_batch_jacobian(m, tangents, &batch, x, rates, NULL, &coordinate);
 }
 
@@ -40,7 +40,7 @@ int main(void)
     lag_batch batch = {.count = COUNT, .t = numbers(COUNT), .q = numbers(COUNT * m->nq), .qd = numbers(COUNT * m->nq),
         .z = numbers(COUNT * m->nz), .u = numbers(m->nu), .w = numbers(m->nw), .p = m->defaults, .t_stride = 1,
         .q_stride = m->nq, .qd_stride = m->nq, .z_stride = m->nz, .workspace = numbers(m->workspace),
-        .memory = numbers(lag_dynamics_memory(m)), .lanes = numbers(lag_batch_memory(m, &STEM_states))};
+        .arena = numbers(lag_dynamics_memory(m)), .lanes = numbers(lag_batch_memory(m, &STEM_states))};
     if (lag_batch_forward_dynamics(m, NULL, &batch, qdd[0], lam[0], &coordinate) != LAG_OK ||
         lag_batch_forward_dynamics(m, &STEM_states, &batch, qdd[1], lam[1], &coordinate) != LAG_OK) {
         return 1;

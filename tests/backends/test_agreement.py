@@ -13,8 +13,8 @@ from lagdsl.graph import Graph, Group
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.program.program import Program
 from lagdsl.program.verify import verify
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 
 Engine = CEngine | NumpyEngine
 EMPTY = np.zeros(0)

@@ -14,16 +14,16 @@ from sample_programs import chain, closed_chain, pendulum, quaternion_body
 
 from lagdsl.backends.c.dialect import Place
 from lagdsl.backends.c.emit import sources
-from lagdsl.backends.c.roll import roll
+from lagdsl.backends.c.reroll import reroll
 from lagdsl.backends.c.statement import Store, listing
 from lagdsl.graph import Graph, Group, Op
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
-from lagdsl.runtime import c_engine
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.engine import SingularSystem
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines import c_engine
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.engine import SingularSystem
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 
 # Longest straight function, length of a piece, and the part of the text that loops must leave at most.
 FORMS = {"straight": (10**9, 150, 0.0), "pieces": (5, 7, 0.0), "rolled": (0, 150, 1e9)}
@@ -151,7 +151,7 @@ def _rolled_length(links: int) -> int:
     for k in reversed(range(links)):
         load.append(graph.subtract(graph.multiply(speed[k], graph.unary(Op.SIN, q[k])), load[-1]))
     stores = tuple(Store(Place("motion", index), node) for index, node in enumerate([*speed, *load]))
-    return roll(listing(graph, stores, {})).length
+    return reroll(listing(graph, stores, {})).length
 
 
 def test_the_text_of_a_longer_chain_is_no_longer() -> None:

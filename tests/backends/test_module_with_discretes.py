@@ -140,10 +140,10 @@ def test_closed_contacts_carry_and_open_ones_do_not() -> None:
     np.testing.assert_allclose(lam[..., 0], [[2.0 * G, 0.0], [2.0 * G - 5.0, 0.0]], atol=1e-13)
     np.testing.assert_allclose(module.output(0.0, [0.0, 0.0], [1.0, 0.0], w=w)[:, 0], [2.0 * G, 0.0], atol=1e-13)
     p, none = np.array(module.DEFAULTS), np.zeros(0)
-    gap, speed, jacobian, restitution, stick, rest = module.evaluate(
+    gap, speed, jacobian, restitution, capture_speed, rest = module.evaluate(
         "contact", 0.0, [0.0, 0.3], [1.0, -2.0], none, [0.0], w[1], p
     )
-    assert (gap[0], speed[0], restitution[0], stick[0], rest[0]) == (0.3, -2.0, 0.5, 0.1, -1.0)
+    assert (gap[0], speed[0], restitution[0], capture_speed[0], rest[0]) == (0.3, -2.0, 0.5, 0.1, -1.0)
     np.testing.assert_array_equal(jacobian, [[0.0, 1.0]])
 
 

@@ -26,11 +26,11 @@ from lagdsl.pipeline import front, middle, read, with_names
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
-from lagdsl.runtime.engine import SingularSystem
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.engine import SingularSystem
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.tape_engine import TapeEngine
+from lagdsl.runtime.engines.tape_model import DamagedTape, load_tape
 from lagdsl.runtime.structures import Model
-from lagdsl.runtime.tape_engine import TapeEngine
-from lagdsl.runtime.tape_model import DamagedTape, load_tape
 
 ROOT = Path(__file__).parents[2]
 EVERY = sorted(path.relative_to(ROOT) for path in (ROOT / "models").glob("**/*.lag"))
@@ -236,12 +236,12 @@ def test_what_is_changed_or_cut_is_refused() -> None:
 
 
 def test_instructions_are_those_of_the_header() -> None:
-    header = (c_folder() / "include" / "lag" / "tape_code.h").read_text(encoding="utf-8")
+    header = (c_folder() / "lag" / "tape" / "tape_code.h").read_text(encoding="utf-8")
     special = re.findall(r"^    LAG_TAPE_(\w+),$", header, re.M)
     functions = re.findall(r"^    X\((\w+), ", header, re.M)
     assert [*special[:-1], *functions, special[-1]] == list(CODE)
     assert f"#define LAG_TAPE_ANGLES {ANGLES}\n" in header
-    head = (c_folder() / "include" / "lag" / "tape.h").read_text(encoding="utf-8")
+    head = (c_folder() / "lag" / "tape.h").read_text(encoding="utf-8")
     sizes = re.search(r"enum lag_tape_size \{(.*?)LAG_TAPE_NUMBER_OF_SIZES", head, re.S)
     assert sizes is not None
     assert re.findall(r"LAG_TAPE_(\w+),", sizes[1]) == [name.upper() for name in SIZES]

@@ -109,7 +109,7 @@ static lag_status linear_tangent(const lag_arguments *at, double *motion, double
 }
 
 static lag_status linear_contact(
-    const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution, double *stick, double *rest)
+    const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution, double *capture_speed, double *rest)
 {
     for (size_t i = 0; i < linear.gaps; ++i) {
         gap[i] = linear_product(linear.gap[i], at->q) + linear.rest[i];
@@ -118,7 +118,7 @@ static lag_status linear_contact(
     }
     for (size_t i = 0; i < linear.contacts; ++i) {
         restitution[i] = linear.restitution[i];
-        stick[i] = rest[i] = linear.brief > 0.0 ? linear.brief : -1.0;
+        capture_speed[i] = rest[i] = linear.brief > 0.0 ? linear.brief : -1.0;
     }
     return LAG_OK;
 }

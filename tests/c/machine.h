@@ -118,14 +118,14 @@ static inline lag_status machine_standing(const lag_arguments *at, double *w)
 }
 
 static inline lag_status machine_contact(
-    const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution, double *stick, double *rest)
+    const lag_arguments *at, double *gap, double *speed, double *jacobian, double *restitution, double *capture_speed, double *rest)
 {
     gap[0] = at->q[0];
     speed[0] = at->qd[0];
     jacobian[0] = 1.0;
     jacobian[1] = 0.0;
     restitution[0] = 0.5;
-    stick[0] = rest[0] = -1.0;
+    capture_speed[0] = rest[0] = -1.0;
     return LAG_OK;
 }
 

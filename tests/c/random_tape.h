@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/tape_model.h"
+#include "lag/tape/tape_model.h"
 
 enum { MOST_BYTES = 1 << 17, HEAD_BYTES = 24, MOST_PLACES = 40 };
 

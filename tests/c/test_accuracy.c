@@ -1,6 +1,6 @@
 /* Groups, natural sizes and caps: by component and unit. */
 #include "check.h"
-#include "lag/accuracy.h"
+#include "lag/methods/accuracy.h"
 
 static void check_groups(const size_t *components, const double *expected, const double *sizes)
 {

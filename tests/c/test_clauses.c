@@ -127,15 +127,15 @@ static lag_model machine(enum mode what, int lever)
 
 static struct {
     size_t count;
-    lag_happening what[1000];
+    lag_event_notice what[1000];
 } told;
 
-static lag_status note(void *context, lag_run *run, const lag_happening *happening)
+static lag_status note(void *context, lag_run *run, const lag_event_notice *notice)
 {
     (void)context;
     (void)run;
-    if (happening->what != LAG_TICK && told.count < sizeof told.what / sizeof told.what[0]) {
-        told.what[told.count++] = *happening;
+    if (notice->what != LAG_TICK && told.count < sizeof told.what / sizeof told.what[0]) {
+        told.what[told.count++] = *notice;
     }
     return LAG_OK;
 }
@@ -162,8 +162,8 @@ static void a_clause_bounces(void)
     size_t bounces = 0;
     for (size_t i = 0; i < told.count; ++i) {
         if (told.what[i].what == LAG_REINIT) {
-            CHECK(told.what[i - 1].what == LAG_TRUE && strcmp(lag_happening_name(&model, &told.what[i - 1]), "h <= 0") == 0);
-            CHECK(strcmp(lag_happening_name(&model, &told.what[i]), "der(h)") == 0);
+            CHECK(told.what[i - 1].what == LAG_TRUE && strcmp(lag_event_notice_name(&model, &told.what[i - 1]), "h <= 0") == 0);
+            CHECK(strcmp(lag_event_notice_name(&model, &told.what[i]), "der(h)") == 0);
             CHECK_NEAR(told.what[i].t, t, 1e-11);
             flight *= 0.8;
             t += flight;
@@ -174,7 +174,7 @@ static void a_clause_bounces(void)
     /* bounces accumulate at 4.5 s, and a clause does not know how to rest */
     CHECK(lag_run_to(run, 6.0, 0) == LAG_CHATTER);
     CHECK_NEAR(run->stepper.t, 4.5, 1e-4);
-    CHECK(run->instants.passes.guilty[BELOW] == 1.0);
+    CHECK(run->instants.iteration.guilty[BELOW] == 1.0);
     free(run);
 }
 
@@ -233,14 +233,14 @@ static void ends(enum mode what, lag_status expected)
     CHECK_NEAR(run->stepper.t, 0.5, 1e-13);
     if (what == STOP) {
         CHECK(told.what[told.count - 2].what == LAG_TERMINATE && told.what[told.count - 1].what == LAG_AFTER);
-        CHECK(strcmp(lag_happening_name(&model, &told.what[told.count - 2]), "landed") == 0);
-        CHECK(strcmp(lag_what_name(LAG_TERMINATE), "terminate") == 0);
+        CHECK(strcmp(lag_event_notice_name(&model, &told.what[told.count - 2]), "landed") == 0);
+        CHECK(strcmp(lag_event_kind_name(LAG_TERMINATE), "terminate") == 0);
     }
     if (what == CONFLICT) {
-        CHECK(run->instants.passes.fault == 1);
+        CHECK(run->instants.iteration.fault == 1);
     }
     if (what == ENDLESS) {
-        CHECK(run->instants.passes.guilty[COUNT] == 1.0 && run->instants.passes.guilty[BELOW] == 0.0);
+        CHECK(run->instants.iteration.guilty[COUNT] == 1.0 && run->instants.iteration.guilty[BELOW] == 0.0);
     }
     free(run);
 }
@@ -264,9 +264,9 @@ int main(void)
     a_controller_samples();
     the_start_and_the_end();
     ends(STOP, LAG_STOPPED);
-    ends(REFUSE, LAG_REFUSED);
+    ends(REFUSE, LAG_ASSERTION_FAILED);
     ends(CONFLICT, LAG_CONFLICT);
-    ends(ENDLESS, LAG_UNSETTLED);
+    ends(ENDLESS, LAG_EVENT_ITERATION_FAILED);
     a_reset_moves_the_lever();
     (void)printf("clauses: ok\n");
     return EXIT_SUCCESS;

@@ -64,7 +64,7 @@ int main(void)
     const double rates[N] = {0.3, 0.2, 0.1}, accelerations[N] = {9.0, 9.0, 9.0}, multipliers[ROWS] = {9.0};
     lag_arguments at = {0};
     lag_model model = {0};
-    double memory[2 * N + ROWS], mass[N * N], force[N], jacobian[ROWS * N], gamma[ROWS];
+    double arena[2 * N + ROWS], mass[N * N], force[N], jacobian[ROWS * N], gamma[ROWS];
     at.qd = rates;
     at.qdd = accelerations; /* not those of the caller count, but zeros */
     at.lam = multipliers;
@@ -74,12 +74,12 @@ int main(void)
     model.inverse_dynamics = inverse_dynamics;
     model.velocity_constraint = velocity_constraint;
     model.residual = residual;
-    CHECK(lag_mass_by_columns(&model, &at, memory, mass) == LAG_OK);
+    CHECK(lag_mass_by_columns(&model, &at, arena, mass) == LAG_OK);
     for (size_t i = 0; i < N * N; ++i) {
         CHECK_NEAR(mass[i], mass_of_model[i / N][i % N], 0.0);
         mass[i] = 0.0;
     }
-    CHECK(lag_dynamics_by_columns(&model, &at, memory, mass, force, jacobian, gamma) == LAG_OK);
+    CHECK(lag_dynamics_by_columns(&model, &at, arena, mass, force, jacobian, gamma) == LAG_OK);
     for (size_t i = 0; i < N; ++i) {
         CHECK_NEAR(mass[i * N + i], mass_of_model[i][i], 0.0);
         CHECK_NEAR(force[i], force_of_model[i], 0.0);
@@ -87,6 +87,6 @@ int main(void)
     }
     CHECK_NEAR(gamma[0], bias_of_model, 0.0);
     model.momentum_tangent = failing;
-    CHECK(lag_dynamics_by_columns(&model, &at, memory, mass, force, jacobian, gamma) == LAG_NOT_FINITE);
+    CHECK(lag_dynamics_by_columns(&model, &at, arena, mass, force, jacobian, gamma) == LAG_NOT_FINITE);
     return 0;
 }

@@ -28,16 +28,16 @@ static void one_cycle(const lag_method *method, double *end)
 static void one_cycle_of_fixed_steps(double *end)
 {
     const lag_run_options options = {0};
-    double *memory = malloc(lag_fixed_memory(SIZE) * sizeof(double));
+    double *arena = malloc(lag_fixed_memory(SIZE) * sizeof(double));
     lag_run *run = lag_run_place(malloc(lag_run_size(&MACHINE, &options)), &MACHINE, &options);
     CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
     for (int i = 0; i < 5; ++i) {
-        CHECK(lag_run_fixed(run, 0.02, lag_ros2, memory) == LAG_OK);
+        CHECK(lag_run_fixed(run, 0.02, lag_ros2, arena) == LAG_OK);
     }
     CHECK(run->stepper.t == 0.1);
     memcpy(end, run->stepper.x, SIZE * sizeof(double));
     free(run);
-    free(memory);
+    free(arena);
 }
 
 int main(int count, char **arguments)

@@ -1,9 +1,9 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/delassus.h"
+#include "lag/equations/delassus.h"
 #include "lag/dynamics.h"
-#include "lag/linalg.h"
+#include "lag/linalg/linalg.h"
 
 enum { MOST = 10 };
 
@@ -31,11 +31,11 @@ static lag_status solve_kept(
     problem *x, size_t kept, const size_t *row, size_t rank, const double *response, const double *lam_response)
 {
     const size_t size = lag_delassus_memory(x->m, kept);
-    double *memory = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
+    double *arena = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
     double jacobian[MOST * MOST], gamma[MOST];
     lag_delassus system;
-    CHECK(memory != NULL);
-    lag_delassus_place(&system, x->n, x->m, kept, row, memory);
+    CHECK(arena != NULL);
+    lag_delassus_place(&system, x->n, x->m, kept, row, arena);
     for (size_t i = 0; i < kept; ++i) {
         memcpy(jacobian + i * x->n, x->jacobian + row[i] * x->n, x->n * sizeof(double));
         gamma[i] = x->gamma[row[i]];
@@ -47,7 +47,7 @@ static lag_status solve_kept(
     if (status == LAG_OK) {
         lag_delassus_solve(&system, gamma, x->a, x->lam);
     }
-    free(memory);
+    free(arena);
     return status;
 }
 
@@ -64,13 +64,13 @@ static lag_status solve(problem *x, size_t rank)
 
 static void solve_dense(problem *x, size_t rank)
 {
-    double *memory = malloc((lag_system_memory(x->n, x->m) + 1) * sizeof(double));
+    double *arena = malloc((lag_system_memory(x->n, x->m) + 1) * sizeof(double));
     lag_system system;
-    CHECK(memory != NULL);
-    lag_system_place(&system, x->n, x->m, memory);
+    CHECK(arena != NULL);
+    lag_system_place(&system, x->n, x->m, arena);
     CHECK(lag_system_factor(&system, x->mass, x->jacobian, rank, NULL) == LAG_OK);
     lag_system_solve(&system, x->force, x->gamma, x->a, x->lam);
-    free(memory);
+    free(arena);
 }
 
 /* What a and lam leave in both rows, as a part of the terms that stand there. */

@@ -56,11 +56,11 @@ static void test_closed_form(double rate)
     const lag_model made = model();
     const double x[4] = {0.4, 0.1, -0.2, 0.5};
     double workspace[1];
-    double *memory = malloc(lag_derivatives_memory(&made) * sizeof(double)); /* exactly what is declared */
+    double *arena = malloc(lag_derivatives_memory(&made) * sizeof(double)); /* exactly what is declared */
     lag_derivatives d;
     const lag_arguments at = {.q = x, .qd = x + 2, .p = workspace, .workspace = workspace};
-    CHECK(memory != NULL);
-    lag_derivatives_place(&d, &made, memory);
+    CHECK(arena != NULL);
+    lag_derivatives_place(&d, &made, arena);
     CHECK(lag_derivatives_look(&d, &at, rate, NULL) == LAG_OK);
     expect(pull(rate, x), linear.force, d.qdd, d.lam);
     memcpy(d.x, DIRECTION, sizeof DIRECTION);
@@ -74,7 +74,7 @@ static void test_closed_form(double rate)
     CHECK(lag_derivatives_definitions(&d, rates) == LAG_MISSING && lag_derivatives_energies(&d, rates) == LAG_MISSING);
     d.time = 1.0;
     CHECK(lag_derivatives_along(&d) == LAG_MISSING);
-    free(memory);
+    free(arena);
 }
 
 static void slope(lag_motion *motion, const double *x, double *xd)
@@ -92,10 +92,10 @@ static void test_residuals_die_out(void)
     double k[4][4], y[4];
     const double first = x[0] + x[1];
     const double speed = x[2] + x[3];
-    double *memory = malloc(lag_motion_memory(&made) * sizeof(double));
+    double *arena = malloc(lag_motion_memory(&made) * sizeof(double));
     lag_motion motion;
-    CHECK(memory != NULL);
-    lag_motion_place(&motion, &made, memory);
+    CHECK(arena != NULL);
+    lag_motion_place(&motion, &made, arena);
     CHECK(lag_motion_parameters(&motion, made.defaults) == LAG_OK);
     for (int step = 1; step <= 2000; ++step) {
         static const double part[4] = {0.0, 0.5, 0.5, 1.0};
@@ -112,7 +112,7 @@ static void test_residuals_die_out(void)
         CHECK_NEAR(x[0] + x[1], (first + (speed + K * first) * t) * exp(-K * t), 1e-11);
     }
     CHECK(fabs(x[0] + x[1]) < 0.05 * first);
-    free(memory);
+    free(arena);
 }
 
 int main(void)

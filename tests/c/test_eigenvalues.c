@@ -1,10 +1,10 @@
 /* Real parts of eigenvalues of matrices that were made with known ones. */
 #include "check.h"
-#include "lag/eigenvalues.h"
+#include "lag/linalg/eigenvalues.h"
 
 enum { MOST = 9 };
 
-static double memory[400];
+static double arena[400];
 
 /* a = X D X^-1 by elementary row and column operations; D has the real `value`s, and where `turning` two of them are a pair with the first as real part. */
 static void similar(size_t n, const double *value, int turning, unsigned long long *seed, double *a)
@@ -39,9 +39,9 @@ int main(void)
     double a[MOST * MOST];
     double value[MOST];
     const double turn[9] = {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}; /* thirds of a turn: 1 and a pair at -1/2 */
-    CHECK(lag_eigenvalues_memory(MOST) <= sizeof memory / sizeof *memory);
-    CHECK(lag_least_real_part(0, a, memory) == (double)INFINITY);
-    CHECK_NEAR(lag_least_real_part(3, turn, memory), -0.5, 1e-14);
+    CHECK(lag_eigenvalues_memory(MOST) <= sizeof arena / sizeof *arena);
+    CHECK(lag_least_real_part(0, a, arena) == (double)INFINITY);
+    CHECK_NEAR(lag_least_real_part(3, turn, arena), -0.5, 1e-14);
     for (size_t n = 1; n <= MOST; ++n) {
         for (int k = 0; k < 40; ++k) {
             double least = (double)INFINITY;
@@ -51,7 +51,7 @@ int main(void)
                 least = turning && i == 1 ? least : fmin(least, value[i]);
             }
             similar(n, value, turning, &seed, a);
-            CHECK_NEAR(lag_least_real_part(n, a, memory), least, 1e-8);
+            CHECK_NEAR(lag_least_real_part(n, a, arena), least, 1e-8);
         }
     }
     (void)printf("eigenvalues: ok\n");

@@ -1,7 +1,7 @@
 /* What events are made of: zeros and clocks. */
 #include "check.h"
-#include "lag/clock.h"
-#include "lag/root.h"
+#include "lag/events/clock.h"
+#include "lag/linalg/root.h"
 
 typedef struct counted {
     int kind, calls;

@@ -138,8 +138,8 @@ static void what_changes_too_fast_is_told(void)
     const lag_model model = of_two_states(pole_start, pole_rates);
     const lag_run_options options = {.method = &lag_dop853, .tolerance = 1e-6};
     lag_fault fault;
-    lag_run *run = run_to(&model, &options, 2.0, LAG_STUCK);
-    lag_run_explain(run, LAG_STUCK, &fault);
+    lag_run *run = run_to(&model, &options, 2.0, LAG_STEP_TOO_SMALL);
+    lag_run_explain(run, LAG_STEP_TOO_SMALL, &fault);
     CHECK(fault.which == 1);
     CHECK_NEAR(fault.t, 1.0, 1e-3);
     CHECK(fault.t == run->stepper.t);
@@ -249,17 +249,17 @@ static lag_status at_rest(const lag_arguments *at, double *q, double *qd, double
 
 static struct {
     size_t count;
-    lag_what what[8];
+    lag_event_kind what[8];
     double t[8];
 } told;
 
-static lag_status hear(void *context, lag_run *run, const lag_happening *happening)
+static lag_status hear(void *context, lag_run *run, const lag_event_notice *notice)
 {
     (void)context;
     (void)run;
     CHECK(told.count < 8);
-    told.t[told.count] = happening->t;
-    told.what[told.count++] = happening->what;
+    told.t[told.count] = notice->t;
+    told.what[told.count++] = notice->what;
     return LAG_OK;
 }
 

@@ -7,7 +7,7 @@
 
 enum { MOST_MEMORY = 64 };
 
-static double memory[MOST_MEMORY];
+static double arena[MOST_MEMORY];
 
 /* q'' = -sin q - d q' + z, z' = (cos t - z)/tau: x = (q, qd, z). */
 static lag_status driven_rates(void *context, double t, const double *x, double *xd)
@@ -37,7 +37,7 @@ static void go(lag_fixed_step *step, const lag_ode *ode, size_t nq, double stop,
     const double h = stop / (double)count;
     CHECK(lag_fixed_memory(ode->size) <= MOST_MEMORY);
     for (size_t i = 0; i < count; ++i) {
-        CHECK(step(ode, nq, (double)i * h, h, x, memory) == LAG_OK);
+        CHECK(step(ode, nq, (double)i * h, h, x, arena) == LAG_OK);
     }
 }
 
@@ -74,7 +74,7 @@ static void the_leapfrog_keeps_energy(void)
     double x[2] = {1.0, 0.0};
     double most = 0.0;
     for (size_t i = 0; i < 8000; ++i) {
-        CHECK(lag_leapfrog(&ode, 1, 0.0, 0.25, x, memory) == LAG_OK);
+        CHECK(lag_leapfrog(&ode, 1, 0.0, 0.25, x, arena) == LAG_OK);
         most = fmax(most, fabs(0.5 * x[1] * x[1] - cos(x[0]) + cos(1.0)));
     }
     CHECK(most < 1e-2);
@@ -110,9 +110,9 @@ static void what_fails_changes_nothing(lag_fixed_step *step)
 {
     static const lag_ode ode = {1, NULL, failing_rates, one_jacobian};
     double x[1] = {1.0};
-    CHECK(step(&ode, 0, 0.0, 0.4, x, memory) == LAG_OK);
+    CHECK(step(&ode, 0, 0.0, 0.4, x, arena) == LAG_OK);
     const double before = x[0];
-    CHECK(step(&ode, 0, 0.4, 0.4, x, memory) == LAG_NOT_FINITE);
+    CHECK(step(&ode, 0, 0.4, 0.4, x, arena) == LAG_NOT_FINITE);
     CHECK(x[0] == before);
 }
 

@@ -8,19 +8,19 @@ enum { MOST_TOLD = 4096 };
 
 static struct {
     size_t count;
-    lag_happening what[MOST_TOLD];
+    lag_event_notice what[MOST_TOLD];
 } log_of;
 
-static lag_status note(void *context, lag_run *run, const lag_happening *happening)
+static lag_status note(void *context, lag_run *run, const lag_event_notice *notice)
 {
     (void)context;
     (void)run;
     CHECK(log_of.count < MOST_TOLD);
-    log_of.what[log_of.count++] = *happening;
+    log_of.what[log_of.count++] = *notice;
     return LAG_OK;
 }
 
-static size_t count_of(lag_what what)
+static size_t count_of(lag_event_kind what)
 {
     size_t count = 0;
     for (size_t i = 0; i < log_of.count; ++i) {
@@ -29,7 +29,7 @@ static size_t count_of(lag_what what)
     return count;
 }
 
-static double time_of(lag_what what, size_t number)
+static double time_of(lag_event_kind what, size_t number)
 {
     for (size_t i = 0; i < log_of.count; ++i) {
         if (log_of.what[i].what == what && number-- == 0) {
@@ -127,8 +127,8 @@ static void contacts_at_the_start(void)
     CHECK_NEAR(run->stepper.x[0], 0.0, 1e-14);
     free(run);
     linear.q[0] = -1e-3;
-    run = begin(&model, LAG_PIERCED);
-    CHECK(run->instants.passes.guilty[0] == 1.0);
+    run = begin(&model, LAG_PENETRATION);
+    CHECK(run->instants.iteration.guilty[0] == 1.0);
     free(run);
     linear.q[0] = 0.0;
     linear.force[0] = 1.0; /* pulled up: nothing to carry */
@@ -140,14 +140,14 @@ static void contacts_at_the_start(void)
 /* With steps of fixed length the impact is at the end of a step; energy never grows. */
 static void fixed_steps_bounce(void)
 {
-    double memory[16];
+    double arena[16];
     set_ball(0.7);
     const lag_model model = linear_model();
     lag_run *run = begin(&model, LAG_OK);
     double energy = 25.0;
-    CHECK(lag_fixed_memory(2) <= sizeof memory / sizeof memory[0]);
+    CHECK(lag_fixed_memory(2) <= sizeof arena / sizeof arena[0]);
     for (int i = 0; i < 4000; ++i) {
-        CHECK(lag_run_fixed(run, 1e-3, lag_rk4, memory) == LAG_OK);
+        CHECK(lag_run_fixed(run, 1e-3, lag_rk4, arena) == LAG_OK);
         const double now = kinetic(run) + 20.0 * run->stepper.x[0];
         CHECK(now < energy + 0.2);
         CHECK(run->stepper.x[0] > -0.006);

@@ -6,7 +6,7 @@
 
 #include "check.h"
 #include "lag/initial.h"
-#include "lag/memory.h"
+#include "lag/linalg/arena.h"
 #include "lag/run.h"
 
 enum { SIZE = 9, N = 4, A = 8 };
@@ -145,16 +145,16 @@ static lag_status find(const lag_model *model, const lag_start *said, const doub
     double *x, lag_initial *told)
 {
     lag_motion motion;
-    double *memory = malloc((lag_motion_memory(model) + lag_initial_memory(model)) * sizeof(double));
-    CHECK(memory != NULL);
-    lag_motion_place(&motion, model, memory);
+    double *arena = malloc((lag_motion_memory(model) + lag_initial_memory(model)) * sizeof(double));
+    CHECK(arena != NULL);
+    lag_motion_place(&motion, model, arena);
     CHECK(lag_motion_parameters(&motion, p) == LAG_OK);
     CHECK(lag_motion_start(&motion, 0.0, x) == LAG_OK);
     for (size_t i = 0; set != NULL && i < SIZE; ++i) {
         x[i] = set[i] ? changed[i] : x[i];
     }
-    const lag_status status = lag_initial_find(&motion, said, set, 0.0, x, memory + lag_motion_memory(model), told);
-    free(memory);
+    const lag_status status = lag_initial_find(&motion, said, set, 0.0, x, arena + lag_motion_memory(model), told);
+    free(arena);
     return status;
 }
 
@@ -259,7 +259,7 @@ static void equations(void)
     CHECK_NEAR(x[0], -0.6, 1e-10);
     CHECK_NEAR(fabs(x[1]), 0.8, 1e-10);
     changed[A] = 1.5; /* no point of the circle is there */
-    CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_OFF);
+    CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_PROJECTION_FAILED);
     CHECK(told.fault == LAG_INITIAL_EQUATIONS && told.residual > 1e-3);
 }
 
@@ -273,11 +273,11 @@ static void faults(void)
     double changed[SIZE] = {1.5};
     double x[SIZE];
     lag_initial told = {.dependent = NULL};
-    CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_OFF); /* beyond the circle */
+    CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_PROJECTION_FAILED); /* beyond the circle */
     CHECK(told.fault == LAG_INITIAL_POSITIONS && told.which == 0);
     CHECK_NEAR(told.residual, 1.25, 1e-6);
     changed[6] = 0.5; /* fixed rates that leave the circle */
-    CHECK(find(&model, &said, P, changed, of_rate, x, &told) == LAG_OFF);
+    CHECK(find(&model, &said, P, changed, of_rate, x, &told) == LAG_PROJECTION_FAILED);
     CHECK(told.fault == LAG_INITIAL_RATES && (told.which == 1 || told.which == 2 + 2 || told.which == 2 + 3));
     changed[0] = (double)NAN;
     CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_NOT_FINITE);
@@ -298,10 +298,10 @@ static void other_ranks(void)
     CHECK(told.rank == 2);
     CHECK(!dependent[0] && !dependent[1] && dependent[2]);
     CHECK_NEAR(x[0], 0.6, 1e-12);
-    CHECK(find(&model, NULL, apart, changed, set, x, &told) == LAG_OFF);
+    CHECK(find(&model, NULL, apart, changed, set, x, &told) == LAG_PROJECTION_FAILED);
     CHECK(told.fault == LAG_INITIAL_POSITIONS);
     model.rank = 1;
-    CHECK(find(&model, NULL, P, changed, set, x, &told) == LAG_OFF);
+    CHECK(find(&model, NULL, P, changed, set, x, &told) == LAG_PROJECTION_FAILED);
     CHECK(told.fault == LAG_INITIAL_RANK && told.which == 1);
 }
 

@@ -225,16 +225,16 @@ static void draw_state(unsigned long long *seed, state *x)
 /* qd, qdd, z' and y at the state. */
 static void evaluate(const lag_model *model, state *x, double *rates, double *y)
 {
-    double *memory = malloc((lag_dynamics_memory(model) + 1) * sizeof(double));
+    double *arena = malloc((lag_dynamics_memory(model) + 1) * sizeof(double));
     double lam[1] = {0.0};
-    CHECK(memory != NULL);
+    CHECK(arena != NULL);
     CHECK(prepare(&x->at) == LAG_OK);
-    CHECK(lag_forward_dynamics(model, &x->at, memory, rates + 2, lam, NULL) == LAG_OK);
+    CHECK(lag_forward_dynamics(model, &x->at, arena, rates + 2, lam, NULL) == LAG_OK);
     rates[0] = x->qd[0];
     rates[1] = x->qd[1];
     rates[4] = rates[2] - x->z[0] * x->qd[1];
     y[0] = lam[0] + x->q[1] * x->u[0];
-    free(memory);
+    free(arena);
 }
 
 /* By central differences: rates (5, 7) and outputs (1, 7). */
@@ -260,14 +260,14 @@ static void differences(const lag_model *model, state *x, double *rates, double 
 static lag_status differentiate(
     const lag_model *model, const lag_tangents *tangents_of, state *x, lag_range range, double *rates, double *outputs)
 {
-    double *memory = malloc((lag_jacobian_memory(model, tangents_of) + 1) * sizeof(double)); /* the sanitizer looks */
+    double *arena = malloc((lag_jacobian_memory(model, tangents_of) + 1) * sizeof(double)); /* the sanitizer looks */
     size_t coordinate = 7;
-    CHECK(memory != NULL);
+    CHECK(arena != NULL);
     CHECK(lag_jacobian_workspace(model, tangents_of) == 2);
     CHECK(prepare(&x->at) == LAG_OK);
-    const lag_status status = lag_jacobian(model, tangents_of, &x->at, range, memory, rates, outputs, &coordinate);
+    const lag_status status = lag_jacobian(model, tangents_of, &x->at, range, arena, rates, outputs, &coordinate);
     CHECK(status != LAG_SINGULAR || coordinate == 0);
-    free(memory);
+    free(arena);
     return status;
 }
 
@@ -363,12 +363,12 @@ static void batches(size_t p_stride)
         p[i] = 2.0 + draw(&seed);
     }
     const lag_tangents *tangents_of = constrained ? &of_acceleration : &of_motion;
-    double *memory = malloc((lag_jacobian_memory(&model, tangents_of) + 1) * sizeof(double));
+    double *arena = malloc((lag_jacobian_memory(&model, tangents_of) + 1) * sizeof(double));
     double *lanes = malloc((lag_batch_memory(&model, &several) + 1) * sizeof(double));
-    CHECK(memory != NULL && lanes != NULL);
+    CHECK(arena != NULL && lanes != NULL);
     const lag_batch batch = {
         .count = STATES, .t = &t, .q = q, .qd = qd, .z = z, .u = u, .w = &t, .p = p, .q_stride = 2, .qd_stride = 2,
-        .z_stride = 1, .u_stride = 1, .p_stride = p_stride, .workspace = workspace, .memory = memory, .lanes = lanes,
+        .z_stride = 1, .u_stride = 1, .p_stride = p_stride, .workspace = workspace, .arena = arena, .lanes = lanes,
     };
     CHECK(lag_batch_forward_dynamics(&model, NULL, &batch, alone, lam, NULL) == LAG_OK);
     CHECK(lag_batch_forward_dynamics(&model, &several, &batch, together, lam_together, NULL) == LAG_OK);
@@ -388,7 +388,7 @@ static void batches(size_t p_stride)
         check_all(rates + i * RATES * 5, own, RATES * 5, 0.0);
         check_all(outputs + i * 5, y, 5, 0.0);
     }
-    free(memory);
+    free(arena);
     free(lanes);
 }
 

@@ -1,7 +1,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/linalg.h"
+#include "lag/linalg/linalg.h"
 
 enum { MOST = 12 };
 

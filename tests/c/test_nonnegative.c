@@ -1,6 +1,6 @@
 /* Minima over what is not negative, by the conditions that tell them. */
 #include "check.h"
-#include "lag/nonnegative.h"
+#include "lag/linalg/nnls.h"
 
 enum { MOST = 12 };
 
@@ -30,10 +30,10 @@ static void draw_problem(size_t n, size_t rank, unsigned long long *seed, double
 
 static void solve(size_t n, const double *a, const double *b, double *x)
 {
-    double *memory = malloc(lag_nonnegative_memory(n) * sizeof(double));
-    CHECK(memory != NULL);
-    lag_nonnegative(n, a, b, x, memory);
-    free(memory);
+    double *arena = malloc(lag_nnls_memory(n) * sizeof(double));
+    CHECK(arena != NULL);
+    lag_nnls(n, a, b, x, arena);
+    free(arena);
 }
 
 /* x >= 0, A x + b >= 0, and one of the two zero, for each i. */

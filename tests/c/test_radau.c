@@ -1,6 +1,6 @@
 /* The numbers of the Radau IIA methods against the conditions that define them. */
 #include "check.h"
-#include "lag/radau.h"
+#include "lag/methods/radau.h"
 
 enum { STAGES = LAG_RADAU_STAGES };
 

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/extremes.h"
+#include "lag/run/extremes.h"
 #include "lag/run.h"
 #include "spring.h"
 
@@ -96,9 +96,9 @@ static void extremes_are_those_of_the_motion(const lag_method *method)
     lag_note notes[1];
     const double start[SIZE] = {cos(0.3), -sin(0.3), 0.0};
     lag_extremes extremes;
-    double *memory = malloc(lag_extremes_memory(&SPRING) * sizeof(double));
-    CHECK(memory != NULL);
-    lag_extremes_place(&extremes, &SPRING, memory);
+    double *arena = malloc(lag_extremes_memory(&SPRING) * sizeof(double));
+    CHECK(arena != NULL);
+    lag_extremes_place(&extremes, &SPRING, arena);
     CHECK(extremes.count == COUNT && extremes.size == SIZE);
     CHECK(extremes.low[0] > 0.0 && isinf(extremes.low[0]) && isinf(extremes.high[0])); /* nothing was seen */
     lag_results results = {
@@ -120,18 +120,18 @@ static void extremes_are_those_of_the_motion(const lag_method *method)
     CHECK(extremes.turns[1] == 6.0); /* at pi / 2, 3 pi / 2, ..., 11 pi / 2 */
     CHECK(extremes.turns[2] == 0.0);
     free(run);
-    free(memory);
+    free(arena);
 }
 
 static void extremes_take_values_that_are_numbers(void)
 {
     lag_extremes extremes;
-    double *memory = malloc(lag_extremes_memory(&SPRING) * sizeof(double));
+    double *arena = malloc(lag_extremes_memory(&SPRING) * sizeof(double));
     const double rows[3][COUNT] = {{1.0, -2.0, (double)NAN, 4.0, 5.0}, {-1.0, (double)NAN, 3.0, 0.0, 6.0}, {0.0, 0.0, 1.0, 2.0, 5.5}};
     const double outputs[2] = {-7.0, 70.0};
     const unsigned char without[2] = {0, 1};
-    CHECK(memory != NULL);
-    lag_extremes_place(&extremes, &SPRING, memory);
+    CHECK(arena != NULL);
+    lag_extremes_place(&extremes, &SPRING, arena);
     for (int k = 0; k < 3; ++k) {
         lag_extremes_row(&extremes, rows[k]);
     }
@@ -141,7 +141,7 @@ static void extremes_take_values_that_are_numbers(void)
     for (int i = 0; i < COUNT; ++i) {
         CHECK(extremes.low[i] == low[i] && extremes.high[i] == high[i]);
     }
-    free(memory);
+    free(arena);
 }
 
 int main(void)

@@ -200,12 +200,12 @@ static void fixed_steps_stay_on_the_circle(void)
     lag_fixed_step *const steps[3] = {lag_rk4, lag_leapfrog, lag_ros2};
     const lag_run_options options = {0};
     for (int k = 0; k < 3; ++k) {
-        double memory[4 * 4 + 4 * 4];
-        CHECK(lag_fixed_memory(4) <= sizeof memory / sizeof memory[0]);
+        double arena[4 * 4 + 4 * 4];
+        CHECK(lag_fixed_memory(4) <= sizeof arena / sizeof arena[0]);
         lag_run *run = place(&CIRCLE, &options);
         CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
         for (int i = 0; i < 2000; ++i) {
-            CHECK(lag_run_fixed(run, 0.005, steps[k], memory) == LAG_OK);
+            CHECK(lag_run_fixed(run, 0.005, steps[k], arena) == LAG_OK);
             CHECK(run->stepper.t == (double)(i + 1) / 200.0); /* not a sum */
         }
         CHECK(circle_gap(run->stepper.x) < 1e-8);

@@ -2,8 +2,8 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/radau.h"
-#include "lag/saving.h"
+#include "lag/methods/radau.h"
+#include "lag/serialization.h"
 #include "machine.h"
 #include "oscillator.h"
 
@@ -130,11 +130,11 @@ static void foreign_bytes(void)
     unsigned char *bytes = saved(run, 0);
     unsigned char *before = saved(run, 0);
     CHECK(lag_run_saved_size(&OSCILLATOR, &options) <= size);
-    CHECK(lag_run_load(of_another, bytes) == LAG_FOREIGN);
-    CHECK(lag_run_load(of_others, bytes) == LAG_FOREIGN);
+    CHECK(lag_run_load(of_another, bytes) == LAG_BAD_STATE_DATA);
+    CHECK(lag_run_load(of_others, bytes) == LAG_BAD_STATE_DATA);
     for (size_t i = 0; i < size; i += 1 + size / 997) {
         bytes[i] = (unsigned char)(bytes[i] ^ (1U << i % 8));
-        CHECK(lag_run_load(run, bytes) == LAG_FOREIGN);
+        CHECK(lag_run_load(run, bytes) == LAG_BAD_STATE_DATA);
         bytes[i] = before[i];
     }
     unsigned char *after = saved(run, 0);
@@ -161,13 +161,13 @@ static void another_filling(void)
     (void)goes_on(straight, 1.0, 7);
     (void)goes_on(run, 1.0, 7);
     unsigned char *good = saved(run, 0);
-    CHECK(lag_run_change(run, &OSCILLATOR, workspace) == LAG_FOREIGN && !lag_run_is_changed(run));
+    CHECK(lag_run_change(run, &OSCILLATOR, workspace) == LAG_BAD_STATE_DATA && !lag_run_is_changed(run));
     CHECK(lag_run_change(run, &filling, workspace) == LAG_OK && lag_run_is_changed(run));
     (void)goes_on(straight, 1.0, 0);
     (void)goes_on(run, 1.0, 0);
     CHECK(alike(run, straight));
     unsigned char *bytes = saved(run, 0);
-    CHECK(lag_run_load(straight, bytes) == LAG_FOREIGN && lag_run_load(run, good) == LAG_FOREIGN);
+    CHECK(lag_run_load(straight, bytes) == LAG_BAD_STATE_DATA && lag_run_load(run, good) == LAG_BAD_STATE_DATA);
     CHECK(lag_run_load(straight, good) == LAG_OK);
     free(bytes);
     free(good);

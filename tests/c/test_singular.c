@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/saving.h"
+#include "lag/serialization.h"
 
 enum { SIZE = 4, ROWS = 301 };
 
@@ -141,14 +141,14 @@ static void taken_back(void)
     lag_run *one = place(P, 1e-9);
     lag_run *other = place(P, 1e-9);
     unsigned char *bytes = malloc(lag_run_saved_size(&MODEL, &one->options));
-    size_t fitted = 0;
+    size_t branch = 0;
     int going = 1;
     CHECK(bytes != NULL);
     CHECK(lag_run_begin(one, 0.0, NULL) == LAG_OK);
     CHECK(lag_run_restart(one, 2.0) == LAG_OK);
     while (going) {
         CHECK(lag_run_step(one, 2.0) == LAG_OK);
-        fitted += one->stepper.method == &lag_fitted;
+        branch += one->stepper.method == &lag_branch_switching;
         lag_run_save(one, bytes);
         CHECK(lag_run_load(other, bytes) == LAG_OK);
         for (int k = 0; k < 2 && going; ++k) {
@@ -164,7 +164,7 @@ static void taken_back(void)
         CHECK(one->stepper.method == other->stepper.method);
         going = one->stepper.t < 2.0;
     }
-    CHECK(fitted == 1);
+    CHECK(branch == 1);
     CHECK_NEAR(one->stepper.x[0], 3.0, 1e-8);
     free(bytes);
     free(one);

@@ -2,11 +2,11 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/svd.h"
+#include "lag/linalg/svd.h"
 
 enum { MOST = 12 };
 
-static double memory[4000];
+static double arena[4000];
 
 static double product(size_t n, const double *a, const double *b)
 {
@@ -27,10 +27,10 @@ static void random_numbers(size_t count, unsigned long long *seed, double *x)
 /* Rows of u (k, m) and v (n, n) are orthonormal, and sum to A. */
 static void takes_apart(size_t m, size_t n, const double *a, size_t rank)
 {
-    CHECK(lag_svd_memory(m, n) <= sizeof memory / sizeof *memory);
-    memory[lag_svd_memory(m, n)] = 12345.0;
-    const lag_svd svd = lag_svd_of(m, n, a, memory);
-    CHECK(memory[lag_svd_memory(m, n)] == 12345.0);
+    CHECK(lag_svd_memory(m, n) <= sizeof arena / sizeof *arena);
+    arena[lag_svd_memory(m, n)] = 12345.0;
+    const lag_svd svd = lag_svd_of(m, n, a, arena);
+    CHECK(arena[lag_svd_memory(m, n)] == 12345.0);
     double size = 0.0;
     for (size_t i = 0; i < m * n; ++i) {
         size = fmax(size, fabs(a[i]));
@@ -75,7 +75,7 @@ static void of_rank(size_t m, size_t n, size_t r, unsigned long long *seed)
         }
     }
     takes_apart(m, n, a, r);
-    const lag_svd svd = lag_svd_of(m, n, a, memory);
+    const lag_svd svd = lag_svd_of(m, n, a, arena);
     double wanted[MOST];
     double x[MOST];
     double right[MOST];
@@ -110,7 +110,7 @@ static void known_values(void)
             a[i] += value[l] * u[l][i / 3] * v[l][i % 3];
         }
     }
-    const lag_svd svd = lag_svd_of(3, 3, a, memory);
+    const lag_svd svd = lag_svd_of(3, 3, a, arena);
     for (int i = 0; i < 3; ++i) {
         CHECK_NEAR(svd.value[i], value[i], 1e-15 * 3.0);
     }

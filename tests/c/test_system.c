@@ -14,15 +14,15 @@ typedef struct problem {
 static lag_status solve(problem *x, size_t most)
 {
     const size_t size = lag_system_memory(x->n, x->m);
-    double *memory = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
+    double *arena = malloc((size + 1) * sizeof(double)); /* exactly what is declared: the sanitizer sees one step beyond */
     lag_system system;
-    CHECK(memory != NULL);
-    lag_system_place(&system, x->n, x->m, memory);
+    CHECK(arena != NULL);
+    lag_system_place(&system, x->n, x->m, arena);
     const lag_status status = lag_system_factor(&system, x->mass, x->jacobian, most, &x->coordinate);
     if (status == LAG_OK) {
         lag_system_solve(&system, x->force, x->gamma, x->a, x->lam);
     }
-    free(memory);
+    free(arena);
     return status;
 }
 

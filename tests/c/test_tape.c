@@ -6,7 +6,7 @@
 
 #include "lag/batch.h"
 #include "lag/dynamics.h"
-#include "lag/jacobian.h"
+#include "lag/equations/jacobian.h"
 
 enum { CHANGES = 40 };
 
@@ -87,7 +87,7 @@ static void run_states(const lag_model *model, const uint32_t *size, int same)
     lag_batch batch = {.count = COUNT, .t = to.array[0], .q = to.at.q, .qd = to.at.qd, .z = to.at.z, .u = to.at.u, .w = to.at.w,
         .p = to.at.p, .t_stride = 1, .q_stride = n, .qd_stride = n, .z_stride = model->nz, .u_stride = model->nu,
         .w_stride = model->nw, .p_stride = model->np, .workspace = to.at.workspace};
-    batch.memory = numbers(lag_dynamics_memory(model));
+    batch.arena = numbers(lag_dynamics_memory(model));
     batch.lanes = numbers(lag_batch_memory(model, states));
     double *const qdd = numbers(COUNT * n), *const lam = numbers(COUNT * m);
     double *const other_qdd = numbers(COUNT * n), *const other_lam = numbers(COUNT * m);
@@ -98,7 +98,7 @@ static void run_states(const lag_model *model, const uint32_t *size, int same)
     for (size_t i = 0; same && together == LAG_OK && i < COUNT * n; ++i) {
         CHECK(qdd[i] == other_qdd[i] || (isnan(qdd[i]) && isnan(other_qdd[i])));
     }
-    double *const all[] = {qdd, lam, other_qdd, other_lam, batch.memory, batch.lanes};
+    double *const all[] = {qdd, lam, other_qdd, other_lam, batch.arena, batch.lanes};
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
         free(all[i]);
     }
@@ -115,13 +115,13 @@ static void run_along(const lag_model *model, const uint32_t *size, int paramete
     const lag_range all = {0, variables};
     given to;
     give(&to, model, size, 0x7f, 1, lag_jacobian_workspace(model, tangents));
-    double *memory = numbers(lag_jacobian_memory(model, tangents));
+    double *arena = numbers(lag_jacobian_memory(model, tangents));
     double *rates = numbers((2 * model->nq + model->nz) * variables);
     double *outputs = numbers(model->ny * variables);
     size_t coordinate = 0;
     CHECK(lag_prepare(model, &to.at) == LAG_OK);
-    (void)lag_jacobian(model, tangents, &to.at, all, memory, rates, outputs, &coordinate);
-    free(memory);
+    (void)lag_jacobian(model, tangents, &to.at, all, arena, rates, outputs, &coordinate);
+    free(arena);
     free(rates);
     free(outputs);
     take_back(&to);
@@ -170,11 +170,11 @@ static int taken(const unsigned char *bytes, size_t count, int whole)
     CHECK(own != NULL);
     memcpy(own, bytes, count);
     const lag_status status = lag_tape_check(own, count, &needed);
-    CHECK(status == LAG_OK || status == LAG_FOREIGN);
+    CHECK(status == LAG_OK || status == LAG_BAD_STATE_DATA);
     if (status == LAG_OK && needed < 1u << 22) {
-        void *memory = malloc(needed);
-        CHECK(memory != NULL);
-        const lag_model *model = lag_tape_model(own, count, memory);
+        void *arena = malloc(needed);
+        CHECK(arena != NULL);
+        const lag_model *model = lag_tape_model(own, count, arena);
         lag_tape_parts parts;
         uint32_t *size = malloc(LAG_TAPE_NUMBER_OF_SIZES * sizeof *size);
         memset(&parts, 0, sizeof parts);
@@ -188,7 +188,7 @@ static int taken(const unsigned char *bytes, size_t count, int whole)
         run_along(model, size, 0);
         run_along(model, size, 1);
         free(size);
-        free(memory);
+        free(arena);
     }
     free(own);
     return status == LAG_OK;

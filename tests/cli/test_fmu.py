@@ -13,7 +13,7 @@ from click.testing import Result
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.runtime.platforms import PLATFORMS
+from lagdsl.runtime.building.platforms import PLATFORMS
 
 Invoke = Callable[..., Result]
 

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import lagdsl
 from lagdsl.cli.main import lag
-from lagdsl.runtime.compiler import machine_compiler
+from lagdsl.runtime.building.compiler import machine_compiler
 
 ROOT = Path(__file__).parents[2]
 

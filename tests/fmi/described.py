@@ -10,9 +10,9 @@ from models.corpus import compiled
 
 from lagdsl.backends.start import Start
 from lagdsl.diagnostics import Sink
-from lagdsl.fmi.fmi2_description import fmi2_description
-from lagdsl.fmi.fmi3_description import fmi3_description
-from lagdsl.fmi.variables import KINDS, Kind, Table, Version, table
+from lagdsl.fmi.description.fmi2_description import fmi2_description
+from lagdsl.fmi.description.fmi3_description import fmi3_description
+from lagdsl.fmi.variables.variables import KINDS, Kind, Table, Version, table
 from lagdsl.pipeline import Compilation, engine_of, front, middle, with_names
 from lagdsl.simulate.initialize import initial_state
 from lagdsl.source import SourceFile

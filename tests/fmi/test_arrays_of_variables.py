@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fmi.described import of_text, table_of, tree
-from lagdsl.fmi.arrays import grouped
-from lagdsl.fmi.names import Name
-from lagdsl.fmi.scalar import Attributes, Initial, Role, Scalar
+from lagdsl.fmi.variables.arrays import grouped
+from lagdsl.fmi.variables.names import Name
+from lagdsl.fmi.variables.scalar import Attributes, Initial, Role, Scalar
 
 LENGTH = Attributes(role=Role.OUTPUT, unit="m")
 MASS = Attributes(role=Role.OUTPUT, unit="kg")

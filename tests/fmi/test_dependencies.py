@@ -12,10 +12,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from named_models import compiled
 
-from lagdsl.fmi.coupling import components, matching
-from lagdsl.fmi.dependencies import Entry, dependencies
-from lagdsl.fmi.influence import Kind
-from lagdsl.fmi.scalar import Role
+from lagdsl.fmi.sparsity.coupling import components, matching
+from lagdsl.fmi.sparsity.influence import Kind
+from lagdsl.fmi.variables.dependencies import Entry, dependencies
+from lagdsl.fmi.variables.scalar import Role
 from lagdsl.graph.operation import Group
 from lagdsl.pipeline import with_names
 from lagdsl.program.program import Program
@@ -135,8 +135,8 @@ def test_nothing_is_said_beyond_what_there_is(root: Path, name: str) -> None:
     program, _ = program_of(path)
     knowns = knowns_of(program)
     moving = np.array([role is not Role.PARAMETER for role, _ in knowns])
-    surplus = np.argwhere(pattern(program) & ~nonzeros(path) & moving)
-    assert [(unknowns_of(program)[i], knowns[j]) for i, j in surplus] == []
+    excess = np.argwhere(pattern(program) & ~nonzeros(path) & moving)
+    assert [(unknowns_of(program)[i], knowns[j]) for i, j in excess] == []
 
 
 def test_small_effects_of_large_parameters_count(root: Path) -> None:

@@ -13,8 +13,8 @@ from lxml import etree
 
 from fmi.described import description, of_text, table_of, table_of_text, tree
 from fmi.test_descriptions import SCHEMA
-from lagdsl.fmi.variables import Version
-from lagdsl.fmi.xml import document, element, number, text
+from lagdsl.fmi.description.xml import document, element, number, text
+from lagdsl.fmi.variables.variables import Version
 
 STILL = "model Still coordinate Length x; gravity = 0; mass 1 kg at {x, 0}; end Still;"
 # What XML 1.0 can hold, section 2.2, and what stands for the rest.

@@ -15,8 +15,8 @@ from models.corpus import MODELS
 
 from fmi.described import description, of_text, table_of, table_of_model, table_of_text, tree
 from fmi.description_rules import broken, entries
-from lagdsl.fmi.provided import indicator_count
-from lagdsl.fmi.variables import Table, Version
+from lagdsl.fmi.variables.builtin_variables import indicator_count
+from lagdsl.fmi.variables.variables import Table, Version
 
 SAMPLE = (
     "andrews_squeezer",  # cut joints

@@ -14,11 +14,11 @@ from models.corpus import compiled
 from fmi.exported import EVERY
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.contents import texts
-from lagdsl.fmi.sources import require_fmpy
-from lagdsl.fmi.subject import subject
+from lagdsl.fmi.export_model import export_model
+from lagdsl.fmi.package.sources import require_fmpy
 from lagdsl.resources import fmi_folder
 
-RUNTIME = Path(__file__).parents[2] / "lagdsl" / "runtime" / "c" / "include"
+RUNTIME = Path(__file__).parents[2] / "lagdsl" / "runtime" / "c"
 SHELLS = fmi_folder()
 ARCHIVE = "build/sanitized/all.a"
 FLAGS = ("-std=c11", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
@@ -41,12 +41,12 @@ def run(*command: str, folder: Path) -> None:
 def test_calls_at_random_get_a_status(name: str, tmp_path: Path) -> None:
     """By the table of FMI 3, which has arrays, too."""
     run("make", "--silent", f"PYTHON={sys.executable}", ARCHIVE, folder=SHELLS)
-    exported = subject(compiled(name).compilation, 3, ("me", "cs"), {}, {}, Sink())
+    exported = export_model(compiled(name).compilation, 3, ("me", "cs"), {}, {}, Sink())
     _, sources = texts(exported)
     own = {path: text for path, text in sources.items() if "/" not in path and path.startswith(exported.stem)}
     for path, text in own.items():
         (tmp_path / path).write_text(text, encoding="utf-8")
-    found = (tmp_path, SHELLS / "include", RUNTIME, require_fmpy() / "c-code")
+    found = (tmp_path, SHELLS, RUNTIME, require_fmpy() / "c-code")
     host = Path(__file__).with_name("c") / "visit.c"
     generated = sorted(path for path in own if path.endswith(".c"))
     includes = [f"-I{folder}" for folder in found]

@@ -7,9 +7,9 @@ import pytest
 
 from fmi.described import of_text, table_of, table_of_model, table_of_text
 from fmi.test_descriptions import EVERYTHING, SAMPLE
-from lagdsl.fmi.names import named
-from lagdsl.fmi.scalar import Role, Variable
-from lagdsl.fmi.variables import Table
+from lagdsl.fmi.variables.names import named
+from lagdsl.fmi.variables.scalar import Role, Variable
+from lagdsl.fmi.variables.variables import Table
 
 VERSIONS = pytest.mark.parametrize("version", [2, 3])
 Told = dict[str, dict[str, str]]

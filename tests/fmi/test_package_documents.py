@@ -8,16 +8,16 @@ import pytest
 
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi import documentation
-from lagdsl.fmi.binary import Objects, objects_of
 from lagdsl.fmi.contents import texts
 from lagdsl.fmi.documentation import documentation_files
+from lagdsl.fmi.export_model import export_model
 from lagdsl.fmi.extra import extra_files
+from lagdsl.fmi.package.binary import Objects, objects_of
 from lagdsl.fmi.reference import reference
-from lagdsl.fmi.subject import subject
 from lagdsl.pipeline import front, middle
 from lagdsl.plot.icon import icon
-from lagdsl.runtime import c_engine
-from lagdsl.runtime.platforms import platform_of, this_machine
+from lagdsl.runtime.building.platforms import platform_of, this_machine
+from lagdsl.runtime.engines import c_engine
 from lagdsl.source import SourceFile
 
 ELSEWHERE = Objects("Fall", (), {})  # nothing was compiled for this machine
@@ -40,7 +40,7 @@ def made(text, **start):
     flat = front(SourceFile("text.lag", text), sink)
     compilation = middle(flat, sink)
     assert compilation is not None, sink.diagnostics
-    return subject(compilation, 2, ("cs",), {}, start, sink)
+    return export_model(compilation, 2, ("cs",), {}, start, sink)
 
 
 @pytest.fixture(scope="module")

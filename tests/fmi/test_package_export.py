@@ -20,13 +20,13 @@ from fmpy.model_description import read_build_description, read_model_descriptio
 
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.fmi import export as exporting
-from lagdsl.fmi import sources as source_texts
-from lagdsl.fmi import toolchain as toolchains
-from lagdsl.fmi import trial as trials
-from lagdsl.fmi.archive import write_archive
 from lagdsl.fmi.export import export
+from lagdsl.fmi.package import sources as source_texts
+from lagdsl.fmi.package import toolchain as toolchains
+from lagdsl.fmi.package import trial as trials
+from lagdsl.fmi.package.archive import write_archive
 from lagdsl.pipeline import front, middle, read
-from lagdsl.runtime.platforms import PLATFORMS
+from lagdsl.runtime.building.platforms import PLATFORMS
 from lagdsl.source import SourceFile
 
 VERSIONS = (2, 3)
@@ -291,7 +291,7 @@ def refused(spring, path, **options):
 def with_texts(monkeypatch, change):
     """The description and the sources as `change` leaves them."""
     before = exporting.texts
-    monkeypatch.setattr(exporting, "texts", lambda subject: change(*before(subject)))
+    monkeypatch.setattr(exporting, "texts", lambda export_model: change(*before(export_model)))
 
 
 def appended(sources, text):

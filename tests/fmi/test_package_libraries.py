@@ -18,13 +18,13 @@ from models.corpus import compiled
 
 from fmi.libraries import library
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.fmi import toolchain as toolchains
-from lagdsl.fmi.binary import objects_of
 from lagdsl.fmi.contents import library_files, texts
-from lagdsl.fmi.libraries import timeless, universal
-from lagdsl.fmi.sources import require_fmpy
-from lagdsl.fmi.subject import subject
-from lagdsl.runtime.platforms import PLATFORMS, platform_of, this_machine
+from lagdsl.fmi.export_model import export_model
+from lagdsl.fmi.package import toolchain as toolchains
+from lagdsl.fmi.package.binary import objects_of
+from lagdsl.fmi.package.libraries import timeless, universal
+from lagdsl.fmi.package.sources import require_fmpy
+from lagdsl.runtime.building.platforms import PLATFORMS, platform_of, this_machine
 
 VERSIONS = (2, 3)
 EXPLORING = bool(os.environ.get("LAGDSL_EXPLORE"))
@@ -43,7 +43,7 @@ OF_THE_LINKER = {"__dso_handle", "_mh_dylib_header"}
 
 @cache
 def sources(version):
-    return texts(subject(compiled("pendulum").compilation, version, ("me", "cs"), {}, {}, Sink()))[1]
+    return texts(export_model(compiled("pendulum").compilation, version, ("me", "cs"), {}, {}, Sink()))[1]
 
 
 @cache

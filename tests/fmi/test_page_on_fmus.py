@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lagdsl.cli.fmu import command
-from lagdsl.runtime.platforms import PLATFORMS
+from lagdsl.cli.commands.fmu import command
+from lagdsl.runtime.building.platforms import PLATFORMS
 
 PAGES = ("export_fmu", "cosimulate")
 

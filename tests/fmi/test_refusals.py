@@ -6,7 +6,7 @@ import pytest
 
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.fmi.refusals import refuse
+from lagdsl.fmi.capability_checks import refuse
 from lagdsl.pipeline import front
 from lagdsl.source import SourceFile
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lagdsl.fmi.names import Name, apart, aside, belonging, named, structured
+from lagdsl.fmi.variables.names import Name, apart, aside, belonging, named, structured
 
 # The grammar of FMI 2.0.5, section 2.2.9, and of FMI 3.0.2, section 2.4.7.5.1, without the escapes.
 B_NAME = r"(?:[_A-Za-z][_A-Za-z0-9]*|'[_A-Za-z0-9!#$%&()*+,\-./:;<>=?@\[\]^{}|~ ]+')"

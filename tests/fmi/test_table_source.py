@@ -11,12 +11,12 @@ import pytest
 
 from fmi.described import of_text, table_of, table_of_model, table_of_text
 from fmi.test_descriptions import EVERYTHING, SAMPLE
-from lagdsl.fmi.provided import indicator_count
-from lagdsl.fmi.scalar import Role
-from lagdsl.fmi.table import table_source
-from lagdsl.fmi.variables import Table, Version
+from lagdsl.fmi.description.table import table_source
+from lagdsl.fmi.variables.builtin_variables import indicator_count
+from lagdsl.fmi.variables.scalar import Role
+from lagdsl.fmi.variables.variables import Table, Version
 from lagdsl.resources import c_folder
-from lagdsl.runtime.compiler import find_compiler
+from lagdsl.runtime.building.compiler import find_compiler
 
 VERSIONS = pytest.mark.parametrize("version", [2, 3])
 # In the order of lag/fmu.h.
@@ -44,7 +44,7 @@ def printed(given: Table, folder: Path, token: str = "{1}") -> dict[str, list[li
     }
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")
-    includes = [f"-I{folder}", f"-I{c_folder() / 'include'}", f"-I{c_folder().parents[1] / 'fmi' / 'c' / 'include'}"]
+    includes = [f"-I{folder}", f"-I{c_folder()}", f"-I{c_folder().parents[1] / 'fmi' / 'c'}"]
     sources = [folder / "Model_fmu.c", folder / "rest.c", Path(__file__).with_name("print_table.c")]
     subprocess.run([*find_compiler().command, *STRICT, *includes, *sources, "-o", folder / "print"], check=True)
     text = subprocess.run([folder / "print"], check=True, capture_output=True).stdout.decode()

@@ -9,7 +9,7 @@ import fmpy
 from lxml import etree
 
 from fmi.described import of_text, table_of
-from lagdsl.fmi.terminals import terminals
+from lagdsl.fmi.description.terminals import terminals
 
 SCHEMA = etree.XMLSchema(etree.parse(Path(fmpy.__file__).parent / "schema" / "fmi3" / "fmi3TerminalsAndIcons.xsd"))
 

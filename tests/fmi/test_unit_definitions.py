@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lagdsl.fmi.unit_definitions import UnitDefinition, unit_definitions
+from lagdsl.fmi.description.unit_definitions import UnitDefinition, unit_definitions
 from lagdsl.units.definition import from_si
 from lagdsl.units.naming import unit_text
 from lagdsl.units.parse import parse_unit

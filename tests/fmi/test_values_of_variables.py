@@ -15,11 +15,11 @@ from fmi.exported import VERSIONS, Exported, exported
 from fmi.importing import exchanged
 from fmi.test_descriptions import EVERYTHING
 from fmi.texts import exported_text
-from lagdsl.fmi.names import belonging, named
-from lagdsl.mechanics.structure_functions import ProgramFunctions
+from lagdsl.fmi.variables.names import belonging, named
 from lagdsl.pipeline import Compilation, engine_of, with_names
 from lagdsl.program.program import Slot
 from lagdsl.simulate.initialize import initial_state
+from lagdsl.structure.functions import ProgramFunctions
 
 Floats = np.ndarray
 BOTH = pytest.mark.parametrize("version", VERSIONS)

@@ -178,12 +178,12 @@ def test_time_derivative_of_each_kind_of_symbol() -> None:
         return graph.constant(7.0)
 
     derivative = TimeDerivative(graph, rate)
-    coasting = TimeDerivative(graph, rate, coasting=True)
+    bias = TimeDerivative(graph, rate, bias=True)
     of = {group: graph.symbol(group, 2) for group in Group}
     assert derivative.of(of[Group.TIME]) == graph.one
     assert derivative.of(of[Group.Q]) == of[Group.QD]
     assert derivative.of(of[Group.QD]) == of[Group.QDD]
-    assert coasting.of(of[Group.QD]) == graph.zero
+    assert bias.of(of[Group.QD]) == graph.zero
     assert derivative.of(of[Group.P]) == graph.zero
     assert derivative.of(of[Group.RELEASE]) == of[Group.RELEASE_RATE]
     assert derivative.of(of[Group.RELEASE_RATE]) == graph.zero

@@ -12,8 +12,8 @@ from lagdsl.graph.operation import Group
 from lagdsl.graph.tape import Tape
 from lagdsl.mechanics.constraints import constraint_jacobian, rows_of
 from lagdsl.mechanics.derive import Derivation, form_equations
-from lagdsl.mechanics.inertia import acceleration_form
-from lagdsl.mechanics.lagrange import forcing, mass_matrix
+from lagdsl.mechanics.lagrange.inertia import acceleration_form
+from lagdsl.mechanics.lagrange.lagrange import forcing, mass_matrix
 from lagdsl.pipeline import front
 from lagdsl.source import SourceFile
 

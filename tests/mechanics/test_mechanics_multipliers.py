@@ -7,11 +7,11 @@ from elimination_models import flat_model
 from lagdsl.diagnostics import Sink
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics import multipliers
 from lagdsl.mechanics.derive import derived, solved
-from lagdsl.mechanics.structure import Structure, analyze
-from lagdsl.mechanics.structure_points import probes
 from lagdsl.program.program import Program
+from lagdsl.structure import redundant_multipliers
+from lagdsl.structure.points import probes
+from lagdsl.structure.structure import Structure, analyze
 
 FOUR_BARS = """model FourBars
   structural parameter Integer N = {n};
@@ -173,7 +173,7 @@ def test_quaternion_gets_its_inertia_from_its_length(more: str) -> None:
 
 def test_loops_with_weak_multipliers_are_left_to_run_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """All loops are taken for weak: rows that follow from those left are left with them."""
-    monkeypatch.setattr(multipliers, "_WELL_CONDITIONED", np.inf)
+    monkeypatch.setattr(redundant_multipliers, "_WELL_CONDITIONED", np.inf)
     more = "    constraint l1*cos(a[i]) + 0.5*l2*cos(a[i] + b[i]) = 0.5*d + l1*cos(c[i]);\n"
     program, structure = compiled(four_bars(2, rows=more, **PARALLEL))
     assert program.kept_rows == (0, 1, 2, 3, 4, 5)

@@ -16,8 +16,8 @@ from lagdsl.graph.operation import DIRECTION_OF, Group
 from lagdsl.pipeline import with_names
 from lagdsl.program.program import Program
 from lagdsl.program.verify import verify
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 
 SWING = """
 model Swing

@@ -16,7 +16,7 @@ from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.graph.operation import Group
 from lagdsl.pipeline import Compilation, derive, front, middle, read
 from lagdsl.program.program import Program
-from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.engines.engine import Engine
 from lagdsl.source import SourceFile
 
 ROOT = Path(__file__).parents[2]
@@ -70,14 +70,14 @@ def textbook(name: str) -> Program:
 
 @cache
 def numpy_engine(name: str) -> Engine:
-    from lagdsl.runtime.numpy_engine import NumpyEngine
+    from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 
     return NumpyEngine(compiled(name).graph)
 
 
 @cache
 def c_engine(name: str) -> Engine:
-    from lagdsl.runtime.c_engine import CEngine
+    from lagdsl.runtime.engines.c_engine import CEngine
 
     return CEngine(compiled(name).graph)
 

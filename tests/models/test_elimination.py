@@ -9,9 +9,9 @@ import numpy as np
 from lagdsl.graph.operation import Op
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
-from lagdsl.runtime.broadcast import BatchEngine
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.broadcast import BatchEngine
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 from models.corpus import Arrays, compiled, textbook
 from models.kinds import SOME
 from models.many_states import left_in_equations, many_states

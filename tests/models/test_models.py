@@ -15,7 +15,7 @@ from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 from lagdsl.program.functions import ALONG_MANY, SIGNATURES
 from lagdsl.program.program import Program
-from lagdsl.runtime.engine import Engine
+from lagdsl.runtime.engines.engine import Engine
 from lagdsl.syntax.parser import parse
 from lagdsl.syntax.printer import format_text
 from models.corpus import (
@@ -116,7 +116,7 @@ def test_the_derivations_solve_to_the_same_motion(name: str) -> None:
 
     Terms that cancel in one of them only have left their rounding errors: the size is that of either.
     """
-    from lagdsl.runtime.numpy_engine import NumpyEngine
+    from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 
     states, graph, symbolic = random_states(name), compiled(name).graph, textbook(name)
     _assert_solved(name, numpy_engine(name), states, symbolic, graph)

@@ -12,7 +12,7 @@ import lagdsl
 from lagdsl.analysis.modes import modes_at
 from lagdsl.analysis.point import Subject, point_of
 from lagdsl.diagnostics import Sink
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 from models.corpus import compiled, path_of
 from models.references.drives import _stribeck
 from models.references.integrate import G_N

@@ -13,10 +13,10 @@ import pytest
 
 from lagdsl.backends.c.emit import engine_sources
 from lagdsl.program.functions import ALONG_MANY
-from lagdsl.runtime.build import build
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.compiler import ALIKE
-from lagdsl.runtime.tape_engine import TapeEngine
+from lagdsl.runtime.building.build import build
+from lagdsl.runtime.building.compiler import ALIKE
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.tape_engine import TapeEngine
 from models.corpus import MODELS, compiled, random_states
 
 SOME = ("double_pendulum", "four_bar", "newtons_cradle", "clutch", "pick_and_place", "chain", "valve_train")

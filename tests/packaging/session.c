@@ -46,11 +46,11 @@ int main(int count, char **arguments)
     FUNCTION(lag_session_width);
     static double bytes[1 << 17];
     const size_t size = fread(bytes, 1, sizeof bytes, file);
-    size_t memory = 0;
-    if (lag_tape_check_(bytes, size, &memory) != LAG_OK) {
+    size_t arena = 0;
+    if (lag_tape_check_(bytes, size, &arena) != LAG_OK) {
         return 4;
     }
-    const lag_model *model = lag_tape_model_(bytes, size, aligned(memory));
+    const lag_model *model = lag_tape_model_(bytes, size, aligned(arena));
     const lag_start *start = lag_tape_start_(model);
     const double stop = atof(arguments[4]);
     const int rows = atoi(arguments[5]);

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from lagdsl.runtime.build_library import wheel_tag
-from lagdsl.runtime.platforms import library_name, this_machine
+from lagdsl.runtime.building.build_library import wheel_tag
+from lagdsl.runtime.building.platforms import library_name, this_machine
 
 CARRIED = {
     "grammar/lagdsl.lark": "lagdsl/_data/grammar/lagdsl.lark",
@@ -23,11 +23,11 @@ CARRIED = {
     "models/library/dc_motor.lag": "lagdsl/_data/models/library/dc_motor.lag",
     "LICENSE": "lagdsl/_data/LICENSE",
     "lagdsl/syntax/grammar.jsonl": "lagdsl/syntax/grammar.jsonl",
-    "lagdsl/runtime/c/include/lag/model.h": "lagdsl/runtime/c/include/lag/model.h",
-    "lagdsl/runtime/c/src/dynamics.c": "lagdsl/runtime/c/src/dynamics.c",
-    "lagdsl/fmi/c/include/lag/instance.h": "lagdsl/fmi/c/include/lag/instance.h",
-    "lagdsl/fmi/c/src/fmi2.c": "lagdsl/fmi/c/src/fmi2.c",
-    "lagdsl/fmi/c/src/fmi3.c": "lagdsl/fmi/c/src/fmi3.c",
+    "lagdsl/runtime/c/lag/model.h": "lagdsl/runtime/c/lag/model.h",
+    "lagdsl/runtime/c/lag/equations/dynamics.c": "lagdsl/runtime/c/lag/equations/dynamics.c",
+    "lagdsl/fmi/c/lag/instance/instance.h": "lagdsl/fmi/c/lag/instance/instance.h",
+    "lagdsl/fmi/c/lag/fmi2/fmi2.c": "lagdsl/fmi/c/lag/fmi2/fmi2.c",
+    "lagdsl/fmi/c/lag/fmi3/fmi3.c": "lagdsl/fmi/c/lag/fmi3/fmi3.c",
 }
 
 

@@ -20,17 +20,17 @@ from models.corpus import compiled
 
 from lagdsl.backends.start import start_of
 from lagdsl.backends.tape.emit import tape
-from lagdsl.mechanics.rank import Floats
-from lagdsl.mechanics.structure_names import contact_rows
+from lagdsl.numerics.rank import Floats
 from lagdsl.resources import c_folder
-from lagdsl.runtime.buffers import aligned
-from lagdsl.runtime.build_library import build_library
 from lagdsl.runtime.build_wasm import build_wasm
+from lagdsl.runtime.building.build_library import build_library
+from lagdsl.runtime.building.linking import zig_program
+from lagdsl.runtime.building.platforms import library_name, platform_of
+from lagdsl.runtime.engines.buffers import aligned
+from lagdsl.runtime.engines.tape_engine import TapeEngine
 from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.linking import zig_program
-from lagdsl.runtime.platforms import library_name, platform_of
-from lagdsl.runtime.tape_engine import TapeEngine
 from lagdsl.simulate.initialize import initial_state
+from lagdsl.structure.names import contact_rows
 
 HERE = Path(__file__).parent
 # Smooth, contact with impacts, closed loops, sampled control, friction and clutches.
@@ -141,7 +141,7 @@ def test_other_machines_compute_the_same(name: str, tmp_path: Path) -> None:
     platform = platform_of(name)
     library = build_library(tmp_path, name)
     program = tmp_path / "session.exe"
-    zig = [str(zig_program()), "cc", "-target", platform.target, "-O1", "-I", str(c_folder() / "include")]
+    zig = [str(zig_program()), "cc", "-target", platform.target, "-O1", "-I", str(c_folder())]
     libraries = ["-ldl"] if platform.system == "linux" else []
     subprocess.run([*zig, str(HERE / "session.c"), "-o", str(program), *libraries], check=True)
     assert library.name == library_name(platform.system)

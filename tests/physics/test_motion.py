@@ -149,9 +149,9 @@ def test_disc_rolls_down_an_incline_with_two_thirds_of_gravity() -> None:
       output Force friction = multiplier(roll);
     end Rolling;
     """
-    roll = motion(text, stop=2.0, tolerance=1e-10)
-    assert roll["x"][-1] == pytest.approx(0.5 * 2.0 / 3.0 * 9.81 * np.sin(0.4) * 4.0, rel=1e-10)
-    assert np.allclose(roll["friction"], -9.81 * np.sin(0.4), atol=1e-10)
+    reroll = motion(text, stop=2.0, tolerance=1e-10)
+    assert reroll["x"][-1] == pytest.approx(0.5 * 2.0 / 3.0 * 9.81 * np.sin(0.4) * 4.0, rel=1e-10)
+    assert np.allclose(reroll["friction"], -9.81 * np.sin(0.4), atol=1e-10)
 
 
 def test_free_bodies_keep_their_momentum() -> None:

@@ -8,8 +8,8 @@ import pytest
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.structure import analyze
 from lagdsl.pipeline import derive
+from lagdsl.structure.structure import analyze
 
 AROUND = ("A", "B", "C", "D")
 

@@ -14,14 +14,14 @@ from models.test_elimination import without_dense, without_elimination
 
 from lagdsl.backends.python.emit import module
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics import multipliers
 from lagdsl.program.functions import STATE
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.structure import redundant_multipliers
 
 
 def test_every_engine_and_the_exported_module_agree(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(multipliers, "_WELL_CONDITIONED", np.inf)  # every loop counts as weak
+    monkeypatch.setattr(redundant_multipliers, "_WELL_CONDITIONED", np.inf)  # every loop counts as weak
     program = program_of(linkages.THREE_BARS)
     assert 0 < sum(program.layout.redundant[row] for row in program.kept_rows) < len(program.kept_rows)
 

@@ -12,12 +12,12 @@ from lagdsl.backends.python.emit import module
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.mechanics.derive import derive
-from lagdsl.mechanics.structure_functions import ProgramFunctions
 from lagdsl.program.functions import WRITTEN_OUT
 from lagdsl.program.program import Layout
 from lagdsl.program.verify import verify
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.structure.functions import ProgramFunctions
 
 MODELS = ("chain", "four_bar", "heavy_top", "relativistic_particle", "rolling_coin", "charged_particle", "quarter_car")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from lagdsl.graph import Graph, Group
 from lagdsl.graph.operation import Op
 from lagdsl.program.passes.fuse import exact, fused, fusible
-from lagdsl.program.passes.shallow import shallow
+from lagdsl.program.passes.reassociate import reassociate
 
 
 def test_the_later_product_is_fused() -> None:
@@ -49,7 +49,7 @@ def test_what_is_late_is_added_last() -> None:
     total = graph.add(graph.add(late, y), z)
     product = graph.multiply(p[0], graph.multiply(p[1], late))
     kept = graph.add(graph.add(late, z), x)
-    found = shallow(graph, [total, product, kept], {kept})
+    found = reassociate(graph, [total, product, kept], {kept})
     assert late in graph.arguments(found[0])
     assert graph.arguments(found[1]) == tuple(sorted((graph.multiply(*p), late)))
     assert found[2] == kept

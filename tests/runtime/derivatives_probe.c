@@ -14,7 +14,7 @@ int probe(const lag_model *model, double rate, double t, const double *state, co
     const size_t n = model->nq, m = model->nc;
     const size_t order = 2 * n + model->nz + model->nu + model->np;
     double *workspace = calloc(model->workspace + 1, sizeof(double));
-    double *memory = calloc(lag_derivatives_memory(model) + 1, sizeof(double));
+    double *arena = calloc(lag_derivatives_memory(model) + 1, sizeof(double));
     lag_derivatives d;
     lag_arguments at = {.t = t, .workspace = workspace, .context = model->context};
     at.q = state;
@@ -25,7 +25,7 @@ int probe(const lag_model *model, double rate, double t, const double *state, co
     at.p = at.w + model->nw;
     size_t coordinate = 0;
     int status = model->prepare(&at);
-    lag_derivatives_place(&d, model, memory);
+    lag_derivatives_place(&d, model, arena);
     status = status ? status : (int)lag_derivatives_look(&d, &at, rate, &coordinate);
     memcpy(d.x, direction, order * sizeof(double));
     d.time = direction[order];
@@ -44,7 +44,7 @@ int probe(const lag_model *model, double rate, double t, const double *state, co
     memcpy(changes + 2 * m, d.dlam, m * sizeof(double));
     *rank = d.system.rank;
     memcpy(rows, d.system.pivot, m * sizeof(double));
-    free(memory);
+    free(arena);
     free(workspace);
     return status;
 }

@@ -9,8 +9,8 @@ import pytest
 
 import lagdsl
 from lagdsl.api.model import Model
-from lagdsl.runtime.cores import PART, cores, share_out
-from lagdsl.runtime.engine import SingularSystem
+from lagdsl.runtime.engines.cores import PART, cores, share_out
+from lagdsl.runtime.engines.engine import SingularSystem
 
 LOOP = """model Loop
   parameter Length l = 0.5 m;

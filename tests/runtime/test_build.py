@@ -17,13 +17,13 @@ from sample_programs import pendulum
 
 from lagdsl.backends.c.emit import engine_sources, model_symbol, sources
 from lagdsl.diagnostics import CompilationFailed
-from lagdsl.runtime import compiler as compilers
-from lagdsl.runtime.background_build import BackgroundBuild
-from lagdsl.runtime.build import build, content_hash
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.cache import cache_folder
-from lagdsl.runtime.compiler import FLAGS, Compiler, find_compiler
-from lagdsl.runtime.native_model import load_compiled
+from lagdsl.runtime.building import compiler as compilers
+from lagdsl.runtime.building.background_build import BackgroundBuild
+from lagdsl.runtime.building.build import build, content_hash
+from lagdsl.runtime.building.cache import cache_folder
+from lagdsl.runtime.building.compiler import FLAGS, Compiler, find_compiler
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.native_model import load_compiled
 
 SOURCES = {"answer.c": "int answer(void);\nint answer(void) { return 42; }\n"}
 
@@ -238,7 +238,7 @@ import sys
 sys.path[:0] = sys.argv[1:]
 import numpy as np
 from sample_programs import chain
-from lagdsl.runtime.c_engine import CEngine
+from lagdsl.runtime.engines.c_engine import CEngine
 engine = CEngine(chain(3))
 draw = np.random.default_rng(0)
 q, qd, none = draw.normal(size=3), draw.normal(size=3), np.zeros(0)

@@ -14,10 +14,10 @@ from lagdsl.graph import Group
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
-from lagdsl.runtime.broadcast import interface, spread
-from lagdsl.runtime.c_engine import CEngine
-from lagdsl.runtime.engine import SingularSystem
-from lagdsl.runtime.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.broadcast import interface, spread
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.engine import SingularSystem
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 
 Make = Callable[[], Program]
 MODELS: dict[str, Make] = {

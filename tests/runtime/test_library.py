@@ -11,11 +11,11 @@ import pytest
 
 from lagdsl import resources
 from lagdsl.diagnostics import CompilationFailed
-from lagdsl.runtime import build_library as building
 from lagdsl.runtime import library as libraries
-from lagdsl.runtime.compiler import FLAGS
+from lagdsl.runtime.building import build_library as building
+from lagdsl.runtime.building.compiler import FLAGS
+from lagdsl.runtime.building.platforms import PLATFORMS, library_name, this_machine
 from lagdsl.runtime.library import PROTOTYPES, Runtime, runtime_library
-from lagdsl.runtime.platforms import PLATFORMS, library_name, this_machine
 from lagdsl.runtime.structures import Range
 
 # A declaration in a header: result, name without `lag_`, arguments.
@@ -25,7 +25,7 @@ FUNCTIONS = {"lag_function": c_int}
 
 
 def _declarations() -> dict[str, tuple[str, str]]:
-    headers = sorted((resources.c_folder() / "include" / "lag").glob("*.h"))
+    headers = sorted((resources.c_folder() / "lag").rglob("*.h"))
     texts = [re.sub(r"/\*.*?\*/", "", header.read_text(encoding="utf-8"), flags=re.DOTALL) for header in headers]
     return {name: (result, given) for text in texts for result, name, given in DECLARED.findall(text)}
 
@@ -99,12 +99,12 @@ def test_objects_are_compiled_again_when_a_header_they_include_changes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = tmp_path / "c"
-    (folder / "include" / "lag").mkdir(parents=True)
-    (folder / "src").mkdir()
-    (folder / "include" / "lag" / "one.h").write_text("#define ONE 1\n")
+    part = folder / "lag" / "part"
+    part.mkdir(parents=True)
+    (folder / "lag" / "one.h").write_text("#define ONE 1\n")
     for name in ("one", "two"):
-        (folder / "src" / f"{name}.c").write_text(f"int lag_{name}(void);\nint lag_{name}(void) {{ return 1; }}\n")
-    with (folder / "src" / "one.c").open("a") as file:
+        (part / f"{name}.c").write_text(f"int lag_{name}(void);\nint lag_{name}(void) {{ return 1; }}\n")
+    with (part / "one.c").open("a") as file:
         file.write('#include "lag/one.h"\n')
     monkeypatch.setattr(building, "c_folder", lambda: folder)
     objects = tmp_path / "objects"
@@ -116,7 +116,7 @@ def test_objects_are_compiled_again_when_a_header_they_include_changes(
 
     before = built()
     assert set(before) == {"one", "two"}
-    (folder / "include" / "lag" / "one.h").write_text("#define ONE 2\n")
+    (folder / "lag" / "one.h").write_text("#define ONE 2\n")
     after = built()
     assert after["two"] == before["two"]
     assert after["one"] != before["one"]

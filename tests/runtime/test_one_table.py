@@ -11,12 +11,12 @@ import pytest
 
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import ALONG_MANY, COUNTED, FUNCTIONS, OPTIONAL, SIGNATURES
-from lagdsl.resources import c_folder
+from lagdsl.resources import c_folder, sources_in
 from lagdsl.runtime import generate, structures
-from lagdsl.runtime.build import build
-from lagdsl.runtime.c_engine import VECTORS
+from lagdsl.runtime.building.build import build
+from lagdsl.runtime.engines.c_engine import VECTORS
+from lagdsl.runtime.engines.native_model import native_model
 from lagdsl.runtime.headers import STRUCTURES, structures_text
-from lagdsl.runtime.native_model import native_model
 from lagdsl.runtime.structures import VERSION, WHAT, InitialFault, Model, Status
 
 MIRRORED: dict[str, type[Structure]] = {name: getattr(structures, mirror) for name, (_, mirror) in STRUCTURES.items()}
@@ -49,8 +49,8 @@ def layouts() -> dict[str, list[tuple[int, int]]]:
         members = [f"{{offsetof({name}, {field[0]}), sizeof((({name} *)0)->{field[0]})}}" for field in mirror._fields_]
         entries = ", ".join([f"{{sizeof({name}), {len(members)}}}", *members])
         lines.append(f"const size_t layout_of_{name}[][2] = {{{entries}}};")
-    texts = {f"lag/{path.name}": path.read_text() for path in (c_folder() / "include" / "lag").glob("*.h")}
-    library = ctypes.CDLL(str(build({"layouts.c": "\n".join(lines) + "\n", **dict(sorted(texts.items()))})))
+    texts = {name: path.read_text() for name, path in sources_in(c_folder()).items() if path.suffix == ".h"}
+    library = ctypes.CDLL(str(build({"layouts.c": "\n".join(lines) + "\n", **texts})))
     pair = ctypes.c_size_t * 2
     return {
         name: [tuple(row) for row in (pair * (1 + len(mirror._fields_))).in_dll(library, f"layout_of_{name}")]
@@ -70,11 +70,11 @@ def test_structures_lie_as_in_c(name: str, layouts: dict[str, list[tuple[int, in
     [
         ("status.h", "LAG", [each.name for each in Status]),
         ("initial.h", "LAG_INITIAL", [each.name for each in InitialFault]),
-        ("happening.h", "LAG", [each.upper() for each in WHAT]),
+        ("event_notice.h", "LAG", [each.upper() for each in WHAT]),
     ],
 )
 def test_enumerations_are_those_of_c(header: str, kind: str, names: list[str]) -> None:
-    text = (c_folder() / "include" / "lag" / header).read_text(encoding="utf-8")
+    text = (c_folder() / "lag" / header).read_text(encoding="utf-8")
     (body,) = re.findall(
         r"typedef enum lag_\w+ \{(.*?)\n\}", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL), re.DOTALL
     )

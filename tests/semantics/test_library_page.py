@@ -7,7 +7,7 @@ from pathlib import Path
 
 from lagdsl.diagnostics import Sink
 from lagdsl.resources import library_folder
-from lagdsl.semantics.library import read_source
+from lagdsl.semantics.classes.library import read_source
 from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse
 

@@ -9,7 +9,7 @@ import pytest
 from flattening import run, said
 
 from lagdsl.flat import model as fm
-from lagdsl.semantics.limits import MAX_TURNS
+from lagdsl.semantics.scope.limits import MAX_TURNS
 
 HEAD = "model A\n  coordinate Length x;\n"
 

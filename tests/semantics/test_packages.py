@@ -10,7 +10,7 @@ import pytest
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.resources import library_folder
-from lagdsl.semantics import library
+from lagdsl.semantics.classes import library
 from lagdsl.semantics.flatten import flatten
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes

@@ -11,7 +11,7 @@ from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat.evaluate import Values, evaluate
-from lagdsl.semantics.tables import interpolation
+from lagdsl.semantics.operators.tables import interpolation
 
 PLACES = [0.0, 0.5, 2.0, 3.0, 4.5]
 VALUES = [1.0, 3.0, 2.5, 2.5, 7.0]

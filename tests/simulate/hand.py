@@ -20,10 +20,10 @@ from lagdsl.flat.model import (
     Output,
     State,
 )
-from lagdsl.mechanics.rank import minimum_norm, null_space
+from lagdsl.numerics.rank import minimum_norm, null_space
 from lagdsl.program.program import Layout, Slot
-from lagdsl.runtime.engine import SingularSystem
-from lagdsl.runtime.numpy_model import Callbacks
+from lagdsl.runtime.engines.engine import SingularSystem
+from lagdsl.runtime.engines.numpy_model import Callbacks
 from lagdsl.source import SourceFile, Span
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, LENGTH
 

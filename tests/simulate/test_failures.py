@@ -21,7 +21,7 @@ def failure(engine: Hand, **more: Any) -> SimulationFailed:
     return caught.value
 
 
-class Vanishing(Hand):
+class PrunedDependencies(Hand):
     """The inertia of y is x, which falls to zero at t = 0.5 s."""
 
     def mass(self, q):  # type: ignore[no-untyped-def]
@@ -29,7 +29,7 @@ class Vanishing(Hand):
 
 
 def test_singular_mass_matrix_names_the_coordinate() -> None:
-    engine = Vanishing(flat_model([length("x", 0.5, -1.0), length("y", 1.0, 0.0, line=2)]))
+    engine = PrunedDependencies(flat_model([length("x", 0.5, -1.0), length("y", 1.0, 0.0, line=2)]))
     failed = failure(engine)
     assert failed.diagnostic.code == "E0806" and failed.name == "y"
     assert failed.diagnostic.labels[0].span == engine.flat.coordinates[1].spans[0]
@@ -41,12 +41,12 @@ def test_singular_mass_matrix_names_the_coordinate() -> None:
 
 @pytest.mark.parametrize("solver", ["radau"])
 def test_singular_mass_matrix_with_an_implicit_method(solver: str) -> None:
-    engine = Vanishing(flat_model([length("x", 0.5, -1.0), length("y", 1.0)]))
+    engine = PrunedDependencies(flat_model([length("x", 0.5, -1.0), length("y", 1.0)]))
     assert failure(engine, solver=solver).diagnostic.code in ("E0806", "E0809")
 
 
 def test_singular_at_the_start_keeps_no_row() -> None:
-    failed = failure(Vanishing(flat_model([length("x"), length("y")])))
+    failed = failure(PrunedDependencies(flat_model([length("x"), length("y")])))
     assert failed.diagnostic.code == "E0806" and failed.time == 0.0 and len(failed.trajectory) == 0
 
 

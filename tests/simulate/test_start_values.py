@@ -10,8 +10,8 @@ import pytest
 
 import lagdsl
 from lagdsl.diagnostics import Severity, Sink
-from lagdsl.mechanics.structure_points import geometry
 from lagdsl.simulate.initialize import InitialState, initial_state
+from lagdsl.structure.points import geometry
 
 MODELS = Path(__file__).parents[2] / "models"
 # Closures in the plane and in space, redundant rows, wires, rolling, states of first order.

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.runtime.auto_engine import AutoEngine
+from lagdsl.runtime.engines.auto_engine import AutoEngine
 from lagdsl.runtime.run import Run
 from lagdsl.simulate import motion
 

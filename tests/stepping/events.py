@@ -183,10 +183,10 @@ class Instant:
     def _left(self, found: dict[str, Floats], i: int, speed: float, was: float, back: float, zero: float) -> float:
         """Time left of the series of bounces of a contact that struck, 0 where it does not rebound, inf where it does
         not come to rest in short: flights of 2 v/a, r times that, r^2 times that."""
-        stick = float(found["stick"][i])
-        if speed <= zero or 0 <= speed < stick:
+        capture_speed = float(found["capture_speed"][i])
+        if speed <= zero or 0 <= speed < capture_speed:
             return 0.0
-        rest = float(found["rest"][i]) if found["rest"][i] >= 0 else _REST * self._system.length
+        rest = float(found["zeno_time"][i]) if found["zeno_time"][i] >= 0 else _REST * self._system.length
         flight, ratio = 2 * speed / back if back > 0 else np.inf, speed / was
         left = flight / (1 - ratio) if ratio < 1 else np.inf
         return min(left, flight / _SHORT) if left < rest or flight < _SHORT * rest else np.inf

@@ -8,8 +8,8 @@ from choice import examples
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagdsl.mechanics.rank import augmented_mass, independent_rows, minimum_norm, minimum_norms, null_space, rank
-from lagdsl.mechanics.structure_newton import descend
+from lagdsl.numerics.levenberg_marquardt import descend
+from lagdsl.numerics.rank import augmented_mass, independent_rows, minimum_norm, minimum_norms, null_space, rank
 
 
 @st.composite

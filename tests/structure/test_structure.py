@@ -14,9 +14,9 @@ from mechanics.mechanics_models import body, constraint, coordinate, derive, ene
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import FlatModel, RotateQuaternion
-from lagdsl.mechanics.structure import Structure, analyze, structure_text
-from lagdsl.mechanics.structure_display import Display, display, display_rate, quantity_text
-from lagdsl.mechanics.structure_points import random_points
+from lagdsl.structure.display import Display, display, display_rate, quantity_text
+from lagdsl.structure.points import random_points
+from lagdsl.structure.structure import Structure, analyze, structure_text
 from lagdsl.units.dimension import LENGTH, dimension
 
 
@@ -281,7 +281,7 @@ def test_display_without_unit_is_the_number_itself() -> None:
 
 
 def test_units_of_rows() -> None:
-    from lagdsl.mechanics.structure_names import unit_suffix
+    from lagdsl.structure.names import unit_suffix
 
     assert unit_suffix(replace(CIRCLE, dimension=dimension(m=2, s=-1))) == " m2.s-1"
     assert unit_suffix(CIRCLE) == ""
@@ -312,7 +312,7 @@ def test_functions_that_exist_nowhere_are_left_to_the_start_values() -> None:
 
 def test_check_needs_no_scipy() -> None:
     code = (
-        "import sys, lagdsl.mechanics.structure, lagdsl.simulate.initialize, lagdsl.simulate.simulate, "
+        "import sys, lagdsl.structure.structure, lagdsl.simulate.initialize, lagdsl.simulate.simulate, "
         "lagdsl.signals.table_io; "
         "sys.exit(any(name in sys.modules for name in ('scipy', 'matplotlib', 'pandas', 'pyarrow', 'sympy')))"
     )

@@ -12,8 +12,8 @@ import pytest
 import lagdsl
 from lagdsl.api.model import Model
 from lagdsl.pipeline import Compilation
+from lagdsl.runtime.engines.tape_engine import TapeEngine
 from lagdsl.runtime.ensemble import Bench, Stop
-from lagdsl.runtime.tape_engine import TapeEngine
 from lagdsl.sweep.ensemble import Ensemble
 from lagdsl.sweep.plan import Task
 from lagdsl.sweep.run import Options, Runner, Subject

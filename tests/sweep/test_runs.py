@@ -12,7 +12,7 @@ import pytest
 
 import lagdsl
 from lagdsl.api.model import Model
-from lagdsl.runtime.engine import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.sweep.dataset import require_room
 from lagdsl.sweep.journal import Busy, Journal, fingerprint_of, outcomes
 from lagdsl.sweep.plan import Axis, Plan, Task, place, require_few, require_sound, settings, task, tasks_of, variants

@@ -8,7 +8,7 @@ import pytest
 from lagdsl import resources
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.render import render_all
-from lagdsl.semantics.library import read_source
+from lagdsl.semantics.classes.library import read_source
 from lagdsl.syntax import limits
 from lagdsl.syntax.parser import parse
 

@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from lagdsl.semantics.prelude import CONSTANTS, TYPES
+from lagdsl.semantics.scope.prelude import CONSTANTS, TYPES
 from lagdsl.units.definition import from_si, si_value
 from lagdsl.units.dimension import DIMENSIONLESS, ENERGY, dimension
 from lagdsl.units.naming import unit_text
@@ -117,7 +117,7 @@ def test_short_names_belong_to_the_user():
 def quantities() -> str:
     """docs/reference/quantities.md: what the language knows without import."""
     lines = ["# Quantities, constants, units", ""]
-    lines += ["Every model knows these without import. Written from `lagdsl/semantics/prelude.py` and"]
+    lines += ["Every model knows these without import. Written from `lagdsl/semantics/scope/prelude.py` and"]
     lines += ["`lagdsl/units/vocabulary.py` by `make update`.", "", "## Types", ""]
     lines += ["| type | SI unit | shown in | at least |", "|---|---|---|---|"]
     for known in TYPES.values():

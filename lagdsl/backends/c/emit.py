@@ -13,7 +13,7 @@ from lagdsl.backends.c.source import header, source, symbol
 from lagdsl.backends.identifier import identifier
 from lagdsl.backends.start import Start
 from lagdsl.program.program import Program
-from lagdsl.resources import c_folder
+from lagdsl.resources import c_folder, sources_in
 
 PARTS: dict[str, Callable[[Program, str], str]] = {
     "states": states_source,
@@ -82,7 +82,7 @@ def engine_sources(program: Program, parts: Sequence[str] = ()) -> dict[str, str
     that they include, and what generated functions call."""
     own = _own_sources(program, parts)
     if program.has("momentum_tangent"):
-        own["lag/columns.c"] = (c_folder() / "src" / "columns.c").read_text(encoding="utf-8")
+        own["lag/equations/columns.c"] = (c_folder() / "lag/equations/columns.c").read_text(encoding="utf-8")
     return {**own, **included(own.values(), _header)}
 
 
@@ -94,7 +94,7 @@ def _own_sources(program: Program, parts: Sequence[str]) -> dict[str, str]:
 
 def _header(name: str) -> str | None:
     """A header of the runtime; others are generated."""
-    path = c_folder() / "include" / name
+    path = c_folder() / name
     return path.read_text(encoding="utf-8") if path.is_file() else None
 
 
@@ -109,10 +109,10 @@ def started_sources(program: Program, start: Start | None, parts: Sequence[str] 
 
 
 def runtime_sources() -> dict[str, str]:
-    """The runtime's own files, all in one folder `lag`. A model that is compiled needs no interpreter of tapes."""
-    files = [*(c_folder() / "include" / "lag").glob("*.h"), *(c_folder() / "src").glob("*.c")]
-    needed = sorted((file for file in files if not file.name.startswith("tape")), key=lambda file: file.name)
-    return {f"lag/{file.name}": file.read_text(encoding="utf-8") for file in needed}
+    """The runtime's own files, in the folder `lag`. A model that is compiled needs no interpreter of tapes."""
+    return {
+        path: file.read_text(encoding="utf-8") for path, file in sources_in(c_folder()).items() if "/tape" not in path
+    }
 
 
 _NUMBERS = ("x", "nominal", "minimum", "maximum", "parameter_nominal")

@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from lagdsl.backends.c.dialect import SCRATCH, Dialect, Place
 from lagdsl.backends.c.kernel import rolled_code
-from lagdsl.backends.c.roll import roll
+from lagdsl.backends.c.reroll import reroll
 from lagdsl.backends.c.statement import Listing, Store, listing
 from lagdsl.backends.c.straight import pieces
 from lagdsl.graph.graph import Graph
@@ -51,7 +51,7 @@ def code(graph: Graph, stores: tuple[Store, ...], given: Mapping[int, Place], di
     if len(made.statements) <= LONGEST_FUNCTION:
         bodies, scratch = pieces(made, dialect, len(made.statements), sums)
         return Code("", tuple(line for body in bodies for line in body), scratch)
-    rolled = roll(made, sums)
+    rolled = reroll(made, sums)
     if rolled.length <= _ROLLED_PART * len(made.statements):
         definitions, calls = rolled_code(rolled, dialect, head.name, head.parameters, head.arguments)
         return Code(definitions, tuple(calls), rolled.scratch)

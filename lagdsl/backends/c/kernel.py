@@ -8,7 +8,7 @@ from typing import cast
 from lagdsl.backends.c.column import Index, Tables
 from lagdsl.backends.c.dialect import SCRATCH, Dialect
 from lagdsl.backends.c.literal import number
-from lagdsl.backends.c.roll import Kernel, Rolled, columns, laps
+from lagdsl.backends.c.reroll import Kernel, Rolled, columns, laps
 from lagdsl.backends.c.statement import Gather
 from lagdsl.backends.c.straight import gathering
 from lagdsl.backends.expression import fused_arguments

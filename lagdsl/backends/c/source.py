@@ -33,7 +33,7 @@ def source(program: Program, stem: str) -> str:
             '#include <math.h>\n\n#include "lag/columns.h"\n#include "lag/trigonometry.h"\n',
             _tables(program),
             *(made[name][0] for name in often),
-            '#include "lag/rarely.h"\n',
+            '#include "lag/cold.h"\n',
             preparation,
             *(text for name, (text, _) in made.items() if name not in often),
             *_by_columns(program, stem, memory),

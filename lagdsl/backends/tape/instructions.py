@@ -1,4 +1,4 @@
-"""The instructions of a tape by number, as lag/tape_code.h lists them."""
+"""The instructions of a tape by number, as lag/tape/tape_code.h lists them."""
 
 from __future__ import annotations
 

@@ -8,17 +8,17 @@ from lagdsl.semantics.assembly.chains import Chains
 from lagdsl.semantics.assembly.closures import Closures
 from lagdsl.semantics.assembly.connections import Connections
 from lagdsl.semantics.assembly.costs import Preference, is_fixed, preferences
+from lagdsl.semantics.assembly.dependencies import Dependencies
 from lagdsl.semantics.assembly.islands import report_islands
 from lagdsl.semantics.assembly.loops import Loops
-from lagdsl.semantics.assembly.mentions import Mentions
 from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import WORLD, Net
 from lagdsl.semantics.assembly.networks import Networks
 from lagdsl.semantics.assembly.routes import Routes
 from lagdsl.semantics.assembly.uses import Uses
-from lagdsl.semantics.contents import Contents, Placed
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Instance
+from lagdsl.semantics.scope.contents import Contents, Placed
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Instance
 from lagdsl.syntax import nodes
 
 
@@ -28,7 +28,7 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     Called when all names, modifiers and items are known and nothing is elaborated yet. Single frames and coordinates
     are made when they are asked for.
     """
-    net = Net(ctx, Mentions(ctx))
+    net = Net(ctx, Dependencies(ctx))
     for placed in contents.kinematics:
         with ctx.inside(placed.scope):
             kinematics.link(ctx, net, placed)

@@ -14,11 +14,11 @@ from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import Link, Net
 from lagdsl.semantics.assembly.networks import Networks
 from lagdsl.semantics.assembly.routes import Routes
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.definitions import every
-from lagdsl.semantics.naming import element_name
-from lagdsl.semantics.scope import Indices, Instance, Symbol
-from lagdsl.semantics.values import POISON, Poison, Reaction, Value
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import element_name
+from lagdsl.semantics.scope.scope import Indices, Instance, Symbol
+from lagdsl.semantics.scope.values import POISON, Poison, Reaction, Value
+from lagdsl.semantics.variables.resolver import every
 from lagdsl.source import Span
 
 

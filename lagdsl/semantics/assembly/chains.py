@@ -5,9 +5,9 @@ from __future__ import annotations
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.assembly.net import WORLD, Net
 from lagdsl.semantics.assembly.paths import Absent, Element, World, base_of, target_of
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Binding, Entry, Instance, Scope, Symbol
-from lagdsl.semantics.values import Poison
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Binding, Entry, Instance, Scope, Symbol
+from lagdsl.semantics.scope.values import Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 

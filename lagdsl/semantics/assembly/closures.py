@@ -10,20 +10,21 @@ from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Closure, Constraint, Definition, Frame, FrameStep, Image, Output
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics import constraints, quantities
-from lagdsl.semantics.assembly.computed import Formula, NoFormulaError, Solver
+from lagdsl.semantics.assembly.closed_form.computed import Formula, NoFormulaError, Solver
+from lagdsl.semantics.assembly.closed_form.linear import variables
+from lagdsl.semantics.assembly.closed_form.pose import displacement, misalignment
 from lagdsl.semantics.assembly.cuts import Cut, Place, ReadAs, Tied
-from lagdsl.semantics.assembly.linear import variables
 from lagdsl.semantics.assembly.net import Net
-from lagdsl.semantics.assembly.pose import displacement, misalignment
 from lagdsl.semantics.assembly.relative import Ancestry, is_relative, speaks_of_its_frames
 from lagdsl.semantics.assembly.routes import Routes
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.definitions import every
-from lagdsl.semantics.naming import element_name
-from lagdsl.semantics.quantity_fields import QuantityFields
-from lagdsl.semantics.scope import Symbol
-from lagdsl.semantics.values import FrameValue, Order, Scalar
+from lagdsl.semantics.items import constraints
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import element_name
+from lagdsl.semantics.scope.scope import Symbol
+from lagdsl.semantics.scope.values import FrameValue, Order, Scalar
+from lagdsl.semantics.types.quantity_fields import QuantityFields
+from lagdsl.semantics.variables import quantities
+from lagdsl.semantics.variables.resolver import every
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, LENGTH

@@ -8,10 +8,10 @@ from lagdsl.semantics.assembly.chains import Chains, refuse
 from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.networks import Networks
 from lagdsl.semantics.assembly.paths import Absent, Element, Target, target_of
-from lagdsl.semantics.conditions import condition_of
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Instance, Scope
-from lagdsl.semantics.values import Scalar
+from lagdsl.semantics.operators.conditions import condition_of
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Instance, Scope
+from lagdsl.semantics.scope.values import Scalar
 from lagdsl.syntax import nodes
 
 

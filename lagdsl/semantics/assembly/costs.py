@@ -6,10 +6,10 @@ from enum import IntEnum
 from typing import Literal
 
 from lagdsl.semantics.assembly.net import Link, Net
-from lagdsl.semantics.attributes import attributes, flags
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Symbol
-from lagdsl.semantics.values import Text
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Symbol
+from lagdsl.semantics.scope.values import Text
+from lagdsl.semantics.variables.attributes import attributes, flags
 from lagdsl.syntax import nodes
 
 

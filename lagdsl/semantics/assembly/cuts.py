@@ -7,8 +7,8 @@ from dataclasses import field
 from lagdsl.flat.model import FrameStep, Output
 from lagdsl.record import mutable_record, record
 from lagdsl.semantics.assembly.net import Link, Port
-from lagdsl.semantics.contents import Placed
-from lagdsl.semantics.values import FrameValue
+from lagdsl.semantics.scope.contents import Placed
+from lagdsl.semantics.scope.values import FrameValue
 from lagdsl.source import Span
 
 

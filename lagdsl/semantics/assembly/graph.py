@@ -46,12 +46,12 @@ class Step:
 
 @record()
 class Tree:
-    """`steps` in the order in which they were made; `cuts` are the edges that close a loop, `surplus` the givens of
-    nodes that were known before, both in the order of their numbers."""
+    """`steps` in the order in which they were made; `cuts` are the edges that close a loop, `redundant_edges` the
+    givens of nodes that were known before, both in the order of their numbers."""
 
     steps: tuple[Step, ...]
     cuts: tuple[int, ...]
-    surplus: tuple[int, ...]
+    redundant_edges: tuple[int, ...]
 
 
 def span(count: int, edges: Sequence[Edge], givens: Sequence[Given]) -> Tree:

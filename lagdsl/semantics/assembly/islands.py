@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.assembly.net import Net
 from lagdsl.semantics.assembly.routes import Routes
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Instance
-from lagdsl.semantics.values import POISON
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Instance
+from lagdsl.semantics.scope.values import POISON
 
 
 def report_islands(ctx: Context, net: Net, routes: Routes, instances: Sequence[Instance]) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from lagdsl.semantics.assembly.net import WORLD, Net
 from lagdsl.semantics.assembly.paths import Element, World, base_of, target_of
-from lagdsl.semantics.contents import Placed
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Binding, Scope
-from lagdsl.semantics.values import Poison
+from lagdsl.semantics.scope.contents import Placed
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Binding, Scope
+from lagdsl.semantics.scope.values import Poison
 from lagdsl.syntax import nodes
 
 
@@ -24,7 +24,7 @@ def link(ctx: Context, net: Net, placed: Placed) -> None:
             net.link(found, child, Binding(other, placed.scope, item.span), placed.instance)
             return
     others = [side for side in (item.left, item.right) if port_of(ctx, net, placed.scope, side) is None]
-    readable = [side for side in others if not net.mentions.of(placed.scope, side)[0]]
+    readable = [side for side in others if not net.dependencies.of(placed.scope, side)[0]]
     values = [ctx.elaborate(ctx, placed.scope, side, False) for side in readable]
     if not any(isinstance(value, Poison) for value in values):
         ctx.sink.report("E0700", item.span)

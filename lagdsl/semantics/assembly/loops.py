@@ -5,8 +5,8 @@ from __future__ import annotations
 from lagdsl.semantics.assembly.cuts import Cut, Tied
 from lagdsl.semantics.assembly.graph import Step, Tree
 from lagdsl.semantics.assembly.net import Link, Net
-from lagdsl.semantics.contents import Placed
-from lagdsl.semantics.scope import Instance
+from lagdsl.semantics.scope.contents import Placed
+from lagdsl.semantics.scope.scope import Instance
 from lagdsl.source import Span
 
 
@@ -35,7 +35,7 @@ class Loops:
         """Ports with a place of their own that were joined to others that have one."""
         return [
             Tied(self._net.placed[number].port, (), self._net.spans[self._net.placed[number].port])
-            for number in self._tree.surplus
+            for number in self._tree.redundant_edges
         ]
 
     def _span(self, link: Link) -> Span:

@@ -12,12 +12,12 @@ from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Coordinate
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.assembly.sets import Sets
-from lagdsl.semantics.constants import NoValue, evaluate
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.definitions import every
-from lagdsl.semantics.naming import element_name
-from lagdsl.semantics.scope import Indices, Symbol
-from lagdsl.semantics.values import Order, Scalar
+from lagdsl.semantics.scope.constants import NoValue, evaluate
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import element_name
+from lagdsl.semantics.scope.scope import Indices, Symbol
+from lagdsl.semantics.scope.values import Order, Scalar
+from lagdsl.semantics.variables.resolver import every
 from lagdsl.source import Span
 from lagdsl.units.dimension import DIMENSIONLESS
 

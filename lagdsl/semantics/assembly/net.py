@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import field
 
 from lagdsl.record import mutable_record
-from lagdsl.semantics.assembly.mentions import Mentions
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.naming import element_name
-from lagdsl.semantics.scope import Binding, Indices, Instance, Symbol
+from lagdsl.semantics.assembly.dependencies import Dependencies
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import element_name
+from lagdsl.semantics.scope.scope import Binding, Indices, Instance, Symbol
 from lagdsl.source import Span
 
 WORLD = 0
@@ -63,7 +63,7 @@ class Net:
     """
 
     ctx: Context
-    mentions: Mentions
+    dependencies: Dependencies
     ports: list[Port] = field(default_factory=lambda: [Port(WORLD)])
     links: list[Link] = field(default_factory=list)
     placed: list[Loose] = field(default_factory=list)
@@ -114,13 +114,13 @@ class Net:
 
     def needed(self, binding: Binding, but: tuple[int, ...] = ()) -> tuple[int, ...]:
         """The ports that the text of a binding mentions, `but` left out."""
-        frames, _ = self.mentions.of_binding(binding)
+        frames, _ = self.dependencies.of_binding(binding)
         return tuple(number for key in frames if (number := self.port(*key)) not in but)
 
     def link(self, base: int, child: int, binding: Binding, instance: Instance) -> None:
         """Add what leads from one port to the other."""
         needs = self.needed(binding, (base, child))
-        _, found = self.mentions.of_binding(binding)
+        _, found = self.dependencies.of_binding(binding)
         own = tuple(symbol for symbol in found if symbol.scope.prefix == instance.scope.prefix)
         self.shared.update(symbol for symbol in found if symbol not in own)
         link = Link(len(self.links), base, child, binding, instance, needs, own, len(own) < len(found))
@@ -133,5 +133,5 @@ class Net:
         return port.number
 
     def _place(self, number: int, binding: Binding) -> None:
-        self.shared.update(self.mentions.of_binding(binding)[1])
+        self.shared.update(self.dependencies.of_binding(binding)[1])
         self.placed.append(Loose(number, self.needed(binding)))

@@ -17,9 +17,9 @@ from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import Net
 from lagdsl.semantics.assembly.sets import Sets
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Indices, Instance, Symbol
-from lagdsl.semantics.values import Order, Poison, Scalar, Value, balanced_sum
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Indices, Instance, Symbol
+from lagdsl.semantics.scope.values import Order, Poison, Scalar, Value, balanced_sum
 from lagdsl.source import Span
 from lagdsl.units.dimension import DIMENSIONLESS
 

@@ -8,12 +8,12 @@ from typing import TypeAlias
 
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.record import record
-from lagdsl.semantics.arrays import subscript_indices, turns
-from lagdsl.semantics.conditions import condition_of
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.geometry import METHODS
-from lagdsl.semantics.scope import Entry, Indices, Instance, InstanceArray, Scope, Symbol, lookup
-from lagdsl.semantics.values import POISON, FrameValue
+from lagdsl.semantics.operators.arrays import subscript_indices, turns
+from lagdsl.semantics.operators.conditions import condition_of
+from lagdsl.semantics.operators.geometry import METHODS
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Entry, Indices, Instance, InstanceArray, Scope, Symbol, lookup
+from lagdsl.semantics.scope.values import POISON, FrameValue
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import children, descendants
 

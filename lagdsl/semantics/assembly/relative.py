@@ -14,8 +14,8 @@ from lagdsl.flat.model import Frame, FrameStep, Image, Move, Rotate, RotateAbout
 from lagdsl.flat.traversal import postorder, step_expressions
 from lagdsl.semantics.assembly.net import Link, Net
 from lagdsl.semantics.assembly.paths import Element, World, target_of
-from lagdsl.semantics.contents import Placed
-from lagdsl.semantics.context import Context
+from lagdsl.semantics.scope.contents import Placed
+from lagdsl.semantics.scope.context import Context
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import children
 

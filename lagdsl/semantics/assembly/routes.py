@@ -8,12 +8,12 @@ from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Frame, FrameStep
 from lagdsl.flat.traversal import postorder, step_expressions
 from lagdsl.record import record
+from lagdsl.semantics.assembly.closed_form.inverse import inverse, names_frame
 from lagdsl.semantics.assembly.graph import Step, Tree
-from lagdsl.semantics.assembly.inverse import inverse, names_frame
 from lagdsl.semantics.assembly.net import WORLD, Link, Net, Port
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.geometry import WORLD as WORLD_FRAME
-from lagdsl.semantics.values import POISON, FrameValue, Value, highest, latest
+from lagdsl.semantics.operators.geometry import WORLD as WORLD_FRAME
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.values import POISON, FrameValue, Value, highest, latest
 from lagdsl.source import Span
 
 

@@ -7,9 +7,9 @@ that is wound up further.
 from __future__ import annotations
 
 from lagdsl.semantics.assembly.paths import Element, inner_texts, target_of, texts_of
-from lagdsl.semantics.contents import Contents
-from lagdsl.semantics.context import Context
-from lagdsl.semantics.scope import Binding, Scope, Symbol
+from lagdsl.semantics.scope.contents import Contents
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Binding, Scope, Symbol
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import children
 

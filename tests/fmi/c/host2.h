@@ -33,10 +33,10 @@ static void *give(size_t count, size_t size)
     return calloc(count, size);
 }
 
-static void take(void *memory)
+static void take(void *arena)
 {
     --host.living;
-    free(memory);
+    free(arena);
 }
 
 static const fmi2CallbackFunctions functions = {hear, give, take, NULL, &host};

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "../../c/check.h"
-#include "lag/instance.h"
+#include "lag/instance/instance.h"
 
 #define CHECK_OK(instance, call)                                                                                       \
     do {                                                                                                               \

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-#include "lag/instance.h"
+#include "lag/instance/instance.h"
 
 enum { OSC_TIME, OSC_K, OSC_Q, OSC_QD, OSC_Z, OSC_QDD, OSC_ZD, OSC_U, OSC_UD, OSC_YQ, OSC_YA, OSC_STEP, OSC_ENERGY, OSC_BOTH, OSC_VARIABLES };
 

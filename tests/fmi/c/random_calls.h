@@ -10,7 +10,7 @@
 #include "../../c/check.h"
 #include "fmi2Functions.h"
 #include "fmi3Functions.h"
-#include "lag/shell.h"
+#include "lag/shell/shell.h"
 
 enum { ROOM = 64, SNAPSHOTS = 3, BYTES = 1 << 22 };
 
@@ -19,7 +19,7 @@ typedef struct lag_visit {
     unsigned told;           /* messages in this call */
     unsigned calls, good;    /* all, and those that were answered with OK */
     void *instance;
-    void *snapshots[SNAPSHOTS];
+    void *states[SNAPSHOTS];
     unsigned char bytes[BYTES];
     size_t size;             /* of what is in `bytes` */
     double t, h;             /* where the importer thinks to be */
@@ -131,7 +131,7 @@ static fmi2Status call2(lag_visit *visit)
     fmi2EventInfo info;
     fmi2Boolean flag = 0, other = 0;
     fmi2Status status = fmi2OK;
-    void **snapshot = &visit->snapshots[pick(visit, SNAPSHOTS)];
+    void **state = &visit->states[pick(visit, SNAPSHOTS)];
     for (size_t i = 0; i < ROOM; ++i) {
         whole[i] = (fmi2Integer)pick(visit, 4) - 1;
     }
@@ -166,18 +166,18 @@ static fmi2Status call2(lag_visit *visit)
     case 14:
         return fmi2SetBoolean(c, visit->references, n, MAYBE(whole));
     case 15:
-        return fmi2GetFMUstate(c, MAYBE(snapshot));
+        return fmi2GetFMUstate(c, MAYBE(state));
     case 16:
-        return fmi2SetFMUstate(c, *snapshot);
+        return fmi2SetFMUstate(c, *state);
     case 17:
-        return fmi2FreeFMUstate(c, MAYBE(snapshot));
+        return fmi2FreeFMUstate(c, MAYBE(state));
     case 18:
-        status = fmi2SerializedFMUstateSize(c, *snapshot, &visit->size);
+        status = fmi2SerializedFMUstateSize(c, *state, &visit->size);
         CHECK(visit->size < BYTES);
-        return status == fmi2OK ? fmi2SerializeFMUstate(c, *snapshot, (fmi2Byte *)visit->bytes, visit->size) : status;
+        return status == fmi2OK ? fmi2SerializeFMUstate(c, *state, (fmi2Byte *)visit->bytes, visit->size) : status;
     case 19:
         visit->bytes[pick(visit, (unsigned)visit->size + 1)] ^= (unsigned char)rarely(visit);
-        return fmi2DeSerializeFMUstate(c, (const fmi2Byte *)visit->bytes, visit->size, MAYBE(snapshot));
+        return fmi2DeSerializeFMUstate(c, (const fmi2Byte *)visit->bytes, visit->size, MAYBE(state));
     case 20:
         return fmi2GetDirectionalDerivative(c, visit->references, n, visit->references + 8, n, MAYBE(visit->values), MAYBE(visit->more));
     case 21:
@@ -268,7 +268,7 @@ static fmi3Status call3(lag_visit *visit)
     size_t places[ROOM];
     fmi3DependencyKind kinds[ROOM];
     fmi3Status status = fmi3OK;
-    void **snapshot = &visit->snapshots[pick(visit, SNAPSHOTS)];
+    void **state = &visit->states[pick(visit, SNAPSHOTS)];
     for (size_t k = 0; k < ROOM; ++k) {
         whole[k] = (fmi3Int32)pick(visit, 4) - 1;
     }
@@ -302,18 +302,18 @@ static fmi3Status call3(lag_visit *visit)
         memset(flags, (int)pick(visit, 256), sizeof flags);
         return fmi3SetBoolean(i, visit->references, n, MAYBE(flags), wide);
     case 14:
-        return fmi3GetFMUState(i, MAYBE(snapshot));
+        return fmi3GetFMUState(i, MAYBE(state));
     case 15:
-        return fmi3SetFMUState(i, *snapshot);
+        return fmi3SetFMUState(i, *state);
     case 16:
-        return fmi3FreeFMUState(i, MAYBE(snapshot));
+        return fmi3FreeFMUState(i, MAYBE(state));
     case 17:
-        status = fmi3SerializedFMUStateSize(i, *snapshot, &visit->size);
+        status = fmi3SerializedFMUStateSize(i, *state, &visit->size);
         CHECK(visit->size < BYTES);
-        return status == fmi3OK ? fmi3SerializeFMUState(i, *snapshot, visit->bytes, visit->size) : status;
+        return status == fmi3OK ? fmi3SerializeFMUState(i, *state, visit->bytes, visit->size) : status;
     case 18:
         visit->bytes[pick(visit, (unsigned)visit->size + 1)] ^= (unsigned char)rarely(visit);
-        return fmi3DeserializeFMUState(i, visit->bytes, visit->size, MAYBE(snapshot));
+        return fmi3DeserializeFMUState(i, visit->bytes, visit->size, MAYBE(state));
     case 19:
         return fmi3GetDirectionalDerivative(i, visit->references, n, visit->references + 8, n, MAYBE(visit->values), wide, visit->more, wide);
     case 20:
@@ -385,7 +385,7 @@ static unsigned visit_at_random(unsigned long long seed, unsigned lives, int ver
         } else {
             fmi3FreeInstance(visit->instance);
         }
-        memset(visit->snapshots, 0, sizeof visit->snapshots); /* they went with the instance */
+        memset(visit->states, 0, sizeof visit->states); /* they went with the instance */
     }
     return visit->good;
 }

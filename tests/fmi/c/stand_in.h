@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "lag/instance.h"
+#include "lag/instance/instance.h"
 
 /* Value references. */
 enum { V_TIME, V_Q, V_QD, V_QDD, V_K, V_FAULT, V_PERIOD, V_U, V_COUNT, V_CLOSED, V_LABEL, V_KIND, V_BIG, V_VARIABLES };
@@ -173,7 +173,7 @@ lag_status lag_instance_setup(lag_instance *instance, double start, double stop,
 lag_status lag_instance_initialize(lag_instance *instance)
 {
     ++instance->initialized;
-    return stand_in_fault(instance, FAULT_START) ? stand_in_fail(instance, LAG_OFF) : LAG_OK;
+    return stand_in_fault(instance, FAULT_START) ? stand_in_fail(instance, LAG_PROJECTION_FAILED) : LAG_OK;
 }
 
 lag_status lag_instance_begin(lag_instance *instance)
@@ -185,7 +185,7 @@ lag_status lag_instance_begin(lag_instance *instance)
 
 lag_status lag_instance_terminate(lag_instance *instance)
 {
-    return stand_in_fault(instance, FAULT_FAILURE) ? stand_in_fail(instance, LAG_REFUSED) : LAG_OK;
+    return stand_in_fault(instance, FAULT_FAILURE) ? stand_in_fail(instance, LAG_ASSERTION_FAILED) : LAG_OK;
 }
 
 lag_status lag_instance_set_time(lag_instance *instance, double t)
@@ -280,7 +280,7 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     double t = end;
     *told = (lag_progress){.t = held->t};
     if (stand_in_fault(instance, FAULT_STEP) || stand_in_fault(instance, FAULT_FAILURE)) {
-        return stand_in_fail(instance, stand_in_fault(instance, FAULT_STEP) ? LAG_STUCK : LAG_REFUSED);
+        return stand_in_fail(instance, stand_in_fault(instance, FAULT_STEP) ? LAG_STEP_TOO_SMALL : LAG_ASSERTION_FAILED);
     }
     if (stand_in_fault(instance, FAULT_STOP)) {
         t = fmin(t, 0.35);

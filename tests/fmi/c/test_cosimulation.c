@@ -2,7 +2,7 @@
 #include "instances.h"
 #include "oscillator.h"
 
-#include "lag/parts.h"
+#include "lag/instance/instance_internal.h"
 
 static const double TOLERANCE = 1e-9;
 /* What a motion of a few seconds may be off. */

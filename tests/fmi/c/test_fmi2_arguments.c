@@ -53,12 +53,12 @@ static void *shift(size_t count, size_t size)
     return (char *)block + 1;
 }
 
-static void keep(void *memory)
+static void keep(void *arena)
 {
-    (void)memory;
+    (void)arena;
 }
 
-static void memory(void)
+static void arena(void)
 {
     fmi2CallbackFunctions without = {hear, starve, keep, NULL, &host};
     CHECK(fmi2Instantiate("one", fmi2ModelExchange, STAND_IN_TOKEN, NULL, &without, 0, 0) == NULL && strstr(host.message, "memory"));
@@ -156,7 +156,7 @@ static void exchange(void)
     fmi2FreeInstance(c);
 }
 
-static void snapshots(void)
+static void states(void)
 {
     fmi2Component c = brought(fmi2CoSimulation, 'S');
     fmi2Component other = brought(fmi2ModelExchange, 'C');
@@ -253,11 +253,11 @@ static void callbacks(void)
 int main(void)
 {
     instances();
-    memory();
+    arena();
     values();
     steps();
     exchange();
-    snapshots();
+    states();
     logging();
     callbacks();
     CHECK(host.living == 0);

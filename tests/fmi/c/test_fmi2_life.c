@@ -165,7 +165,7 @@ static void failures(void)
 }
 
 /* Taken back, also into another instance and through bytes: the same numbers to the last bit. */
-static void snapshots(void)
+static void states(void)
 {
     fmi2Component c = brought(fmi2CoSimulation, 'S'), other = made(fmi2CoSimulation);
     fmi2FMUstate state = NULL, copy = NULL;
@@ -212,7 +212,7 @@ int main(void)
     endings();
     discarded();
     failures();
-    snapshots();
+    states();
     types();
     CHECK(host.living == 0);
     return 0;

@@ -177,7 +177,7 @@ static void exchange(void)
     fmi3FreeInstance(i);
 }
 
-static void snapshots(void)
+static void states(void)
 {
     fmi3Instance i = brought(STEPS, 'S'), other = brought(STEPS_WITH_EVENTS, 'S');
     fmi3FMUState state = NULL, none = NULL;
@@ -207,6 +207,6 @@ int main(void)
     types();
     steps();
     exchange();
-    snapshots();
+    states();
     return 0;
 }

@@ -213,7 +213,7 @@ static void endings(void)
     fmi3FreeInstance(i);
 }
 
-static void snapshots(void)
+static void states(void)
 {
     fmi3Instance i = made(STEPS), other = made(STEPS);
     fmi3FMUState state = NULL, copy = NULL;
@@ -241,6 +241,6 @@ int main(void)
     event_mode();
     intermediate_update();
     endings();
-    snapshots();
+    states();
     return 0;
 }

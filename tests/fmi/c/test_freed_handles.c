@@ -42,7 +42,7 @@ static void instances(void)
     expect_dead(three);
 }
 
-static void snapshots(void)
+static void states(void)
 {
     fmi2Component one = brought(fmi2CoSimulation, 'S'), two = brought(fmi2CoSimulation, 'S');
     fmi2FMUstate state = NULL, copy, theirs = NULL;
@@ -78,7 +78,7 @@ int main(void)
 {
     pthread_t threads[4];
     instances();
-    snapshots();
+    states();
     CHECK(host.living == 0);
     for (int i = 0; i < 4; ++i) {
         CHECK(pthread_create(&threads[i], NULL, live, NULL) == 0);

@@ -80,12 +80,12 @@ static void foreign(void)
     const double q = get(one, OSC_Q);
     for (size_t place = 0; place < size; place += 1 + size / 97) {
         bytes[place] ^= 0x10;
-        CHECK(lag_instance_load(one, bytes) == LAG_FOREIGN && get(one, OSC_Q) == q);
+        CHECK(lag_instance_load(one, bytes) == LAG_BAD_STATE_DATA && get(one, OSC_Q) == q);
         bytes[place] ^= 0x10;
     }
     other.token = "another";
     lag_instance *stranger = begun(&other, 0.0, 2.0, 0.0);
-    CHECK(lag_instance_load(stranger, bytes) == LAG_FOREIGN);
+    CHECK(lag_instance_load(stranger, bytes) == LAG_BAD_STATE_DATA);
     CHECK_OK(one, lag_instance_load(one, bytes));
     CHECK(get(one, OSC_TIME) == 0.0);
     free(stranger);

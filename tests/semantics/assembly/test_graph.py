@@ -73,14 +73,14 @@ def test_a_given_waits_for_what_it_needs():
     tree = span(4, edges, [Given(0), Given(3, needs=(1, 2))])
     assert tree.steps == (Step(0, given=0), Step(2, edge=1), Step(1, edge=0), Step(3, given=1))
     assert tree.cuts == (2,)
-    assert tree.surplus == ()
+    assert tree.redundant_edges == ()
 
 
 def test_a_given_that_comes_late_is_surplus():
     """Node 1 is needed by what would place it: the edge does."""
     tree = span(2, [Edge(0, 1, (0,))], [Given(0), Given(1, needs=(1,))])
     assert tree.steps == (Step(0, given=0), Step(1, edge=0))
-    assert tree.surplus == (1,)
+    assert tree.redundant_edges == (1,)
 
 
 def test_an_edge_waits_for_what_it_needs():

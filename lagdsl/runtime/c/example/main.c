@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lag/happening.h"
+#include "lag/event_notice.h"
 #include "lag/run.h"
 
 /* Where rows and events go, room for the outputs, and the time of the last event. */
@@ -100,15 +100,15 @@ static lag_status row(void *context, lag_run *run, double t, const double *x)
     return t == to->event_time ? LAG_OK : print_row(to, run, t, x); /* it is there already */
 }
 
-static lag_status tell(void *context, lag_run *run, const lag_happening *what)
+static lag_status tell(void *context, lag_run *run, const lag_event_notice *what)
 {
     tables *to = context;
     if (what->what == LAG_BEFORE || what->what == LAG_AFTER) {
         to->event_time = what->t;
         return print_row(to, run, what->t, what->x);
     }
-    (void)fprintf(to->events, "%.17g,%s,", what->t, lag_what_name(what->what));
-    print_name(to->events, lag_happening_name(run->motion.model, what));
+    (void)fprintf(to->events, "%.17g,%s,", what->t, lag_event_kind_name(what->what));
+    print_name(to->events, lag_event_notice_name(run->motion.model, what));
     (void)fputc('\n', to->events);
     return LAG_OK;
 }
@@ -145,21 +145,21 @@ static const char *reason(lag_status status)
     switch (status) {
     case LAG_SINGULAR:
         return "accelerations are not determined";
-    case LAG_OFF:
+    case LAG_PROJECTION_FAILED:
         return "the constraints cannot be reached";
     case LAG_VIOLATED:
-    case LAG_REFUSED:
+    case LAG_ASSERTION_FAILED:
         return "an assertion failed or an invariant left its tolerance";
     case LAG_CHATTER:
-    case LAG_UNSETTLED:
+    case LAG_EVENT_ITERATION_FAILED:
         return "events follow each other without end";
     case LAG_CONFLICT:
         return "one quantity is reset to two values at once";
-    case LAG_PIERCED:
+    case LAG_PENETRATION:
         return "a contact is pierced at the start";
-    case LAG_TORN:
+    case LAG_POSITION_JUMP:
         return "a constraint that an event switches on does not hold at the positions there";
-    case LAG_TIMELESS:
+    case LAG_BAD_CLOCK:
         return "a clock has no positive period";
     default:
         return "the motion cannot go on";

@@ -8,7 +8,7 @@
 #include <time.h>
 
 #include "lag/fixed.h"
-#include "lag/happening.h"
+#include "lag/event_notice.h"
 #include "lag/run.h"
 
 /* How long steps took [s]: those in which nothing happened, those with events. */
@@ -29,7 +29,7 @@ static lag_fixed_step *method(const char *name)
     return strcmp(name, "leapfrog") == 0 ? lag_leapfrog : strcmp(name, "ros2") == 0 ? lag_ros2 : lag_rk4;
 }
 
-static lag_status count_events(void *context, lag_run *run, const lag_happening *what)
+static lag_status count_events(void *context, lag_run *run, const lag_event_notice *what)
 {
     size_t *events = context;
     (void)run;
@@ -63,8 +63,8 @@ int main(int argc, char **argv)
     const lag_run_options options = {.tell = count_events, .context = &events};
     /* All memory there is: after this nothing is allocated. */
     void *block = malloc(lag_run_size(model, &options));
-    double *memory = malloc((lag_fixed_memory(lag_motion_size(model)) + 1) * sizeof(double));
-    if (block == NULL || memory == NULL || !(h > 0.0)) {
+    double *arena = malloc((lag_fixed_memory(lag_motion_size(model)) + 1) * sizeof(double));
+    if (block == NULL || arena == NULL || !(h > 0.0)) {
         return EXIT_FAILURE;
     }
     lag_run *run = lag_run_place(block, model, &options);
@@ -74,7 +74,7 @@ int main(int argc, char **argv)
     for (size_t i = 1; status == LAG_OK && (double)i * h <= length * (1.0 + 1e-12); ++i) {
         const size_t so_far = events;
         const double before = now();
-        status = lag_run_fixed(run, h, step, memory); /* a controller would set run->motion.u here */
+        status = lag_run_fixed(run, h, step, arena); /* a controller would set run->motion.u here */
         add(events > so_far ? &eventful : &quiet, now() - before, h);
     }
     print(&quiet, "", h);
@@ -83,6 +83,6 @@ int main(int argc, char **argv)
         (void)printf("%s = %.9g %s\n", model->coordinates[i].name, run->stepper.x[i], model->coordinates[i].unit);
     }
     free(block);
-    free(memory);
+    free(arena);
     return status == LAG_OK || status == LAG_STOPPED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,0 +1,76 @@
+"""`lag check FILE`: everything that can be found before the first time step."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from lagdsl.cli.model_file import Format, read_or_leave, takes_model, tell
+from lagdsl.cli.status import ERRORS, SUCCESS
+from lagdsl.diagnostics import Severity
+from lagdsl.flat.events import Events
+from lagdsl.pipeline import Compilation, check
+
+_MOST_NAMED = 8
+
+
+@click.command("check")
+@takes_model
+def command(file: Path, model: str | None, style: Format) -> None:
+    """Find all errors of the model in FILE, and show its degrees of freedom."""
+    source = read_or_leave(file, style, to_output=True)
+    diagnostics, compilation = check(source, model=model)
+    tell(diagnostics, style, to_output=True)
+    wrong = any(d.severity is Severity.ERROR for d in diagnostics)
+    if compilation is not None and style == "text":
+        click.echo(_line(compilation))
+        if compilation.flat.joints:
+            click.echo(_joints(compilation))
+        happening = _events(compilation.flat.events)
+        if happening:
+            click.echo(f"events: {happening}")
+    click.get_current_context().exit(ERRORS if wrong else SUCCESS)
+
+
+def _line(compilation: Compilation) -> str:
+    """`FourBar: 3 coordinates - 2 independent constraints = 1 degree of freedom; 2 constraint rows, 0 states, ...`."""
+    from lagdsl.structure.structure import structure_text
+
+    layout = compilation.program.layout
+    lasting = len(layout.constraints) - len(compilation.structure.contacts)
+    counts = (
+        (lasting, "constraint"),
+        (len(layout.states), "state"),
+        (len(layout.inputs), "input"),
+        (len(layout.outputs), "output"),
+    )
+    parts = [_counted(number, noun) for number, noun in counts]
+    if lasting:
+        parts[0] += f" (rank {compilation.structure.rank})"
+    return f"{compilation.flat.name}: {structure_text(compilation.structure)}; {', '.join(parts)}"
+
+
+def _joints(compilation: Compilation) -> str:
+    """`joints: revolute A, B, C, D (cut)`, by kind."""
+    kinds: dict[str, list[str]] = {}
+    for joint in compilation.flat.joints:
+        name = f"{joint.name} (cut)" if joint.cut else joint.name
+        kinds.setdefault(joint.kind.rpartition(".")[2], []).append(name)
+    return "joints: " + "; ".join(f"{len(names)} {kind} {_listed(names)}" for kind, names in kinds.items())
+
+
+def _events(events: Events) -> str:
+    """`2 contacts (ground, wall); 1 clock (sample(0, 5 ms)); 2 when clauses`; empty without any."""
+    named = (("contact", events.contacts), ("discrete variable", events.discretes), ("clock", events.clocks))
+    parts = [f"{_counted(len(items), noun)} {_listed([item.name for item in items])}" for noun, items in named if items]
+    numbers = ((len(events.whens), "when clause"), (len(events.relations), "located relation"))
+    return "; ".join([*parts, *(_counted(number, noun) for number, noun in numbers if number)])
+
+
+def _listed(names: list[str]) -> str:
+    return f"({', '.join([*names[:_MOST_NAMED], *(['...'] if len(names) > _MOST_NAMED else [])])})"
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

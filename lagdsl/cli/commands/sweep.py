@@ -1,0 +1,267 @@
+"""`lag sweep FILE`: many runs, one labelled dataset."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from lagdsl.cli.assignments import seconds, split
+from lagdsl.cli.engine import takes_engine
+from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.output import Unwritable, require_writable
+from lagdsl.cli.progress import progress
+from lagdsl.cli.status import FAILED_RUN, INTERRUPTED, USAGE
+from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat.model import FlatModel
+from lagdsl.pipeline import Compilation, front, middle
+from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.signals.table_io import Tables, read_inputs
+from lagdsl.source import SourceFile
+
+if TYPE_CHECKING:
+    import xarray
+
+    from lagdsl.sweep.plan import Plan
+    from lagdsl.sweep.run import Options, Subject
+    from lagdsl.sweep.sweep import Work
+
+_MOST_REASONS = 3
+
+
+@click.command("sweep")
+@takes_model
+@click.option(
+    "--set",
+    "assignments",
+    multiple=True,
+    metavar="NAME=VALUES",
+    help="'l=0.1:0.1:1 m', 'm=1, 2, 5 kg', 'm=normal(1, 0.1) kg'; starts as 'x.start=...'.",
+)
+@click.option("--random", type=click.IntRange(min=1), metavar="N", help="Number of draws from the distributions.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the draws.")
+@click.option("--stop", metavar="T", help="End of every run [s]; default: the model's experiment.")
+@click.option("--interval", metavar="H", help="Time between rows [s].")
+@click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration.")
+@click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
+@takes_engine
+@click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau.")
+@click.option("--column", "columns", multiple=True, metavar="NAME", help="Keep this column only; may be repeated.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the dataset: .nc, .parquet or .csv.")
+@click.option("--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one for each core.")
+@click.option("--scheduler", metavar="ADDRESS", help="Make the runs on the Dask cluster at ADDRESS.")
+@click.option("--resume", is_flag=True, help="Continue an interrupted sweep to the same output.")
+def command(
+    file: Path,
+    model: str | None,
+    style: Format,
+    assignments: tuple[str, ...],
+    random: int | None,
+    seed: int,
+    stop: str | None,
+    interval: str | None,
+    tolerance: float | None,
+    inputs: Path | None,
+    engine: EngineName,
+    solver: str,
+    columns: tuple[str, ...],
+    output: Path | None,
+    jobs: int | None,
+    scheduler: str | None,
+    resume: bool,
+) -> None:
+    """Run the model in FILE with every combination of values; without -o, show a summary."""
+    from lagdsl.sweep.run import Options
+    from lagdsl.sweep.sweep import Work, options_of
+
+    require_writable(output)
+    if resume and output is None:
+        raise click.UsageError("--resume goes on with a sweep to a file: say which with -o")
+    _require_packages(output, scheduler)
+    source = read_or_leave(file, style)
+    signals = _read_inputs(inputs, style)
+    flat = _front(source, style, model, {})
+    the_plan = _plan(flat, assignments, random, seed)
+    known, subjects = _subjects(source, style, model, the_plan)
+    end, step = options_of(flat, stop=seconds("--stop", stop), interval=seconds("--interval", interval))
+    options = Options(
+        stop=end,
+        interval=step,
+        tolerance=tolerance,
+        solver=solver,
+        engine=engine,
+        inputs=signals,
+        columns=_columns(columns, subjects),
+    )
+    work = Work(jobs=jobs, scheduler=scheduler, output=output, resume=resume)
+    data = _sweep(the_plan, known, subjects, options, work)
+    if output is None:
+        click.echo(_summary(data, the_plan))
+    failed = _tell_failures(data, the_plan)
+    if failed == the_plan.runs:
+        click.get_current_context().exit(FAILED_RUN)
+
+
+def _sweep(
+    plan: Plan, known: list[dict[str, float]], subjects: list[Subject], options: Options, work: Work
+) -> xarray.Dataset:
+    from lagdsl.sweep.sweep import journal_path, sweep
+
+    try:
+        with progress(_counted(plan.runs)) as report:
+            return sweep(plan, known, subjects, options, work, report)
+    except KeyboardInterrupt:
+        if work.output is not None:
+            kept = journal_path(work.output)
+            click.echo(f"interrupted; {kept} holds the finished runs, go on with --resume", err=True)
+            click.get_current_context().exit(INTERRUPTED)
+        raise
+    except ConnectionError as error:
+        hint = ""
+        if work.output is not None and journal_path(work.output).exists():
+            hint = f"; {journal_path(work.output)} holds the finished runs, go on with --resume"
+        raise click.UsageError(f"{error}{hint}") from error
+    except OSError as error:
+        if work.output is None:
+            raise click.UsageError(str(error)) from error
+        raise Unwritable(work.output, error) from error
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
+
+
+def _require_packages(output: Path | None, scheduler: str | None) -> None:
+    """Leave with status 2, before the work is done, where something is missing."""
+    from importlib.util import find_spec
+
+    if find_spec("xarray") is None or (scheduler is not None and find_spec("distributed") is None):
+        raise click.UsageError("sweeps need more packages: pip install 'lagdsl[sweep]'")
+    from lagdsl.sweep.dataset import require_writer
+
+    if output is not None:
+        try:
+            require_writer(output)
+        except (ValueError, ModuleNotFoundError) as error:
+            raise click.UsageError(str(error)) from error
+
+
+def _read_inputs(path: Path | None, style: Format) -> Tables:
+    sink = Sink()
+    tables = {} if path is None else read_inputs(path, sink)
+    if tables is None:
+        tell(sink.diagnostics, style)
+        click.get_current_context().exit(USAGE)
+    return tables
+
+
+def _plan(flat: FlatModel, assignments: tuple[str, ...], random: int | None, seed: int) -> Plan:
+    from lagdsl.cli.sweep_values import plan
+    from lagdsl.sweep.plan import require_sound
+
+    try:
+        made = plan(flat, split(assignments), random, seed)
+        require_sound(made)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
+    return made
+
+
+def _front(source: SourceFile, style: Format, model: str | None, structural: dict[str, float]) -> FlatModel:
+    """The flat model, its warnings told; leaves where it is wrong."""
+    sink = Sink()
+    flat = front(source, sink, model=model, structural=structural)
+    if flat is None:
+        leave_with_errors(sink.diagnostics, style)
+    tell(sink.diagnostics, style)
+    return flat
+
+
+def _subjects(
+    source: SourceFile, style: Format, model: str | None, plan: Plan
+) -> tuple[list[dict[str, float]], list[Subject]]:
+    """A compiled model for every structural setting; where all are wrong, leaves with what is."""
+    from lagdsl.sweep.plan import variants
+    from lagdsl.sweep.run import Subject
+
+    known = variants(plan)
+    subjects: list[Subject] = []
+    found: tuple[Diagnostic, ...] = ()
+    for structural in known:
+        sink = Sink()
+        compilation = _compiled(source, model, structural, sink)
+        if compilation is None:
+            found = found or sink.diagnostics
+            first = next(d for d in sink.diagnostics if d.severity is Severity.ERROR)
+            subjects.append(Subject(fault=f"{first.code}: {first.message}"))
+        else:
+            subjects.append(Subject(flat=compilation.flat, program=compilation.program))
+    if all(subject.flat is None for subject in subjects):
+        leave_with_errors(found, style)
+    return known, subjects
+
+
+def _compiled(source: SourceFile, model: str | None, structural: dict[str, float], sink: Sink) -> Compilation | None:
+    try:
+        flat = front(source, sink, model=model, structural=structural)
+        return None if flat is None else middle(flat, sink)
+    except CompilationFailed as failure:
+        for diagnostic in failure.diagnostics:
+            sink.add(diagnostic)
+        return None
+
+
+def _columns(names: tuple[str, ...], subjects: list[Subject]) -> tuple[str, ...] | None:
+    """The columns to keep, all of which some variant has; None for all columns."""
+    layouts = [subject.program.layout for subject in subjects if subject.program is not None]
+    known: dict[str, None] = {}
+    for layout in layouts:
+        coordinates = [slot.name for slot in layout.coordinates]
+        rates = [f"der({name})" for name in coordinates]
+        known |= dict.fromkeys([*coordinates, *rates, *(slot.name for slot in (*layout.states, *layout.outputs))])
+    for name in names:
+        if name not in known:
+            likely = nearest(name, known)
+            hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(known)}"
+            raise click.UsageError(f"there is no column `{name}`; {hint}")
+    return names or None
+
+
+def _summary(data: xarray.Dataset, plan: Plan) -> str:
+    """What the columns are at the end of the runs, in SI units."""
+    import numpy as np
+
+    rows: list[tuple[str, ...]] = [("", "least end", "mean end", "largest end", "")]
+    for name, variable in data.data_vars.items():
+        if len(variable.dims) > len(plan.shape):  # over time, too
+            ends = variable.values[..., -1]
+            sound = ends[np.isfinite(ends)]
+            numbers = [f"{f(sound):.5g}" if sound.size else "" for f in (np.min, np.mean, np.max)]
+            rows.append((str(name), *numbers, str(variable.attrs["units"])))
+    widths = [max(len(row[i]) for row in rows) for i in range(4)]
+    lines = [
+        "  ".join([row[0].ljust(widths[0]), *(row[i].rjust(widths[i]) for i in (1, 2, 3)), row[4]]).rstrip()
+        for row in rows
+    ]
+    return "\n".join([f"{data.attrs['model']}: {_counted(plan.runs)}", *lines])
+
+
+def _tell_failures(data: xarray.Dataset, plan: Plan) -> int:
+    """How many runs failed; that, the most frequent reasons and where each was met first go to standard error."""
+    from lagdsl.sweep.dataset import MESSAGE, STATUS, about_runs
+    from lagdsl.sweep.plan import place
+
+    status, messages = about_runs(data, STATUS), about_runs(data, MESSAGE)
+    reasons = Counter(why for each, why in zip(status, messages, strict=True) if each != "ok")
+    for reason, count in reasons.most_common(_MOST_REASONS):
+        first = place(plan, messages.index(reason))
+        where = f" ({'at' if count == 1 else 'first at'} {first})" if first else ""
+        click.echo(f"{count} of {_counted(len(status))} failed: {reason}{where}", err=True)
+    if len(reasons) > _MOST_REASONS:
+        click.echo(f"and for {len(reasons) - _MOST_REASONS} more reasons", err=True)
+    return reasons.total()
+
+
+def _counted(runs: int) -> str:
+    return "1 run" if runs == 1 else f"{runs} runs"

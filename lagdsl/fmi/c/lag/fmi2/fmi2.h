@@ -1,0 +1,34 @@
+/* What the files of the shell for FMI 2 share. */
+#ifndef LAG_FMI2_H
+#define LAG_FMI2_H
+
+#include "fmi2Functions.h"
+
+#include "lag/shell/shell.h"
+
+/* A shell of this handle that may be asked for this now, or the end of the function. */
+#define LAG_ENTER(NAME, MODES)                                            \
+    lag_shell *shell = lag_shell_enter(c, "fmi2" NAME, (unsigned)(MODES)); \
+    if (shell == NULL) {                                                  \
+        return fmi2Error;                                                 \
+    }
+
+#define LAG_NEEDS(ARGUMENT, WORDS)                            \
+    if (lag_shell_lacks(shell, (ARGUMENT) == NULL, (WORDS))) { \
+        return fmi2Error;                                     \
+    }
+
+/* What is there for one kind of instance only. */
+#define LAG_ENTER_EXCHANGE(NAME, MODES)                                                                     \
+    LAG_ENTER(NAME, MODES)                                                                                  \
+    if (shell->now.kind != LAG_MODEL_EXCHANGE) {                                                            \
+        return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made for co-simulation"); \
+    }
+
+#define LAG_ENTER_STEPS(NAME, MODES)                                                                        \
+    LAG_ENTER(NAME, MODES)                                                                                  \
+    if (shell->now.kind != LAG_CO_SIMULATION) {                                                             \
+        return (fmi2Status)lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made for model exchange"); \
+    }
+
+#endif

@@ -1,0 +1,197 @@
+/*
+ * Co-simulation: the integrators of the runtime, from one communication point to the next. Their steps lead beyond it where nothing speaks
+ * against it, and values there come from dense output, so that communication points cost no steps. Where an input jumps the run goes back
+ * to the communication point, and after that goes no further than the next one, since it may well jump there again.
+ */
+#include "lag/instance/instance_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/finite.h"
+#include "lag/fixed.h"
+
+/* Where nobody tells when the simulation ends, steps lead beyond a communication point by at most so many communication steps. */
+static const double AHEAD = 1000.0;
+/* The classical Runge-Kutta method wants h |lambda| to be less. */
+static const double STABLE = 2.5;
+/* A communication step longer than fixed steps by this part of one takes no further one. */
+static const double SAME = 1e-9;
+
+/* Up to where the run knows the motion. */
+static double reached(const lag_run *run)
+{
+    return run->half.open ? run->half.t : run->stepper.t;
+}
+
+/* The state at a time that the run has reached. */
+static lag_status deliver(lag_instance *instance, double t)
+{
+    const lag_run *run = instance->run;
+    lag_status status = LAG_OK;
+    if (run->stepper.t == t) {
+        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+    } else {
+        status = lag_run_inside(instance->run, t, instance->x);
+    }
+    instance->held.t = t;
+    instance->known = 0;
+    if (status == LAG_OK && !lag_finite(lag_instance_order(instance), instance->x)) {
+        status = LAG_NOT_FINITE;
+    }
+    return status == LAG_OK ? lag_instance_turn(instance, t, instance->x) : status;
+}
+
+/* How far steps may lead on the way to `end`. */
+static double farthest(const lag_instance *instance, double end, int jumped)
+{
+    const double stop = instance->held.stop;
+    const double far = stop < (double)INFINITY ? stop : end + AHEAD * (end - instance->held.t);
+    return jumped || end >= stop ? end : far;
+}
+
+/* One step of the integrator; where it fails beyond `end`, one that stays before. */
+static lag_status step(lag_instance *instance, double end, double *far)
+{
+    lag_run *run = instance->run;
+    lag_status status = lag_run_step(run, *far);
+    if (status != LAG_OK && *far > end) {
+        *far = end;
+        run->stepper.h = end - run->stepper.t;
+        status = lag_run_step(run, *far);
+    }
+    return status;
+}
+
+/* Whether event mode has something to do where the motion is known to. */
+static int is_event(const lag_run *run)
+{
+    return (run->half.open && run->half.own) || lag_run_due(run, reached(run));
+}
+
+/* What the end of the last step has left, and margins where anything happened. */
+static lag_status finish(lag_instance *instance, double far)
+{
+    lag_run *run = instance->run;
+    const size_t before = run->events;
+    const lag_status status = lag_run_finish(run, far);
+    return status == LAG_OK && run->events > before ? lag_instance_latch(instance, run->stepper.t, run->stepper.x) : status;
+}
+
+/* Whether the step has to stop where the motion is known to, for event mode. */
+static int stops_here(const lag_instance *instance, double end, int stops)
+{
+    const double t = reached(instance->run);
+    return (stops & LAG_STOP_EVENTS) != 0 && t > instance->held.t && t <= end && is_event(instance->run);
+}
+
+/* From where the run is to `end`, or to where it has to stop before; *event: event mode has something to do there. */
+static lag_status go(lag_instance *instance, double end, double far, int stops, int *event)
+{
+    lag_run *run = instance->run;
+    int going = reached(run) < end;
+    *event = stops_here(instance, end, stops);
+    for (double k = 0.0; going && !*event; k += 1.0) {
+        lag_status status = k < LAG_MOST_STEPS ? finish(instance, far) : LAG_TOO_LONG;
+        if (status == LAG_OK) {
+            status = step(instance, end, &far);
+        }
+        *event = status == LAG_OK && stops_here(instance, end, stops);
+        if (status == LAG_OK && instance->turning && reached(run) < end) {
+            status = deliver(instance, reached(run));
+        }
+        if (status != LAG_OK) {
+            return status;
+        }
+        going = reached(run) < end && (stops & LAG_STOP_STEPS) == 0;
+    }
+    return deliver(instance, fmin(reached(run), end));
+}
+
+/* Whether steps of length h would be too long for the explicit method: told once, by the exact Jacobian, so that all steps cost the same. */
+static int needs_implicit(lag_instance *instance, double h)
+{
+    lag_run *run = instance->run;
+    int decays = 0;
+    if (run->motion.ode.jacobian(&run->motion, run->stepper.t, run->stepper.x, run->stiffness.matrix) != LAG_OK) {
+        return 0;
+    }
+    return h * lag_stiffness_fastest(&run->stiffness, &run->stepper, &decays) > STABLE;
+}
+
+/* Steps of one length, none longer than the option wants it. */
+static lag_status go_fixed(lag_instance *instance, double end)
+{
+    lag_run *run = instance->run;
+    const double begun = instance->held.t;
+    const double count = fmax(1.0, ceil((end - begun) / instance->held.step - SAME));
+    lag_status status = count <= LAG_MOST_STEPS ? LAG_OK : LAG_TOO_LONG;
+    if (instance->held.implicit < 0) {
+        instance->held.implicit = needs_implicit(instance, instance->held.step);
+    }
+    lag_fixed_step *const method = instance->held.implicit ? lag_ros2 : lag_rk4;
+    for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
+        const size_t before = run->events;
+        status = lag_run_fixed(run, (end - begun) / count, method, instance->fixed_memory);
+        run->stepper.t = k + 1.0 < count ? run->stepper.t : end;
+        if (status == LAG_OK && !lag_finite(lag_instance_order(instance), run->stepper.x)) {
+            status = LAG_NOT_FINITE;
+        }
+        if (status == LAG_OK && run->events > before) {
+            status = lag_instance_latch(instance, run->stepper.t, run->stepper.x);
+        }
+        if (status == LAG_OK) {
+            status = lag_instance_assert(instance, run->stepper.t, run->stepper.x);
+        }
+        if (status == LAG_OK) {
+            status = deliver(instance, run->stepper.t);
+        }
+    }
+    return status;
+}
+
+/* Where something was set the run begins anew at the communication point. */
+static lag_status begin(lag_instance *instance, double far)
+{
+    lag_held *held = &instance->held;
+    if (held->latched_at != held->t) {
+        memset(instance->latched, 0, lag_instance_indicator_count(instance->fmu) * sizeof(double));
+    }
+    lag_status status = lag_instance_carry_out(instance);
+    if (status == LAG_OK && !held->stopped) {
+        status = lag_run_restart(instance->run, far);
+    }
+    held->jumped = status != LAG_OK;
+    return status;
+}
+
+lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
+{
+    lag_held *held = &instance->held;
+    const double end = held->t + h;
+    lag_status status = lag_instance_begin(instance);
+    *told = (lag_progress){.t = held->t};
+    if (status == LAG_OK) {
+        status = lag_instance_ready(instance);
+    }
+    if (held->jumped) {
+        lag_instance_chain_inputs(instance);
+    }
+    const double far = farthest(instance, end, held->jumped);
+    if (status == LAG_OK && held->jumped && !held->stopped) {
+        status = begin(instance, far);
+    }
+    if (status == LAG_OK && !held->stopped && end > held->t) {
+        status = held->step > 0.0 ? go_fixed(instance, end) : go(instance, end, far, stops, &told->event);
+    }
+    if (status != LAG_OK) {
+        const lag_status at = instance->run->stepper.t <= end ? deliver(instance, instance->run->stepper.t) : LAG_OK;
+        held->jumped = 1;
+        lag_instance_note_stop(instance, status);
+        status = status == LAG_STOPPED ? at : status;
+    }
+    told->t = held->t;
+    told->terminate = held->stopped;
+    told->early = held->t < end;
+    return lag_instance_judge(instance, status);
+}

@@ -1,0 +1,259 @@
+/*
+ * Event mode, and the indicators that lead to it. An indicator is what passes zero when a relation or a contact changes (lag/events/zero_crossing.h), with a
+ * margin: it changes its sign a little late, so that it is clearly of one sign or the other after every event, wherever an importer
+ * has located it.
+ */
+#include "lag/instance/instance_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The margin, as a part of the magnitudes seen, and so many times its round-off. */
+static const double PART = 1e-11;
+static const double ROUNDINGS = 64.0;
+/* What is so much of its margin behind zero has changed, where an event is carried out anyway. */
+static const double CLEARLY = 0.6;
+/* Where an event does nothing, as what an importer's errors let a resting contact do, the next one is so many times farther from zero. */
+static const double FARTHER = 4.0;
+/* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
+static const double ROUGH = 100.0;
+/* Length of the last step, where nobody tells. */
+static const double MOMENT = 1e-6;
+
+size_t lag_instance_indicator_count(const lag_fmu *fmu)
+{
+    return fmu->model->nindicator + fmu->model->ncontact;
+}
+
+/* What passes zero downward when it changes. */
+static double value(const lag_instance *instance, size_t i)
+{
+    return lag_zero_crossing_value(&instance->run->crossings, i);
+}
+
+static double margin(const lag_instance *instance, size_t i)
+{
+    return PART * instance->largest[i] + ROUNDINGS * lag_zero_crossing_noise(&instance->run->crossings, i);
+}
+
+/* 1, or -1 for relations that do not hold. */
+static double side(const lag_instance *instance, size_t i)
+{
+    const lag_run *run = instance->run;
+    const int relation = i < instance->fmu->model->nindicator;
+    return relation && run->motion.w[run->crossings.places.relation + i] == 0.0 ? -1.0 : 1.0;
+}
+
+/* Values at a state. */
+static lag_status look(lag_instance *instance, double t, const double *x)
+{
+    const size_t count = lag_instance_indicator_count(instance->fmu);
+    const lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, t, x) : LAG_OK;
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
+}
+
+lag_status lag_instance_look(lag_instance *instance)
+{
+    const size_t count = lag_instance_indicator_count(instance->fmu);
+    const lag_status status = look(instance, instance->held.t, instance->x);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        instance->g[i] = side(instance, i) * (value(instance, i) + margin(instance, i) + instance->latched[i]);
+    }
+    return status;
+}
+
+lag_status lag_instance_indicators(lag_instance *instance, double *g)
+{
+    const lag_status status = lag_instance_know(instance, LAG_KNOWN_INDICATORS);
+    if (status == LAG_OK) {
+        memcpy(g, instance->g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
+    }
+    return status;
+}
+
+lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
+{
+    const size_t count = lag_instance_indicator_count(instance->fmu);
+    if (instance->fmu->model->nindicator > 0) {
+        lag_noise_find(&instance->run->instants.noise, t, x);
+    }
+    lag_contacts_follow(&instance->run->instants.contacts, x);
+    const lag_status status = look(instance, t, x);
+    instance->known = 0;
+    instance->held.latched_at = t;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        instance->latched[i] = fmax(0.0, -value(instance, i));
+        instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
+    }
+    return status;
+}
+
+lag_status lag_instance_release(lag_instance *instance)
+{
+    const size_t count = lag_instance_indicator_count(instance->fmu);
+    const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
+        if (value(instance, i) > margin(instance, i)) {
+            instance->latched[i] = 0.0;
+        }
+    }
+    return status;
+}
+
+/* Flags of what has changed, beside those that are set already, into those of the run's alert; *any: whether anything has. */
+static lag_status find(lag_instance *instance, const double *located, int *any)
+{
+    const size_t count = lag_instance_indicator_count(instance->fmu);
+    const lag_status status = look(instance, instance->held.t, instance->x);
+    *any = 0;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        const double behind = instance->latched[i] + CLEARLY * margin(instance, i);
+        const int changed = value(instance, i) < -behind || (located != NULL && located[i] != 0.0);
+        instance->run->crossings.changed[i] = changed;
+        instance->largest[i] = changed ? 0.0 : instance->largest[i];
+        *any = *any || changed;
+    }
+    return status;
+}
+
+/*
+ * The run is at the present state, which is moved onto the constraints down to round-off: what is left of a rate would be an impact, what
+ * is left of a gap would not be zero when its contact opens. Where it has located an event it goes back to that.
+ */
+static lag_status place(lag_instance *instance, int located)
+{
+    lag_run *run = instance->run;
+    const double t = instance->held.t;
+    int moved = 0;
+    lag_status status = located ? lag_run_back(run, t) : LAG_OK;
+    if (status == LAG_OK) {
+        const double h = located ? run->half.next : run->stepper.h;
+        status = lag_run_move(run, t, located ? run->stepper.x : instance->x, h);
+    }
+    if (status == LAG_OK && lag_projection_exact(&run->projection, t, run->stepper.x, &moved) != LAG_OK) {
+        status = lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
+    }
+    if (status == LAG_OK) {
+        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+    }
+    return status;
+}
+
+/* Bounces that take less than this are none. */
+static double flight(const lag_instance *instance)
+{
+    const lag_zero_crossing *crossings = &instance->run->crossings;
+    const size_t first = instance->fmu->model->nindicator;
+    double late = 0.0;
+    for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
+        const int open = instance->run->motion.w[crossings->places.contact + i] == 0.0;
+        const double behind = -value(instance, first + i) - instance->latched[first + i] - 2.0 * margin(instance, first + i);
+        if (open && crossings->changed[first + i] != 0.0 && crossings->speed[i] < 0.0) {
+            late = fmax(late, -behind / crossings->speed[i]);
+        }
+    }
+    return fmin(instance->held.span, ROUGH * late);
+}
+
+/* Length of the step that led here: the run's, the importer's. */
+static double length_of_step(const lag_instance *instance, int located)
+{
+    const lag_run *run = instance->run;
+    const double span = located ? run->half.length : instance->held.span;
+    return span > 0.0 ? span : MOMENT * fmax(run->instants.contacts.length, fabs(instance->held.t));
+}
+
+static void step_back(lag_instance *instance, int idle)
+{
+    for (size_t i = 0; idle && i < lag_instance_indicator_count(instance->fmu); ++i) {
+        instance->latched[i] *= FARTHER;
+    }
+}
+
+lag_status lag_instance_carry_out(lag_instance *instance)
+{
+    lag_held *held = &instance->held;
+    lag_run *run = instance->run;
+    const int located = run->half.open && run->half.own && run->half.t == held->t;
+    const double h = length_of_step(instance, located);
+    const size_t size = lag_instance_order(instance) * sizeof(double);
+    int any = 0;
+    instance->known = 0;
+    held->jumped = 1;
+    lag_status status = place(instance, located);
+    memcpy(instance->tangent, instance->x, size);
+    if (status == LAG_OK) {
+        status = find(instance, located ? run->pending : NULL, &any);
+    }
+    if (status == LAG_OK && any) {
+        run->instants.contacts.flight = located ? 0.0 : flight(instance);
+        status = lag_run_event(run, h, run->crossings.changed);
+        run->instants.contacts.flight = 0.0;
+    }
+    if (status == LAG_OK) {
+        status = lag_run_ticks(run);
+    }
+    if (status == LAG_OK || status == LAG_STOPPED) {
+        memcpy(instance->x, run->stepper.x, size);
+        lag_instance_note_stop(instance, status);
+        const int idle = any && memcmp(instance->tangent, instance->x, size) == 0;
+        status = lag_instance_latch(instance, held->t, instance->x);
+        step_back(instance, idle);
+    }
+    if (status == LAG_OK) {
+        status = lag_instance_turn(instance, held->t, instance->x);
+    }
+    return lag_instance_judge(instance, status);
+}
+
+lag_status lag_instance_enter_events(lag_instance *instance)
+{
+    instance->held.entered = 1;
+    return LAG_OK;
+}
+
+lag_status lag_instance_update(lag_instance *instance, lag_update *told)
+{
+    lag_held *held = &instance->held;
+    *told = (lag_update){.next = (double)INFINITY};
+    lag_status status = lag_instance_begin(instance);
+    if (status == LAG_OK) {
+        status = lag_instance_ready(instance);
+    }
+    if (status == LAG_OK && (held->entered || held->jumped)) {
+        held->entered = 0;
+        memcpy(instance->point, instance->x, lag_instance_order(instance) * sizeof(double));
+        status = lag_instance_carry_out(instance);
+        told->states_changed = memcmp(instance->point, instance->x, lag_instance_order(instance) * sizeof(double)) != 0;
+    }
+    told->next = instance->fmu->model->event != NULL ? lag_instants_next(&instance->run->instants) : (double)INFINITY;
+    told->terminate = held->stopped;
+    return status;
+}
+
+lag_status lag_instance_enter_continuous(lag_instance *instance)
+{
+    const lag_status status = lag_instance_begin(instance);
+    instance->held.last = instance->held.t;
+    instance->held.span = 0.0;
+    return status;
+}
+
+lag_status lag_instance_terminate(lag_instance *instance)
+{
+    lag_run *run = instance->run;
+    if (instance->held.phase == LAG_PHASE_START || instance->held.stopped) {
+        return LAG_OK;
+    }
+    lag_status status = lag_instance_ready(instance);
+    if (status == LAG_OK) {
+        status = lag_run_move(run, instance->held.t, instance->x, 0.0);
+    }
+    if (status == LAG_OK) {
+        status = lag_run_end(run);
+        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        instance->known = 0;
+    }
+    return status == LAG_STOPPED ? LAG_OK : lag_instance_judge(instance, status);
+}

@@ -1,0 +1,96 @@
+/* Model exchange: the importer integrates. */
+#include "lag/instance/instance_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Projections are too many where there are less than so many steps between them; the limit becomes so many times larger, up to this. */
+static const double SELDOM = 50.0;
+static const double RELAXED = 4.0;
+static const double MOST_LIMIT = 1e-4;
+
+lag_status lag_instance_set_time(lag_instance *instance, double t)
+{
+    if (!isfinite(t)) {
+        return lag_instance_fail(instance, LAG_NOT_FINITE, "the time is infinite or not a number");
+    }
+    instance->known = t == instance->held.t ? instance->known : 0;
+    instance->held.t = t;
+    return LAG_OK;
+}
+
+lag_status lag_instance_set_states(lag_instance *instance, const double *x)
+{
+    for (size_t i = 0; i < lag_instance_order(instance); ++i) {
+        if (!isfinite(x[i])) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "state number %zu is infinite or not a number", i);
+        }
+    }
+    memcpy(instance->x, x, lag_instance_order(instance) * sizeof(double));
+    instance->known = 0;
+    return LAG_OK;
+}
+
+void lag_instance_states(const lag_instance *instance, double *x)
+{
+    memcpy(x, instance->x, lag_instance_order(instance) * sizeof(double));
+}
+
+lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
+{
+    const lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
+    if (status == LAG_OK) {
+        memcpy(xd, instance->xd, lag_instance_order(instance) * sizeof(double));
+    }
+    return status;
+}
+
+/* The largest residual against which projections are measured: that of rates as a part of the rates. */
+static double residual(const lag_instance *instance)
+{
+    const size_t n = instance->fmu->model->nq;
+    double pace = 1.0;
+    for (size_t i = 0; i < n; ++i) {
+        pace = fmax(pace, fabs(instance->x[n + i]) / instance->run->natural[i]);
+    }
+    return fmax(instance->residual[0], instance->residual[1] / pace);
+}
+
+/*
+ * Whether the constraints are off by too much. An importer that is not as accurate as that would have to start anew again and again: where
+ * it is asked too often, it is asked for less, and the pull of the accelerations does the rest.
+ */
+static int is_off(lag_instance *instance)
+{
+    lag_held *held = &instance->held;
+    held->limit = fmax(held->limit, held->tolerance);
+    held->since += 1.0;
+    if (residual(instance) <= held->limit) {
+        return 0;
+    }
+    held->limit = held->since < SELDOM ? fmin(fmax(held->limit, MOST_LIMIT), RELAXED * held->limit) : held->limit;
+    held->since = 0.0;
+    return 1;
+}
+
+lag_status lag_instance_completed(lag_instance *instance, int *events, int *terminate)
+{
+    lag_held *held = &instance->held;
+    *events = *terminate = 0;
+    lag_status status = lag_instance_know(instance, LAG_KNOWN_RESIDUALS);
+    if (status == LAG_OK) {
+        *events = is_off(instance);
+        status = lag_instance_release(instance);
+    }
+    if (status == LAG_OK) {
+        status = lag_instance_judge(instance, lag_instance_assert(instance, held->t, instance->x));
+    }
+    if (status == LAG_OK) {
+        status = lag_instance_judge(instance, lag_instance_turn(instance, held->t, instance->x));
+    }
+    if (held->t != held->last) {
+        held->span = held->t - held->last;
+        held->last = held->t;
+    }
+    return status;
+}

@@ -1,0 +1,178 @@
+/* One instance: its block, its experiment. */
+#include "lag/instance/instance_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/fixed.h"
+#include "lag/initial.h"
+#include "lag/linalg/arena.h"
+
+static const double LEAST_TOLERANCE = 1e-13;
+static const double MOST_TOLERANCE = 0.1;
+/* Of an experiment of which nothing is known [s]. */
+static const double LENGTH = 1.0;
+/* Residuals of constraints die out within this part of the experiment: fast against it, and no stiffness. */
+static const double RATE = 50.0;
+/* Invariants may depart by so many tolerances where the model does not say. */
+static const double INVARIANT = 1e3;
+
+static size_t padded(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+/* Entries of the longest variable. */
+static size_t longest(const lag_fmu *fmu)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < fmu->nvariable; ++i) {
+        count = fmu->variables[i].count > count ? fmu->variables[i].count : count;
+    }
+    return count;
+}
+
+size_t lag_instance_kept(const lag_fmu *fmu)
+{
+    const lag_model *model = fmu->model;
+    return 3 * lag_motion_size(model) + model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) + model->ny;
+}
+
+static size_t doubles(const lag_fmu *fmu)
+{
+    const size_t size = lag_motion_size(fmu->model);
+    return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd +
+           fmu->model->nc + fmu->model->ni + lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) +
+           lag_derivatives_memory(fmu->model) + 1;
+}
+
+/* Which `terminate` it was. */
+static lag_status hear(void *context, lag_run *run, const lag_event_notice *notice)
+{
+    lag_instance *instance = context;
+    (void)run;
+    if (notice->what == LAG_TERMINATE) {
+        instance->held.ending = notice->which;
+    }
+    return LAG_OK;
+}
+
+static lag_run_options options_of(lag_instance *instance)
+{
+    const lag_fmu *fmu = instance->fmu;
+    const lag_held *held = &instance->held;
+    const double stop = held->stop < (double)INFINITY ? held->stop : fmu->stop_time;
+    const double length = stop - held->start;
+    lag_run_options options = lag_instance_plan();
+    options.tolerance = held->tolerance;
+    options.p = instance->p;
+    options.context = instance;
+    options.tell = hear;
+    options.group = fmu->group;
+    options.natural = fmu->natural;
+    options.cap = fmu->cap;
+    options.row_sizes = fmu->row_sizes;
+    options.lasting = fmu->lasting;
+    options.general = fmu->general;
+    options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
+    options.invariant_tolerance = instance->invariant_limits;
+    return options;
+}
+
+size_t lag_instance_size(const lag_fmu *fmu)
+{
+    const lag_run_options options = lag_instance_plan();
+    return padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
+}
+
+static void lay_out(lag_instance *instance, double *arena)
+{
+    const lag_fmu *fmu = instance->fmu;
+    const lag_model *model = fmu->model;
+    const size_t size = lag_motion_size(model);
+    const size_t indicators = lag_instance_indicator_count(fmu);
+    instance->kept = arena;
+    instance->x = lag_take(&arena, size);
+    instance->p = lag_take(&arena, model->np);
+    instance->begin = lag_take(&arena, size);
+    instance->given = lag_take(&arena, size);
+    instance->course = lag_take(&arena, (LAG_INPUT_ORDER + 1) * model->nu);
+    instance->given_inputs = lag_take(&arena, model->nu);
+    instance->largest = lag_take(&arena, indicators);
+    instance->latched = lag_take(&arena, indicators);
+    instance->turned = lag_take(&arena, model->ny);
+    instance->kept_count = (size_t)(arena - instance->kept);
+    instance->g = lag_take(&arena, indicators);
+    instance->xd = lag_take(&arena, size);
+    instance->y = lag_take(&arena, model->ny);
+    instance->local = lag_take(&arena, fmu->model->nd);
+    instance->unasked = lag_take(&arena, model->nc);
+    instance->point = lag_take(&arena, size);
+    instance->tangent = lag_take(&arena, size);
+    instance->entry = lag_take(&arena, longest(fmu));
+    instance->invariant_limits = lag_take(&arena, model->ni);
+    instance->written = (unsigned char *)lag_take(&arena, size);
+    instance->initial_memory = lag_take(&arena, lag_initial_memory(model));
+    instance->fixed_memory = lag_take(&arena, lag_fixed_memory(size));
+    instance->slopes = lag_take(&arena, lag_instance_slopes(model));
+    lag_derivatives_place(&instance->derivatives, model, arena);
+}
+
+lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
+{
+    const lag_model *model = fmu->model;
+    char *bytes = block;
+    lag_instance *instance = block;
+    memset(block, 0, padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
+    instance->fmu = fmu;
+    lay_out(instance, (double *)(void *)(bytes + padded(sizeof(lag_instance))));
+    instance->run = (lag_run *)(void *)(bytes + padded(sizeof(lag_instance)) + padded(doubles(fmu) * sizeof(double)));
+    instance->held.start = instance->held.t = fmu->start_time;
+    instance->held.stop = (double)INFINITY;
+    instance->held.tolerance = fmu->tolerance;
+    for (size_t i = 0; i < model->ny && fmu->turning != NULL; ++i) {
+        instance->turning = instance->turning || fmu->turning[i] != 0;
+    }
+    if (model->np > 0) {
+        memcpy(instance->p, model->defaults, model->np * sizeof(double));
+    }
+    lag_instance_renew(instance);
+    return instance;
+}
+
+double lag_instance_rate(const lag_instance *instance)
+{
+    const double length = instance->fmu->stop_time - instance->fmu->start_time;
+    return RATE / (length > 0.0 && length < (double)INFINITY ? length : LENGTH);
+}
+
+void lag_instance_renew(lag_instance *instance)
+{
+    const lag_run_options options = options_of(instance);
+    const double *limits = instance->fmu->invariant_limits;
+    for (size_t i = 0; i < instance->fmu->model->ni; ++i) {
+        instance->invariant_limits[i] = limits != NULL && limits[i] > 0.0 ? limits[i] : INVARIANT * instance->held.tolerance;
+    }
+    instance->run = lag_run_place(instance->run, instance->fmu->model, &options);
+    instance->run->motion.at.p = instance->p;
+    instance->held.prepared = instance->held.initialized = 0;
+    instance->known = 0;
+    lag_instance_tell_inputs(instance);
+}
+
+lag_status lag_instance_setup(lag_instance *instance, double start, double stop, double tolerance)
+{
+    lag_held *held = &instance->held;
+    if (!isfinite(start) || !(stop > start)) {
+        return lag_instance_fail(instance, LAG_NOT_FINITE, "the simulation cannot go from %g s to %g s", start, stop);
+    }
+    if (!(tolerance >= 0.0) || !isfinite(tolerance)) {
+        return lag_instance_fail(instance, LAG_NOT_FINITE, "the tolerance %g is no positive number", tolerance);
+    }
+    held->start = held->t = held->last = start;
+    held->stop = stop;
+    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LEAST_TOLERANCE), MOST_TOLERANCE) : instance->fmu->tolerance;
+    lag_instance_inputs_about(instance, start);
+    lag_instance_renew(instance);
+    return LAG_OK;
+}

@@ -1,0 +1,175 @@
+/*
+ * What an instance consists of, for its parts. Numbers that make up its state are in `held` and `kept`, without pointers, and in the run;
+ * everything else follows from them.
+ */
+#ifndef LAG_PARTS_H
+#define LAG_PARTS_H
+
+#include "lag/derivatives.h"
+#include "lag/instance/instance.h"
+#include "lag/run.h"
+
+/* Derivatives of inputs up to this order. */
+enum { LAG_INPUT_ORDER = 3 };
+enum { LAG_MESSAGE = 512 };
+
+typedef enum lag_phase {
+    LAG_PHASE_START,  /* until initialization ends: states follow starts and parameters */
+    LAG_PHASE_MOTION
+} lag_phase;
+
+/* What is known at the present state; as long as a bit is not set, it is not. */
+enum {
+    LAG_KNOWN_MOTION = 1,    /* accelerations and multipliers of the model, in run->motion */
+    LAG_KNOWN_RATES = 2,     /* derivatives, those of rates pulled towards the constraints */
+    LAG_KNOWN_OUTPUTS = 4,
+    LAG_KNOWN_LOCALS = 8,
+    LAG_KNOWN_ENERGIES = 16,
+    LAG_KNOWN_RESIDUALS = 32,
+    LAG_KNOWN_INDICATORS = 64,
+    LAG_KNOWN_DERIVATIVES = 128, /* what derivatives need, in `derivatives`, */
+    LAG_KNOWN_PULLED = 256       /* or what those of pulled accelerations do */
+};
+
+typedef struct lag_held {
+    double t;               /* [s] the present */
+    double start, stop;     /* of the experiment; infinite stop: none given */
+    double tolerance;
+    double last, span;      /* time of the last completed step, and its length */
+    double latched_at;      /* time at which `latched` were taken */
+    double about;           /* time at which inputs are `course` */
+    double step;            /* LAG_OPTION_STEP */
+    int implicit;           /* fixed steps are those of an implicit method; -1: not decided yet */
+    double limit;           /* of residuals; an importer that keeps to it asks for projections now and then, and no more */
+    double since;           /* completed steps since the last projection */
+    lag_phase phase;
+    int prepared;           /* functions know the parameters */
+    int initialized;        /* x follows from what was set */
+    int jumped;             /* something was set since the motion went on: rates are others */
+    int polynomial;         /* inputs have derivatives */
+    int entered;            /* event mode: nothing has been looked at yet */
+    int stopped;            /* the model has ended the simulation, */
+    size_t ending;          /* by this `terminate` */
+} lag_held;
+
+struct lag_instance {
+    const lag_fmu *fmu;
+    lag_run *run;
+    lag_held held;
+    double *kept;           /* (kept_count) the arrays that follow up to `turned` */
+    size_t kept_count;
+    double *x;              /* (2 nq + nz) */
+    double *p;              /* (np) */
+    double *begin, *given;  /* (2 nq + nz) start values that were set, and flags: this one was */
+    double *course;         /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
+    double *given_inputs;   /* (nu) flags: this one was set */
+    double *largest;        /* (indicators) magnitudes seen since they stand as they do */
+    double *latched;        /* (indicators) what is nearer to zero than this had changed already at the last event */
+    double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
+    /* what follows from these */
+    unsigned known;
+    double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
+    double *unasked;        /* (nc) multipliers of accelerations that are pulled */
+    double *point, *tangent; /* (2 nq + nz) */
+    double *entry;          /* as many as the longest variable has */
+    double energy[4], residual[2];
+    double *invariant_limits;   /* (ni) */
+    unsigned char *written;     /* (2 nq + nz) 1: this start was set */
+    double *initial_memory;     /* lag_initial_memory() */
+    int turning;                /* any output is such an angle */
+    double *fixed_memory;   /* lag_fixed_memory() */
+    lag_derivatives derivatives;
+    double *slopes;         /* lag_instance_slopes() */
+    char message[LAG_MESSAGE];
+};
+
+/* Numbers of its state, and of the present inputs. */
+static inline size_t lag_instance_order(const lag_instance *instance)
+{
+    return lag_motion_size(instance->fmu->model);
+}
+
+/* What the size of a run depends on. */
+static inline lag_run_options lag_instance_plan(void)
+{
+    return (lag_run_options){.careful = 1};
+}
+
+/* ---- instance.c ---- */
+
+/* Doubles of `kept`. */
+size_t lag_instance_kept(const lag_fmu *fmu);
+/* How fast derivatives of states bring residuals of constraints to rest [1/s]: within a fiftieth of the experiment of the FMU. */
+double lag_instance_rate(const lag_instance *instance);
+/* The run anew, with the tolerance and the length of the experiment. */
+void lag_instance_renew(lag_instance *instance);
+
+/* ---- faults.c ---- */
+
+/* Says what went wrong and returns it. `format` as that of printf. */
+lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
+/* The same in the words of the runtime; LAG_OK stays. */
+lag_status lag_instance_judge(lag_instance *instance, lag_status status);
+/* Where the status of an event is that of a `terminate`: the simulation ends, in its words. */
+void lag_instance_note_stop(lag_instance *instance, lag_status status);
+
+/* ---- starting.c ---- */
+
+/* In the start phase: the state that follows from what was set, with what happens there. */
+lag_status lag_instance_settle(lag_instance *instance);
+
+/* ---- observing.c ---- */
+
+/* Functions know the parameters, states follow from the starts. */
+lag_status lag_instance_ready(lag_instance *instance);
+/* Lets all of these be known. */
+lag_status lag_instance_know(lag_instance *instance, unsigned what);
+/* LAG_VIOLATED: an assertion does not hold at x at time t. */
+lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
+
+/* ---- turning.c ---- */
+
+/* The whole turns in y that bring angles nearest to those before. */
+void lag_instance_unwind(const lag_instance *instance, double *y);
+/* The state at t is accepted: angles go on from there. */
+lag_status lag_instance_turn(lag_instance *instance, double t, const double *x);
+
+/* ---- directional.c ---- */
+
+/* Doubles of `slopes`. */
+size_t lag_instance_slopes(const lag_model *model);
+
+/* ---- start_slopes.c ---- */
+
+/* How the start changes along the direction in `derivatives`, into the states of it; and the doubles of `slopes` that it takes. */
+lag_status lag_instance_start_slopes(lag_instance *instance);
+size_t lag_instance_start_slopes_memory(const lag_model *model);
+
+/* ---- courses.c ---- */
+
+/* The inputs at time t, into u. */
+void lag_instance_inputs_at(const lag_instance *instance, double t, double *u);
+/* The course of the inputs about t, so that their values can be set there. */
+void lag_instance_inputs_about(lag_instance *instance, double t);
+/* Values of so many inputs at the present. */
+void lag_instance_set_inputs(lag_instance *instance, size_t first, size_t count, const double *values);
+/* Inputs whose derivatives are inputs, too, go as these say. */
+void lag_instance_chain_inputs(lag_instance *instance);
+/* The run knows the inputs. */
+void lag_instance_tell_inputs(lag_instance *instance);
+
+/* ---- event_mode.c ---- */
+
+/* Indicators at the present state, into g. */
+lag_status lag_instance_look(lag_instance *instance);
+/* What stands on the other side of zero now is no event any more until it goes further. */
+lag_status lag_instance_latch(lag_instance *instance, double t, const double *x);
+/* What is farther from zero than its margin is forgiven; magnitudes follow. */
+lag_status lag_instance_release(lag_instance *instance);
+/*
+ * At the present state: onto the constraints; what was located there, and what inputs, parameters or a step of the importer have changed,
+ * is carried out; clocks tick.
+ */
+lag_status lag_instance_carry_out(lag_instance *instance);
+
+#endif

@@ -1,0 +1,169 @@
+/* What follows from the present state, found when it is asked for and kept until something is set. */
+#include "lag/instance/instance_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/derivatives.h"
+#include "lag/linalg/finite.h"
+
+lag_status lag_instance_ready(lag_instance *instance)
+{
+    lag_held *held = &instance->held;
+    if (held->phase == LAG_PHASE_START && !held->initialized) {
+        return lag_instance_settle(instance);
+    }
+    if (!held->prepared) {
+        held->prepared = 1;
+        return lag_instance_judge(instance, lag_motion_parameters(&instance->run->motion, instance->p));
+    }
+    return LAG_OK;
+}
+
+/* Those of the model, off its constraints, too. */
+static lag_status accelerations(lag_instance *instance)
+{
+    lag_motion *motion = &instance->run->motion;
+    if (instance->fmu->model->nc == 0) {
+        return lag_motion_solve(motion, instance->held.t, instance->x);
+    }
+    return lag_motion_pulled(motion, 0.0, instance->held.t, instance->x, motion->qdd, motion->lam);
+}
+
+/* dx/dt; not finite values are an error here. */
+static lag_status rates(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_motion *motion = &instance->run->motion;
+    const size_t n = model->nq;
+    double *xd = instance->xd;
+    lag_status status = LAG_OK;
+    memcpy(xd, instance->x + n, n * sizeof(double));
+    if (model->nc > 0) {
+        status = lag_motion_pulled(motion, lag_instance_rate(instance), instance->held.t, instance->x, xd + n, instance->unasked);
+    } else {
+        memcpy(xd + n, motion->qdd, n * sizeof(double));
+    }
+    if (status == LAG_OK && model->nz > 0) {
+        status = model->state_derivative(&motion->at, xd + 2 * n);
+    }
+    return status == LAG_OK && !lag_finite(lag_motion_size(model), instance->xd) ? LAG_NOT_FINITE : status;
+}
+
+/* The largest residuals of positions and of velocities, rows of size one. */
+static lag_status residuals(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    const lag_arguments *at = &instance->run->motion.at;
+    lag_projection *projection = &instance->run->projection;
+    lag_status status = LAG_OK;
+    instance->residual[0] = instance->residual[1] = 0.0;
+    for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
+        status = (level == 0 ? model->position_constraint : model->velocity_constraint)(at, projection->phi, projection->jacobian);
+        for (size_t i = 0; i < model->nc && status == LAG_OK; ++i) {
+            const double part = fabs(projection->phi[i]) / instance->run->row_sizes[i];
+            if (!isfinite(part)) {
+                return LAG_NOT_FINITE;
+            }
+            if (level > 0 || model->position_level[i]) {
+                instance->residual[level] = fmax(instance->residual[level], part);
+            }
+        }
+    }
+    return status;
+}
+
+static lag_status outputs(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    const lag_status status = model->ny > 0 ? model->output(&instance->run->motion.at, instance->y) : LAG_OK;
+    if (status == LAG_OK && instance->turning) {
+        lag_instance_unwind(instance, instance->y);
+    }
+    return status;
+}
+
+/* One of what can be known; what it needs is. */
+static lag_status find(lag_instance *instance, unsigned what)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_motion *motion = &instance->run->motion;
+    double *energy = instance->energy;
+    switch (what) {
+    case LAG_KNOWN_MOTION:
+        return accelerations(instance);
+    case LAG_KNOWN_RATES:
+        return rates(instance);
+    case LAG_KNOWN_OUTPUTS:
+        return outputs(instance);
+    case LAG_KNOWN_LOCALS:
+        return model->nd > 0 ? model->definition(&motion->at, instance->local) : LAG_OK;
+    case LAG_KNOWN_ENERGIES:
+        return model->energies(&motion->at, &energy[0], &energy[1], &energy[2], &energy[3]);
+    case LAG_KNOWN_RESIDUALS:
+        return residuals(instance);
+    case LAG_KNOWN_INDICATORS:
+        return lag_instance_look(instance);
+    case LAG_KNOWN_DERIVATIVES:
+        return lag_derivatives_look(&instance->derivatives, &motion->at, 0.0, &motion->coordinate);
+    case LAG_KNOWN_PULLED:
+        return lag_derivatives_look(&instance->derivatives, &motion->at, lag_instance_rate(instance), &motion->coordinate);
+    default:
+        return LAG_MISSING;
+    }
+}
+
+/* What is to be found for `what`: pulled accelerations need no others. */
+static unsigned with_accelerations(const lag_instance *instance, unsigned what)
+{
+    const lag_model *model = instance->fmu->model;
+    return what == LAG_KNOWN_RATES && model->nc > 0 && model->nz == 0 ? what : what | LAG_KNOWN_MOTION;
+}
+
+/* What is known no longer where this is: indicators want accelerations of their own, and derivatives are of one kind. */
+static unsigned lost(unsigned what)
+{
+    switch (what) {
+    case LAG_KNOWN_INDICATORS:
+        return LAG_KNOWN_MOTION;
+    case LAG_KNOWN_DERIVATIVES:
+        return LAG_KNOWN_PULLED;
+    case LAG_KNOWN_PULLED:
+        return LAG_KNOWN_DERIVATIVES;
+    default:
+        return 0;
+    }
+}
+
+lag_status lag_instance_know(lag_instance *instance, unsigned what)
+{
+    lag_status status = lag_instance_ready(instance);
+    unsigned missing = with_accelerations(instance, what) & ~instance->known;
+    for (unsigned bit = LAG_KNOWN_MOTION; missing != 0 && status == LAG_OK; bit <<= 1) {
+        if ((missing & bit) != 0) {
+            status = lag_instance_judge(instance, find(instance, bit));
+            instance->known |= status == LAG_OK ? bit : 0;
+            instance->known &= ~lost(bit);
+            missing &= ~bit;
+        }
+    }
+    return status;
+}
+
+lag_status lag_instance_assert(lag_instance *instance, double t, const double *x)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_watch *watch = &instance->run->watch;
+    if (model->na == 0) {
+        return LAG_OK;
+    }
+    instance->known = 0;
+    lag_status status = lag_motion_solve(&instance->run->motion, t, x);
+    if (status == LAG_OK) {
+        status = model->monitor(&instance->run->motion.at, watch->value, watch->scale, watch->held);
+    }
+    for (size_t i = 0; i < model->na && status == LAG_OK; ++i) {
+        status = watch->held[i] == 0.0 ? LAG_VIOLATED : LAG_OK;
+    }
+    return status;
+}

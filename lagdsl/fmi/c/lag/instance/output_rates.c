@@ -1,0 +1,58 @@
+/*
+ * Rates of change of variables along the motion: central differences, along the tangent of the motion, at two distances. What is left of the
+ * curvature is even in the distance and cancels; of the rest the leading part is extrapolated away.
+ */
+#include "lag/instance/instance_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Distance as a part of the step that the integrator would take next, or of the experiment where it has taken none. */
+static const double PART = 1e-3;
+static const double PART_OF_EXPERIMENT = 1e-6;
+
+static double distance(const lag_instance *instance)
+{
+    const lag_run *run = instance->run;
+    const double h = run->stepper.h > 0.0 ? PART * run->stepper.h : PART_OF_EXPERIMENT * run->instants.contacts.length;
+    const double t = fabs(instance->held.t);
+    return t + h > t ? (t + h) - t : h; /* a distance that the time has */
+}
+
+/* Values at a distance along the tangent. */
+static lag_status values_at(lag_instance *instance, size_t variable, double t, const double *x, const double *xd, double s, double *values)
+{
+    for (size_t i = 0; i < lag_instance_order(instance); ++i) {
+        instance->x[i] = x[i] + s * xd[i];
+    }
+    instance->held.t = t + s;
+    instance->known = 0;
+    return lag_instance_get(instance, variable, values);
+}
+
+lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values)
+{
+    static const double parts[4] = {1.0, -1.0, 0.5, -0.5};
+    static const double weights[4] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
+    const size_t size = lag_instance_order(instance);
+    const double t = instance->held.t;
+    const double s = distance(instance);
+    const size_t count = instance->fmu->variables[variable].count;
+    if (order != 1) {
+        return lag_instance_fail(instance, LAG_MISSING, "derivatives of outputs are known up to order 1");
+    }
+    lag_status status = lag_instance_know(instance, LAG_KNOWN_RATES);
+    memcpy(instance->point, instance->x, size * sizeof(double));
+    memcpy(instance->tangent, instance->xd, size * sizeof(double));
+    memset(values, 0, count * sizeof(double));
+    for (size_t k = 0; k < 4 && status == LAG_OK; ++k) {
+        status = values_at(instance, variable, t, instance->point, instance->tangent, parts[k] * s, instance->entry);
+        for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+            values[i] += weights[k] * instance->entry[i] / s;
+        }
+    }
+    memcpy(instance->x, instance->point, size * sizeof(double));
+    instance->held.t = t;
+    instance->known = 0;
+    return status;
+}

@@ -1,0 +1,220 @@
+/* Values of variables: where each of them stands, and what follows when it is set. */
+#include "lag/instance/instance_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What FMI has room for. */
+static const double MOST_INTEGER = 2147483647.0;
+
+/* The array that a variable is in, as it is known now; null: its role has none. */
+static const double *array_of(const lag_instance *instance, lag_role role)
+{
+    switch (role) {
+    case LAG_ROLE_TIME:
+        return &instance->held.t;
+    case LAG_ROLE_PARAMETER:
+        return instance->p;
+    case LAG_ROLE_CONSTANT:
+        return instance->fmu->constants;
+    case LAG_ROLE_STATE:
+        return instance->x;
+    case LAG_ROLE_DERIVATIVE:
+        return instance->xd;
+    case LAG_ROLE_INPUT:
+        return instance->run->motion.u;
+    case LAG_ROLE_OUTPUT:
+        return instance->y;
+    case LAG_ROLE_LOCAL:
+        return instance->local;
+    case LAG_ROLE_DISCRETE:
+        return instance->run->motion.w;
+    case LAG_ROLE_MULTIPLIER:
+        return instance->run->motion.lam;
+    case LAG_ROLE_INDICATOR:
+        return instance->g;
+    case LAG_ROLE_ENERGY:
+        return instance->energy;
+    case LAG_ROLE_RESIDUAL:
+        return instance->residual;
+    case LAG_ROLE_OPTION:
+        return &instance->held.step;
+    }
+    return NULL;
+}
+
+/* What must be known before it can be read; 0: the state is enough. */
+static unsigned needed(lag_role role)
+{
+    switch (role) {
+    case LAG_ROLE_DERIVATIVE:
+        return LAG_KNOWN_RATES;
+    case LAG_ROLE_OUTPUT:
+        return LAG_KNOWN_OUTPUTS;
+    case LAG_ROLE_LOCAL:
+        return LAG_KNOWN_LOCALS;
+    case LAG_ROLE_MULTIPLIER:
+        return LAG_KNOWN_MOTION;
+    case LAG_ROLE_INDICATOR:
+        return LAG_KNOWN_INDICATORS;
+    case LAG_ROLE_ENERGY:
+        return LAG_KNOWN_ENERGIES;
+    case LAG_ROLE_RESIDUAL:
+        return LAG_KNOWN_RESIDUALS;
+    case LAG_ROLE_TIME:
+    case LAG_ROLE_PARAMETER:
+    case LAG_ROLE_CONSTANT:
+    case LAG_ROLE_STATE:
+    case LAG_ROLE_INPUT:
+    case LAG_ROLE_DISCRETE:
+    case LAG_ROLE_OPTION:
+        break;
+    }
+    return 0;
+}
+
+/* Numbers that only a motion gone wrong lets be none. */
+static int is_motion(lag_role role)
+{
+    return role == LAG_ROLE_STATE || role == LAG_ROLE_DERIVATIVE || role == LAG_ROLE_INPUT || role == LAG_ROLE_MULTIPLIER;
+}
+
+/* LAG_NOT_FINITE: a value of the motion that is none, or a whole number that an importer has no room for. */
+static lag_status check_found(lag_instance *instance, const lag_variable *variable, const double *values)
+{
+    const lag_model *model = instance->fmu->model;
+    const int motion = is_motion((lag_role)variable->role);
+    for (size_t i = 0; i < variable->count; ++i) {
+        if (motion && !isfinite(values[i])) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: a value is infinite or not a number", instance->held.t);
+        }
+        if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= MOST_INTEGER)) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: %s is %.10g, which an Integer cannot be", instance->held.t,
+                variable->role == LAG_ROLE_DISCRETE ? model->discretes[variable->first + i].name : "a variable", values[i]);
+        }
+    }
+    return LAG_OK;
+}
+
+lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values)
+{
+    const lag_variable *which = &instance->fmu->variables[variable];
+    const lag_role role = (lag_role)which->role;
+    const unsigned what = needed(role);
+    const int follows = what == 0 && (role == LAG_ROLE_STATE || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE);
+    lag_status status = LAG_OK;
+    if ((what & ~instance->known) != 0) {
+        status = lag_instance_know(instance, what);
+    } else if (follows) {
+        status = lag_instance_ready(instance);
+    }
+    if (status == LAG_OK && role == LAG_ROLE_INPUT && instance->held.polynomial) {
+        lag_instance_inputs_at(instance, instance->held.t, instance->run->motion.u);
+    }
+    const double *array = array_of(instance, role) + which->first;
+    if (status == LAG_OK) {
+        memcpy(values, array, which->count * sizeof(double));
+        status = check_found(instance, which, values);
+    }
+    return status;
+}
+
+/* ---- setting ---- */
+
+static lag_status check(lag_instance *instance, const lag_variable *variable, const double *values)
+{
+    for (size_t i = 0; i < variable->count; ++i) {
+        const double value = values[i];
+        if (isnan(value) || (isinf(value) && variable->role != LAG_ROLE_PARAMETER)) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "a value to be set is infinite or not a number");
+        }
+        if (variable->role == LAG_ROLE_PARAMETER && instance->fmu->parameter_range != NULL) {
+            const size_t which = variable->first + i;
+            const lag_range *range = &instance->fmu->parameter_range[which];
+            if (value < range->least || value > range->most) {
+                const char *name = instance->fmu->model->parameters[which].name;
+                return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is from %g to %g, not %g", name, range->least, range->most, value);
+            }
+        }
+        if (variable->type == LAG_TYPE_BOOLEAN && value != 0.0 && value != 1.0) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "%g is neither true nor false", value);
+        }
+        if ((variable->type == LAG_TYPE_INTEGER || variable->type == LAG_TYPE_ENUMERATION) && value != floor(value)) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "%g is no whole number", value);
+        }
+    }
+    return LAG_OK;
+}
+
+/* 1: something changed. */
+static int put(size_t count, const double *values, double *array)
+{
+    int changed = 0;
+    for (size_t i = 0; i < count; ++i) {
+        changed = changed || array[i] != values[i];
+        array[i] = values[i];
+    }
+    return changed;
+}
+
+/* States until initialization ends are starts, afterwards the state. */
+static int put_states(lag_instance *instance, const lag_variable *variable, const double *values)
+{
+    int changed = 0;
+    if (instance->held.phase == LAG_PHASE_MOTION) {
+        return put(variable->count, values, instance->x + variable->first);
+    }
+    for (size_t i = 0; i < variable->count; ++i) {
+        double *given = &instance->given[variable->first + i];
+        changed = changed || *given == 0.0;
+        *given = 1.0;
+    }
+    return put(variable->count, values, instance->begin + variable->first) || changed;
+}
+
+lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values)
+{
+    const lag_variable *which = &instance->fmu->variables[variable];
+    lag_held *held = &instance->held;
+    const lag_status status = check(instance, which, values);
+    int changed = 0;
+    if (status != LAG_OK) {
+        return status;
+    }
+    switch ((lag_role)which->role) {
+    case LAG_ROLE_PARAMETER:
+        changed = put(which->count, values, instance->p + which->first);
+        held->prepared = held->prepared && !changed;
+        break;
+    case LAG_ROLE_STATE:
+        changed = put_states(instance, which, values);
+        break;
+    case LAG_ROLE_INPUT:
+        lag_instance_set_inputs(instance, which->first, which->count, values);
+        return LAG_OK;
+    case LAG_ROLE_OPTION:
+        if (values[0] < 0.0) {
+            return lag_instance_fail(instance, LAG_NOT_FINITE, "the length of steps cannot be %g s", values[0]);
+        }
+        changed = put(1, values, &held->step);
+        held->implicit = -1;
+        break;
+    case LAG_ROLE_TIME:
+    case LAG_ROLE_CONSTANT:
+    case LAG_ROLE_DERIVATIVE:
+    case LAG_ROLE_OUTPUT:
+    case LAG_ROLE_LOCAL:
+    case LAG_ROLE_DISCRETE:
+    case LAG_ROLE_MULTIPLIER:
+    case LAG_ROLE_INDICATOR:
+    case LAG_ROLE_ENERGY:
+    case LAG_ROLE_RESIDUAL:
+        return lag_instance_fail(instance, LAG_MISSING, "this variable cannot be set");
+    }
+    if (changed) {
+        held->jumped = 1;
+        held->initialized = 0;
+        instance->known = 0;
+    }
+    return LAG_OK;
+}

@@ -1,0 +1,226 @@
+/* Values of variables by their references, with every check before the first value moves. */
+#include "lag/shell/shell.h"
+
+#include <math.h>
+
+static const char *type_name(lag_type type)
+{
+    static const char *const names[] = {"a real number", "an integer", "a Boolean", "a text", "an enumeration"};
+    return names[type];
+}
+
+/* Whether all references are variables of this type with `count` values together, and the arrays are there. */
+static int consistent(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count)
+{
+    if (lag_shell_lacks(shell, n > 0 && references == NULL, "the array of value references") ||
+        lag_shell_lacks(shell, count > 0 && values == NULL, "the array of values")) {
+        return 0;
+    }
+    size_t total = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (references[i] >= shell->fmu->nvariable) {
+            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no variable with value reference %lu", (unsigned long)references[i]);
+            return 0;
+        }
+        const lag_variable *variable = &shell->fmu->variables[references[i]];
+        if (variable->type != (unsigned char)type) {
+            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the variable with value reference %lu is %s, not %s",
+                (unsigned long)references[i], type_name((lag_type)variable->type), type_name(type));
+            return 0;
+        }
+        total += variable->count;
+    }
+    if (total != count) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "room for %lu values, where these variables have %lu", (unsigned long)count,
+            (unsigned long)total);
+        return 0;
+    }
+    return 1;
+}
+
+int32_t lag_shell_integer(double value)
+{
+    return value > INT32_MAX ? INT32_MAX : value < INT32_MIN ? INT32_MIN : (int32_t)value;
+}
+
+/* What is there before anything is computed. */
+static int plain(lag_role role)
+{
+    return role == LAG_ROLE_TIME || role == LAG_ROLE_PARAMETER || role == LAG_ROLE_CONSTANT || role == LAG_ROLE_INPUT || role == LAG_ROLE_OPTION;
+}
+
+lag_answer lag_shell_initialized(lag_shell *shell)
+{
+    if (shell->now.mode != LAG_MODE_INITIALIZATION || !shell->now.stale) {
+        return LAG_ANSWER_OK;
+    }
+    const lag_status status = lag_instance_initialize(shell->instance);
+    shell->now.stale = status != LAG_OK;
+    return lag_shell_refused(shell, status);
+}
+
+static lag_answer ready(lag_shell *shell, uint32_t reference)
+{
+    const lag_role role = (lag_role)shell->fmu->variables[reference].role;
+    if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE) {
+        return lag_shell_say(shell, LAG_ANSWER_ERROR, "the value of the variable with value reference %lu is known from initialization mode on",
+            (unsigned long)reference);
+    }
+    return plain(role) ? LAG_ANSWER_OK : lag_shell_initialized(shell);
+}
+
+lag_answer lag_shell_get(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, void *values, size_t count, lag_store *store)
+{
+    if (!consistent(shell, type, references, n, values, count)) {
+        return LAG_ANSWER_ERROR;
+    }
+    size_t place = 0;
+    for (size_t i = 0; i < n; ++i) {
+        lag_answer answer = ready(shell, references[i]);
+        if (answer != LAG_ANSWER_OK) {
+            return answer;
+        }
+        double *found = store == NULL ? (double *)values + place : shell->scratch;
+        const lag_status status = lag_instance_get(shell->instance, references[i], found);
+        answer = type == LAG_TYPE_REAL ? lag_shell_judge(shell, status) : lag_shell_refused(shell, status);
+        if (answer != LAG_ANSWER_OK) {
+            return answer;
+        }
+        const size_t width = shell->fmu->variables[references[i]].count;
+        for (size_t k = 0; k < width && store != NULL; ++k) {
+            store(values, place + k, found[k]);
+        }
+        place += width;
+    }
+    return LAG_ANSWER_OK;
+}
+
+/*
+ * In model exchange more than the standards ask for: importers that look at a model as a function (CasADi) set states and tunable
+ * parameters of instances that are long in continuous-time mode.
+ */
+static int settable(const lag_shell *shell, const lag_variable *variable)
+{
+    const int tunable = variable->setting == LAG_SET_TUNABLE || variable->setting == LAG_SET_ALWAYS;
+    const int state = variable->role == LAG_ROLE_STATE && variable->setting != LAG_SET_NEVER;
+    switch ((lag_mode)shell->now.mode) {
+    case LAG_MODE_INSTANTIATED:
+    case LAG_MODE_INITIALIZATION:
+        return variable->setting != LAG_SET_NEVER;
+    case LAG_MODE_EVENT:
+        return tunable || (state && shell->now.kind == LAG_MODEL_EXCHANGE);
+    case LAG_MODE_CONTINUOUS:
+        return (tunable || state) && variable->type == LAG_TYPE_REAL;
+    case LAG_MODE_STEP:
+        return variable->setting == LAG_SET_ALWAYS || (tunable && !shell->now.event_mode);
+    default:
+        return 0;
+    }
+}
+
+static int acceptable(lag_shell *shell, const uint32_t *references, size_t n, const void *values, lag_fetch *fetch)
+{
+    size_t place = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const lag_variable *variable = &shell->fmu->variables[references[i]];
+        if (!settable(shell, variable)) {
+            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, variable->setting == LAG_SET_NEVER ?
+                "the variable with value reference %lu cannot be set" : "the variable with value reference %lu cannot be set now",
+                (unsigned long)references[i]);
+            return 0;
+        }
+        for (size_t k = 0; k < variable->count; ++k, ++place) {
+            if (!isfinite(fetch != NULL ? fetch(values, place) : ((const double *)values)[place])) {
+                (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for the variable with value reference %lu is infinite or not a number",
+                    (unsigned long)references[i]);
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+lag_answer lag_shell_set(
+    lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count, lag_fetch *fetch)
+{
+    if (!consistent(shell, type, references, n, values, count) || !acceptable(shell, references, n, values, fetch)) {
+        return LAG_ANSWER_ERROR;
+    }
+    size_t place = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const size_t width = shell->fmu->variables[references[i]].count;
+        const double *given = (const double *)values + (fetch == NULL ? place : 0);
+        for (size_t k = 0; k < width && fetch != NULL; ++k) {
+            shell->scratch[k] = fetch(values, place + k);
+        }
+        const lag_status status = lag_instance_set(shell->instance, references[i], fetch == NULL ? given : shell->scratch);
+        if (status != LAG_OK) {
+            return lag_shell_refused(shell, status);
+        }
+        shell->now.stale = 1;
+        place += width;
+    }
+    return LAG_ANSWER_OK;
+}
+
+lag_answer lag_shell_get_texts(lag_shell *shell, const uint32_t *references, size_t n, const char **values, size_t count)
+{
+    if (!consistent(shell, LAG_TYPE_STRING, references, n, values, count)) {
+        return LAG_ANSWER_ERROR;
+    }
+    size_t place = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const lag_variable *variable = &shell->fmu->variables[references[i]];
+        for (size_t k = 0; k < variable->count; ++k) {
+            values[place++] = shell->fmu->texts[variable->first + k];
+        }
+    }
+    return LAG_ANSWER_OK;
+}
+
+lag_answer lag_shell_none(lag_shell *shell, size_t n, const char *type)
+{
+    return n == 0 ? LAG_ANSWER_OK : lag_shell_say(shell, LAG_ANSWER_ERROR, "no variable of this FMU is of type %s", type);
+}
+
+lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *references, size_t n, const int *orders, const double *values)
+{
+    if (!consistent(shell, LAG_TYPE_REAL, references, n, values, n) || lag_shell_lacks(shell, n > 0 && orders == NULL, "the array of orders")) {
+        return LAG_ANSWER_ERROR;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        if (shell->fmu->variables[references[i]].role != LAG_ROLE_INPUT) {
+            return lag_shell_say(shell, LAG_ANSWER_ERROR, "the variable with value reference %lu is not an input", (unsigned long)references[i]);
+        }
+        if (orders[i] < 1 || !isfinite(values[i])) {
+            return lag_shell_say(shell, LAG_ANSWER_ERROR, "derivatives of inputs are finite and their orders at least 1");
+        }
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const lag_status status = lag_instance_set_input_derivative(shell->instance, references[i], orders[i], &values[i]);
+        if (status != LAG_OK) {
+            return lag_shell_refused(shell, status);
+        }
+    }
+    return LAG_ANSWER_OK;
+}
+
+lag_answer lag_shell_get_output_derivatives(
+    lag_shell *shell, const uint32_t *references, size_t n, const int32_t *orders, double *values, size_t count)
+{
+    if (!consistent(shell, LAG_TYPE_REAL, references, n, values, count) || lag_shell_lacks(shell, n > 0 && orders == NULL, "the array of orders")) {
+        return LAG_ANSWER_ERROR;
+    }
+    size_t place = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (orders[i] < 1) {
+            return lag_shell_say(shell, LAG_ANSWER_ERROR, "orders of derivatives are at least 1");
+        }
+        const lag_status status = lag_instance_get_output_derivative(shell->instance, references[i], orders[i], values + place);
+        if (status != LAG_OK) {
+            return lag_shell_judge(shell, status);
+        }
+        place += shell->fmu->variables[references[i]].count;
+    }
+    return LAG_ANSWER_OK;
+}

@@ -1,0 +1,69 @@
+/* Directional and adjoint derivatives: references become entries of variables. */
+#include "lag/shell/shell.h"
+
+/* How many entries these variables have; all must be real. */
+static int entries(lag_shell *shell, const uint32_t *references, size_t n, size_t *count)
+{
+    *count = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (references[i] >= shell->fmu->nvariable || shell->fmu->variables[references[i]].type != LAG_TYPE_REAL) {
+            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no real variable with value reference %lu", (unsigned long)references[i]);
+            return 0;
+        }
+        *count += shell->fmu->variables[references[i]].count;
+    }
+    return 1;
+}
+
+static void spread(const lag_shell *shell, const uint32_t *references, size_t n, lag_known *known)
+{
+    for (size_t i = 0; i < n; ++i) {
+        for (size_t k = 0; k < shell->fmu->variables[references[i]].count; ++k) {
+            *known++ = (lag_known){.variable = references[i], .element = k};
+        }
+    }
+}
+
+/* Room that is kept: only the first calls allocate. */
+static int room(lag_shell *shell, size_t count)
+{
+    if (count <= shell->capacity) {
+        return 1;
+    }
+    lag_known *known = count < SIZE_MAX / sizeof *known ? lag_shell_allocate(shell, count * sizeof *known) : NULL;
+    if (known == NULL) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "no memory for %lu variables", (unsigned long)count);
+        return 0;
+    }
+    lag_shell_release(shell, shell->known);
+    shell->known = known;
+    shell->capacity = count;
+    return 1;
+}
+
+lag_answer lag_shell_slopes(lag_shell *shell, lag_slope *slope, const uint32_t *unknowns, size_t nunknown, const uint32_t *knowns,
+    size_t nknown, const double *seed, size_t nseed, double *sensitivity, size_t nsensitivity, int adjoint)
+{
+    size_t unknown = 0, known = 0;
+    if (lag_shell_lacks(shell, nunknown > 0 && unknowns == NULL, "the array of unknowns") ||
+        lag_shell_lacks(shell, nknown > 0 && knowns == NULL, "the array of knowns") ||
+        lag_shell_lacks(shell, nseed > 0 && seed == NULL, "the seed") ||
+        lag_shell_lacks(shell, nsensitivity > 0 && sensitivity == NULL, "the array of sensitivities") ||
+        !entries(shell, unknowns, nunknown, &unknown) || !entries(shell, knowns, nknown, &known)) {
+        return LAG_ANSWER_ERROR;
+    }
+    if (nseed != (adjoint ? unknown : known) || nsensitivity != (adjoint ? known : unknown)) {
+        return lag_shell_say(shell, LAG_ANSWER_ERROR, "%lu seeds and %lu sensitivities for %lu unknowns and %lu knowns",
+            (unsigned long)nseed, (unsigned long)nsensitivity, (unsigned long)unknown, (unsigned long)known);
+    }
+    const lag_answer answer = lag_shell_initialized(shell);
+    if (answer != LAG_ANSWER_OK || nsensitivity == 0) {
+        return answer;
+    }
+    if (!room(shell, unknown + known)) {
+        return LAG_ANSWER_ERROR;
+    }
+    spread(shell, unknowns, nunknown, shell->known);
+    spread(shell, knowns, nknown, shell->known + unknown);
+    return lag_shell_judge(shell, slope(shell->instance, shell->known, unknown, shell->known + unknown, known, seed, sensitivity));
+}

@@ -1,0 +1,107 @@
+/* Model exchange: time, states, derivatives, indicators. */
+#include "lag/shell/shell.h"
+
+#include <math.h>
+#include <string.h>
+
+size_t lag_shell_order(const lag_shell *shell)
+{
+    return 2 * shell->fmu->model->nq + shell->fmu->model->nz;
+}
+
+/* Whether an array of the importer is one of `expected` numbers. */
+static int fits(lag_shell *shell, const double *values, size_t n, size_t expected, const char *what)
+{
+    if (n != expected) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "room for %lu %s, where there are %lu", (unsigned long)n, what, (unsigned long)expected);
+        return 0;
+    }
+    return !lag_shell_lacks(shell, n > 0 && values == NULL, what);
+}
+
+lag_answer lag_shell_set_time(lag_shell *shell, double time)
+{
+    if (!lag_shell_is_time(shell, time, "the time")) {
+        return LAG_ANSWER_ERROR;
+    }
+    const lag_status status = lag_instance_set_time(shell->instance, time);
+    if (status != LAG_OK) {
+        return lag_shell_refused(shell, status);
+    }
+    shell->now.time = shell->now.reached = time;
+    return LAG_ANSWER_OK;
+}
+
+lag_answer lag_shell_set_states(lag_shell *shell, const double *x, size_t n)
+{
+    if (!fits(shell, x, n, lag_shell_order(shell), "states")) {
+        return LAG_ANSWER_ERROR;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        if (!isfinite(x[i])) {
+            return lag_shell_say(shell, LAG_ANSWER_ERROR, "state %lu is infinite or not a number", (unsigned long)(i + 1));
+        }
+    }
+    return lag_shell_refused(shell, lag_instance_set_states(shell->instance, x));
+}
+
+lag_answer lag_shell_get_states(lag_shell *shell, double *x, size_t n)
+{
+    if (!fits(shell, x, n, lag_shell_order(shell), "states")) {
+        return LAG_ANSWER_ERROR;
+    }
+    const lag_answer answer = lag_shell_initialized(shell);
+    if (answer == LAG_ANSWER_OK && n > 0) {
+        lag_instance_states(shell->instance, x);
+    }
+    return answer;
+}
+
+lag_answer lag_shell_get_derivatives(lag_shell *shell, double *xd, size_t n)
+{
+    if (!fits(shell, xd, n, lag_shell_order(shell), "derivatives")) {
+        return LAG_ANSWER_ERROR;
+    }
+    const lag_answer answer = lag_shell_initialized(shell);
+    if (answer != LAG_ANSWER_OK || n == 0) {
+        return answer;
+    }
+    const lag_status status = lag_instance_derivatives(shell->instance, xd);
+    return status == LAG_OK ? LAG_ANSWER_OK : lag_shell_judge(shell, status);
+}
+
+lag_answer lag_shell_get_indicators(lag_shell *shell, double *g, size_t n)
+{
+    if (!fits(shell, g, n, lag_instance_indicator_count(shell->fmu), "event indicators")) {
+        return LAG_ANSWER_ERROR;
+    }
+    const lag_answer answer = lag_shell_initialized(shell);
+    if (answer != LAG_ANSWER_OK || n == 0) {
+        return answer;
+    }
+    const lag_status status = lag_instance_indicators(shell->instance, g);
+    return status == LAG_OK ? LAG_ANSWER_OK : lag_shell_judge(shell, status);
+}
+
+lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n)
+{
+    if (!fits(shell, nominal, n, lag_shell_order(shell), "nominal values")) {
+        return LAG_ANSWER_ERROR;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        nominal[i] = shell->fmu->nominal[i];
+    }
+    return LAG_ANSWER_OK;
+}
+
+lag_answer lag_shell_completed(lag_shell *shell, int *events, int *terminate)
+{
+    *events = 0;
+    *terminate = 0;
+    const lag_status status = lag_instance_completed(shell->instance, events, terminate);
+    if (status == LAG_OK && *terminate) {
+        shell->now.ended = 1;
+        lag_shell_note(shell, "the model ends the simulation at %.17g s", shell->now.time);
+    }
+    return lag_shell_failed(shell, status);
+}

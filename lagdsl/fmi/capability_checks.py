@@ -1,0 +1,66 @@
+"""What the standards cannot say, told before anything is compiled; and what an importer must know."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.evaluate import Values, evaluate
+from lagdsl.flat.events import Discrete
+from lagdsl.flat.model import FlatModel, Input, Parameter
+from lagdsl.flat.spans import around, place
+from lagdsl.fmi.variables.names import named
+
+# Integer of FMI 2 has 32 bits. Int64 of FMI 3 has more than a double has digits: beyond 2**53 neighbors are one number.
+_INTEGERS = {2: (-(2**31), 2**31 - 1), 3: (-(2**53), 2**53)}
+
+
+def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sink) -> None:
+    """Report what an FMU of this `version` (2 or 3) of the standard cannot hold (E0902, E0909), and which inputs
+    belong together (N0903). `values` replace defaults of parameters, by name, in SI units."""
+    least, most = _INTEGERS[version]
+    counted: tuple[Parameter | Discrete, ...] = (*flat.parameters, *flat.events.discretes)
+    for item in counted:
+        for what, value in _integers(flat, item, values):
+            if not least <= value <= most:
+                sink.report(
+                    "E0902",
+                    place(item),
+                    *around(item),
+                    what=what,
+                    name=item.name,
+                    value=f"{value:.17g}",
+                    version=version,
+                    least=least,
+                    most=most,
+                )
+    for parameter in flat.parameters:
+        if parameter.free:
+            sink.report("E0909", place(parameter), *around(parameter), name=parameter.name)
+    for driven in flat.inputs:
+        if driven.smooth:
+            derivatives = ", ".join(f"`{named(name).text}`" for name in _derivatives(flat, driven))
+            sink.report("N0903", place(driven), *around(driven), name=named(driven.name).text, derivatives=derivatives)
+
+
+def _integers(flat: FlatModel, item: Parameter | Discrete, values: Mapping[str, float]) -> Iterator[tuple[str, float]]:
+    """What an FMU would write as integers; bounds at infinity are no bounds."""
+    if item.kind != "Integer":
+        return
+    if isinstance(item, Parameter):
+        yield "the value", values.get(item.name, item.value)
+    else:
+        yield "the start", evaluate(flat, item.start, Values(variables=values))
+    for what, bound in (("the min", item.minimum), ("the max", item.maximum)):
+        if bound is not None and math.isfinite(bound):
+            yield what, bound
+
+
+def _derivatives(flat: FlatModel, item: Input) -> Iterator[str]:
+    """Names of the inputs that are time derivatives of `item`, in their order."""
+    name = item.name
+    for other in flat.inputs:
+        if other.derivative_of == name:
+            yield other.name
+            name = other.name

@@ -1,0 +1,1 @@
+"""The XML and C descriptions of an FMU."""

@@ -1,0 +1,131 @@
+"""What the descriptions of both versions of FMI have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeAlias
+
+from lagdsl.fmi.description.unit_definitions import unit_definitions
+from lagdsl.fmi.description.xml import Element, element, one_line
+from lagdsl.fmi.variables.scalar import Type, Variable
+from lagdsl.fmi.variables.structure import Unknown
+from lagdsl.fmi.variables.variables import Table
+from lagdsl.record import record
+
+# What instances tell, by category: those of the standard.
+LOG_CATEGORIES = {
+    "logEvents": "what happens at instants",
+    "logStatusWarning": "warnings",
+    "logStatusDiscard": "steps and values that are refused",
+    "logStatusError": "errors",
+    "logStatusFatal": "errors after which nothing goes on",
+    "logAll": "everything",
+}
+# Rows of an experiment that does not tell its interval.
+_ROWS = 500
+
+
+TypeKey: TypeAlias = tuple[object, ...]
+
+
+@record(kw_only=True)
+class NamedType:
+    """A type of the model's text, with its unit or its literals."""
+
+    name: str
+    type: Type
+    quantity: str
+    unit: str | None
+    literals: tuple[str, ...]
+
+
+def experiment(table: Table) -> dict[str, float]:
+    """Attributes of DefaultExperiment, the defaults of the language where the model does not tell."""
+    given = table.flat.experiment
+    return {
+        "startTime": given.start_time,
+        "stopTime": given.stop_time,
+        "tolerance": given.tolerance,
+        "stepSize": given.interval or (given.stop_time - given.start_time) / _ROWS,
+    }
+
+
+def unit_elements(root: Element, table: Table) -> None:
+    """UnitDefinitions, the same in both versions."""
+    used = unit_definitions((v.attributes.unit, v.attributes.display_unit) for v in table.variables)
+    definitions = element("UnitDefinitions", root)
+    for unit in used:
+        defined = element("Unit", definitions, name=unit.name)
+        if unit.exponents is not None:
+            powers: dict[str, int] = dict(unit.exponents)
+            element("BaseUnit", defined, **powers, factor=None if unit.factor == 1.0 else unit.factor)
+        for shown in unit.display_units:
+            element("DisplayUnit", defined, name=shown.name, factor=shown.factor, offset=shown.offset or None)
+
+
+def bound(value: float | None, kind: Type) -> float | int | None:
+    """`min` or `max`."""
+    match kind:
+        case "REAL":
+            return value
+        case "INTEGER":
+            return None if value is None else int(value)
+        case "BOOLEAN" | "STRING" | "ENUMERATION":
+            return None
+
+
+def named_types(table: Table) -> dict[TypeKey, NamedType]:
+    """Types by what tells them apart: texts may have two of one name. Here their names are none of a variable and
+    differ from each other, as FMI asks."""
+    taken = {variable.name for variable in table.variables}
+    found: dict[TypeKey, NamedType] = {}
+    for variable in table.variables:
+        key, attributes = _key(variable), variable.attributes
+        if key is None or key in found:
+            continue
+        quantity = one_line(attributes.type_name or "")
+        name = quantity
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        found[key] = NamedType(
+            name=name,
+            type=attributes.type,
+            quantity=quantity,
+            unit=attributes.unit,
+            literals=attributes.literals,
+        )
+    return found
+
+
+def type_of_variable(variable: Variable, types: Mapping[TypeKey, NamedType]) -> str | None:
+    """Name of its type definition."""
+    key = _key(variable)
+    return None if key is None else types[key].name
+
+
+def _key(variable: Variable) -> TypeKey | None:
+    """None for variables without a type of their own; those of Integers and Booleans tell nothing more."""
+    attributes = variable.attributes
+    if attributes.type_name is None or attributes.type not in ("REAL", "ENUMERATION"):
+        return None
+    return attributes.type_name, attributes.type, attributes.unit, attributes.literals
+
+
+def needs_completed_steps(table: Table) -> bool:
+    """Whether anything is to be done after steps of the importer's integrator."""
+    flat = table.flat
+    watched = flat.assertions or flat.invariants or any(output.turning for output in flat.outputs)
+    return bool(flat.constraints or watched or has_events(table))
+
+
+def has_events(table: Table) -> bool:
+    return bool(table.program.layout.discretes)
+
+
+def dependencies_of(unknown: Unknown, shift: int) -> dict[str, str]:
+    """The attributes that tell them; indices count from `shift`."""
+    return {
+        "dependencies": " ".join(str(index + shift) for index, _ in unknown.dependencies),
+        "dependenciesKind": " ".join(kind for _, kind in unknown.dependencies),
+    }

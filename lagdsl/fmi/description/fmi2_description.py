@@ -1,0 +1,134 @@
+"""modelDescription.xml of FMI 2.0."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import lagdsl
+from lagdsl.fmi.description.description import (
+    LOG_CATEGORIES,
+    NamedType,
+    TypeKey,
+    bound,
+    dependencies_of,
+    experiment,
+    named_types,
+    needs_completed_steps,
+    type_of_variable,
+    unit_elements,
+)
+from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
+from lagdsl.fmi.variables.builtin_variables import indicator_count
+from lagdsl.fmi.variables.scalar import Variable
+from lagdsl.fmi.variables.structure import Unknown
+from lagdsl.fmi.variables.variables import Table
+
+_TAGS = {"REAL": "Real", "INTEGER": "Integer", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
+
+
+def fmi2_description(table: Table, *, identifier: str, source_files: Sequence[str], token: str) -> str:
+    """`identifier` is the stem of the binaries' names, `source_files` what lies in `sources/`, `token` the guid."""
+    root = element(
+        "fmiModelDescription",
+        fmiVersion="2.0",
+        modelName=one_line(table.flat.name),
+        guid=token,
+        description=table.flat.doc,
+        generationTool=f"lagdsl {lagdsl.__version__}",
+        variableNamingConvention="structured",
+        numberOfEventIndicators=indicator_count(table.flat),
+    )
+    _interfaces(root, table, identifier, source_files)
+    types = named_types(table)
+    unit_elements(root, table)
+    _types(root, types)
+    categories = element("LogCategories", root)
+    for name, description in LOG_CATEGORIES.items():
+        element("Category", categories, name=name, description=description)
+    element("DefaultExperiment", root, **experiment(table))
+    variables = element("ModelVariables", root)
+    for reference, variable in enumerate(table.variables):
+        _variable(variables, reference, variable, types)
+    _structure(root, table)
+    return document(root)
+
+
+def _interfaces(root: Element, table: Table, identifier: str, source_files: Sequence[str]) -> None:
+    exchange: dict[str, int] = {"completedIntegratorStepNotNeeded": not needs_completed_steps(table)}
+    simulation: dict[str, int] = {
+        "canHandleVariableCommunicationStepSize": True,
+        "canInterpolateInputs": True,
+        "maxOutputDerivativeOrder": 1,
+    }
+    interfaces: dict[str, tuple[str, dict[str, int]]] = {
+        "me": ("ModelExchange", exchange),
+        "cs": ("CoSimulation", simulation),
+    }
+    for kind in table.kinds:
+        tag, own = interfaces[kind]
+        interface = element(
+            tag,
+            root,
+            modelIdentifier=identifier,
+            **own,
+            canGetAndSetFMUstate=True,
+            canSerializeFMUstate=True,
+            providesDirectionalDerivative=True,
+        )
+        if source_files:
+            files = element("SourceFiles", interface)
+            for name in source_files:
+                element("File", files, name=name)
+
+
+def _types(root: Element, types: Mapping[TypeKey, NamedType]) -> None:
+    if not types:
+        return
+    definitions = element("TypeDefinitions", root)
+    for kind in types.values():
+        defined = element("SimpleType", definitions, name=kind.name)
+        inner = element(_TAGS[kind.type], defined, quantity=kind.quantity, unit=kind.unit)
+        for value, literal in enumerate(kind.literals, 1):
+            element("Item", inner, name=literal, value=value)
+
+
+def _variable(parent: Element, reference: int, variable: Variable, types: Mapping[TypeKey, NamedType]) -> None:
+    attributes = variable.attributes
+    scalar = element(
+        "ScalarVariable",
+        parent,
+        name=variable.name,
+        valueReference=reference,
+        description=attributes.doc,
+        causality=attributes.causality,
+        variability=attributes.variability,
+        initial=variable.initial,
+    )
+    element(
+        _TAGS[attributes.type],
+        scalar,
+        declaredType=type_of_variable(variable, types),
+        unit=attributes.unit,
+        displayUnit=attributes.display_unit,
+        min=bound(attributes.minimum, attributes.type),
+        max=bound(attributes.maximum, attributes.type),
+        nominal=attributes.nominal,
+        start=start_text(attributes.type, variable.starts),
+        derivative=None if variable.derivative_of is None else variable.derivative_of + 1,
+        reinit=True if variable.reinit else None,
+    )
+
+
+def _structure(root: Element, table: Table) -> None:
+    structure = element("ModelStructure", root)
+    parts: dict[str, tuple[Unknown, ...]] = {
+        "Outputs": table.structure.outputs,
+        "Derivatives": table.structure.derivatives,
+        "InitialUnknowns": table.structure.initial,
+    }
+    for tag, unknowns in parts.items():
+        if not unknowns:
+            continue
+        part = element(tag, structure)
+        for unknown in unknowns:
+            element("Unknown", part, index=unknown.variable + 1, **dependencies_of(unknown, 1))

@@ -1,0 +1,130 @@
+"""modelDescription.xml of FMI 3.0."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import lagdsl
+from lagdsl.fmi.description.description import (
+    LOG_CATEGORIES,
+    NamedType,
+    TypeKey,
+    bound,
+    dependencies_of,
+    experiment,
+    has_events,
+    named_types,
+    needs_completed_steps,
+    type_of_variable,
+    unit_elements,
+)
+from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
+from lagdsl.fmi.variables.scalar import Role, Variable
+from lagdsl.fmi.variables.structure import Unknown
+from lagdsl.fmi.variables.variables import Table
+
+_TAGS = {"REAL": "Float64", "INTEGER": "Int32", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
+# What can be read in the middle of a communication step.
+_INTERMEDIATE = (Role.STATE, Role.DERIVATIVE, Role.OUTPUT)
+
+
+def fmi3_description(table: Table, *, identifier: str, token: str) -> str:
+    """`identifier` is the stem of the binaries' names, `token` the instantiation token."""
+    root = element(
+        "fmiModelDescription",
+        fmiVersion="3.0",
+        modelName=one_line(table.flat.name),
+        instantiationToken=token,
+        description=table.flat.doc,
+        generationTool=f"lagdsl {lagdsl.__version__}",
+        variableNamingConvention="structured",
+    )
+    _interfaces(root, table, identifier)
+    types = named_types(table)
+    unit_elements(root, table)
+    if types:
+        definitions = element("TypeDefinitions", root)
+        for kind in types.values():
+            tag = f"{_TAGS[kind.type]}Type"
+            defined = element(tag, definitions, name=kind.name, quantity=kind.quantity, unit=kind.unit)
+            for value, literal in enumerate(kind.literals, 1):
+                element("Item", defined, name=literal, value=value)
+    categories = element("LogCategories", root)
+    for name, description in LOG_CATEGORIES.items():
+        element("Category", categories, name=name, description=description)
+    element("DefaultExperiment", root, **experiment(table))
+    variables = element("ModelVariables", root)
+    for reference, variable in enumerate(table.variables):
+        _variable(variables, reference, variable, types)
+    _structure(root, table)
+    return document(root)
+
+
+def _interfaces(root: Element, table: Table, identifier: str) -> None:
+    events = has_events(table)
+    tags = {"me": "ModelExchange", "cs": "CoSimulation"}
+    own: dict[str, dict[str, int]] = {
+        "me": {"needsCompletedIntegratorStep": needs_completed_steps(table)},
+        "cs": {
+            "canHandleVariableCommunicationStepSize": True,
+            "maxOutputDerivativeOrder": 1,
+            "providesIntermediateUpdate": True,
+            "mightReturnEarlyFromDoStep": events,
+            "canReturnEarlyAfterIntermediateUpdate": True,
+            "hasEventMode": events,
+        },
+    }
+    for kind in table.kinds:
+        element(
+            tags[kind],
+            root,
+            modelIdentifier=identifier,
+            canGetAndSetFMUState=True,
+            canSerializeFMUState=True,
+            providesDirectionalDerivatives=True,
+            providesAdjointDerivatives=True,
+            providesPerElementDependencies=True,
+            **own[kind],
+        )
+
+
+def _variable(parent: Element, reference: int, variable: Variable, types: Mapping[TypeKey, NamedType]) -> None:
+    attributes = variable.attributes
+    text = attributes.type == "STRING"
+    defined = element(
+        _TAGS[attributes.type],
+        parent,
+        name=variable.name,
+        valueReference=reference,
+        description=attributes.doc,
+        causality=attributes.causality,
+        variability=attributes.variability,
+        initial=variable.initial,
+        intermediateUpdate=True if attributes.role in _INTERMEDIATE and attributes.type == "REAL" else None,
+        declaredType=type_of_variable(variable, types),
+        unit=attributes.unit,
+        displayUnit=attributes.display_unit,
+        min=bound(attributes.minimum, attributes.type),
+        max=bound(attributes.maximum, attributes.type),
+        nominal=attributes.nominal,
+        derivative=variable.derivative_of,
+        reinit=True if variable.reinit else None,
+        start=None if text else start_text(attributes.type, variable.starts),
+    )
+    for extent in variable.shape:
+        element("Dimension", defined, start=extent)
+    for start in variable.starts if text else ():
+        element("Start", defined, value=str(start))
+
+
+def _structure(root: Element, table: Table) -> None:
+    structure = element("ModelStructure", root)
+    parts: dict[str, tuple[Unknown, ...]] = {
+        "Output": table.structure.outputs,
+        "ContinuousStateDerivative": table.structure.derivatives,
+        "InitialUnknown": table.structure.initial,
+        "EventIndicator": table.structure.indicators,
+    }
+    for tag, unknowns in parts.items():
+        for unknown in unknowns:
+            element(tag, structure, valueReference=unknown.variable, **dependencies_of(unknown, 0))

@@ -1,0 +1,116 @@
+"""The C source with the variables of an exported model: a constant of type lag_fmu."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from lagdsl.backends.c.literal import number, string
+from lagdsl.flat.model import FlatModel
+from lagdsl.fmi.variables.scalar import Role, Variable
+from lagdsl.fmi.variables.variables import Kind, Table, Version
+
+_KINDS: dict[Kind, str] = {"me": "LAG_MODEL_EXCHANGE", "cs": "LAG_CO_SIMULATION"}
+
+
+def table_source(table: Table, stem: str, token: str) -> str:
+    """Text of `<stem>_fmu.c`, which stands beside `<stem>.h` and `<stem>_start.c`."""
+    settings, flat = table.settings, table.flat
+    constants = [(v.attributes.type == "STRING", start) for _, v in table.of(Role.CONSTANT) for start in v.starts]
+    tables = {
+        "variables": ("lag_variable", [_row(variable, table.version) for variable in table.variables]),
+        "constants": ("double", _numbers([float(start) for is_text, start in constants if not is_text])),
+        "texts": ("char *const", [string(str(start)) for is_text, start in constants if is_text]),
+        "fixed": ("unsigned char", _flags(settings.fixed)),
+        "nominal": ("double", _numbers(settings.nominal)),
+        "group": ("double", _numbers(settings.groups)),
+        "natural": ("double", _numbers(settings.natural)),
+        "cap": ("double", _numbers(settings.caps)),
+        "row_sizes": ("double", _numbers(settings.row_sizes)),
+        "lasting": ("double", _numbers([float(flag) for flag in settings.lasting])),
+        "turning": ("unsigned char", _flags([output.turning for output in flat.outputs])),
+        "parameter_range": ("lag_range", _ranges(table)),
+        "input_rates": ("size_t", _input_rates(flat)),
+        "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
+    }
+    if table.version == 3:
+        tables |= _dependencies(table)
+    experiment = flat.experiment
+    members = [
+        f".model = &{stem}_model",
+        f".token = {string(token)}",
+        f".nvariable = {len(table.variables)}",
+        *(f".{name} = fmu_{name}" for name, (_, rows) in tables.items() if rows),
+        f".start = &{stem}_start",
+        f".start_time = {number(experiment.start_time)}",
+        f".stop_time = {number(experiment.stop_time)}",
+        f".tolerance = {number(experiment.tolerance)}",
+        f".general = {settings.general}",
+        f".kinds = {' | '.join(_KINDS[kind] for kind in table.kinds)}",
+    ]
+    return "".join(
+        [
+            "/* Variables of the model as importers see them, generated: see lag/fmu.h for what is what. */\n",
+            f'#include "{stem}.h"\n\n#include "lag/fmu.h"\n\n#include <math.h>\n\n',
+            *(_array(kind, name, rows) for name, (kind, rows) in tables.items()),
+            "extern const lag_fmu lag_exported;\n\n",
+            "const lag_fmu lag_exported = {\n" + "".join(f"    {member},\n" for member in members) + "};\n",
+        ]
+    )
+
+
+def _row(variable: Variable, version: Version) -> str:
+    """FMI 2 has enumerations as integers."""
+    attributes = variable.attributes
+    kind = "INTEGER" if attributes.type == "ENUMERATION" and version == 2 else attributes.type
+    return (
+        f"{{LAG_ROLE_{attributes.role}, LAG_TYPE_{kind}, LAG_SET_{attributes.setting}, "
+        f"{variable.first}, {variable.count}}}"
+    )
+
+
+def _dependencies(table: Table) -> dict[str, tuple[str, list[str]]]:
+    firsts, rows = [0], []
+    for own in table.structure.elements:
+        rows += [f"{{{d.element}, {d.other}, {d.other_element}, LAG_DEPENDENCE_{d.kind.upper()}}}" for d in own]
+        firsts.append(len(rows))
+    return {"dependency_first": ("size_t", _counts(firsts)), "dependencies": ("lag_dependency", rows)}
+
+
+def _counts(values: Sequence[int]) -> list[str]:
+    return [str(value) for value in values]
+
+
+def _ranges(table: Table) -> list[str]:
+    """Of all parameters, where one of them has bounds."""
+    ranges = [(-math.inf, math.inf)] * len(table.program.layout.parameters)
+    for _, variable in table.of(Role.PARAMETER):
+        attributes = variable.attributes
+        low, high = attributes.minimum, attributes.maximum
+        if attributes.literals:
+            low, high = 1.0, float(len(attributes.literals))
+        for entry in variable.entries:
+            ranges[entry] = (-math.inf if low is None else low, math.inf if high is None else high)
+    bounded = any(math.isfinite(bound) for both in ranges for bound in both)
+    return [f"{{{number(low)}, {number(high)}}}" for low, high in ranges] if bounded else []
+
+
+def _input_rates(flat: FlatModel) -> list[str]:
+    """By input, the index of the one that is its time derivative; none where no input has one."""
+    rates = {item.derivative_of: index for index, item in enumerate(flat.inputs) if item.derivative_of is not None}
+    return [str(rates.get(item.name, len(flat.inputs))) for item in flat.inputs] if rates else []
+
+
+def _numbers(values: Sequence[float]) -> list[str]:
+    return [number(value) for value in values]
+
+
+def _flags(values: Sequence[bool]) -> list[str]:
+    return [str(int(value)) for value in values]
+
+
+def _array(kind: str, name: str, rows: Sequence[str]) -> str:
+    """A table; none where it has no rows, since C has no empty arrays."""
+    if not rows:
+        return ""
+    return f"static const {kind} fmu_{name}[] = {{\n" + "".join(f"    {row},\n" for row in rows) + "};\n\n"

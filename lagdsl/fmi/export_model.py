@@ -1,0 +1,91 @@
+"""What an FMU is made of: the model with all that importers ask for, its start, and its variables."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from lagdsl.backends.c.emit import stem_of
+from lagdsl.backends.start import Start, start_of
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.limits import check_limits
+from lagdsl.fmi.variables.variables import Kind, Table, Version, table
+from lagdsl.pipeline import Compilation, engine_of, middle, with_names
+from lagdsl.program.program import Program
+from lagdsl.record import record
+from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.simulate.initialize import initial_state
+
+
+@record(kw_only=True)
+class ExportModel:
+    """`compilation` has the program with every named value and the chosen defaults, `plain` the same without those
+    values. `chosen` are further start values by name, `stem` names files and symbols."""
+
+    compilation: Compilation
+    plain: Program
+    chosen: Mapping[str, float]
+    start: Start
+    table: Table
+    stem: str
+
+    @property
+    def program(self) -> Program:
+        return self.compilation.program
+
+
+def export_model(
+    compilation: Compilation,
+    version: Version,
+    kinds: Collection[Kind],
+    parameters: Mapping[str, float],
+    start: Mapping[str, float],
+    sink: Sink,
+    engine: EngineName = "auto",
+) -> ExportModel:
+    """`parameters` and `start` (SI) become the defaults, `engine` finds where the motion starts. Raises
+    CompilationFailed where nothing starts from them."""
+    graph = _by_graph(compilation)
+    plain = _with_defaults(graph.program, parameters)
+    defaults = plain.layout.defaults
+    names = (slot.name for slot in plain.layout.parameters)
+    check_limits(graph.flat, dict(zip(names, defaults, strict=True)), sink)
+    _raise(sink)
+    computing = engine_of(plain, engine)
+    with np.errstate(all="ignore"):
+        initial = initial_state(graph.flat, computing, start=start, sink=sink)
+    _raise(sink)
+    state = (*initial.q.tolist(), *initial.qd.tolist(), *initial.z.tolist())
+    where = start_of(graph.flat, initial.t, [float(value) for value in state], start)
+    whole = replace(graph, program=_with_defaults(with_names(graph), parameters))
+    return ExportModel(
+        compilation=whole,
+        plain=plain,
+        chosen=start,
+        start=where,
+        table=table(whole, version, where, kinds=kinds, engine=computing, redundant=initial.redundant),
+        stem=stem_of(whole.program),
+    )
+
+
+def _by_graph(compilation: Compilation) -> Compilation:
+    """The same model by the route that knows named values and derivatives."""
+    if compilation.derivation is not None:
+        return compilation
+    found = middle(compilation.flat, Sink())
+    assert found is not None, "one route found the model sound and the other did not"
+    return found
+
+
+def _with_defaults(program: Program, parameters: Mapping[str, float]) -> Program:
+    layout = program.layout
+    pairs = zip(layout.parameters, layout.defaults, strict=True)
+    defaults = tuple(float(parameters.get(slot.name, value)) for slot, value in pairs)
+    return replace(program, layout=replace(layout, defaults=defaults))
+
+
+def _raise(sink: Sink) -> None:
+    if sink.has_errors:
+        raise CompilationFailed(sink.diagnostics)

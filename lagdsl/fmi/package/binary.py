@@ -1,0 +1,138 @@
+"""From C sources to shared libraries, one for each platform; objects are kept by content and made on all cores."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+
+from lagdsl.fmi.package.libraries import timeless
+from lagdsl.fmi.package.toolchain import Toolchain, toolchain
+from lagdsl.record import record
+from lagdsl.runtime.building.cache import cache_folder
+from lagdsl.runtime.building.compiler import failure
+from lagdsl.runtime.building.platforms import Platform, this_machine
+from lagdsl.runtime.engines.cores import cores
+from lagdsl.runtime.lock import lock_of, locked
+
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
+
+
+@record()
+class Objects:
+    """What was compiled: paths of object files by platform, in the order of the sources."""
+
+    stem: str
+    tools: tuple[Toolchain, ...]
+    paths: Mapping[str, list[str]]
+
+    def libraries(self) -> dict[str, bytes]:
+        """The libraries `stem`.so and so on by the name of their platform. Raises CompilationFailed: E0906, E0913."""
+        with _folder() as folder:
+            return {tool.platform.name: self._linked(tool, folder) for tool in self.tools}
+
+    @contextmanager
+    def open_library(self) -> Iterator[Path | None]:
+        """The library for this machine with all functions to be seen, if that can be made of the objects: it is there
+        for as long as it takes to load it.
+
+        Raises CompilationFailed: E0906, E0913.
+        """
+        own = next((tool for tool in self.tools if tool.opens and tool.platform.name == this_machine()), None)
+        if own is None:
+            yield None
+            return
+        with _folder() as folder:
+            own.link(folder, self.paths[own.platform.name], self.stem, opened=True)
+            yield folder / self.stem
+
+    def _linked(self, tool: Toolchain, folder: Path) -> bytes:
+        target = self.stem + tool.platform.suffix
+        tool.link(folder, self.paths[tool.platform.name], target)
+        library = folder / target
+        content = timeless(library.read_bytes())
+        library.unlink()
+        return content
+
+
+def objects_of(
+    sources: Mapping[str, str],
+    stem: str,
+    platforms: Sequence[Platform],
+    progress: Callable[[float], None] | None = None,
+) -> Objects:
+    """The same sources, the same bytes, in any folder. `progress` is called with the part of the work that is done.
+
+    Raises CompilationFailed: E0905, E0906, E0911, E0913.
+    """
+    tools = tuple(toolchain(platform) for platform in platforms)
+    jobs = [(tool, path) for tool in tools for path in sorted(sources) if path.endswith(".c")]
+    with _folder() as folder:
+        _write(sources, folder)
+        return Objects(stem, tools, _objects(jobs, sources, folder, folder.parent, progress))
+
+
+@contextmanager
+def _folder() -> Iterator[Path]:
+    """A folder beside what is kept. Raises CompilationFailed: E0913."""
+    try:
+        with tempfile.TemporaryDirectory(dir=cache_folder(), prefix="fmu-") as name:
+            yield Path(name)
+    except OSError as problem:
+        raise failure("E0913", reason=str(problem)) from None
+
+
+def _write(sources: Mapping[str, str], folder: Path) -> None:
+    for path, text in sources.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text, encoding="utf-8", newline="\n")
+
+
+def _objects(
+    jobs: Sequence[tuple[Toolchain, str]],
+    sources: Mapping[str, str],
+    folder: Path,
+    kept: Path,
+    progress: Callable[[float], None] | None,
+) -> dict[str, list[str]]:
+    """Paths of the object files by platform, in the order of the sources. The first failure is raised."""
+    found: dict[str, list[str]] = {}
+
+    def compiled(number: int) -> str:
+        tool, path = jobs[number]
+        target = kept / f"{_digest(*tool.flags, *_read(path, sources))}.o"
+        if not target.exists():
+            with locked(lock_of(target)):
+                if not target.exists():
+                    draft = f"{number}.o"
+                    tool.compile(folder, path, draft)
+                    (folder / draft).replace(target)
+        return str(target)
+
+    with ThreadPoolExecutor(cores()) as pool:
+        for number, target in enumerate(pool.map(compiled, range(len(jobs)))):
+            found.setdefault(jobs[number][0].platform.name, []).append(target)
+            if progress is not None:
+                progress((number + 1) / len(jobs))
+    return found
+
+
+def _read(path: str, sources: Mapping[str, str]) -> list[str]:
+    """Names and texts of a C file and all that it includes, so that another model finds the runtime compiled."""
+    names = [path]
+    for name in names:
+        included = (each for each in _INCLUDE.findall(sources[name]) if each in sources)
+        names += [each for each in dict.fromkeys(included) if each not in names]
+    return [part for name in names for part in (name, sources[name])]
+
+
+def _digest(*parts: str) -> str:
+    digest = hashlib.sha256()
+    for part in parts:
+        data = part.encode()
+        digest.update(f"{len(data)}:".encode() + data)
+    return digest.hexdigest()[:40]

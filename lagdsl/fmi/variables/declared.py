@@ -1,0 +1,140 @@
+"""Numbers of an exported model that its text declares: parameters, constants, inputs, outputs, definitions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from lagdsl.flat import quantity as fq
+from lagdsl.flat.events import Contact, Discrete, entries
+from lagdsl.flat.model import Definition, FlatModel, Output
+from lagdsl.fmi.variables.attributes import attributes_of, bounds
+from lagdsl.fmi.variables.names import belonging, named
+from lagdsl.fmi.variables.parameter_use import parameters_of, tunable
+from lagdsl.fmi.variables.scalar import Attributes, Causality, Role, Scalar, Variability
+from lagdsl.fmi.variables.settings import Settings
+from lagdsl.mechanics.named import definitions as named_values
+from lagdsl.program.program import Program
+
+
+def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
+    """Independent ones, in the order of the vector p; texts there have no effect."""
+    changeable = tunable(program)
+    independent = [item for item in flat.parameters if not item.structural]
+    for index, (item, value) in enumerate(zip(independent, program.layout.defaults, strict=True)):
+        if item.kind == "String":
+            continue
+        variability: Variability = "tunable" if index in changeable else "fixed"
+        attributes = replace(
+            attributes_of(item, Role.PARAMETER),
+            causality="parameter",
+            variability=variability,
+            setting="TUNABLE" if variability == "tunable" else "START",
+            **bounds(item, value),
+        )
+        yield Scalar(
+            name=named(item.name),
+            first=index,
+            attributes=attributes,
+            initial="exact",
+            start=value,
+            key=_but_for_tuning(attributes),
+        )
+
+
+def constants(flat: FlatModel) -> Iterator[Scalar]:
+    """Structural parameters, constants and texts. Numbers and texts are counted each for themselves."""
+    counts = {False: 0, True: 0}
+    for item in flat.parameters:
+        text = item.kind == "String"
+        if item.structural or text:
+            attributes = replace(attributes_of(item, Role.CONSTANT), variability="constant", **bounds(item, item.value))
+            yield Scalar(
+                name=named(item.name),
+                first=counts[text],
+                attributes=attributes,
+                initial="exact",
+                start=(item.text or "") if text else item.value,
+                key=None if text else attributes,
+            )
+            counts[text] += 1
+
+
+def inputs(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
+    for index, (item, value) in enumerate(zip(flat.inputs, settings.inputs, strict=True)):
+        attributes = replace(attributes_of(item, Role.INPUT), causality="input", setting="ALWAYS")
+        if item.derivative_of is not None:  # of another type than the input itself
+            attributes = replace(attributes, type_name=None, doc=f"time derivative of {item.derivative_of}")
+        yield Scalar(
+            name=named(item.name), first=index, attributes=attributes, initial=None, start=value, key=attributes
+        )
+
+
+def outputs(flat: FlatModel) -> Iterator[Scalar]:
+    for index, item in enumerate(flat.outputs):
+        yield _computed(item, Role.OUTPUT, index, "output", "continuous")
+
+
+def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
+    """Dependent parameters, then what changes. The coordinates of cut joints are outputs already."""
+    told = {item.name for item in flat.outputs}
+    changeable = tunable(program)
+    (block,) = program.function("definition").results
+    for index, (item, node) in enumerate(zip(named_values(flat), block.elements, strict=True)):
+        if item.name in told:
+            continue
+        match item.variability:
+            case fq.Variability.CONTINUOUS | fq.Variability.DISCRETE:
+                variability: Variability = "discrete" if item.variability is fq.Variability.DISCRETE else "continuous"
+                yield _computed(item, Role.LOCAL, index, "local", variability)
+            case _:
+                moved = bool(parameters_of(program, [node]) & changeable)
+                yield _computed(item, Role.LOCAL, index, "calculatedParameter", "tunable" if moved else "fixed")
+
+
+def discretes(flat: FlatModel) -> Iterator[Scalar]:
+    """Variables of the vector w."""
+    for index, entry in enumerate(entries(flat.events)):
+        if isinstance(entry.item, Discrete):
+            attributes = replace(attributes_of(entry.item, Role.DISCRETE), variability="discrete")
+            yield Scalar(
+                name=named(entry.name), first=index, attributes=attributes, initial="calculated", key=attributes
+            )
+
+
+def contacts(flat: FlatModel) -> Iterator[Scalar]:
+    """Whether they are closed, and how often they did so or bounced."""
+    closed = Attributes(role=Role.DISCRETE, type="BOOLEAN", variability="discrete", doc="whether the contact is closed")
+    impacts = replace(closed, type="INTEGER", doc="impacts so far", minimum=0.0)
+    for index, entry in enumerate(entries(flat.events)):
+        if isinstance(entry.item, Contact):
+            what, attributes = ("closed", closed) if entry.kind == "contact" else ("impacts", impacts)
+            yield Scalar(
+                name=belonging(entry.item.name, what),
+                first=index,
+                attributes=attributes,
+                initial="calculated",
+                key=attributes,
+            )
+
+
+def _computed(
+    item: Definition | Output, role: Role, index: int, causality: Causality, variability: Variability
+) -> Scalar:
+    """A value that nobody sets. What is no Real changes at instants only."""
+    if item.base != "Real" and variability == "continuous":
+        variability = "discrete"
+    attributes = replace(attributes_of(item, role), causality=causality, variability=variability)
+    return Scalar(
+        name=named(item.name),
+        first=index,
+        attributes=attributes,
+        initial="calculated",
+        key=_but_for_tuning(attributes),
+    )
+
+
+def _but_for_tuning(attributes: Attributes) -> object:
+    """What entries of an array have in common, also where only some of them have an effect after the start."""
+    tuned = attributes.variability in ("tunable", "fixed")
+    return replace(attributes, variability="tunable", setting="TUNABLE") if tuned else attributes

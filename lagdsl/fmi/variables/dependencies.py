@@ -1,0 +1,173 @@
+"""What depends on what in an exported model, as its equations are built: never less, no more than their structure.
+
+Outputs, named values and rates of states are functions of the graph; accelerations and multipliers are solutions of
+the equations of motion, whose blocks say which of them a force reaches. Derivatives of rates are pulled towards the
+constraints, everything else follows from the accelerations of the model. Discretes are held.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeAlias
+
+from lagdsl.fmi.sparsity.accelerations import Accelerations, bits_of
+from lagdsl.fmi.sparsity.dependency_pruning import pruned_dependencies
+from lagdsl.fmi.sparsity.influence import NONE, Influence, Influences, Kind, kind_of, only, raised, union
+from lagdsl.fmi.variables.scalar import Role
+from lagdsl.graph.operation import Group
+from lagdsl.program.program import Program
+from lagdsl.record import record
+
+# A number of an exported model: entry `index` of the array that its role names (lag/fmu.h).
+Entry: TypeAlias = tuple[Role, int]
+Row: TypeAlias = tuple[tuple[Entry, Kind], ...]
+
+_GROUPS = (Group.TIME, Group.Q, Group.QD, Group.Z, Group.U, Group.P, Group.W, Group.QDD, Group.LAMBDA)
+
+
+@record(kw_only=True)
+class Dependencies:
+    """By unknown: derivatives, outputs, named values, multipliers, energies, residuals, indicators.
+
+    `moving`: on states, inputs, parameters, discretes and time, each with its kind. `initial`: the same until
+    initialization ends, where states are unknowns, too; states whose start values are given are knowns.
+    """
+
+    moving: Mapping[Entry, Row]
+    initial: Mapping[Entry, Row]
+
+
+def dependencies(program: Program) -> Dependencies:
+    """Of a program with all its named values. The cost is about that of one pass over the graph."""
+    return _Search(program).found()
+
+
+class _Search:
+    def __init__(self, program: Program) -> None:
+        self._program, graph = program, program.graph
+        self._entries: list[Entry] = []
+        bits: dict[int, int] = {}
+        for group in _GROUPS:
+            for index in range(program.layout.size(group)):
+                bits[graph.symbol(group, index)] = 1 << len(self._entries)
+                self._entries.append(self._entry(group, index))
+        roots = [node for f in program.functions for block in f.results for node in block.elements]
+        absent = pruned_dependencies(program)
+        self._influences = Influences(graph, roots, bits, absent.derivatives)
+        self._bit = {entry: 1 << position for position, entry in enumerate(self._entries)}
+        first = len(self._entries) - program.layout.size(Group.QDD) - program.layout.size(Group.LAMBDA)
+        self._solution = Accelerations(program, self._influences, first, absent.factors, pulled=False)
+        self._pulled = self._solution
+        if program.layout.constraints:
+            self._pulled = Accelerations(program, self._influences, first, absent.factors, pulled=True)
+
+    def _entry(self, group: Group, index: int) -> Entry:
+        n = len(self._program.layout.coordinates)
+        match group:
+            case Group.Q:
+                return Role.STATE, index
+            case Group.QD:
+                return Role.STATE, n + index
+            case Group.Z:
+                return Role.STATE, 2 * n + index
+            case Group.U:
+                return Role.INPUT, index
+            case Group.P:
+                return Role.PARAMETER, index
+            case Group.W:
+                return Role.DISCRETE, index
+            case Group.QDD:
+                return Role.DERIVATIVE, n + index
+            case Group.LAMBDA:
+                return Role.MULTIPLIER, index
+            case _:
+                return Role.TIME, index
+
+    def found(self) -> Dependencies:
+        moving = self._unknowns()
+        starts = self._starts()
+        initial = {entry: self._from_starts(influence, starts) for entry, influence in moving.items()}
+        initial |= {entry: self._from_starts(self._own(entry), starts) for entry in starts}
+        return Dependencies(
+            moving={entry: self._row(influence) for entry, influence in moving.items()},
+            initial={entry: self._row(influence) for entry, influence in initial.items()},
+        )
+
+    def _own(self, entry: Entry) -> Influence:
+        return (self._bit[entry], 0, 0, 0)
+
+    def _row(self, influence: Influence) -> Row:
+        return tuple((self._entries[bit], kind_of(influence, 1 << bit)) for bit in bits_of(influence[0]))
+
+    # ---- while it moves ----------------------------------------------------------------------------------------------
+
+    def _unknowns(self) -> dict[Entry, Influence]:
+        n, solution = len(self._program.layout.coordinates), self._solution
+        found = {(Role.DERIVATIVE, i): self._own((Role.STATE, n + i)) for i in range(n)}
+        found |= {(Role.DERIVATIVE, n + i): self._pulled.solved[i] for i in range(n)}
+        found |= self._values(Role.DERIVATIVE, "state_derivative", 0, 2 * n)
+        found |= self._values(Role.OUTPUT, "output", 0)
+        found |= self._values(Role.LOCAL, "definition", 0)
+        found |= {(Role.MULTIPLIER, k): solution.solved[n + k] for k in range(solution.m)}
+        for index in range(3):
+            found |= self._values(Role.ENERGY, "energies", index, index)
+        for index, function in enumerate(("position_constraint", "velocity_constraint")):
+            total = self._influences.of_all(self._program.function(function).results[0].elements)
+            found[(Role.RESIDUAL, index)] = raised(total, Kind.DEPENDENT)
+        return found | self._indicators()
+
+    def _values(self, role: Role, function: str, block: int, first: int = 0) -> dict[Entry, Influence]:
+        elements = self._program.function(function).results[block].elements
+        resolve, influences = self._solution.resolve, self._influences
+        return {(role, first + index): resolve(influences[node]) for index, node in enumerate(elements)}
+
+    def _indicators(self) -> dict[Entry, Influence]:
+        """Of relations; of contacts, that open as a multiplier tells and close as a gap does."""
+        if not self._program.has("indicator"):
+            return {}
+        found = self._values(Role.INDICATOR, "indicator", 0)
+        count, n = len(found), len(self._program.layout.coordinates)
+        gaps = self._program.function("contact").results[0].elements
+        for contact, row in enumerate(self._program.layout.instants.contact_rows):
+            gap = self._influences[gaps[contact]]
+            found[(Role.INDICATOR, count + contact)] = union(gap, self._solution.solved[n + row])
+        return found
+
+    # ---- until initialization ends -----------------------------------------------------------------------------------
+
+    def _starts(self) -> dict[Entry, Influence]:
+        """What the start values of the states follow from. Where constraints or initial equations move them, each of
+        those that take part depends on all that any of these reads."""
+        blocks = self._program.function("start").results[:3]
+        nodes = [node for block in blocks for node in block.elements]
+        starts = {(Role.STATE, index): self._influences[node] for index, node in enumerate(nodes)}
+        asked = self._conditions()
+        if not asked[0]:
+            return starts
+        states = [entry for entry in starts if asked[0] & self._bit[entry]]
+        n = len(self._program.layout.coordinates)
+        places = {entry[1] % n for entry in states if entry[1] < 2 * n}
+        coupled = [entry for entry in starts if entry in states or (entry[1] < 2 * n and entry[1] % n in places)]
+        for entry in coupled:
+            asked = union(asked, union(starts[entry], self._own(entry)))
+        asked = raised(only(asked, ~self._bits(Role.DISCRETE)), Kind.DEPENDENT)
+        return starts | dict.fromkeys(coupled, asked)
+
+    def _conditions(self) -> Influence:
+        """What constraints and initial equations read."""
+        program, total = self._program, NONE
+        for function in ("position_constraint", "velocity_constraint", "initial_equation"):
+            total = union(total, self._influences.of_all(program.function(function).results[0].elements))
+        if total[0] and program.has("mass_matrix"):
+            total = union(total, self._influences.of_all(program.function("mass_matrix").results[0].elements))
+        return self._solution.resolve(total)
+
+    def _bits(self, role: Role) -> int:
+        return sum(bit for (own, _), bit in self._bit.items() if own is role)
+
+    def _from_starts(self, influence: Influence, starts: Mapping[Entry, Influence]) -> Influence:
+        """States followed back to what their start values depend on."""
+        total = influence
+        for bit in bits_of(influence[0] & self._bits(Role.STATE)):
+            total = union(total, raised(starts[self._entries[bit]], kind_of(influence, 1 << bit)))
+        return total

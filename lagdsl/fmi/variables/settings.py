@@ -1,0 +1,70 @@
+"""What an exported model is told beside its equations: where it starts, and what its accuracy is measured by.
+
+The same numbers that `simulate/` gives to the C runtime, for the default parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from lagdsl.backends.start import Start
+from lagdsl.numerics.rank import Floats
+from lagdsl.pipeline import Compilation
+from lagdsl.record import record
+from lagdsl.runtime.engines.engine import Engine
+from lagdsl.simulate.scales import scales_of
+from lagdsl.structure.functions import ProgramFunctions
+from lagdsl.structure.names import contact_rows
+from lagdsl.structure.points import geometry
+
+
+@record(kw_only=True)
+class Settings:
+    """Of `lag_fmu` in lag/fmu.h. `fixed`, `nominal`, `groups`, `natural`, `caps`: (2 nq + nz,) in the order of
+    (q, qd, z); `row_sizes`, `lasting`: (nc,); `inputs` (nu,) are the default inputs at the start; SI units."""
+
+    start: Start
+    inputs: tuple[float, ...]
+    fixed: tuple[bool, ...]
+    nominal: tuple[float, ...]
+    groups: tuple[float, ...]
+    natural: tuple[float, ...]
+    caps: tuple[float, ...]
+    row_sizes: tuple[float, ...]
+    lasting: tuple[bool, ...]
+    general: int
+
+
+def settings(
+    compilation: Compilation, start: Start, engine: Engine | None = None, redundant: Sequence[bool] | None = None
+) -> Settings:
+    """`start` is the consistent state for the default parameters, near which rows that are `redundant` depend on others
+    (None: those that do in general); `engine`, if there is one, saves an interpreter."""
+    flat, layout = compilation.flat, compilation.program.layout
+    functions = ProgramFunctions(compilation.program) if engine is None else engine
+    space = geometry(flat, functions)
+    scales = scales_of(flat, layout.components, space.q)
+    loose = contact_rows(flat)
+    natural = scales.sizes
+    return Settings(
+        start=start,
+        inputs=_floats(space.u),
+        fixed=(
+            *(c.fixed for c in flat.coordinates),
+            *(c.rate_fixed for c in flat.coordinates),
+            *(s.fixed for s in flat.states),
+        ),
+        nominal=_floats(np.where(natural > 0.0, natural, 1.0)),
+        groups=_floats(scales.groups),
+        natural=_floats(natural),
+        caps=_floats(scales.caps),
+        row_sizes=_floats(space.row_sizes),
+        lasting=tuple(row not in loose for row in range(len(layout.constraints))),
+        general=sum(not (flag or row in loose) for row, flag in enumerate(redundant or layout.redundant)),
+    )
+
+
+def _floats(values: Floats) -> tuple[float, ...]:
+    return tuple(float(value) for value in values)

@@ -1,0 +1,99 @@
+"""The variables of an exported model: one table, of which descriptions and C sources are made."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+from itertools import chain
+from typing import Literal, TypeAlias
+
+from lagdsl.backends.start import Start
+from lagdsl.flat.model import FlatModel
+from lagdsl.fmi.variables import builtin_variables, continuous_states, declared
+from lagdsl.fmi.variables.arrays import grouped
+from lagdsl.fmi.variables.dependencies import dependencies
+from lagdsl.fmi.variables.names import apart
+from lagdsl.fmi.variables.scalar import Role, Scalar, Variable
+from lagdsl.fmi.variables.settings import Settings, settings
+from lagdsl.fmi.variables.structure import Structure, structure
+from lagdsl.pipeline import Compilation
+from lagdsl.program.program import Program
+from lagdsl.record import record
+from lagdsl.runtime.engines.engine import Engine
+
+Version: TypeAlias = Literal[2, 3]
+Kind: TypeAlias = Literal["me", "cs"]
+KINDS: tuple[Kind, ...] = ("me", "cs")
+
+
+@record(kw_only=True)
+class Table:
+    """Value references are indices of `variables`; the first is time."""
+
+    version: Version
+    kinds: tuple[Kind, ...]
+    flat: FlatModel
+    program: Program
+    settings: Settings
+    variables: tuple[Variable, ...]
+    structure: Structure
+
+    def of(self, role: Role) -> Iterator[tuple[int, Variable]]:
+        """Variables of one role with their value references."""
+        return ((index, v) for index, v in enumerate(self.variables) if v.attributes.role is role)
+
+
+def table(
+    compilation: Compilation,
+    version: Version,
+    start: Start,
+    *,
+    kinds: Collection[Kind] = KINDS,
+    engine: Engine | None = None,
+    redundant: Sequence[bool] | None = None,
+) -> Table:
+    """Of a program with all its named values. `start` is the consistent state for the default parameters, `redundant`
+    flags rows of constraints near it."""
+    flat, program = compilation.flat, compilation.program
+    known = settings(compilation, start, engine, redundant)
+    scalars = _scalars(flat, program, known, version, kinds)
+    variables = grouped(scalars, arrays=version == 3)
+    return Table(
+        version=version,
+        kinds=tuple(kind for kind in KINDS if kind in kinds),
+        flat=flat,
+        program=program,
+        settings=known,
+        variables=variables,
+        structure=structure(variables, dependencies(program), program.layout.kinds),
+    )
+
+
+def _scalars(
+    flat: FlatModel, program: Program, known: Settings, version: Version, kinds: Collection[Kind]
+) -> Sequence[Scalar]:
+    own = list(
+        chain(
+            [builtin_variables.time()],
+            declared.parameters(flat, program),
+            declared.constants(flat),
+            continuous_states.states(flat, program, known),
+            continuous_states.derivatives(flat, known),
+            declared.inputs(flat, known),
+            declared.outputs(flat),
+            declared.definitions(flat, program),
+            declared.discretes(flat),
+        )
+    )
+    taken = [scalar.name.text for scalar in own]
+    added = list(
+        chain(
+            declared.contacts(flat),
+            builtin_variables.multipliers(flat),
+            builtin_variables.indicators(flat, taken) if version == 3 else (),
+            builtin_variables.balance(flat, taken),
+            builtin_variables.options(taken) if "cs" in kinds else (),
+        )
+    )
+    names = apart([scalar.name for scalar in added], taken)
+    return [*own, *(replace(scalar, name=name) for scalar, name in zip(added, names, strict=True))]

@@ -1,0 +1,1 @@
+"""Vectors, frames, poses, velocities and accelerations."""

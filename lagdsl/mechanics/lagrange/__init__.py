@@ -1,0 +1,1 @@
+"""Lagrange's equations on the graph: energies, inertia, loads."""

@@ -1,0 +1,36 @@
+"""Inverse dynamics M qdd - f with the accelerations as symbols: by bodies and velocities where the model allows.
+
+The forces of the acceleration form, taken along the motion with its accelerations instead of at qdd = 0, are all there
+is to the equations: r_i = -sum_j dv_j/dqd_i h_j, one reverse sweep through the velocities. For bodies in frames that is
+the recursion of Newton and Euler (Luh, Walker, Paul 1980), of order N; derivatives of it stay as small.
+"""
+
+from __future__ import annotations
+
+from copy import copy
+
+from lagdsl.diagnostics import CompilationFailed
+from lagdsl.eliminate.form import NotApplicable
+from lagdsl.flat.model import FlatModel
+from lagdsl.graph.differentiate import adjoints
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics.lagrange import lagrange
+from lagdsl.mechanics.lagrange.inertia import acceleration_form
+from lagdsl.mechanics.lowering.lowering import Lowering
+from lagdsl.mechanics.lowering.symbols import Directions
+
+
+def inverse_dynamics(
+    lowering: Lowering, flat: FlatModel, found: lagrange.Dynamics, directions: Directions
+) -> list[int]:
+    """M qdd - f, of about the size of T and V; by Lagrange's equations where a body has no acceleration form."""
+    graph = lowering.graph
+    moving = copy(lowering)
+    moving.bias_rate = lowering.rate
+    try:
+        form = acceleration_form(moving, flat, found, directions)
+    except (NotApplicable, CompilationFailed):  # an input has no derivative that only this form asks for
+        return lagrange.inverse_dynamics(lowering, found.terms)
+    opposite = {velocity: graph.negate(force) for velocity, force in form.forces.items()}
+    pulled = adjoints(graph, opposite, (Group.QD,))
+    return [pulled.get(rate, graph.zero) for rate in directions.rates]

@@ -1,0 +1,1 @@
+"""The flat model as nodes of the graph."""

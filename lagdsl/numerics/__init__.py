@@ -1,0 +1,1 @@
+"""Small dense numerics: rank, connected blocks, least squares."""

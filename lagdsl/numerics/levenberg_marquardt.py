@@ -1,0 +1,91 @@
+"""Damped Gauss-Newton for equations with more, fewer or dependent rows: the one root finder of the house.
+
+Levenberg's damping with steps of minimum norm, so that dependent rows and singular positions pass. Independent parts
+of the equations are damped, accepted and finished each for itself.
+Source: Nocedal and Wright, Numerical Optimization, 2nd ed., section 10.3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from lagdsl.numerics.connected_blocks import Partition, entries, whole
+from lagdsl.numerics.rank import Floats, minimum_norms
+from lagdsl.record import record
+
+Equations = Callable[[Floats], tuple[Floats, Floats]]
+
+_SMALLEST_DAMPING = 1e-3
+_LARGEST_DAMPING = 1e8
+
+
+@record(kw_only=True)
+class Descent:
+    """Where the search ended: the point, the residuals there and their Euclidean norm (infinite where nothing is a
+    number)."""
+
+    point: Floats
+    residual: Floats
+    size: float
+
+
+def descend(
+    equations: Equations,
+    start: Floats,
+    *,
+    target: float = 1e-13,
+    iterations: int = 100,
+    connected_blocks: Partition | None = None,
+) -> Descent:
+    """Reduce |residual| from `start` until it is below `target`, stalls or `iterations` are used up.
+
+    `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one. Once below `target` it
+    goes on as long as whole steps still halve the residual, so the result is as exact as the arithmetic allows.
+    `connected_blocks` says which of them are independent.
+    """
+    point = start
+    residual, jacobian = equations(point)
+    split = connected_blocks or whole(len(residual), len(point))
+    sizes = split.sizes(residual)
+    damping = np.zeros(split.count)
+    active = np.zeros(split.count, dtype=np.bool_)
+    for parts in split.parts:
+        active[parts.labels] = True
+    for _ in range(iterations):
+        active &= (sizes > 0.0) & np.isfinite(sizes)
+        step = _step(split, residual, jacobian, damping, active)
+        if not np.any(active):
+            break
+        trial = split.mixed(active, point - step, point)
+        new_residual, new_jacobian = equations(trial)
+        new_sizes = split.sizes(new_residual)
+        better = active & (new_sizes < sizes)
+        settled = (sizes <= target) & (new_sizes > 0.5 * sizes)
+        stalled = (damping == 0.0) & (new_sizes > (1.0 - 1e-9) * sizes)
+        hopeless = ~better & ((sizes <= target) | (damping > _LARGEST_DAMPING))
+        active &= ~hopeless & ~(better & (settled | stalled))
+        point = split.mixed(better, trial, point)
+        rows = better[split.row_labels]
+        residual = np.where(rows, new_residual, residual)
+        jacobian = np.where(rows[:, None], new_jacobian, jacobian)
+        sizes = np.where(better, new_sizes, sizes)
+        relaxed = np.where(damping > _SMALLEST_DAMPING, damping / 3.0, 0.0)
+        damping = np.where(better, relaxed, np.maximum(4.0 * damping, _SMALLEST_DAMPING))
+    size = float(np.linalg.norm(residual))
+    return Descent(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
+
+
+def _step(split: Partition, residual: Floats, jacobian: Floats, damping: Floats, active: np.ndarray) -> Floats:
+    """Steps of the active parts; one whose Jacobian is no number becomes inactive."""
+    step = np.zeros(jacobian.shape[1])
+    for parts in split.parts:
+        if not np.any(active[parts.labels]):
+            continue
+        blocks = entries(jacobian, parts)
+        active[parts.labels] &= np.all(np.isfinite(blocks), axis=(1, 2))
+        live = active[parts.labels]
+        rows, columns = parts.rows[live], parts.columns[live]
+        step[columns] = minimum_norms(blocks[live], residual[rows], damping=damping[parts.labels[live]])
+    return step

@@ -1,0 +1,1 @@
+"""Compilers, and what is built with them."""

@@ -1,0 +1,112 @@
+/*
+ * Accelerations and multipliers of a model, whatever the ranks:  M a - J' lam = f,  J a = gamma.
+ *
+ * Where the model has them eliminated and that keeps enough digits (lag/equations/delassus.h), that is taken. Elsewhere it is the
+ * null-space method, as in the generated NumPy modules. Coordinates are scaled to a unit diagonal of M and rows of J to
+ * unit length, so that ranks do not depend on units. With J' = Q R, the first components of y = Q'a follow from J a = gamma,
+ * the others from the rows of M a = f + J'lam that no multiplier enters, and lam from the rest, of least Euclidean norm.
+ * M may be singular; only its restriction to the null space of J must not be.
+ */
+#ifndef LAG_DYNAMICS_H
+#define LAG_DYNAMICS_H
+
+#include "lag/equations/delassus.h"
+#include "lag/model.h"
+
+/* One system; everything points into memory of the caller. */
+typedef struct lag_system {
+    size_t n, m;            /* unknown accelerations, rows */
+    size_t rank;            /* independent rows */
+    size_t indefinite;      /* 1: `factor` holds eigenvectors, 0: a Cholesky factor */
+    const double *mass;     /* (n, n) */
+    const double *jacobian; /* (m, n) */
+    /* (m) 1: of rows that depend on each other this one counts as the dependent one, wherever it can; null: what rounding says */
+    const unsigned char *late;
+    double *column_scale;   /* (n) */
+    double *row_scale;      /* (m) */
+    double *rows;           /* (m, n) factors of the scaled J' */
+    double *tau, *diagonal; /* (min(m, n)) */
+    double *pivot;          /* (m) */
+    double *reduced;        /* (n, n) Q' M Q of the scaled M */
+    double *factor;         /* of its part beyond the rank, tightly packed */
+    double *eigenvalue;     /* (n) */
+    double *copy;           /* (n, n) */
+    double *excess;         /* (m, m) orthonormal combinations of rows that vanish, one per row beyond the rank */
+    double *y, *h, *rest;   /* (n) */
+    double *l, *row_rest;   /* (m) */
+} lag_system;
+
+/* Doubles that a system of n unknowns and m rows needs. */
+size_t lag_system_memory(size_t n, size_t m);
+
+/* Lays out `system` in `memory`. */
+void lag_system_place(lag_system *system, size_t n, size_t m, double *arena);
+
+/*
+ * Factors the system of `mass` (n, n) and `jacobian` (m, n), of whose rows at most `most` are independent; both must stay.
+ * LAG_SINGULAR: *coordinate (if not null) is the index of the coordinate with the largest part in the undetermined direction.
+ */
+lag_status lag_system_factor(
+    lag_system *system, const double *mass, const double *jacobian, size_t most, size_t *coordinate);
+
+/* Solution a (n), lam (m) for force (n) and gamma (m), refined to working accuracy. */
+void lag_system_solve(lag_system *system, const double *force, const double *gamma, double *a, double *lam);
+
+/* The shortest v (n), in scaled coordinates, with J v = gamma (m) for the independent rows. */
+void lag_system_least(lag_system *system, const double *gamma, double *v);
+
+/* Doubles that the functions below need beside the workspace of the model. */
+size_t lag_dynamics_memory(const lag_model *model);
+
+/* Accelerations qdd (nq) and multipliers lam (nc) at t q qd z u w p, after prepare(). */
+lag_status lag_forward_dynamics(
+    const lag_model *model, const lag_arguments *at, double *arena, double *qdd, double *lam, size_t *coordinate);
+
+/* Where a pivot of elimination() is not above this, the dense system tells whether it is singular. */
+double lag_smallest_pivot(const lag_model *model);
+
+/*
+ * What elimination() gave, with its qdd and lam where the accelerations and multipliers are wanted, completed for the rows
+ * that it left; `memory` is lag_delassus_memory(nc, nk). LAG_MISSING: it kept too few digits, or has values that are no
+ * numbers.
+ */
+lag_status lag_solve_eliminated(
+    const lag_model *model,
+    const double *response,
+    const double *lam_response,
+    const double *jacobian,
+    const double *gamma,
+    double pivot,
+    double *arena,
+    double *qdd,
+    double *lam);
+
+/* The first part of it: with `system`, lag_delassus_solve() completes any number of right-hand sides. */
+lag_status lag_factor_eliminated(
+    const lag_model *model,
+    const double *response,
+    const double *lam_response,
+    const double *jacobian,
+    double pivot,
+    double *arena,
+    lag_delassus *system);
+
+/* What elimination() of several states gave, or, where qdd is null, dynamics(): every array in groups of `lanes`. */
+typedef struct lag_formed {
+    size_t lanes;
+    const double *qdd, *lam, *response, *lam_response, *pivot; /* (nq) (nc) (nk, nq) (nk, nc) () */
+    const double *mass, *force;                                /* (nq, nq) (nq) */
+    const double *jacobian, *gamma;                            /* (nk, nq) (nk), or (nc, nq) (nc) */
+} lag_formed;
+
+/* The same for the state of one lane. LAG_MISSING: elimination is no way to solve this one. */
+lag_status lag_forward_dynamics_of_lane(
+    const lag_model *model,
+    const lag_formed *formed,
+    size_t lane,
+    double *arena,
+    double *qdd,
+    double *lam,
+    size_t *coordinate);
+
+#endif

@@ -1,0 +1,48 @@
+/*
+ * An ensemble: runs of one model that share everything but parameters, constant inputs and start values. Each is what it is alone, to
+ * the bit: the start is found (lag/initial.h), the motion goes on to the stop with everything that happens, the end is told.
+ *
+ * Threads share an ensemble: each makes other runs of it, in memory of its own. Nothing is allocated per run.
+ */
+#ifndef LAG_ENSEMBLE_H
+#define LAG_ENSEMBLE_H
+
+#include <stdatomic.h>
+
+#include "lag/run.h"
+
+typedef struct lag_ensemble {
+    const lag_model *model;
+    /* Of all runs, with a `start`; p, u, natural, row_sizes and results of it are not looked at. `times` are those of the rows. */
+    const lag_run_options *options;
+    double t, stop;
+    size_t breaks;    /* so many times between them at which inputs may jump, */
+    const double *at; /* (breaks) ascending */
+    /* lag_run_to() is called for so many steps at first, then at a time, which is where `stopped` is looked at; for so many in all. */
+    size_t first_piece, piece, most_steps;
+    int equations;               /* 0: initial equations are left out */
+    const unsigned char *set;    /* (2 nq + nz) 1: start values that are given, and count as written; null: none is */
+    const unsigned char *turning; /* (ny) see lag/run/results.h */
+    const atomic_int *stopped;   /* becomes 1 where no more runs are wanted; null: they are */
+
+    /* Of every run, one after the other. */
+    const double *p;       /* (runs, np) */
+    const double *u;       /* (runs, nu); null: options.inputs tell them */
+    const double *natural; /* (runs, 2 nq + nz) */
+    const double *x;       /* (runs, 2 nq + nz) start values that are given */
+    double *rows;          /* (runs, options.count, lag_ensemble_width()) at the times of options; of two rows at an event the one after it */
+    size_t *kept;          /* (runs) how many rows there are */
+    double *ended;         /* (runs) the time of the last row, at whatever time */
+    int *status;           /* (runs) a lag_status; LAG_STOPPED: a `terminate` acted. Others: the run failed, and its rows are of no use */
+} lag_ensemble;
+
+/* Numbers of a row: x (2 nq + nz), the discrete variables, the outputs (ny). */
+size_t lag_ensemble_width(const lag_model *model);
+
+/* Bytes for one thread, on an address as malloc gives it. */
+size_t lag_ensemble_size(const lag_ensemble *ensemble);
+
+/* The runs from `first` to before `end`. The number of the first one that was not made: `end`, unless it was stopped. */
+size_t lag_ensemble_run(const lag_ensemble *ensemble, size_t first, size_t end, void *block);
+
+#endif

@@ -1,0 +1,282 @@
+#include "lag/batch.h"
+
+#include "lag/dynamics.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/arena.h"
+
+static lag_arguments state(const lag_model *model, const lag_batch *batch, size_t i)
+{
+    lag_arguments at;
+    at.t = batch->t[i * batch->t_stride];
+    at.q = batch->q + i * batch->q_stride;
+    at.qd = batch->qd + i * batch->qd_stride;
+    at.z = batch->z + i * batch->z_stride;
+    at.u = batch->u + i * batch->u_stride;
+    at.w = batch->w + i * batch->w_stride;
+    at.p = batch->p + i * batch->p_stride;
+    at.qdd = batch->qdd + i * batch->qdd_stride;
+    at.lam = batch->lam + i * batch->lam_stride;
+    at.dq = batch->dq + i * batch->dq_stride;
+    at.dqd = batch->dqd + i * batch->dqd_stride;
+    at.dz = batch->dz + i * batch->dz_stride;
+    at.du = batch->du + i * batch->du_stride;
+    at.dp = batch->dp + i * batch->dp_stride;
+    at.dqdd = batch->dqdd + i * batch->dqdd_stride;
+    at.dlam = batch->dlam + i * batch->dlam_stride;
+    at.times = NULL;
+    at.context = model->context;
+    at.workspace = batch->workspace;
+    return at;
+}
+
+static lag_status prepare(const lag_model *model, const lag_batch *batch, const lag_arguments *at, size_t i)
+{
+    if (i > 0 && batch->p_stride == 0) {
+        return LAG_OK;
+    }
+    return model->prepare(at);
+}
+
+lag_status lag_batch_evaluate(
+    const lag_model *model, lag_function which, const lag_batch *batch, double *results, size_t width)
+{
+    for (size_t i = 0; i < batch->count; ++i) {
+        const lag_arguments at = state(model, batch, i);
+        lag_status status = prepare(model, batch, &at, i);
+        if (status == LAG_OK) {
+            status = lag_evaluate(model, which, &at, results + i * width);
+        }
+        if (status != LAG_OK) {
+            return status;
+        }
+    }
+    return LAG_OK;
+}
+
+static lag_status worse(lag_status first, lag_status status)
+{
+    return first == LAG_OK || status == LAG_SINGULAR ? status : first;
+}
+
+/* One state after the other. */
+static lag_status solve_singly(
+    const lag_model *model, const lag_batch *batch, double *qdd, double *lam, size_t *coordinate)
+{
+    lag_status first = LAG_OK;
+    for (size_t i = 0; i < batch->count && first != LAG_SINGULAR; ++i) {
+        const lag_arguments at = state(model, batch, i);
+        lag_status status = prepare(model, batch, &at, i);
+        if (status == LAG_OK) {
+            status = lag_forward_dynamics(model, &at, batch->arena, qdd + i * model->nq, lam + i * model->nc, coordinate);
+        }
+        first = worse(first, status);
+    }
+    return first;
+}
+
+/* A state that several at once could not solve. */
+static lag_status solve_again(
+    const lag_model *model, const lag_batch *batch, size_t i, double *qdd, double *lam, size_t *coordinate)
+{
+    const lag_arguments at = state(model, batch, i);
+    const lag_status status = model->prepare(&at);
+    return status == LAG_OK ? lag_forward_dynamics(model, &at, batch->arena, qdd, lam, coordinate) : status;
+}
+
+/* Where several states keep what, all in lanes; `at` are their arguments. */
+typedef struct crowd {
+    double *t, *q, *qd, *z, *u, *w, *p;
+    double *mass, *force, *jacobian, *gamma;
+    double *lam, *response, *lam_response, *pivot;
+    lag_arguments at;
+} crowd;
+
+static size_t place(const lag_model *model, const lag_states *states, double *arena, crowd *all)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t kept = model->nk;
+    const size_t lanes = states->lanes;
+    const int dense = states->elimination == NULL;
+    double *end = arena;
+    all->t = lag_take(&end, lanes);
+    all->q = lag_take(&end, lanes * n);
+    all->qd = lag_take(&end, lanes * n);
+    all->z = lag_take(&end, lanes * model->nz);
+    all->u = lag_take(&end, lanes * model->nu);
+    all->w = lag_take(&end, lanes * model->nw);
+    all->p = lag_take(&end, lanes * model->np);
+    all->force = lag_take(&end, lanes * n);
+    all->jacobian = lag_take(&end, lanes * n * (dense ? m : kept));
+    all->gamma = lag_take(&end, lanes * (dense ? m : kept));
+    all->mass = lag_take(&end, dense ? lanes * n * n : 0);
+    all->lam = lag_take(&end, dense ? 0 : lanes * m);
+    all->response = lag_take(&end, dense ? 0 : lanes * kept * n);
+    all->lam_response = lag_take(&end, dense ? 0 : lanes * kept * m);
+    all->pivot = lag_take(&end, lanes);
+    all->at = (lag_arguments){
+        .times = all->t, .q = all->q, .qd = all->qd, .z = all->z, .u = all->u, .w = all->w, .p = all->p, .workspace = end,
+        .context = model->context
+    };
+    return (size_t)(end - arena) + states->workspace;
+}
+
+size_t lag_batch_memory(const lag_model *model, const lag_states *states)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t kept = model->nk;
+    const size_t arguments = 1 + 2 * n + model->nz + model->nu + model->nw + model->np;
+    const size_t formed = states->elimination == NULL ? m * n + m + n * n : kept * n + kept + m + kept * n + kept * m;
+    return states->lanes * (arguments + n + formed + 1) + states->workspace;
+}
+
+/* Array x of the states from `first` on, in groups of lanes; the last state fills lanes that have none. */
+static void interleave(
+    double *to, size_t lanes, size_t first, size_t count, size_t size, const double *x, size_t stride)
+{
+    if (first > 0 && stride == 0) {
+        return;
+    }
+    for (size_t lane = 0; lane < lanes; ++lane) {
+        const double *from = x + (first + (lane < count ? lane : count - 1)) * stride;
+        for (size_t i = 0; i < size; ++i) {
+            to[i * lanes + lane] = from[i];
+        }
+    }
+}
+
+/* Equations of `count` states from `first` on, at most as many as there are lanes. */
+static lag_status form(
+    const lag_model *model, const lag_states *states, const lag_batch *batch, size_t first, size_t count, const crowd *all)
+{
+    const size_t lanes = states->lanes;
+    interleave(all->t, lanes, first, count, 1, batch->t, batch->t_stride);
+    interleave(all->q, lanes, first, count, model->nq, batch->q, batch->q_stride);
+    interleave(all->qd, lanes, first, count, model->nq, batch->qd, batch->qd_stride);
+    interleave(all->z, lanes, first, count, model->nz, batch->z, batch->z_stride);
+    interleave(all->u, lanes, first, count, model->nu, batch->u, batch->u_stride);
+    interleave(all->w, lanes, first, count, model->nw, batch->w, batch->w_stride);
+    interleave(all->p, lanes, first, count, model->np, batch->p, batch->p_stride);
+    lag_status status = first > 0 && batch->p_stride == 0 ? LAG_OK : states->prepare(&all->at);
+    if (status == LAG_OK && states->elimination != NULL) {
+        return states->elimination(
+            &all->at, all->force, all->lam, all->response, all->lam_response, all->jacobian, all->gamma, all->pivot);
+    }
+    return status == LAG_OK ? states->dynamics(&all->at, all->mass, all->force, all->jacobian, all->gamma) : status;
+}
+
+/* Array x of `count` lanes to the states that they belong to. */
+static void deal(size_t lanes, size_t count, size_t size, const double *x, double *to)
+{
+    for (size_t lane = 0; lane < count; ++lane) {
+        for (size_t i = 0; i < size; ++i) {
+            to[lane * size + i] = x[i * lanes + lane];
+        }
+    }
+}
+
+/* Whether elimination solved all lanes, with no row left to run time. */
+static int solved(const lag_model *model, const lag_states *states, const crowd *all)
+{
+    if (states->elimination == NULL || model->nk > 0) {
+        return 0;
+    }
+    const double smallest = lag_smallest_pivot(model);
+    int sound = lag_finite(states->lanes * model->nq, all->force) && lag_finite(states->lanes * model->nc, all->lam);
+    for (size_t lane = 0; lane < states->lanes; ++lane) {
+        sound &= all->pivot[lane] > smallest;
+    }
+    return sound;
+}
+
+/* States `first` and following from the lanes, each by itself. */
+static lag_status solve_lanes(
+    const lag_model *model,
+    const lag_states *states,
+    const lag_batch *batch,
+    const crowd *all,
+    size_t first,
+    size_t count,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    const lag_formed formed = {
+        .lanes = states->lanes,
+        .qdd = states->elimination == NULL ? NULL : all->force,
+        .lam = all->lam,
+        .response = all->response,
+        .lam_response = all->lam_response,
+        .pivot = all->pivot,
+        .mass = all->mass,
+        .force = all->force,
+        .jacobian = all->jacobian,
+        .gamma = all->gamma,
+    };
+    lag_status worst = LAG_OK;
+    for (size_t lane = 0; lane < count && worst != LAG_SINGULAR; ++lane) {
+        double *own_qdd = qdd + (first + lane) * model->nq;
+        double *own_lam = lam + (first + lane) * model->nc;
+        lag_status status = lag_forward_dynamics_of_lane(model, &formed, lane, batch->arena, own_qdd, own_lam, coordinate);
+        if (status == LAG_MISSING) {
+            status = solve_again(model, batch, first + lane, own_qdd, own_lam, coordinate);
+        }
+        worst = worse(worst, status);
+    }
+    return worst;
+}
+
+lag_status lag_batch_forward_dynamics(
+    const lag_model *model,
+    const lag_states *states,
+    const lag_batch *batch,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    if (states == NULL || states->lanes == 0 || (states->elimination == NULL && states->dynamics == NULL)) {
+        return solve_singly(model, batch, qdd, lam, coordinate);
+    }
+    const size_t lanes = states->lanes;
+    crowd all;
+    lag_status worst = LAG_OK;
+    place(model, states, batch->lanes, &all);
+    for (size_t first = 0; first < batch->count && worst != LAG_SINGULAR; first += lanes) {
+        const size_t count = batch->count - first < lanes ? batch->count - first : lanes;
+        const lag_status status = form(model, states, batch, first, count, &all);
+        if (status != LAG_OK) {
+            return status;
+        }
+        if (solved(model, states, &all)) {
+            deal(lanes, count, model->nq, all.force, qdd + first * model->nq);
+            deal(lanes, count, model->nc, all.lam, lam + first * model->nc);
+        } else {
+            worst = worse(worst, solve_lanes(model, states, batch, &all, first, count, qdd, lam, coordinate));
+        }
+    }
+    return worst;
+}
+
+lag_status lag_batch_jacobian(
+    const lag_model *model,
+    const lag_tangents *tangents,
+    const lag_batch *batch,
+    lag_range x,
+    double *rates,
+    double *outputs,
+    size_t *coordinate)
+{
+    const size_t width = (2 * model->nq + model->nz) * x.count;
+    lag_status first = LAG_OK;
+    for (size_t i = 0; i < batch->count && first != LAG_SINGULAR; ++i) {
+        const lag_arguments at = state(model, batch, i);
+        double *own = outputs == NULL ? NULL : outputs + i * model->ny * x.count;
+        lag_status status = prepare(model, batch, &at, i);
+        if (status == LAG_OK) {
+            status = lag_jacobian(model, tangents, &at, x, batch->arena, rates + i * width, own, coordinate);
+        }
+        first = worse(first, status);
+    }
+    return first;
+}

@@ -1,0 +1,265 @@
+#include "lag/equations/delassus.h"
+
+#include <math.h>
+
+#include "lag/linalg/linalg.h"
+#include "lag/linalg/arena.h"
+
+/* The same figures as in the NumPy modules: see their file `delassus` for what they mean. */
+static const double LEAST_PIVOT = 1e-6;
+static const double LARGEST_EXCESS = 1e-10;
+static const double SHORT_RESPONSE = 1e-3;
+
+size_t lag_delassus_memory(size_t m, size_t kept)
+{
+    return 2 * kept * kept + kept * m + 6 * kept;
+}
+
+void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const size_t *row, double *arena)
+{
+    s->n = n;
+    s->m = m;
+    s->kept = kept;
+    s->rank = 0;
+    s->dependent = 0;
+    s->row = row;
+    s->response = NULL;
+    s->lam_response = NULL;
+    s->jacobian = NULL;
+    s->factor = lag_take(&arena, kept * kept);
+    s->left = lag_take(&arena, kept);
+    s->weight = lag_take(&arena, kept);
+    s->chosen = lag_take(&arena, kept);
+    s->excess = lag_take(&arena, kept * m);
+    s->gram = lag_take(&arena, kept * kept);
+    s->part = lag_take(&arena, kept);
+    s->x = lag_take(&arena, kept);
+    s->rest = lag_take(&arena, kept);
+}
+
+static double dot(size_t count, const double *x, const double *y)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        sum += x[i] * y[i];
+    }
+    return sum;
+}
+
+/* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
+static void weigh(lag_delassus *s)
+{
+    double longest = 0.0;
+    for (size_t i = 0; i < s->kept; ++i) {
+        s->left[i] = dot(s->n, s->jacobian + i * s->n, s->response + i * s->n);
+        longest = fmax(longest, s->left[i]);
+    }
+    for (size_t i = 0; i < s->kept; ++i) {
+        const double part = fmin(1.0, s->left[i] / (SHORT_RESPONSE * SHORT_RESPONSE * longest));
+        s->weight[i] = s->left[i] > 0.0 ? part / s->left[i] : 0.0;
+        s->chosen[i] = (double)i;
+    }
+}
+
+/* Position, from k on, of the row that has the longest rest. */
+static size_t longest_rest(const lag_delassus *s, size_t k)
+{
+    size_t best = k;
+    double largest = -1.0;
+    for (size_t i = k; i < s->kept; ++i) {
+        const size_t row = (size_t)s->chosen[i];
+        const double own = s->left[row] * s->weight[row];
+        if (own > largest) {
+            largest = own;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* Column k of the factor, for the rows that are not chosen yet. */
+static void append_column(lag_delassus *s, size_t k)
+{
+    const size_t pivot = (size_t)s->chosen[k];
+    const double *own = s->factor + pivot * s->kept;
+    const double root = sqrt(s->left[pivot]);
+    s->factor[pivot * s->kept + k] = root;
+    for (size_t i = k + 1; i < s->kept; ++i) {
+        const size_t row = (size_t)s->chosen[i];
+        double *to = s->factor + row * s->kept;
+        const double element = dot(s->n, s->jacobian + row * s->n, s->response + pivot * s->n);
+        to[k] = (element - dot(k, to, own)) / root;
+        s->left[row] -= to[k] * to[k];
+    }
+}
+
+/* x (rank) := L'^-1 x for the chosen rows. */
+static void solve_upper(const lag_delassus *s, double *x)
+{
+    for (size_t k = s->rank; k-- > 0;) {
+        for (size_t i = k + 1; i < s->rank; ++i) {
+            x[k] -= s->factor[(size_t)s->chosen[i] * s->kept + k] * x[i];
+        }
+        x[k] /= s->factor[(size_t)s->chosen[k] * s->kept + k];
+    }
+}
+
+/* Adds to lam (m) what multipliers x (kept) of the kept rows are and add to the others. */
+static void add_multipliers(const lag_delassus *s, const double *x, double *lam)
+{
+    const size_t others = s->kept < s->m ? s->m : 0;
+    for (size_t i = 0; i < s->kept; ++i) {
+        for (size_t j = 0; j < others; ++j) {
+            lam[j] += s->lam_response[i * s->m + j] * x[i];
+        }
+        lam[s->row[i]] += x[i];
+    }
+}
+
+/* Each row beyond the rank, less the independent ones that give the same. */
+static void find_direction(lag_delassus *s, size_t own, double *direction)
+{
+    for (size_t k = 0; k < s->rank; ++k) {
+        s->rest[k] = s->factor[own * s->kept + k];
+    }
+    solve_upper(s, s->rest);
+    lag_fill(s->kept, 0.0, s->x);
+    for (size_t k = 0; k < s->rank; ++k) {
+        s->x[(size_t)s->chosen[k]] = -s->rest[k];
+    }
+    s->x[own] = 1.0;
+    lag_fill(s->m, 0.0, direction);
+    add_multipliers(s, s->x, direction);
+    const double length = sqrt(dot(s->m, direction, direction));
+    for (size_t j = 0; j < s->m; ++j) {
+        direction[j] /= length;
+    }
+}
+
+/* 1: the combinations of multipliers that change nothing, and the factor of their products, are there. */
+static int find_excess(lag_delassus *s)
+{
+    const size_t count = s->dependent;
+    for (size_t i = 0; i < count; ++i) {
+        find_direction(s, (size_t)s->chosen[s->rank + i], s->excess + i * s->m);
+        for (size_t j = 0; j <= i; ++j) {
+            s->gram[i * count + j] = dot(s->m, s->excess + i * s->m, s->excess + j * s->m);
+        }
+    }
+    return lag_cholesky(count, s->gram, 0.0) == count;
+}
+
+/* Takes from lam (m) what changes nothing but its length. */
+static void remove_excess(lag_delassus *s, double *lam)
+{
+    const size_t count = s->dependent;
+    for (size_t i = 0; i < count; ++i) {
+        s->part[i] = dot(s->m, s->excess + i * s->m, lam);
+    }
+    lag_cholesky_solve(count, s->gram, s->part);
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t j = 0; j < s->m; ++j) {
+            lam[j] -= s->part[i] * s->excess[i * s->m + j];
+        }
+    }
+}
+
+/* Whether a unit of kept multiplier i adds to others. */
+static int adds(const lag_delassus *s, size_t i)
+{
+    size_t j = 0;
+    while (j < s->m && s->lam_response[i * s->m + j] == 0.0) {
+        ++j;
+    }
+    return j < s->m;
+}
+
+/* S is round-off. Rows whose multipliers add to no others keep zero. */
+static lag_status factor_nothing(lag_delassus *s)
+{
+    s->dependent = 0;
+    for (size_t i = 0; i < s->kept; ++i) {
+        if (adds(s, i)) {
+            s->chosen[s->dependent++] = (double)i;
+        }
+    }
+    return find_excess(s) ? LAG_OK : LAG_MISSING;
+}
+
+lag_status lag_delassus_factor(lag_delassus *s, size_t rank)
+{
+    double first = 0.0;
+    s->rank = rank;
+    s->dependent = s->kept - rank;
+    if (rank == 0) {
+        return factor_nothing(s);
+    }
+    weigh(s);
+    for (size_t k = 0; k < s->kept; ++k) {
+        const size_t best = longest_rest(s, k);
+        const double kept = s->chosen[k];
+        s->chosen[k] = s->chosen[best];
+        s->chosen[best] = kept;
+        const size_t pivot = (size_t)s->chosen[k];
+        const double size = s->left[pivot] * s->weight[pivot];
+        first = k == 0 ? size : first;
+        if (k == rank) {
+            if (size <= LARGEST_EXCESS * first) {
+                break;
+            }
+            return LAG_MISSING;
+        }
+        if (!(size > LEAST_PIVOT * first) || !isfinite(s->left[pivot])) {
+            return LAG_MISSING;
+        }
+        append_column(s, k);
+    }
+    return find_excess(s) ? LAG_OK : LAG_MISSING;
+}
+
+/* Multipliers x (kept) that give what is missing to gamma; zero for rows that are not chosen. */
+static void solve_rest(lag_delassus *s, const double *gamma, const double *a)
+{
+    for (size_t k = 0; k < s->rank; ++k) {
+        const size_t row = (size_t)s->chosen[k];
+        const double *own = s->factor + row * s->kept;
+        const double missing = gamma[row] - dot(s->n, s->jacobian + row * s->n, a);
+        s->rest[k] = (missing - dot(k, own, s->rest)) / own[k];
+    }
+    solve_upper(s, s->rest);
+    for (size_t k = 0; k < s->kept; ++k) {
+        s->x[(size_t)s->chosen[k]] = k < s->rank ? s->rest[k] : 0.0;
+    }
+}
+
+static void add_accelerations(const lag_delassus *s, double *a)
+{
+    for (size_t i = 0; i < s->kept; ++i) {
+        if (s->x[i] == 0.0) {
+            continue;
+        }
+        for (size_t j = 0; j < s->n; ++j) {
+            a[j] += s->response[i * s->n + j] * s->x[i];
+        }
+    }
+}
+
+void lag_delassus_solve(lag_delassus *s, const double *gamma, double *a, double *lam)
+{
+    if (s->rank > 0) {
+        solve_rest(s, gamma, a);
+        add_multipliers(s, s->x, lam);
+    }
+    if (s->dependent > 0) {
+        remove_excess(s, lam);
+    }
+    for (size_t i = 0; i < s->kept; ++i) {
+        s->x[i] = lam[s->row[i]];
+    }
+    add_accelerations(s, a);
+    if (s->rank > 0) {
+        solve_rest(s, gamma, a);
+        add_accelerations(s, a);
+        add_multipliers(s, s->x, lam);
+    }
+}

@@ -1,0 +1,317 @@
+#include "lag/derivatives.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/finite.h"
+#include "lag/linalg/arena.h"
+
+static size_t variables(const lag_model *model)
+{
+    return 2 * model->nq + model->nz + model->nu + model->np;
+}
+
+/* Entries of what time_tangent() tells. */
+static size_t timed(const lag_model *model)
+{
+    return model->nq + 3 * model->nc + model->nz + model->ny + 4 + model->nd;
+}
+
+size_t lag_derivatives_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    return variables(model) + timed(model) + n * n + 2 * m * n + 5 * n + 7 * m + lag_system_memory(n, m);
+}
+
+/* What the accelerations alone need; less than lag_jacobian_memory(). */
+static void place_system(lag_derivatives *d, const lag_model *model, double **arena)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    memset(d, 0, sizeof *d);
+    d->model = model;
+    d->mass = lag_take(arena, n * n);
+    d->force = lag_take(arena, n);
+    d->jacobian = lag_take(arena, m * n);
+    d->gamma = lag_take(arena, m);
+    d->phi = lag_take(arena, m);
+    d->residual = lag_take(arena, m);
+    d->unused = lag_take(arena, m * n);
+    lag_system_place(&d->system, n, m, lag_take(arena, lag_system_memory(n, m)));
+    d->system.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
+}
+
+void lag_derivatives_place(lag_derivatives *d, const lag_model *model, double *arena)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    place_system(d, model, &arena);
+    d->x = lag_take(&arena, variables(model));
+    d->alone = lag_take(&arena, timed(model));
+    d->qdd = lag_take(&arena, n);
+    d->lam = lag_take(&arena, m);
+    d->dqdd = lag_take(&arena, n);
+    d->dlam = lag_take(&arena, m);
+    d->motion = lag_take(&arena, n);
+    d->rows = lag_take(&arena, m);
+    d->least = lag_take(&arena, n);
+    d->pulled = lag_take(&arena, m);
+    lag_fill(variables(model), 0.0, d->x);
+}
+
+/* Adds factor * (2 rate residual + rate^2 phi) to the rows. */
+static void stabilize(const lag_model *model, double rate, double factor, const double *phi, const double *residual, double *rows)
+{
+    for (size_t i = 0; i < model->nc; ++i) {
+        const double pull = model->position_level[i] ? 2.0 * rate * residual[i] + rate * rate * phi[i] : rate * residual[i];
+        rows[i] += factor * pull;
+    }
+}
+
+/* M, f, J and gamma at a state, with the pull towards the constraints. */
+static lag_status form(lag_derivatives *d)
+{
+    const lag_model *model = d->model;
+    if (model->dynamics == NULL || model->position_constraint == NULL || model->velocity_constraint == NULL) {
+        return LAG_MISSING;
+    }
+    lag_status status = model->dynamics(&d->at, d->mass, d->force, d->jacobian, d->gamma);
+    if (status == LAG_OK && d->rate > 0.0 && model->nc > 0) {
+        status = model->position_constraint(&d->at, d->phi, d->unused);
+        if (status == LAG_OK) {
+            status = model->velocity_constraint(&d->at, d->residual, d->unused);
+        }
+        if (status == LAG_OK) {
+            stabilize(model, d->rate, -1.0, d->phi, d->residual, d->gamma);
+        }
+    }
+    return status;
+}
+
+static lag_status solve(lag_derivatives *d, double *qdd, double *lam, size_t *coordinate)
+{
+    const lag_model *model = d->model;
+    lag_status status = form(d);
+    if (status == LAG_OK) {
+        status = lag_system_factor(&d->system, d->mass, d->jacobian, model->rank, coordinate);
+    }
+    if (status != LAG_OK) {
+        return status;
+    }
+    lag_system_solve(&d->system, d->force, d->gamma, qdd, lam);
+    return lag_finite(model->nq, qdd) && lag_finite(model->nc, lam) ? LAG_OK : LAG_NOT_FINITE;
+}
+
+static void point_at_direction(lag_derivatives *d)
+{
+    const lag_model *model = d->model;
+    d->at.dq = d->x;
+    d->at.dqd = d->at.dq + model->nq;
+    d->at.dz = d->at.dqd + model->nq;
+    d->at.du = d->at.dz + model->nz;
+    d->at.dp = d->at.du + model->nu;
+    d->at.dqdd = d->dqdd;
+    d->at.dlam = d->dlam;
+}
+
+lag_status lag_derivatives_look(lag_derivatives *d, const lag_arguments *at, double rate, size_t *coordinate)
+{
+    d->rate = rate;
+    d->at = *at;
+    d->at.qdd = d->qdd;
+    d->at.lam = d->lam;
+    d->timed = 0;
+    point_at_direction(d);
+    const lag_status status = solve(d, d->qdd, d->lam, coordinate);
+    if (status == LAG_OK) {
+        lag_system_least(&d->system, d->lam, d->least);
+    }
+    return status;
+}
+
+lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const double *x, double *qdd, double *lam)
+{
+    lag_derivatives d;
+    double *arena = motion->arena;
+    lag_motion_look(motion, t, x);
+    place_system(&d, motion->model, &arena);
+    d.rate = rate;
+    d.at = motion->at;
+    return solve(&d, qdd, lam, &motion->coordinate);
+}
+
+/* `alone`, in the order of lag/model.h; filled once for a state. */
+static lag_status in_time(lag_derivatives *d)
+{
+    const lag_model *model = d->model;
+    const size_t m = model->nc;
+    double *rows = d->alone + model->nq;
+    double *rates = rows + 3 * m;
+    double *y = rates + model->nz;
+    double *energies = y + model->ny;
+    if (d->timed) {
+        return LAG_OK;
+    }
+    if (model->time_tangent == NULL) {
+        return LAG_MISSING;
+    }
+    d->timed = 1;
+    return model->time_tangent(&d->at, d->alone, rows, rows + m, rows + 2 * m, rates, y, energies, energies + 1, energies + 2,
+        energies + 3, energies + 4);
+}
+
+/* Adds what changes with time alone, from entry `first` of it on. */
+static lag_status add_time(lag_derivatives *d, size_t first, size_t count, double *to)
+{
+    if (d->time == 0.0 || count == 0) {
+        return LAG_OK;
+    }
+    const lag_status status = in_time(d);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        to[i] += d->time * d->alone[first + i];
+    }
+    return status;
+}
+
+/* How the residuals of the constraints change. */
+lag_status lag_derivatives_residuals(lag_derivatives *d, double *phi, double *residual)
+{
+    const size_t first = d->model->nq + d->model->nc;
+    if (d->model->constraint_tangent == NULL) {
+        return LAG_MISSING;
+    }
+    lag_status status = d->model->constraint_tangent(&d->at, phi, residual);
+    if (status == LAG_OK) {
+        status = add_time(d, first, d->model->nc, phi);
+    }
+    return status == LAG_OK ? add_time(d, first + d->model->nc, d->model->nc, residual) : status;
+}
+
+/* The largest magnitude. */
+static double size(size_t count, const double *x)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        most = fmax(most, fabs(x[i]));
+    }
+    return most;
+}
+
+/*
+ * Rows E beyond the rank have no effect, J' E = 0, and E lam = 0. Differentiated, with lam = J v: E dlam = E dJ v. That is added to dlam,
+ * which has no such parts yet. dJ v is what s = J qdd - gamma changes by more where the accelerations are more by v; v is taken as large as
+ * they are, so that the difference keeps its digits.
+ */
+static lag_status turn_multipliers(lag_derivatives *d)
+{
+    const lag_model *model = d->model;
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t excess = m - d->system.rank;
+    const double length = size(n, d->least);
+    const double more_by = fmax(size(n, d->qdd), 1.0);
+    if (excess == 0 || !(length > 0.0)) {
+        return LAG_OK;
+    }
+    lag_arguments more = d->at;
+    more.qdd = d->motion;
+    for (size_t i = 0; i < n; ++i) {
+        d->motion[i] = d->qdd[i] + more_by / length * d->least[i];
+    }
+    lag_status status = model->residual_tangent(&more, d->force, d->pulled);
+    if (status == LAG_OK) {
+        status = model->residual_tangent(&d->at, d->force, d->rows);
+    }
+    for (size_t i = 0; i < m; ++i) {
+        d->pulled[i] = (d->pulled[i] - d->rows[i]) * length / more_by;
+    }
+    for (size_t k = 0; k < excess; ++k) {
+        const double *direction = d->system.excess + k * m;
+        double part = 0.0;
+        for (size_t i = 0; i < m; ++i) {
+            part += direction[i] * d->pulled[i];
+        }
+        for (size_t i = 0; i < m; ++i) {
+            d->dlam[i] += part * direction[i];
+        }
+    }
+    return status;
+}
+
+lag_status lag_derivatives_along(lag_derivatives *d)
+{
+    const lag_model *model = d->model;
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    if (model->residual_tangent == NULL) {
+        return LAG_MISSING;
+    }
+    lag_status status = model->residual_tangent(&d->at, d->motion, d->rows);
+    if (status == LAG_OK) {
+        status = add_time(d, 0, n, d->motion);
+    }
+    if (status == LAG_OK) {
+        status = add_time(d, n, m, d->rows);
+    }
+    if (status == LAG_OK && d->rate > 0.0 && m > 0) {
+        status = lag_derivatives_residuals(d, d->phi, d->residual);
+        stabilize(model, d->rate, 1.0, d->phi, d->residual, d->rows);
+    }
+    if (status != LAG_OK) {
+        return status;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        d->force[i] = -d->motion[i];
+    }
+    for (size_t i = 0; i < m; ++i) {
+        d->gamma[i] = -d->rows[i];
+    }
+    lag_system_solve(&d->system, d->force, d->gamma, d->dqdd, d->dlam);
+    status = turn_multipliers(d);
+    return status == LAG_OK && !(lag_finite(n, d->dqdd) && lag_finite(m, d->dlam)) ? LAG_NOT_FINITE : status;
+}
+
+lag_status lag_derivatives_rates(lag_derivatives *d, double *rates)
+{
+    const lag_model *model = d->model;
+    const size_t n = model->nq;
+    if (model->nz > 0 && model->state_derivative_tangent == NULL) {
+        return LAG_MISSING;
+    }
+    memcpy(rates, d->at.dqd, n * sizeof(double));
+    memcpy(rates + n, d->dqdd, n * sizeof(double));
+    const lag_status status = model->nz > 0 ? model->state_derivative_tangent(&d->at, rates + 2 * n) : LAG_OK;
+    return status == LAG_OK ? add_time(d, n + 3 * model->nc, model->nz, rates + 2 * n) : status;
+}
+
+lag_status lag_derivatives_outputs(lag_derivatives *d, double *y)
+{
+    const lag_model *model = d->model;
+    if (model->ny > 0 && model->output_tangent == NULL) {
+        return LAG_MISSING;
+    }
+    const lag_status status = model->ny > 0 ? model->output_tangent(&d->at, y) : LAG_OK;
+    return status == LAG_OK ? add_time(d, model->nq + 3 * model->nc + model->nz, model->ny, y) : status;
+}
+
+lag_status lag_derivatives_definitions(lag_derivatives *d, double *values)
+{
+    const lag_model *model = d->model;
+    if (model->definition_tangent == NULL) {
+        return LAG_MISSING;
+    }
+    const lag_status status = model->nd > 0 ? model->definition_tangent(&d->at, values) : LAG_OK;
+    return status == LAG_OK ? add_time(d, timed(model) - model->nd, model->nd, values) : status;
+}
+
+lag_status lag_derivatives_energies(lag_derivatives *d, double *energies)
+{
+    const lag_model *model = d->model;
+    double jacobi = 0.0;
+    if (model->energies_tangent == NULL) {
+        return LAG_MISSING;
+    }
+    const lag_status status = model->energies_tangent(&d->at, &energies[0], &energies[1], &energies[2], &jacobi);
+    return status == LAG_OK ? add_time(d, timed(model) - model->nd - 4, 3, energies) : status;
+}

@@ -1,0 +1,230 @@
+#include "lag/dynamics.h"
+
+#include <math.h>
+
+#include "lag/equations/delassus.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/arena.h"
+
+/* Where the functions of this file keep what. */
+typedef struct places {
+    double *mass, *force, *jacobian, *gamma; /* (nq, nq) (nq) (nc, nq) (nc) */
+    double *response, *lam_response;         /* (nk, nq) (nk, nc) */
+    double *kept_jacobian, *kept_gamma;      /* (nk, nq) (nk) */
+    double *delassus;
+    double *system;
+} places;
+
+static places place(const lag_model *model, double *arena)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    places at;
+    at.mass = lag_take(&arena, n * n);
+    at.force = lag_take(&arena, n);
+    at.jacobian = lag_take(&arena, m * n);
+    at.gamma = lag_take(&arena, m);
+    at.response = lag_take(&arena, model->nk * n);
+    at.lam_response = lag_take(&arena, model->nk * m);
+    at.kept_jacobian = lag_take(&arena, model->nk * n);
+    at.kept_gamma = lag_take(&arena, model->nk);
+    at.delassus = lag_take(&arena, lag_delassus_memory(m, model->nk));
+    at.system = arena;
+    return at;
+}
+
+size_t lag_dynamics_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
+    return n * n + n + m * n + m + kept + lag_system_memory(n, m);
+}
+
+static int solved(const lag_model *model, const double *qdd, const double *lam)
+{
+    return lag_finite(model->nq, qdd) && lag_finite(model->nc, lam);
+}
+
+static lag_status solve_formed(
+    const lag_model *model,
+    const places *to,
+    lag_system *system,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    lag_system_place(system, model->nq, model->nc, to->system);
+    const lag_status status = lag_system_factor(system, to->mass, to->jacobian, model->rank, coordinate);
+    if (status != LAG_OK) {
+        lag_fill(model->nq, (double)NAN, qdd);
+        lag_fill(model->nc, (double)NAN, lam);
+        return status;
+    }
+    lag_system_solve(system, to->force, to->gamma, qdd, lam);
+    return solved(model, qdd, lam) ? LAG_OK : LAG_NOT_FINITE;
+}
+
+static lag_status solve(
+    const lag_model *model,
+    const lag_arguments *at,
+    const places *to,
+    lag_system *system,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    const lag_status status = model->dynamics(at, to->mass, to->force, to->jacobian, to->gamma);
+    return status == LAG_OK ? solve_formed(model, to, system, qdd, lam, coordinate) : status;
+}
+
+/*
+ * Where eliminating left less than this part of a pivot, the dense system tells whether it is singular. Down to there subtraction
+ * loses no more digits than the condition of the matrix costs the dense system, and the same ones at neighboring states: a
+ * transformer of coupling 1 - 1e-7 is one whose leakage is off by 1e-9, where the dense system has a noise that stops implicit
+ * methods. With rows left, their multipliers take back much of the accelerations without them, and what these lost shows in what is
+ * left.
+ */
+static const double smallest_pivot = 1e-8;
+static const double smallest_pivot_with_rows_left = 1e-4;
+
+double lag_smallest_pivot(const lag_model *model)
+{
+    return model->nk > 0 ? smallest_pivot_with_rows_left : smallest_pivot;
+}
+
+/* Rows of open contacts are zero. */
+static int binds(size_t n, const double *row)
+{
+    size_t j = 0;
+    while (j < n && row[j] == 0.0) {
+        ++j;
+    }
+    return j < n;
+}
+
+lag_status lag_factor_eliminated(
+    const lag_model *model,
+    const double *response,
+    const double *lam_response,
+    const double *jacobian,
+    double pivot,
+    double *arena,
+    lag_delassus *system)
+{
+    size_t rank = 0;
+    lag_delassus_place(system, model->nq, model->nc, model->nk, model->kept_rows, arena);
+    system->response = response;
+    system->lam_response = lam_response;
+    system->jacobian = jacobian;
+    for (size_t i = 0; i < model->nk; ++i) {
+        rank += model->redundant[model->kept_rows[i]] == 0 && binds(model->nq, jacobian + i * model->nq);
+    }
+    return pivot > lag_smallest_pivot(model) ? lag_delassus_factor(system, rank) : LAG_MISSING;
+}
+
+lag_status lag_solve_eliminated(
+    const lag_model *model,
+    const double *response,
+    const double *lam_response,
+    const double *jacobian,
+    const double *gamma,
+    double pivot,
+    double *arena,
+    double *qdd,
+    double *lam)
+{
+    lag_delassus system;
+    if (lag_factor_eliminated(model, response, lam_response, jacobian, pivot, arena, &system) != LAG_OK) {
+        return LAG_MISSING;
+    }
+    lag_delassus_solve(&system, gamma, qdd, lam);
+    return solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
+}
+
+static void pick(size_t count, const double *lanes, size_t stride, size_t lane, double *x)
+{
+    for (size_t i = 0; i < count; ++i) {
+        x[i] = lanes[i * stride + lane];
+    }
+}
+
+lag_status lag_forward_dynamics_of_lane(
+    const lag_model *model,
+    const lag_formed *formed,
+    size_t lane,
+    double *arena,
+    double *qdd,
+    double *lam,
+    size_t *coordinate)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t kept = model->nk;
+    const size_t lanes = formed->lanes;
+    const places to = place(model, arena);
+    lag_system system;
+    if (formed->qdd != NULL) {
+        pick(n, formed->qdd, lanes, lane, qdd);
+        pick(m, formed->lam, lanes, lane, lam);
+        pick(kept * n, formed->response, lanes, lane, to.response);
+        pick(kept * m, formed->lam_response, lanes, lane, to.lam_response);
+        pick(kept * n, formed->jacobian, lanes, lane, to.kept_jacobian);
+        pick(kept, formed->gamma, lanes, lane, to.kept_gamma);
+        return lag_solve_eliminated(
+            model,
+            to.response,
+            to.lam_response,
+            to.kept_jacobian,
+            to.kept_gamma,
+            formed->pivot[lane],
+            to.delassus,
+            qdd,
+            lam);
+    }
+    pick(n * n, formed->mass, lanes, lane, to.mass);
+    pick(n, formed->force, lanes, lane, to.force);
+    pick(m * n, formed->jacobian, lanes, lane, to.jacobian);
+    pick(m, formed->gamma, lanes, lane, to.gamma);
+    return solve_formed(model, &to, &system, qdd, lam, coordinate);
+}
+
+static lag_status eliminate(
+    const lag_model *model, const lag_arguments *at, const places *to, double *qdd, double *lam)
+{
+    double pivot = 0.0;
+    if (model->elimination == NULL) {
+        return LAG_MISSING;
+    }
+    const double *jacobian = to->kept_jacobian;
+    const lag_status status = model->elimination(
+        at, qdd, lam, to->response, to->lam_response, to->kept_jacobian, to->kept_gamma, &pivot);
+    return status == LAG_OK
+        ? lag_solve_eliminated(
+              model, to->response, to->lam_response, jacobian, to->kept_gamma, pivot, to->delassus, qdd, lam)
+        : status;
+}
+
+/* Where no row is left to run time, elimination is the whole solution. */
+static lag_status eliminate_all(const lag_model *model, const lag_arguments *at, double *qdd, double *lam)
+{
+    double none = 0.0;
+    double pivot = 0.0;
+    const lag_status status = model->elimination(at, qdd, lam, &none, &none, &none, &none, &pivot);
+    const int usable = status == LAG_OK && pivot > lag_smallest_pivot(model);
+    return usable && solved(model, qdd, lam) ? LAG_OK : LAG_MISSING;
+}
+
+lag_status lag_forward_dynamics(
+    const lag_model *model, const lag_arguments *at, double *arena, double *qdd, double *lam, size_t *coordinate)
+{
+    if (model->elimination != NULL && model->nk == 0 && eliminate_all(model, at, qdd, lam) == LAG_OK) {
+        return LAG_OK;
+    }
+    const places to = place(model, arena);
+    if (model->nk > 0 && eliminate(model, at, &to, qdd, lam) == LAG_OK) {
+        return LAG_OK;
+    }
+    lag_system system;
+    return solve(model, at, &to, &system, qdd, lam, coordinate);
+}

@@ -1,0 +1,330 @@
+#include "lag/evaluate.h"
+
+lag_status lag_prepare(const lag_model *model, const lag_arguments *at)
+{
+    return model->prepare(at);
+}
+
+/* ---- the functions, generated ---- */
+static lag_status evaluate_start(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const q0 = results;
+    double *const qd0 = q0 + model->nq;
+    double *const z0 = qd0 + model->nq;
+    double *const u0 = z0 + model->nz;
+    return model->start == NULL ? LAG_MISSING : model->start(at, q0, qd0, z0, u0);
+}
+
+static lag_status evaluate_position_constraint(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const phi = results;
+    double *const jacobian = phi + model->nc;
+    return model->position_constraint == NULL ? LAG_MISSING : model->position_constraint(at, phi, jacobian);
+}
+
+static lag_status evaluate_velocity_constraint(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const residual = results;
+    double *const jacobian = residual + model->nc;
+    return model->velocity_constraint == NULL ? LAG_MISSING : model->velocity_constraint(at, residual, jacobian);
+}
+
+static lag_status evaluate_mass_matrix(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->mass_matrix == NULL ? LAG_MISSING : model->mass_matrix(at, results);
+}
+
+static lag_status evaluate_dynamics(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const mass = results;
+    double *const force = mass + model->nq * model->nq;
+    double *const jacobian = force + model->nq;
+    double *const gamma = jacobian + model->nc * model->nq;
+    return model->dynamics == NULL ? LAG_MISSING : model->dynamics(at, mass, force, jacobian, gamma);
+}
+
+static lag_status evaluate_inverse_dynamics(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->inverse_dynamics == NULL ? LAG_MISSING : model->inverse_dynamics(at, results);
+}
+
+static lag_status evaluate_residual(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const motion = results;
+    double *const rows = motion + model->nq;
+    return model->residual == NULL ? LAG_MISSING : model->residual(at, motion, rows);
+}
+
+static lag_status evaluate_residual_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const motion = results;
+    double *const rows = motion + model->nq;
+    return model->residual_tangent == NULL ? LAG_MISSING : model->residual_tangent(at, motion, rows);
+}
+
+static lag_status evaluate_state_derivative(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->state_derivative == NULL ? LAG_MISSING : model->state_derivative(at, results);
+}
+
+static lag_status evaluate_state_derivative_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->state_derivative_tangent == NULL ? LAG_MISSING : model->state_derivative_tangent(at, results);
+}
+
+static lag_status evaluate_output(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->output == NULL ? LAG_MISSING : model->output(at, results);
+}
+
+static lag_status evaluate_output_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->output_tangent == NULL ? LAG_MISSING : model->output_tangent(at, results);
+}
+
+static lag_status evaluate_energies(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const total = results;
+    double *const kinetic = total + 1;
+    double *const potential = kinetic + 1;
+    double *const jacobi = potential + 1;
+    return model->energies == NULL ? LAG_MISSING : model->energies(at, total, kinetic, potential, jacobi);
+}
+
+static lag_status evaluate_momenta(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->momenta == NULL ? LAG_MISSING : model->momenta(at, results);
+}
+
+static lag_status evaluate_power(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const load = results;
+    double *const dissipated = load + model->nq;
+    return model->power == NULL ? LAG_MISSING : model->power(at, load, dissipated);
+}
+
+static lag_status evaluate_monitor(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const invariant = results;
+    double *const scale = invariant + model->ni;
+    double *const assertion = scale + model->ni;
+    return model->monitor == NULL ? LAG_MISSING : model->monitor(at, invariant, scale, assertion);
+}
+
+static lag_status evaluate_initial_equation(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->initial_equation == NULL ? LAG_MISSING : model->initial_equation(at, results);
+}
+
+static lag_status evaluate_constraint_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const phi = results;
+    double *const residual = phi + model->nc;
+    return model->constraint_tangent == NULL ? LAG_MISSING : model->constraint_tangent(at, phi, residual);
+}
+
+static lag_status evaluate_elimination(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const qdd = results;
+    double *const lam = qdd + model->nq;
+    double *const response = lam + model->nc;
+    double *const lam_response = response + model->nk * model->nq;
+    double *const jacobian = lam_response + model->nk * model->nc;
+    double *const gamma = jacobian + model->nk * model->nq;
+    double *const pivot = gamma + model->nk;
+    return model->elimination == NULL ? LAG_MISSING : model->elimination(at, qdd, lam, response, lam_response, jacobian, gamma, pivot);
+}
+
+static lag_status evaluate_discrete_start(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->discrete_start == NULL ? LAG_MISSING : model->discrete_start(at, results);
+}
+
+static lag_status evaluate_indicator(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->indicator == NULL ? LAG_MISSING : model->indicator(at, results);
+}
+
+static lag_status evaluate_standing(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->standing == NULL ? LAG_MISSING : model->standing(at, results);
+}
+
+static lag_status evaluate_contact(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const gap = results;
+    double *const speed = gap + model->ngap;
+    double *const jacobian = speed + model->ngap;
+    double *const restitution = jacobian + model->ngap * model->nq;
+    double *const capture_speed = restitution + model->ncontact;
+    double *const zeno_time = capture_speed + model->ncontact;
+    return model->contact == NULL ? LAG_MISSING : model->contact(at, gap, speed, jacobian, restitution, capture_speed, zeno_time);
+}
+
+static lag_status evaluate_clock(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const first = results;
+    double *const period = first + model->nclock;
+    return model->clock == NULL ? LAG_MISSING : model->clock(at, first, period);
+}
+
+static lag_status evaluate_event(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const next = results;
+    double *const reset = next + model->nw;
+    double *const value = reset + model->nreset;
+    double *const collision = value + model->nreset;
+    double *const restitution = collision + model->ncollision;
+    double *const stop = restitution + model->ncollision;
+    double *const fail = stop + model->nstop;
+    return model->event == NULL ? LAG_MISSING : model->event(at, next, reset, value, collision, restitution, stop, fail);
+}
+
+static lag_status evaluate_time_event(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const value = results;
+    double *const told = value + model->ntimed;
+    double *const distance = told + model->ntimed;
+    double *const rate = distance + model->ndistance;
+    double *const affine = rate + model->ndistance;
+    double *const entry = affine + model->ndistance;
+    double *const change = entry + model->ndistance;
+    return model->time_event == NULL ? LAG_MISSING : model->time_event(at, value, told, distance, rate, affine, entry, change);
+}
+
+static lag_status evaluate_corner(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const far = results;
+    double *const solved = far + model->ncorner;
+    return model->corner == NULL ? LAG_MISSING : model->corner(at, far, solved);
+}
+
+static lag_status evaluate_momentum_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->momentum_tangent == NULL ? LAG_MISSING : model->momentum_tangent(at, results);
+}
+
+static lag_status evaluate_definition(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->definition == NULL ? LAG_MISSING : model->definition(at, results);
+}
+
+static lag_status evaluate_definition_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->definition_tangent == NULL ? LAG_MISSING : model->definition_tangent(at, results);
+}
+
+static lag_status evaluate_start_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const q = results;
+    double *const qd = q + model->nq;
+    double *const z = qd + model->nq;
+    double *const u = z + model->nz;
+    return model->start_tangent == NULL ? LAG_MISSING : model->start_tangent(at, q, qd, z, u);
+}
+
+static lag_status evaluate_energies_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const total = results;
+    double *const kinetic = total + 1;
+    double *const potential = kinetic + 1;
+    double *const jacobi = potential + 1;
+    return model->energies_tangent == NULL ? LAG_MISSING : model->energies_tangent(at, total, kinetic, potential, jacobi);
+}
+
+static lag_status evaluate_initial_equation_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    return model->initial_equation_tangent == NULL ? LAG_MISSING : model->initial_equation_tangent(at, results);
+}
+
+static lag_status evaluate_time_tangent(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const motion = results;
+    double *const rows = motion + model->nq;
+    double *const phi = rows + model->nc;
+    double *const residual = phi + model->nc;
+    double *const rates = residual + model->nc;
+    double *const y = rates + model->nz;
+    double *const total = y + model->ny;
+    double *const kinetic = total + 1;
+    double *const potential = kinetic + 1;
+    double *const jacobi = potential + 1;
+    double *const d = jacobi + 1;
+    return model->time_tangent == NULL ? LAG_MISSING : model->time_tangent(at, motion, rows, phi, residual, rates, y, total, kinetic, potential, jacobi, d);
+}
+
+lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results)
+{
+    switch (which) {
+    case LAG_START:
+        return evaluate_start(model, at, results);
+    case LAG_POSITION_CONSTRAINT:
+        return evaluate_position_constraint(model, at, results);
+    case LAG_VELOCITY_CONSTRAINT:
+        return evaluate_velocity_constraint(model, at, results);
+    case LAG_MASS_MATRIX:
+        return evaluate_mass_matrix(model, at, results);
+    case LAG_DYNAMICS:
+        return evaluate_dynamics(model, at, results);
+    case LAG_INVERSE_DYNAMICS:
+        return evaluate_inverse_dynamics(model, at, results);
+    case LAG_RESIDUAL:
+        return evaluate_residual(model, at, results);
+    case LAG_RESIDUAL_TANGENT:
+        return evaluate_residual_tangent(model, at, results);
+    case LAG_STATE_DERIVATIVE:
+        return evaluate_state_derivative(model, at, results);
+    case LAG_STATE_DERIVATIVE_TANGENT:
+        return evaluate_state_derivative_tangent(model, at, results);
+    case LAG_OUTPUT:
+        return evaluate_output(model, at, results);
+    case LAG_OUTPUT_TANGENT:
+        return evaluate_output_tangent(model, at, results);
+    case LAG_ENERGIES:
+        return evaluate_energies(model, at, results);
+    case LAG_MOMENTA:
+        return evaluate_momenta(model, at, results);
+    case LAG_POWER:
+        return evaluate_power(model, at, results);
+    case LAG_MONITOR:
+        return evaluate_monitor(model, at, results);
+    case LAG_INITIAL_EQUATION:
+        return evaluate_initial_equation(model, at, results);
+    case LAG_CONSTRAINT_TANGENT:
+        return evaluate_constraint_tangent(model, at, results);
+    case LAG_ELIMINATION:
+        return evaluate_elimination(model, at, results);
+    case LAG_DISCRETE_START:
+        return evaluate_discrete_start(model, at, results);
+    case LAG_INDICATOR:
+        return evaluate_indicator(model, at, results);
+    case LAG_STANDING:
+        return evaluate_standing(model, at, results);
+    case LAG_CONTACT:
+        return evaluate_contact(model, at, results);
+    case LAG_CLOCK:
+        return evaluate_clock(model, at, results);
+    case LAG_EVENT:
+        return evaluate_event(model, at, results);
+    case LAG_TIME_EVENT:
+        return evaluate_time_event(model, at, results);
+    case LAG_CORNER:
+        return evaluate_corner(model, at, results);
+    case LAG_MOMENTUM_TANGENT:
+        return evaluate_momentum_tangent(model, at, results);
+    case LAG_DEFINITION:
+        return evaluate_definition(model, at, results);
+    case LAG_DEFINITION_TANGENT:
+        return evaluate_definition_tangent(model, at, results);
+    case LAG_START_TANGENT:
+        return evaluate_start_tangent(model, at, results);
+    case LAG_ENERGIES_TANGENT:
+        return evaluate_energies_tangent(model, at, results);
+    case LAG_INITIAL_EQUATION_TANGENT:
+        return evaluate_initial_equation_tangent(model, at, results);
+    case LAG_TIME_TANGENT:
+        return evaluate_time_tangent(model, at, results);
+    }
+    return LAG_MISSING;
+}
+/* ---- end of what is generated ---- */

@@ -1,0 +1,35 @@
+/*
+ * Derivatives of the motion, exact: M dqdd - J'dlam = -dr and J dqdd = -ds with the directional derivatives of the residuals
+ * at the accelerations that solve them, for many directions at once.
+ */
+#ifndef LAG_JACOBIAN_H
+#define LAG_JACOBIAN_H
+
+#include "lag/parallel.h"
+
+/* `count` of the variables q, qd, z, u, p in a row, from number `first` on. */
+typedef struct lag_range {
+    size_t first, count;
+} lag_range;
+
+/* Doubles that the workspace needs. `tangents` may be null in all functions of this file: one direction after the other. */
+size_t lag_jacobian_workspace(const lag_model *model, const lag_tangents *tangents);
+
+/* Doubles that are needed beside the workspace. */
+size_t lag_jacobian_memory(const lag_model *model, const lag_tangents *tangents);
+
+/*
+ * d(qd, qdd, zd)/dx (2 nq + nz, count) and, unless null, dy/dx (ny, count) at t q qd z u w p, after prepare(). LAG_SINGULAR and
+ * LAG_NOT_FINITE as lag_forward_dynamics(); all values are nan then, or what came out.
+ */
+lag_status lag_jacobian(
+    const lag_model *model,
+    const lag_tangents *tangents,
+    const lag_arguments *at,
+    lag_range x,
+    double *arena,
+    double *rates,
+    double *outputs,
+    size_t *coordinate);
+
+#endif

@@ -1,0 +1,89 @@
+#include "lag/equations/motion.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/equations/jacobian.h"
+
+size_t lag_motion_memory(const lag_model *model)
+{
+    return model->workspace + lag_jacobian_memory(model, NULL) + model->nu + model->nw + model->nq + model->nc + 1;
+}
+
+static lag_status rates(void *context, double t, const double *x, double *xd)
+{
+    lag_motion *motion = context;
+    const size_t n = motion->model->nq;
+    const lag_status status = lag_motion_solve(motion, t, x);
+    if (status != LAG_OK) {
+        return status;
+    }
+    memcpy(xd, x + n, n * sizeof(double));
+    memcpy(xd + n, motion->qdd, n * sizeof(double));
+    return motion->model->nz > 0 ? motion->model->state_derivative(&motion->at, xd + 2 * n) : LAG_OK;
+}
+
+static lag_status jacobian(void *context, double t, const double *x, double *matrix)
+{
+    lag_motion *motion = context;
+    lag_motion_look(motion, t, x);
+    const lag_range state = {0, lag_motion_size(motion->model)};
+    return lag_jacobian(motion->model, NULL, &motion->at, state, motion->arena, matrix, NULL, &motion->coordinate);
+}
+
+void lag_motion_place(lag_motion *motion, const lag_model *model, double *arena)
+{
+    const size_t count = lag_motion_memory(model);
+    for (size_t i = 0; i < count; ++i) {
+        arena[i] = 0.0;
+    }
+    memset(motion, 0, sizeof *motion);
+    motion->model = model;
+    motion->at.context = model->context;
+    motion->at.workspace = arena;
+    motion->arena = motion->at.workspace + model->workspace;
+    motion->u = motion->arena + lag_jacobian_memory(model, NULL);
+    motion->w = motion->u + model->nu;
+    motion->qdd = motion->w + model->nw;
+    motion->lam = motion->qdd + model->nq;
+    motion->at.u = motion->u;
+    motion->at.w = motion->w;
+    motion->at.qdd = motion->qdd;
+    motion->at.lam = motion->lam;
+    motion->until = (double)INFINITY;
+    motion->ode = (lag_ode){lag_motion_size(model), motion, rates, jacobian};
+}
+
+lag_status lag_motion_parameters(lag_motion *motion, const double *p)
+{
+    motion->at.p = p;
+    return motion->model->prepare(&motion->at);
+}
+
+lag_status lag_motion_start(lag_motion *motion, double t, double *x)
+{
+    const size_t n = motion->model->nq;
+    motion->at.t = t;
+    const lag_model *model = motion->model;
+    const lag_status status = model->discrete_start != NULL ? model->discrete_start(&motion->at, motion->w) : LAG_OK;
+    return status == LAG_OK ? model->start(&motion->at, x, x + n, x + 2 * n, motion->u) : status;
+}
+
+void lag_motion_look(lag_motion *motion, double t, const double *x)
+{
+    const size_t n = motion->model->nq;
+    motion->at.t = t;
+    motion->at.q = x;
+    motion->at.qd = x + n;
+    motion->at.z = x + 2 * n;
+    if (motion->inputs != NULL) {
+        motion->inputs(motion->context, t, t >= motion->until, motion->u);
+    }
+}
+
+lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
+{
+    lag_motion_look(motion, t, x);
+    return lag_forward_dynamics(
+        motion->model, &motion->at, motion->arena, motion->qdd, motion->lam, &motion->coordinate);
+}

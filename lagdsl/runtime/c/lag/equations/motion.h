@@ -1,0 +1,48 @@
+/* A model as a first-order system: x = (q, qd, z), its accelerations those of lag/dynamics.h. */
+#ifndef LAG_MOTION_H
+#define LAG_MOTION_H
+
+#include "lag/dynamics.h"
+#include "lag/ode.h"
+
+/* The inputs u (nu) at time t; `before`: where one jumps then, its value before the jump is wanted. */
+typedef void lag_inputs(void *context, double t, int before, double *u);
+
+typedef struct lag_motion {
+    const lag_model *model;
+    lag_arguments at;    /* what was evaluated last; w and p stay until the caller changes them */
+    double *u, *w;       /* (nu) (nw) */
+    double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
+    double *arena;      /* lag_jacobian_memory() without tangents */
+    lag_inputs *inputs;  /* null: u stays as it is */
+    void *context;       /* of inputs */
+    double until;        /* from this time on inputs are those before a jump */
+    lag_ode ode;         /* the system that the methods see; its context is this structure */
+    size_t coordinate;   /* of the last singular state */
+} lag_motion;
+
+/* Numbers of a state. */
+static inline size_t lag_motion_size(const lag_model *model)
+{
+    return 2 * model->nq + model->nz;
+}
+
+/* Doubles for a motion. */
+size_t lag_motion_memory(const lag_model *model);
+
+/* Lays out `motion` in `memory`; u and w are zero, p the defaults. It must not be moved afterwards. */
+void lag_motion_place(lag_motion *motion, const lag_model *model, double *arena);
+
+/* Other parameters (np), which must stay: prepares the workspace. */
+lag_status lag_motion_parameters(lag_motion *motion, const double *p);
+
+/* The start values of the model into x, those of the inputs into u. Constraints and initial equations are not looked at. */
+lag_status lag_motion_start(lag_motion *motion, double t, double *x);
+
+/* Lets `at` be the state x at time t, inputs included. */
+void lag_motion_look(lag_motion *motion, double t, const double *x);
+
+/* The same, with qdd and lam solved. */
+lag_status lag_motion_solve(lag_motion *motion, double t, const double *x);
+
+#endif

@@ -1,0 +1,351 @@
+#include "lag/equations/projection.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+static const double ROUNDING = 1e-14;
+/* So much larger than its limit a residual may stay where round-off or a singular position stops the convergence. */
+static const double CLOSE = 1e3;
+/* Rates are on the constraints if residuals, rows of size one, are below this part of what they were before. */
+static const double REACHED = 1e-8;
+
+static const double LIGHT = 1e-6;
+
+static size_t position_rows(const lag_model *model)
+{
+    size_t rows = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        rows += model->position_level[i] != 0;
+    }
+    return rows;
+}
+
+/* So many rates may be held. */
+static size_t most_held(const lag_model *model)
+{
+    return model->nreset < model->nq ? model->nreset : model->nq;
+}
+
+size_t lag_projection_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t rows = m + most_held(model);
+    return 4 * m + 2 * rows + 5 * n + model->nz + m * n + rows * n + n * n + lag_system_memory(n, rows);
+}
+
+/* All belong together where nobody tells what the rows hold. */
+static size_t component_of(const lag_model *model, size_t coordinate)
+{
+    return model->components != NULL && model->jacobian_pattern != NULL ? model->components[coordinate] : 0;
+}
+
+/* Rows hold coordinates of one component; those that hold none may count to any. */
+static void find_components(lag_projection *projection)
+{
+    const lag_model *model = projection->motion->model;
+    const lag_pattern *entries = model->jacobian_pattern;
+    lag_fill(model->nc, 0.0, projection->component);
+    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
+        projection->component[entries->row[k]] = (double)component_of(model, entries->column[k]);
+    }
+}
+
+static void clear_largest(lag_projection *projection, double value)
+{
+    const lag_model *model = projection->motion->model;
+    lag_fill(model->nq + model->nz, value, projection->largest);
+}
+
+static void enlarge(lag_projection *projection, size_t component, double value)
+{
+    projection->largest[component] = fmax(projection->largest[component], value);
+}
+
+static double largest_beside(const lag_projection *projection, size_t row)
+{
+    return projection->largest[(size_t)projection->component[row]];
+}
+
+void lag_projection_place(lag_projection *projection, lag_motion *motion, double *arena)
+{
+    const size_t n = motion->model->nq;
+    const size_t m = motion->model->nc;
+    const size_t rows = m + most_held(motion->model);
+    memset(projection, 0, sizeof *projection);
+    projection->motion = motion;
+    projection->rows = position_rows(motion->model);
+    projection->iterations = 12;
+    projection->limits = arena;
+    projection->round_off = projection->limits + m;
+    projection->least = projection->limits;
+    projection->sizes = projection->round_off + m;
+    projection->phi = projection->sizes + n;
+    projection->jacobian = projection->phi + m;
+    projection->mass = projection->jacobian + m * n;
+    projection->chosen = projection->mass + n * n;
+    projection->right = projection->chosen + rows * n;
+    projection->force = projection->right + rows;
+    projection->change = projection->force + n;
+    projection->lam = projection->change + n;
+    projection->point = projection->lam + rows;
+    projection->component = projection->point + n;
+    projection->largest = projection->component + m;
+    projection->system = projection->largest + n + motion->model->nz;
+    for (size_t i = 0; i < n; ++i) {
+        projection->sizes[i] = 1.0;
+        projection->force[i] = 0.0;
+    }
+    for (size_t i = 0; i < m; ++i) {
+        projection->limits[i] = projection->round_off[i] = 0.0;
+    }
+    find_components(projection);
+}
+
+void lag_projection_limits(lag_projection *projection, double tolerance, const double *row_sizes)
+{
+    for (size_t i = 0; i < projection->motion->model->nc; ++i) {
+        projection->round_off[i] = ROUNDING * row_sizes[i];
+        projection->limits[i] = fmax(tolerance * fmin(row_sizes[i], 1.0), projection->round_off[i]);
+    }
+}
+
+/* The largest residual among rows of position level, in limits. Not a number stays none. */
+static double largest(const lag_projection *projection)
+{
+    const lag_model *model = projection->motion->model;
+    double most = 0.0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const double part = fabs(projection->phi[i]) / projection->least[i];
+        if (model->position_level[i] && !(part <= most)) {
+            most = part;
+        }
+    }
+    return most;
+}
+
+/* A little inertia for what has none, as a part of the largest there is in its component, all in natural sizes. */
+static void fill_mass(lag_projection *projection)
+{
+    const lag_model *model = projection->motion->model;
+    const size_t n = model->nq;
+    const double *sizes = projection->sizes;
+    clear_largest(projection, 0.0);
+    for (size_t i = 0; i < n; ++i) {
+        enlarge(projection, component_of(model, i), projection->mass[i * n + i] * sizes[i] * sizes[i]);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const double scale = projection->largest[component_of(model, i)];
+        projection->mass[i * n + i] += (scale > 0.0 ? LIGHT * scale : 1.0) / (sizes[i] * sizes[i]);
+    }
+}
+
+/*
+ * The change that makes the residuals vanish in the first order. Coordinates without inertia that other rows hold (charges, by the sums
+ * of currents) may be free as far as positions go: then as little changes as can.
+ */
+static lag_status smallest(lag_projection *projection, int every)
+{
+    const lag_model *model = projection->motion->model;
+    const size_t n = model->nq;
+    size_t rows = 0;
+    lag_system system;
+    for (size_t i = 0; i < model->nc; ++i) {
+        if (every || model->position_level[i]) {
+            memcpy(projection->chosen + rows * n, projection->jacobian + i * n, n * sizeof(double));
+            projection->right[rows++] = -projection->phi[i];
+        }
+    }
+    lag_system_place(&system, n, rows, projection->system);
+    const size_t most = rows < model->rank ? rows : model->rank;
+    lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    if (status == LAG_SINGULAR) {
+        fill_mass(projection);
+        status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    }
+    if (status == LAG_OK) {
+        lag_system_solve(&system, projection->force, projection->right, projection->change, projection->lam);
+    }
+    return status;
+}
+
+/* Newton's method from x; the result is in `point`. */
+static lag_status positions(lag_projection *projection, double t, const double *x, int *moved)
+{
+    lag_motion *motion = projection->motion;
+    const size_t n = motion->model->nq;
+    double before = (double)INFINITY;
+    memcpy(projection->point, x, n * sizeof(double));
+    lag_motion_look(motion, t, x);
+    motion->at.q = projection->point;
+    for (unsigned k = 0; k < projection->iterations && projection->rows > 0; ++k) {
+        lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
+        const double size = largest(projection);
+        if (status != LAG_OK || !(size < (double)INFINITY) || size > CLOSE * before) {
+            return LAG_PROJECTION_FAILED;
+        }
+        if (size <= 1.0) {
+            return LAG_OK;
+        }
+        before = size;
+        if (!*moved) {
+            status = motion->model->mass_matrix(&motion->at, projection->mass);
+        }
+        if (status != LAG_OK || smallest(projection, 0) != LAG_OK) {
+            return LAG_PROJECTION_FAILED;
+        }
+        *moved = 1;
+        for (size_t i = 0; i < n; ++i) {
+            projection->point[i] += projection->change[i];
+        }
+    }
+    return projection->rows == 0 || before <= CLOSE ? LAG_OK : LAG_PROJECTION_FAILED;
+}
+
+/* The largest residual of the rates in limits, which grow with the rates of the row's component. Not a number stays none. */
+static double largest_of_rates(lag_projection *projection, const double *rates)
+{
+    const lag_model *model = projection->motion->model;
+    double most = 0.0;
+    clear_largest(projection, 1.0);
+    for (size_t i = 0; i < model->nq; ++i) {
+        enlarge(projection, component_of(model, i), fabs(rates[i]) / projection->sizes[i]);
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        const double part = fabs(projection->phi[i]) / (projection->least[i] * largest_beside(projection, i));
+        if (!(part <= most)) {
+            most = part;
+        }
+    }
+    return most;
+}
+
+/* The rates at the positions `point`, into x. */
+static lag_status velocities(lag_projection *projection, double *x, int *moved)
+{
+    lag_motion *motion = projection->motion;
+    const size_t n = motion->model->nq;
+    lag_status status = motion->model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
+    const double size = status == LAG_OK ? largest_of_rates(projection, x + n) : (double)INFINITY;
+    if (!(size < (double)INFINITY)) {
+        return LAG_PROJECTION_FAILED;
+    }
+    if (size <= 1.0) {
+        return LAG_OK;
+    }
+    status = motion->model->mass_matrix(&motion->at, projection->mass);
+    if (status != LAG_OK || smallest(projection, 1) != LAG_OK) {
+        return LAG_PROJECTION_FAILED;
+    }
+    *moved = 1;
+    for (size_t i = 0; i < n; ++i) {
+        x[n + i] += projection->change[i];
+    }
+    return LAG_OK;
+}
+
+lag_status lag_projection_apply(lag_projection *projection, double t, double *x, int *moved)
+{
+    const lag_model *model = projection->motion->model;
+    *moved = 0;
+    if (model->nc == 0) {
+        return LAG_OK;
+    }
+    lag_status status = positions(projection, t, x, moved);
+    if (status == LAG_OK) {
+        status = velocities(projection, x, moved);
+    }
+    if (status == LAG_OK && *moved) {
+        memcpy(x, projection->point, model->nq * sizeof(double));
+        ++projection->count;
+    }
+    return status;
+}
+
+lag_status lag_projection_exact(lag_projection *projection, double t, double *x, int *moved)
+{
+    projection->least = projection->round_off;
+    const lag_status status = lag_projection_apply(projection, t, x, moved);
+    projection->least = projection->limits;
+    return status;
+}
+
+/* The change of the rates that makes the residuals vanish and leaves what is held; *reached: it does. */
+static lag_status change_rates(lag_projection *projection, const double *held, int *reached)
+{
+    const lag_model *model = projection->motion->model;
+    const size_t n = model->nq;
+    size_t rows = model->nc;
+    lag_system system;
+    *reached = 1;
+    clear_largest(projection, 0.0);
+    memcpy(projection->chosen, projection->jacobian, rows * n * sizeof(double));
+    for (size_t i = 0; i < rows; ++i) {
+        projection->right[i] = -projection->phi[i];
+        enlarge(projection, (size_t)projection->component[i], fabs(projection->phi[i]) * ROUNDING / projection->round_off[i]);
+    }
+    for (size_t j = 0; j < n && held != NULL; ++j) {
+        if (held[j] != 0.0) {
+            memset(projection->chosen + rows * n, 0, n * sizeof(double));
+            projection->chosen[rows * n + j] = 1.0;
+            projection->right[rows++] = 0.0;
+        }
+    }
+    const size_t most = model->rank + (rows - model->nc);
+    lag_system_place(&system, n, rows, projection->system);
+    const lag_status status = lag_system_factor(&system, projection->mass, projection->chosen, most, NULL);
+    if (status != LAG_OK) {
+        *reached = 0;
+        return status;
+    }
+    lag_system_solve(&system, projection->force, projection->right, projection->change, projection->lam);
+    for (size_t i = 0; i < rows; ++i) {
+        double rest = -projection->right[i];
+        for (size_t j = 0; j < n; ++j) {
+            rest += projection->chosen[i * n + j] * projection->change[j];
+        }
+        const double size = i < model->nc ? largest_beside(projection, i) : 0.0;
+        rest *= i < model->nc ? ROUNDING / projection->round_off[i] : 1.0;
+        *reached = *reached && fabs(rest) <= REACHED * (1.0 + size);
+    }
+    return LAG_OK;
+}
+
+lag_status lag_projection_rates(lag_projection *projection, double t, double *x, const double *held)
+{
+    lag_motion *motion = projection->motion;
+    const lag_model *model = motion->model;
+    int reached = 0;
+    if (model->nc == 0) {
+        return LAG_OK;
+    }
+    lag_motion_look(motion, t, x);
+    lag_status status = model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
+    if (status == LAG_OK) {
+        status = model->mass_matrix(&motion->at, projection->mass);
+    }
+    if (status != LAG_OK) {
+        return status;
+    }
+    if (held != NULL) {
+        status = change_rates(projection, held, &reached);
+    }
+    if (!reached) {
+        status = change_rates(projection, NULL, &reached);
+    }
+    for (size_t i = 0; i < model->nq && status == LAG_OK; ++i) {
+        x[model->nq + i] += projection->change[i];
+    }
+    return status;
+}
+
+double lag_projection_distance(lag_projection *projection, double t, const double *x, size_t row)
+{
+    lag_motion *motion = projection->motion;
+    const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / ROUNDING : 1.0;
+    lag_motion_look(motion, t, x);
+    const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
+    return status == LAG_OK ? fabs(projection->phi[row]) / size : (double)NAN;
+}

@@ -1,0 +1,67 @@
+/*
+ * Back to the constraints, after a step: the smallest change in the metric of the mass matrix. dq minimises dq' M dq subject to
+ * phi(q + dq) = 0, and dv minimises dv' M dv subject to J (v + dv) + b = 0. Both are solutions of the system of lag/dynamics.h
+ * without forces, so that dependent rows and singular M are no special cases.
+ *
+ * Source: Eich, SIAM J. Numer. Anal. 30 (1993) 1467.
+ */
+#ifndef LAG_PROJECTION_H
+#define LAG_PROJECTION_H
+
+#include "lag/equations/motion.h"
+
+typedef struct lag_projection {
+    lag_motion *motion;
+    size_t rows;           /* of position level */
+    unsigned iterations;   /* at most so many for positions; a bound on the cost */
+    double *limits;        /* (nc) residuals that need no correction, */
+    double *round_off;     /* (nc) and those that cannot be corrected */
+    const double *least;   /* one of the two */
+    double *sizes;         /* (nq) natural sizes of the coordinates */
+    double *phi;           /* (nc) residuals, and */
+    double *jacobian;      /* (nc, nq) their Jacobian, as they were looked at last */
+    double *mass;          /* (nq, nq) */
+    double *chosen;        /* (nc + most held, nq) */
+    double *right, *force; /* (nc + most held) (nq) */
+    double *change, *lam;  /* (nq) (nc + most held) */
+    double *point;         /* (nq) */
+    double *component;     /* (nc) that of the coordinates of each row, */
+    double *largest;       /* (nq + nz) and what is largest in each of them */
+    double *system;
+    size_t count;          /* of states that were moved */
+} lag_projection;
+
+/* Doubles for the projection of a model. */
+size_t lag_projection_memory(const lag_model *model);
+
+/* Lays it out in `memory`. Sizes are one and limits zero until they are set. */
+void lag_projection_place(lag_projection *projection, lag_motion *motion, double *arena);
+
+/*
+ * Limits for a residual that is `tolerance` in SI units, and the same part of the row's size where that is below one; round-off of
+ * large rows passes.
+ */
+void lag_projection_limits(lag_projection *projection, double tolerance, const double *row_sizes);
+
+/*
+ * Moves x = (q, qd, z) at time t onto the constraints. *moved: whether anything had to change. LAG_PROJECTION_FAILED: the positions cannot be
+ * repaired from here; x is then as before.
+ */
+lag_status lag_projection_apply(lag_projection *projection, double t, double *x, int *moved);
+
+/* The same down to round-off, whatever the limits. */
+lag_status lag_projection_exact(lag_projection *projection, double t, double *x, int *moved);
+
+/*
+ * Moves the rates only, down to round-off; those that are `held` (nq flags, or null; at most one for each reset of the model) stay if the
+ * others can do it.
+ */
+lag_status lag_projection_rates(lag_projection *projection, double t, double *x, const double *held);
+
+/*
+ * Residual of a row of position level at (t, x) with the present discretes, as a part of the row's size (of one, where no limits are set).
+ * Not a number where there is none.
+ */
+double lag_projection_distance(lag_projection *projection, double t, const double *x, size_t row);
+
+#endif

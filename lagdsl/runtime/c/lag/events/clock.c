@@ -1,0 +1,77 @@
+#include "lag/events/clock.h"
+
+#include <math.h>
+
+static const double LARGEST_DENOMINATOR = 1e6;
+static const double LARGEST_WHOLE = 9007199254740992.0; /* 2^53 */
+
+/* The smallest denominator of a fraction that is x to the last bit, by continued fractions; 0: none that is short. */
+static double denominator_of(double x)
+{
+    double p0 = 1.0;
+    double q0 = 0.0;
+    double rest = x;
+    double p = floor(rest);
+    double q = 1.0;
+    while (q <= LARGEST_DENOMINATOR && fabs(p) < LARGEST_WHOLE) {
+        if (p / q == x) {
+            return q;
+        }
+        const double part = rest - floor(rest);
+        if (!(part > 0.0)) {
+            return 0.0;
+        }
+        rest = 1.0 / part;
+        const double p1 = floor(rest) * p + p0;
+        const double q1 = floor(rest) * q + q0;
+        p0 = p;
+        q0 = q;
+        p = p1;
+        q = q1;
+    }
+    return 0.0;
+}
+
+static double common_divisor(double a, double b)
+{
+    while (b > 0.0) {
+        const double rest = fmod(a, b);
+        a = b;
+        b = rest;
+    }
+    return a;
+}
+
+lag_clock lag_clock_of(double first, double period)
+{
+    lag_clock clock = {.first = first, .period = period};
+    const double a = denominator_of(first);
+    const double b = denominator_of(period);
+    if (a > 0.0 && b > 0.0) {
+        clock.denominator = a / common_divisor(a, b) * b;
+        clock.first_part = nearbyint(first * clock.denominator);
+        clock.period_part = nearbyint(period * clock.denominator);
+    }
+    return clock;
+}
+
+double lag_clock_instant(const lag_clock *clock, unsigned long long k)
+{
+    if ((double)k >= LARGEST_WHOLE) {
+        return (double)INFINITY;
+    }
+    const double whole = clock->first_part + (double)k * clock->period_part;
+    if (clock->denominator > 0.0 && fabs(whole) < LARGEST_WHOLE) {
+        return whole / clock->denominator;
+    }
+    return clock->first + (double)k * clock->period;
+}
+
+void lag_clock_seek(lag_clock *clock, double t)
+{
+    const double about = floor((t - clock->first) / clock->period) - 1.0;
+    clock->next = about > 0.0 ? (unsigned long long)fmin(about, LARGEST_WHOLE) : 0;
+    while (lag_clock_instant(clock, clock->next) < t) {
+        ++clock->next;
+    }
+}

@@ -1,0 +1,157 @@
+/* Contacts at rest: what is closed at the start, what stays closed. */
+#include "lag/events/contact.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+/* A force below this part of the others is none: what only touches hands a blow on, what carries takes part as it is. */
+static const double NOTHING = 1e-9;
+
+size_t lag_contacts_memory(const lag_model *model)
+{
+    return 12 * model->ncontact + (5 + 2 * model->nq) * model->ngap + 8 * model->nq + lag_impact_memory(model);
+}
+
+static void place_gaps(lag_contacts *contacts, const lag_model *model, double **arena)
+{
+    contacts->gap = lag_take(arena, model->ngap);
+    contacts->speed = lag_take(arena, model->ngap);
+    contacts->jacobian = lag_take(arena, model->ngap * model->nq);
+    contacts->part = lag_take(arena, model->ngap);
+    contacts->rows = lag_take(arena, model->ngap * model->nq);
+    contacts->speeds = lag_take(arena, model->ngap);
+    contacts->factor = lag_take(arena, model->ngap);
+}
+
+static void place_each(lag_contacts *contacts, size_t count, double **arena)
+{
+    double **const arrays[] = {&contacts->scale, &contacts->pace, &contacts->force, &contacts->until, &contacts->restitution,
+        &contacts->capture_speed, &contacts->zeno_time, &contacts->approach, &contacts->order, &contacts->closing, &contacts->before,
+        &contacts->back};
+    for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
+        *arrays[k] = lag_take(arena, count);
+        memset(*arrays[k], 0, count * sizeof(double));
+    }
+    for (size_t i = 0; i < count; ++i) {
+        contacts->until[i] = (double)INFINITY;
+    }
+}
+
+/* An angle is as large as a radian: its sine and cosine enter. */
+static int is_angle(const char *unit)
+{
+    return unit[0] == 'r' && unit[1] == 'a' && unit[2] == 'd' && unit[3] == '\0';
+}
+
+void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *arena)
+{
+    const lag_model *model = motion->model;
+    memset(contacts, 0, sizeof *contacts);
+    contacts->motion = motion;
+    contacts->places = lag_places_of(model);
+    contacts->slack[0] = 1e-13;
+    place_gaps(contacts, model, &arena);
+    place_each(contacts, model->ncontact, &arena);
+    contacts->tau = lag_take(&arena, model->nq);
+    contacts->zero = lag_take(&arena, model->nq);
+    contacts->moved = lag_take(&arena, model->nq);
+    contacts->other = lag_take(&arena, model->nq);
+    contacts->forces = lag_take(&arena, model->nq);
+    contacts->peak = lag_take(&arena, 2 * model->nq);
+    contacts->least = lag_take(&arena, model->nq);
+    memset(contacts->zero, 0, model->nq * sizeof(double));
+    memset(contacts->peak, 0, 2 * model->nq * sizeof(double));
+    for (size_t j = 0; j < model->nq; ++j) {
+        contacts->least[j] = model->coordinates != NULL && is_angle(model->coordinates[j].unit) ? 1.0 : 0.0;
+    }
+    lag_impact_place(&contacts->impact, motion, arena);
+}
+
+/* What is no number pulls. */
+static double push(const lag_contacts *contacts, size_t i)
+{
+    const double force = lag_contacts_multiplier(contacts, i);
+    return force == force ? force : -(double)INFINITY;
+}
+
+int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    int any = 0;
+    if (count == 0 || lag_contacts_look(contacts, t, x) != LAG_OK) {
+        return 0;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        flags[i] = contacts->gap[i] < -lag_contacts_touch(contacts, i);
+        any = any || flags[i] != 0.0;
+    }
+    return any;
+}
+
+lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    lag_status status = count > 0 ? lag_contacts_look(contacts, t, x) : LAG_OK;
+    if (status != LAG_OK || count == 0) {
+        return status;
+    }
+    status = lag_contacts_weigh(contacts, t, x);
+    for (size_t i = 0; i < count; ++i) {
+        const int touches = fabs(contacts->gap[i]) <= lag_contacts_touch(contacts, i);
+        contacts->closing[i] = touches && fabs(contacts->speed[i]) <= lag_contacts_creep(contacts, i);
+    }
+    if (status == LAG_OK) {
+        lag_contacts_press(contacts, t, x, contacts->closing);
+    }
+    return status;
+}
+
+/* The closed contact, of those listed in `part`, that pulls most by its own measure; `closed` where none does. */
+static size_t find_pulling(const lag_contacts *contacts, size_t closed)
+{
+    size_t worst = closed;
+    double most = NOTHING;
+    for (size_t k = 0; k < closed; ++k) {
+        const size_t i = (size_t)contacts->part[k];
+        const double pull = -push(contacts, i);
+        const double measure = fmax(contacts->force[i], 1e-300);
+        if (pull > most * measure) {
+            most = pull / measure;
+            worst = k;
+        }
+    }
+    return worst;
+}
+
+void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    size_t closed = 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (candidates[i] != 0.0) {
+            contacts->part[closed++] = (double)i;
+            *lag_contacts_flag(contacts, i) = 1.0;
+        }
+    }
+    while (closed > 0) {
+        lag_contacts_solve(contacts, t, x);
+        const size_t worst = find_pulling(contacts, closed);
+        if (worst == closed) {
+            break;
+        }
+        *lag_contacts_flag(contacts, (size_t)contacts->part[worst]) = 0.0;
+        --closed;
+        memmove(contacts->part + worst, contacts->part + worst + 1, (closed - worst) * sizeof(double));
+    }
+}
+
+double lag_contacts_next(const lag_contacts *contacts)
+{
+    double next = (double)INFINITY;
+    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
+        next = fmin(next, contacts->until[i]);
+    }
+    return next;
+}

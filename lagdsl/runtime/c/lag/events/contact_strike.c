@@ -1,0 +1,234 @@
+/* Impacts at contacts, and what is closed afterwards. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/events/contact.h"
+#include "lag/linalg/arena.h"
+
+enum { MOST_IMPACTS = 10000 };
+/* Bounces are too short to follow where what is left of them takes less than this part of the experiment, */
+static const double REST = 1e-6;
+/* or where the next one takes less than this part of that. */
+static const double NEXT = 1e-3;
+/* Steps of fixed length cannot tell bounces that take less than so many of them. */
+static const double STEPS = 2.0;
+/* A force below this part of the others is none. */
+static const double NOTHING = 1e-9;
+/* A rebound slower than this part of the approach is none. */
+static const double REBOUND = 1e-12;
+
+static double *flag(const lag_contacts *contacts, size_t i)
+{
+    return lag_contacts_flag(contacts, i);
+}
+
+/* Closed contacts that carry nothing are opened. */
+static lag_status release(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    const lag_status status = lag_contacts_weigh(contacts, t, x);
+    const int any = lag_any(count, flag(contacts, 0));
+    if (any) {
+        lag_contacts_solve(contacts, t, x);
+    }
+    for (size_t i = 0; i < count && any; ++i) {
+        if (lag_contacts_multiplier(contacts, i) <= NOTHING * contacts->force[i]) {
+            *flag(contacts, i) = 0.0;
+        }
+    }
+    return status;
+}
+
+static void add(lag_contacts *contacts, lag_blow *blow, size_t i, double factor)
+{
+    const size_t n = contacts->motion->model->nq;
+    memcpy(contacts->rows + blow->count * n, contacts->jacobian + i * n, n * sizeof(double));
+    contacts->speeds[blow->count] = contacts->speed[i];
+    contacts->factor[blow->count] = factor;
+    ++blow->count;
+}
+
+/* Flags of open contacts that close; whether there are any. */
+static int find_closing(lag_contacts *contacts)
+{
+    int any = 0;
+    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
+        const int touching = contacts->gap[i] <= lag_contacts_touch(contacts, i);
+        const int closing = touching && *flag(contacts, i) == 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i);
+        contacts->closing[i] = closing;
+        any = any || closing;
+    }
+    return any;
+}
+
+/* Whether closed contacts are driven in. */
+static int any_driven(const lag_contacts *contacts)
+{
+    int any = 0;
+    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
+        any = any || (*flag(contacts, i) != 0.0 && contacts->speed[i] < -lag_contacts_creep(contacts, i));
+    }
+    return any;
+}
+
+/* What takes part: contacts that close, blows of clauses, and, held, what is closed. */
+static lag_blow gather(lag_contacts *contacts, const double *collision, const double *restitution)
+{
+    const lag_model *model = contacts->motion->model;
+    lag_blow blow = {0, contacts->rows, contacts->speeds, contacts->factor};
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (contacts->closing[i] != 0.0) {
+            add(contacts, &blow, i, contacts->restitution[i]);
+            if (contacts->approach[i] == 0.0) {
+                contacts->approach[i] = contacts->speed[i];
+                contacts->order[contacts->struck++] = (double)i;
+            }
+        }
+    }
+    for (size_t i = 0; collision != NULL && i < model->ncollision; ++i) {
+        if (collision[i] != 0.0) {
+            add(contacts, &blow, model->ncontact + i, restitution[i]);
+        }
+    }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (*flag(contacts, i) != 0.0 && contacts->closing[i] == 0.0) {
+            add(contacts, &blow, i, 0.0);
+        }
+    }
+    return blow;
+}
+
+/* Blows until nothing closes any more. */
+static lag_status strike(lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
+{
+    const size_t collisions = collision != NULL ? contacts->motion->model->ncollision : 0;
+    for (int k = 0; k < MOST_IMPACTS; ++k) {
+        const int struck = k == 0 && lag_any(collisions, collision);
+        lag_status status = lag_contacts_look(contacts, t, x);
+        if (status == LAG_OK && (find_closing(contacts) || struck) && contacts->struck == 0) {
+            status = release(contacts, t, x);
+        }
+        if (status != LAG_OK) {
+            return status;
+        }
+        if (!lag_any(contacts->motion->model->ncontact, contacts->closing) && !struck && !any_driven(contacts)) {
+            return LAG_OK;
+        }
+        const lag_blow blow = gather(contacts, struck ? collision : NULL, restitution);
+        status = lag_impact_strike(&contacts->impact, t, x, &blow);
+        if (status != LAG_OK) {
+            return status;
+        }
+    }
+    return LAG_EVENT_ITERATION_FAILED;
+}
+
+/* ---- what stays ---- */
+
+/*
+ * Accelerations of the gaps of contacts that struck, while they are open: rows of the constraints that they would be, with the
+ * accelerations that there are without them.
+ */
+static void fly(lag_contacts *contacts, double t, const double *x)
+{
+    lag_motion *motion = contacts->motion;
+    lag_impact *impact = &contacts->impact;
+    const lag_model *model = motion->model;
+    lag_contacts_solve(contacts, t, x);
+    memcpy(impact->opened, motion->w, model->nw * sizeof(double));
+    for (size_t k = 0; k < contacts->struck; ++k) {
+        impact->opened[contacts->places.contact + (size_t)contacts->order[k]] = 1.0;
+    }
+    motion->at.w = impact->opened;
+    const lag_status status = model->dynamics(&motion->at, impact->mass, impact->force, impact->jacobian, impact->residual);
+    motion->at.w = motion->w;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        const size_t row = model->contact_rows[i];
+        double acceleration = -impact->residual[row];
+        for (size_t j = 0; j < model->nq; ++j) {
+            acceleration += impact->jacobian[row * model->nq + j] * motion->qdd[j];
+        }
+        contacts->back[i] = status == LAG_OK ? acceleration : 0.0;
+    }
+}
+
+/* Whether a contact that struck stays; when it comes to rest. */
+static int stays(lag_contacts *contacts, double t, size_t i)
+{
+    const double speed = contacts->speed[i];
+    const double ratio = speed / -contacts->approach[i];
+    const double brief = contacts->zeno_time[i] >= 0.0 ? contacts->zeno_time[i] : REST * contacts->length;
+    contacts->until[i] = (double)INFINITY;
+    if (speed <= fmax(lag_contacts_creep(contacts, i), REBOUND * -contacts->approach[i])) {
+        return 1;
+    }
+    if (contacts->capture_speed[i] >= 0.0 && speed < contacts->capture_speed[i]) {
+        return 1;
+    }
+    if (!(contacts->back[i] < 0.0)) {
+        return 0;
+    }
+    const double flight = 2.0 * speed / -contacts->back[i];
+    const double left = ratio < 1.0 ? flight / (1.0 - ratio) : (double)INFINITY;
+    const int flat = 0.125 * flight * speed < lag_contacts_gap_noise(contacts, i);
+    if (!flat && !(left < brief) && !(flight < NEXT * brief) && !(flight < STEPS * contacts->flight)) {
+        return 0;
+    }
+    const double rest = t + fmin(left, flight / NEXT);
+    contacts->until[i] = contacts->flight > 0.0 || !(rest > t) ? (double)INFINITY : rest;
+    return 1;
+}
+
+lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    if (!lag_any(count, flag(contacts, 0))) {
+        return LAG_OK;
+    }
+    const lag_status status = lag_contacts_look(contacts, t, x);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        if (contacts->gap[i] > lag_contacts_touch(contacts, i) || contacts->speed[i] > lag_contacts_creep(contacts, i)) {
+            *flag(contacts, i) = 0.0;
+        }
+    }
+    return status;
+}
+
+/* What is closed after blows: what was and stays, what struck and stays, as far as it does not pull. */
+static lag_status conclude(lag_contacts *contacts, double t, const double *x)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    for (size_t i = 0; i < count; ++i) {
+        *flag(contacts, i) = contacts->before[i] != 0.0 ? 1.0 : *flag(contacts, i);
+    }
+    lag_status status = lag_contacts_part(contacts, t, x);
+    if (status == LAG_OK && contacts->struck > 0) {
+        status = lag_contacts_look(contacts, t, x);
+        fly(contacts, t, x);
+    }
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        contacts->motion->w[contacts->places.impacts + i] += 1.0;
+        contacts->closing[i] = stays(contacts, t, i);
+    }
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        *flag(contacts, i) = contacts->closing[i] != 0.0 ? 1.0 : *flag(contacts, i);
+    }
+    if (status == LAG_OK) {
+        lag_contacts_press(contacts, t, x, flag(contacts, 0));
+    }
+    return status;
+}
+
+lag_status lag_contacts_strike(
+    lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    contacts->struck = 0;
+    memset(contacts->approach, 0, count * sizeof(double));
+    memcpy(contacts->before, flag(contacts, 0), count * sizeof(double));
+    const lag_status status = strike(contacts, t, x, collision, restitution);
+    return status == LAG_OK ? conclude(contacts, t, x) : status;
+}

@@ -1,0 +1,364 @@
+#include "lag/events/event_iteration.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+enum { MOST_PASSES = 100 };
+/* What a constraint that discretes switch may be off the positions, as a part of the size of its row. */
+static const double TORN = 1e-6;
+
+size_t lag_event_iteration_memory(const lag_model *model)
+{
+    return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
+           3 * lag_motion_size(model) + 2 * model->nindicator + 3 * model->ncontact;
+}
+
+void lag_event_iteration_place(
+    lag_event_iteration *iteration, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
+    double *arena)
+{
+    const lag_model *model = contacts->motion->model;
+    const size_t size = lag_motion_size(model);
+    memset(iteration, 0, sizeof *iteration);
+    iteration->motion = contacts->motion;
+    iteration->contacts = contacts;
+    iteration->momentum = momentum;
+    iteration->timed = timed;
+    iteration->projection = projection;
+    iteration->noise = noise;
+    iteration->places = lag_places_of(model);
+    iteration->lookahead = 1e-9;
+    iteration->before = lag_take(&arena, model->nw);
+    iteration->next = lag_take(&arena, model->nw);
+    iteration->guilty = lag_take(&arena, model->nw);
+    iteration->settled = lag_take(&arena, model->nw);
+    memset(iteration->settled, 0, model->nw * sizeof(double));
+    iteration->reset = lag_take(&arena, model->nreset);
+    iteration->value = lag_take(&arena, model->nreset);
+    iteration->collision = lag_take(&arena, model->ncollision);
+    iteration->restitution = lag_take(&arena, model->ncollision);
+    iteration->stop = lag_take(&arena, model->nstop);
+    iteration->fail = lag_take(&arena, model->nfail);
+    iteration->held = lag_take(&arena, size);
+    iteration->rate = lag_take(&arena, size);
+    iteration->later = lag_take(&arena, size);
+    iteration->now = lag_take(&arena, model->nindicator);
+    iteration->then = lag_take(&arena, model->nindicator);
+    iteration->closed = lag_take(&arena, model->ncontact);
+    iteration->meeting = lag_take(&arena, model->ncontact);
+    iteration->pulling = arena;
+}
+
+lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which)
+{
+    const lag_event_notice notice = {.t = t, .what = what, .which = which, .x = x, .w = iteration->motion->w};
+    return iteration->tell != NULL ? iteration->tell(iteration->context, &notice) : LAG_OK;
+}
+
+static int same(size_t count, const double *a, const double *b)
+{
+    size_t i = 0;
+    while (i < count && a[i] == b[i]) {
+        ++i;
+    }
+    return i == count;
+}
+
+/* ---- one pass ---- */
+
+static lag_status look(lag_event_iteration *iteration, double t, const double *x)
+{
+    const lag_model *model = iteration->motion->model;
+    lag_event_iteration_solve(iteration->motion, t, x);
+    return model->event(&iteration->motion->at, iteration->next, iteration->reset, iteration->value, iteration->collision, iteration->restitution,
+        iteration->stop, iteration->fail);
+}
+
+lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, const double *x)
+{
+    const lag_model *model = iteration->motion->model;
+    const lag_places *places = &iteration->places;
+    double *w = iteration->motion->w;
+    lag_status status = LAG_OK;
+    for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
+        memcpy(iteration->before, w, model->nw * sizeof(double));
+        status = lag_event_iteration_stand(iteration, t, x);
+        if (status == LAG_OK) {
+            status = look(iteration, t, x);
+        }
+        for (size_t i = places->condition; i < places->clock; ++i) {
+            w[i] = iteration->next[i];
+        }
+        if (same(model->nw, iteration->before, w)) {
+            break;
+        }
+    }
+    memcpy(iteration->settled, w, model->nw * sizeof(double));
+    return status;
+}
+
+/* ---- contacts ---- */
+
+/* A contact has opened, or closed. What was told of it for later does not come. */
+static lag_status tell_state(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i)
+{
+    iteration->contacts->until[i] = (double)INFINITY;
+    return lag_event_iteration_tell(iteration, t, x, what, i);
+}
+
+/* What a contact that struck or changed did. One that is held for the rest of its bounces has struck. */
+static lag_status tell_contact(const lag_event_iteration *iteration, double t, const double *x, int before, size_t i)
+{
+    const int now = iteration->motion->w[iteration->places.contact + i] != 0.0;
+    const int bounces = now && iteration->contacts->until[i] < (double)INFINITY;
+    return before == now || bounces ? lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i)
+                                    : tell_state(iteration, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
+}
+
+/* Impacts, and what they did. */
+static lag_status collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted)
+{
+    const lag_contacts *contacts = iteration->contacts;
+    const double *closed = iteration->motion->w + iteration->places.contact;
+    lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
+    int any = contacts->struck > 0;
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        status = tell_contact(iteration, t, x, contacts->before[i] != 0.0, i);
+    }
+    for (size_t i = 0; i < iteration->motion->model->ncontact && status == LAG_OK; ++i) {
+        if (contacts->approach[i] == 0.0 && (contacts->before[i] != 0.0) != (closed[i] != 0.0)) {
+            any = 1;
+            status = tell_contact(iteration, t, x, contacts->before[i] != 0.0, i);
+        }
+    }
+    *acted = *acted || any;
+    return status == LAG_OK && any ? lag_projection_rates(iteration->projection, t, x, NULL) : status;
+}
+
+/* Clears the flags of contacts that do not pull a moment later: relations that turned with them may have taken the pull away. */
+static void keep_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling)
+{
+    lag_motion *motion = iteration->motion;
+    lag_event_iteration_move_on(iteration, t, x);
+    lag_event_iteration_solve(motion, t + iteration->lookahead, iteration->later);
+    for (size_t i = 0; i < motion->model->ncontact; ++i) {
+        const double force = motion->lam[motion->model->contact_rows[i]];
+        pulling[i] = pulling[i] != 0.0 && force < -lag_contacts_force_noise(iteration->contacts, i);
+    }
+}
+
+/* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
+static lag_status change_contacts(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *changed)
+{
+    const lag_model *model = iteration->motion->model;
+    const size_t count = model->ncontact;
+    double *closed = iteration->motion->w + iteration->places.contact;
+    double *meeting = iteration->meeting;
+    double *pulling = iteration->pulling;
+    lag_status status = LAG_OK;
+    int acted = 0;
+    for (size_t i = 0; i < count; ++i) {
+        meeting[i] = changed[i] != 0.0 && closed[i] == 0.0;
+        pulling[i] = changed[i] != 0.0 && closed[i] != 0.0;
+    }
+    if (relations != NULL && lag_any(model->nindicator, relations) && lag_any(count, pulling)) {
+        keep_pulling(iteration, t, x, pulling);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        closed[i] = pulling[i] != 0.0 ? 0.0 : closed[i];
+    }
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        status = pulling[i] != 0.0 ? tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
+    }
+    const int any = lag_any(count, meeting) || lag_any(count, pulling);
+    if (any && status == LAG_OK) {
+        status = collide(iteration, t, x, NULL, &acted);
+    }
+    if (!any || acted || status != LAG_OK) {
+        return status;
+    }
+    lag_contacts_press(iteration->contacts, t, x, meeting);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        status = meeting[i] != 0.0 && closed[i] != 0.0 ? tell_state(iteration, t, x, LAG_CLOSED, i) : LAG_OK;
+    }
+    return status;
+}
+
+/* Impacts of clauses, and contacts that something drives in now. */
+static lag_status strike(lag_event_iteration *iteration, double t, double *x, int *acted)
+{
+    const lag_model *model = iteration->motion->model;
+    const int any = lag_any(model->ncollision, iteration->collision);
+    if (!any && model->ncontact == 0) {
+        return LAG_OK;
+    }
+    *acted = *acted || any;
+    return collide(iteration, t, x, iteration->collision, acted);
+}
+
+/* ---- clauses ---- */
+
+/* Resets of one pass into x; 1 in `held`: this one. */
+static lag_status reset(lag_event_iteration *iteration, double t, double *x, int *any)
+{
+    const lag_model *model = iteration->motion->model;
+    lag_status status = LAG_OK;
+    int conflict = 0;
+    memset(iteration->held, 0, lag_motion_size(model) * sizeof(double));
+    for (size_t i = 0; i < model->nreset; ++i) {
+        const size_t place = model->reset_places[i];
+        if (iteration->reset[i] == 0.0) {
+            continue;
+        }
+        *any = 1;
+        if (iteration->held[place] == 0.0) {
+            iteration->held[place] = 1.0;
+            x[place] = iteration->value[i];
+        } else if (x[place] != iteration->value[i]) {
+            iteration->fault = i;
+            conflict = 1;
+        }
+    }
+    for (size_t i = 0; i < model->nreset && status == LAG_OK; ++i) {
+        status = iteration->reset[i] != 0.0 ? lag_event_iteration_tell(iteration, t, x, LAG_REINIT, i) : LAG_OK;
+    }
+    return status == LAG_OK && conflict ? LAG_CONFLICT : status;
+}
+
+/* Closed contacts that a reset moves apart open. */
+static lag_status part(lag_event_iteration *iteration, double t, const double *x)
+{
+    const size_t count = iteration->motion->model->ncontact;
+    const double *closed = iteration->motion->w + iteration->places.contact;
+    memcpy(iteration->closed, closed, count * sizeof(double));
+    lag_status status = lag_contacts_part(iteration->contacts, t, x);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        status = iteration->closed[i] != closed[i] ? tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
+    }
+    return status;
+}
+
+/* Failures, ends and resets of one pass. */
+static lag_status act(lag_event_iteration *iteration, double t, double *x, int *acted)
+{
+    const lag_model *model = iteration->motion->model;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < model->nfail; ++i) {
+        if (iteration->fail[i] != 0.0) {
+            iteration->fault = i;
+            return LAG_ASSERTION_FAILED;
+        }
+    }
+    for (size_t i = 0; i < model->nstop && status == LAG_OK; ++i) {
+        if (iteration->stop[i] != 0.0) {
+            iteration->stopped = 1;
+            status = lag_event_iteration_tell(iteration, t, x, LAG_TERMINATE, i);
+        }
+    }
+    if (status == LAG_OK) {
+        status = reset(iteration, t, x, acted);
+    }
+    return status == LAG_OK && *acted ? part(iteration, t, x) : status;
+}
+
+/* 1: other discretes than contacts are those with which the rates were moved onto the constraints last. */
+static int is_settled(const lag_event_iteration *iteration)
+{
+    const lag_places *places = &iteration->places;
+    const size_t relations = iteration->motion->model->nindicator;
+    const double *w = iteration->motion->w;
+    return same(places->contact, w, iteration->settled) && same(relations, w + places->relation, iteration->settled + places->relation);
+}
+
+/* The discretes now, but for variables and relations as they were when the rates were moved onto the constraints last. */
+static const double *settled_before(lag_event_iteration *iteration)
+{
+    const lag_places *places = &iteration->places;
+    const lag_model *model = iteration->motion->model;
+    memcpy(iteration->next, iteration->before, model->nw * sizeof(double));
+    memcpy(iteration->next, iteration->settled, places->contact * sizeof(double));
+    memcpy(iteration->next + places->relation, iteration->settled + places->relation, model->nindicator * sizeof(double));
+    return iteration->next;
+}
+
+/*
+ * Discretes that stand in constraints, masses or prescribed motions may have changed, whoever changed them: momenta are balanced. Else, after
+ * resets, rates go onto the constraints. Those that were reset stay as far as that can be; contacts follow, they only push.
+ */
+static lag_status take_hold(lag_event_iteration *iteration, double t, double *x, int acted)
+{
+    const double *held = acted ? iteration->held + iteration->motion->model->nq : NULL;
+    int jumped = 0;
+    if (is_settled(iteration)) {
+        return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
+    }
+    const lag_status status = lag_momentum_keep(iteration->momentum, t, x, settled_before(iteration));
+    memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
+    return status == LAG_OK ? lag_momentum_balance(iteration->momentum, t, x, held, &jumped) : status;
+}
+
+lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x)
+{
+    int jumped = 0;
+    const lag_status status = lag_momentum_keep(iteration->momentum, t, x, iteration->motion->w);
+    memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
+    return status == LAG_OK ? lag_momentum_balance(iteration->momentum, t, x, NULL, &jumped) : status;
+}
+
+/* One pass; `acted`: it did more than to change w. */
+static lag_status pass(lag_event_iteration *iteration, double t, double *x, const double *turned, int *acted)
+{
+    lag_motion *motion = iteration->motion;
+    lag_status status = look(iteration, t, x);
+    if (status != LAG_OK) {
+        return status;
+    }
+    memcpy(motion->w, iteration->next, motion->model->nw * sizeof(double));
+    lag_places_clear(motion->model, &iteration->places, motion->w);
+    if (!same(iteration->places.contact, motion->w, iteration->before)) {
+        status = lag_timed_enter(iteration->timed, t); /* corners of time may depend on discretes */
+    }
+    status = status == LAG_OK ? act(iteration, t, x, acted) : status;
+    if (status == LAG_OK) {
+        status = take_hold(iteration, t, x, *acted);
+    }
+    if (status == LAG_OK) {
+        status = strike(iteration, t, x, acted);
+    }
+    return status == LAG_OK ? lag_event_iteration_ahead(iteration, t, x, turned) : status;
+}
+
+/* 1: a constraint that discretes switch asks for other positions. */
+static int torn(const lag_event_iteration *iteration, double t, const double *x)
+{
+    const lag_model *model = iteration->motion->model;
+    for (size_t i = 0; i < model->nswitched; ++i) {
+        if (!(lag_projection_distance(iteration->projection, t, x, model->switched_rows[i]) <= TORN)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts)
+{
+    const lag_model *model = iteration->motion->model;
+    const double *w = iteration->motion->w;
+    lag_status status = contacts != NULL ? change_contacts(iteration, t, x, relations, contacts) : LAG_OK;
+    iteration->stopped = 0;
+    for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
+        int acted = 0;
+        memcpy(iteration->before, w, model->nw * sizeof(double));
+        status = pass(iteration, t, x, relations, &acted);
+        if (status == LAG_OK && !acted && same(model->nw, iteration->before, w)) {
+            return torn(iteration, t, x) ? LAG_POSITION_JUMP : LAG_OK;
+        }
+    }
+    for (size_t i = 0; i < model->nw; ++i) {
+        iteration->guilty[i] = iteration->before[i] != w[i];
+    }
+    return status == LAG_OK ? LAG_EVENT_ITERATION_FAILED : status;
+}

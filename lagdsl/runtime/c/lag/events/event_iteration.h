@@ -1,0 +1,79 @@
+/* Passes over the clauses of a model at one instant, until nothing changes: resets, impacts, contacts, ends. */
+#ifndef LAG_EVENT_ITERATION_H
+#define LAG_EVENT_ITERATION_H
+
+#include "lag/events/contact.h"
+#include "lag/event_notice.h"
+#include "lag/events/noise.h"
+#include "lag/events/momentum.h"
+#include "lag/equations/projection.h"
+#include "lag/events/timed.h"
+
+typedef struct lag_event_iteration {
+    lag_motion *motion;
+    lag_contacts *contacts;
+    lag_momentum *momentum;
+    lag_timed *timed;
+    lag_projection *projection;
+    lag_noise *noise;
+    lag_places places;
+    double lookahead;         /* relations are looked at so much later, since they are zero at the event itself [s] */
+    double *before, *next; /* (nw) */
+    double *settled;       /* (nw) those with which the rates were moved onto the constraints last */
+    double *reset, *value; /* (nreset) */
+    double *collision, *restitution; /* (ncollision) */
+    double *stop, *fail;   /* (nstop) (nfail) */
+    double *held;          /* (2 nq + nz) */
+    double *rate, *later;  /* (2 nq + nz) */
+    double *now, *then;    /* (nindicator) */
+    double *closed, *meeting, *pulling; /* (ncontact) */
+    int stopped;           /* a `terminate` acted */
+    size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
+    double *guilty;        /* (nw) LAG_EVENT_ITERATION_FAILED: 1, this one still changed; zero otherwise */
+    lag_status (*tell)(void *context, const lag_event_notice *notice); /* null: nobody wants to know */
+    void *context;
+} lag_event_iteration;
+
+/* Doubles for them. */
+size_t lag_event_iteration_memory(const lag_model *model);
+
+void lag_event_iteration_place(
+    lag_event_iteration *iteration, lag_contacts *contacts, lag_momentum *momentum, lag_timed *timed, lag_projection *projection, lag_noise *noise,
+    double *arena);
+
+/* Relations and conditions as they stand, nothing carried out. */
+lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, const double *x);
+
+/*
+ * Carries out what is new in w; `relations`, turned in w already, and `contacts` were found to change (flags, or null). Changes x and w,
+ * whose rates are on the constraints afterwards. Relations are left as they are a moment later.
+ */
+lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts);
+
+/* The rates are those that belong to the discretes of now, but for constraints that take hold. */
+lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x);
+
+/* Relations that pass zero here become what they are a moment later. */
+lag_status lag_event_iteration_turn(lag_event_iteration *iteration, double t, const double *x);
+
+/* Tells that something happened. */
+lag_status lag_event_iteration_tell(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which);
+
+/* For the parts of a pass. */
+
+/* Accelerations and multipliers; no numbers where there are none. */
+void lag_event_iteration_solve(lag_motion *motion, double t, const double *x);
+
+/* Relations as they stand at a state, into w. */
+lag_status lag_event_iteration_stand(lag_event_iteration *iteration, double t, const double *x);
+
+/* The state a moment later, as w has it, into `later`. */
+void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const double *x);
+
+/*
+ * Relations as they stand; those that pass zero here are what they are a moment later, those that stay at zero what they have turned to
+ * (flags, or null).
+ */
+lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned);
+
+#endif

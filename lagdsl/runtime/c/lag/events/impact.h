@@ -1,0 +1,46 @@
+/*
+ * Impacts: rates jump so that momentum is balanced in the whole mechanism.
+ *
+ *     M (v+ - v-) = Jc' p + J' P,   J v+ + b = 0,   0 <= p, Jc v+ + e Jc v- >= 0, one of the two zero for each gap
+ *
+ * Newton's law of impact as a linear complementarity problem, whose matrix is symmetric and positive semidefinite.
+ *
+ * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts, 1996, ch. 8.
+ */
+#ifndef LAG_IMPACT_H
+#define LAG_IMPACT_H
+
+#include "lag/equations/discretes.h"
+#include "lag/equations/motion.h"
+
+typedef struct lag_impact {
+    lag_motion *motion;
+    lag_places places;
+    double *mass, *jacobian, *residual; /* (nq, nq) (nc, nq) (nc) */
+    double *opened;                     /* (nw) */
+    double *response, *compliance;      /* (ngap, nq) (ngap, ngap) */
+    double *force, *gamma, *lam;        /* (nq) (nc) (nc) */
+    double *wanted, *impulse;           /* (ngap) */
+    double *system, *search;
+} lag_impact;
+
+/* What takes part in one impact. */
+typedef struct lag_blow {
+    size_t count;
+    const double *rows;   /* (count, nq) dgap/dq */
+    const double *speed;  /* (count) rates of the gaps */
+    const double *factor; /* (count) restitution */
+} lag_blow;
+
+/* Doubles for it. */
+size_t lag_impact_memory(const lag_model *model);
+
+void lag_impact_place(lag_impact *impact, lag_motion *motion, double *arena);
+
+/*
+ * The rates in x = (q, qd, z) at time t, which satisfy the lasting constraints, after the blow. Closed contacts take part as gaps, not
+ * as constraints. LAG_SINGULAR: some rates are not determined; x stays.
+ */
+lag_status lag_impact_strike(lag_impact *impact, double t, double *x, const lag_blow *blow);
+
+#endif

@@ -1,0 +1,329 @@
+#include "lag/events/instant.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+/* A tick nearer to the present than this part of the period is the present one. */
+static const double SAME_TICK = 1e-9;
+/* Relations at an event are looked at this part of the last step later: long against round-off of time, short against all else. */
+static const double AHEAD = 1e-4;
+static const double ULPS = 4096.0;
+/* So many intervals in a row, each shorter than the one before, down to this part of the first, */
+enum { MANY = 20, SAME = 100 };
+static const double PART = 1e-6;
+/* or so many events at times that are the same but for round-off. */
+static const double ROUNDING = 1e-14;
+
+size_t lag_instants_memory(const lag_model *model)
+{
+    return 2 * model->nclock + lag_contacts_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
+           lag_momentum_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw;
+}
+
+void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *arena)
+{
+    const lag_model *model = motion->model;
+    const double infinite = (double)INFINITY;
+    memset(instants, 0, sizeof *instants);
+    instants->motion = motion;
+    instants->places = lag_places_of(model);
+    instants->clock = clock;
+    instants->first = arena;
+    instants->period = instants->first + model->nclock;
+    arena = instants->period + model->nclock;
+    lag_contacts_place(&instants->contacts, motion, lag_take(&arena, lag_contacts_memory(model)));
+    instants->contacts.limits = projection->limits;
+    lag_noise_place(&instants->noise, motion, lag_take(&arena, lag_noise_memory(model)));
+    lag_momentum_place(&instants->momentum, motion, lag_take(&arena, lag_momentum_memory(model)));
+    lag_timed_place(&instants->timed, motion, lag_take(&arena, lag_timed_memory(model)));
+    lag_refraction_place(
+        &instants->refraction, motion, &instants->momentum, &instants->noise, lag_take(&arena, lag_refraction_memory(model)));
+    instants->x_before = lag_take(&arena, lag_motion_size(model));
+    instants->w_before = lag_take(&arena, model->nw);
+    lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->momentum, &instants->timed, projection, &instants->noise, arena);
+    instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
+}
+
+/* Whether the event at t, of relations or of contacts only, is one too many. Contacts close where they crowd. */
+static int crowds(lag_crowd *crowd, double t, int relations)
+{
+    const double interval = t - crowd->last;
+    if (relations && crowd->interval < (double)INFINITY && interval < crowd->interval) {
+        ++crowd->shrinking;
+    } else {
+        crowd->first = interval;
+        crowd->shrinking = 1;
+    }
+    crowd->still = interval <= ROUNDING * fabs(t) ? crowd->still + 1 : 0;
+    crowd->last = t;
+    crowd->interval = interval;
+    return (crowd->shrinking > MANY && interval < PART * crowd->first) || crowd->still > SAME;
+}
+
+/* ---- clocks ---- */
+
+static double tick(const lag_instants *instants, size_t i)
+{
+    return lag_clock_instant(&instants->clock[i], instants->clock[i].next);
+}
+
+static int is_due(const lag_instants *instants, size_t i, double t)
+{
+    return tick(instants, i) <= t + SAME_TICK * instants->clock[i].period;
+}
+
+static lag_status start_clocks(lag_instants *instants, double t)
+{
+    const lag_model *model = instants->motion->model;
+    instants->motion->at.t = t;
+    const lag_status status =
+        model->nclock > 0 ? model->clock(&instants->motion->at, instants->first, instants->period) : LAG_OK;
+    for (size_t i = 0; i < model->nclock && status == LAG_OK; ++i) {
+        if (!(instants->period[i] > 0.0) || !isfinite(instants->first[i])) {
+            return LAG_BAD_CLOCK;
+        }
+        instants->clock[i] = lag_clock_of(instants->first[i], instants->period[i]);
+        lag_clock_seek(&instants->clock[i], t - SAME_TICK * instants->period[i]);
+    }
+    return status;
+}
+
+double lag_instants_next(const lag_instants *instants)
+{
+    double next = fmin(instants->timed.next, lag_contacts_next(&instants->contacts));
+    for (size_t i = 0; i < instants->motion->model->nclock; ++i) {
+        next = fmin(next, tick(instants, i));
+    }
+    return next;
+}
+
+int lag_instants_due(const lag_instants *instants, double t)
+{
+    size_t i = 0;
+    while (i < instants->motion->model->nclock && !is_due(instants, i, t)) {
+        ++i;
+    }
+    return i < instants->motion->model->nclock || instants->timed.next <= t || lag_contacts_next(&instants->contacts) <= t;
+}
+
+/* Clocks that tick now, into w; they go on to their next tick. */
+static lag_status ring(lag_instants *instants, double t, const double *x)
+{
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < instants->motion->model->nclock && status == LAG_OK; ++i) {
+        if (is_due(instants, i, t)) {
+            ++instants->clock[i].next;
+            instants->motion->w[instants->places.clock + i] = 1.0;
+            status = lag_event_iteration_tell(&instants->iteration, t, x, LAG_TICK, i);
+        }
+    }
+    return status;
+}
+
+/* Contacts whose bounces are over now have closed. */
+static lag_status rest(lag_instants *instants, double t, const double *x)
+{
+    lag_contacts *contacts = &instants->contacts;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < instants->motion->model->ncontact && status == LAG_OK; ++i) {
+        if (contacts->until[i] <= t) {
+            contacts->until[i] = (double)INFINITY;
+            status = *lag_contacts_flag(contacts, i) != 0.0 ? lag_event_iteration_tell(&instants->iteration, t, x, LAG_CLOSED, i) : LAG_OK;
+        }
+    }
+    return status;
+}
+
+/* ---- instants ---- */
+
+static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *contacts)
+{
+    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, contacts);
+    if (status == LAG_OK && instants->timed.next > t) {
+        status = lag_timed_seek(&instants->timed, t);
+    }
+    return status == LAG_OK && instants->iteration.stopped ? LAG_STOPPED : status;
+}
+
+lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
+{
+    lag_motion *motion = instants->motion;
+    const lag_model *model = motion->model;
+    motion->at.t = t;
+    lag_status status = model->discrete_start(&motion->at, motion->w);
+    instants->timed.length = instants->contacts.length;
+    if (status == LAG_OK) {
+        status = lag_timed_enter(&instants->timed, t);
+    }
+    if (status == LAG_OK) {
+        status = lag_event_iteration_settle(&instants->iteration, t, x);
+    }
+    if (status == LAG_OK) {
+        const int pierced = lag_contacts_pierced(&instants->contacts, t, x, instants->iteration.guilty + instants->places.contact);
+        status = pierced ? LAG_PENETRATION : lag_contacts_settle(&instants->contacts, t, x);
+    }
+    if (status == LAG_OK) {
+        status = start_clocks(instants, t);
+    }
+    if (status == LAG_OK) {
+        status = ring(instants, t, x);
+    }
+    if (status != LAG_OK) {
+        return status;
+    }
+    if (instants->places.initial < model->nw) {
+        motion->w[instants->places.initial] = 1.0;
+    }
+    return run(instants, t, x, NULL, NULL);
+}
+
+lag_status lag_instants_end(lag_instants *instants, double t, double *x)
+{
+    if (instants->places.terminal == instants->motion->model->nw) {
+        return LAG_OK;
+    }
+    instants->motion->w[instants->places.terminal] = 1.0;
+    return run(instants, t, x, NULL, NULL);
+}
+
+/* What time changes now, with the impulses that this brings. */
+static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
+{
+    lag_momentum *momentum = &instants->momentum;
+    *jumped = 0;
+    lag_status status = lag_momentum_keep(momentum, t, x, instants->motion->w);
+    if (status == LAG_OK) {
+        status = lag_timed_change(&instants->timed, t);
+    }
+    return status == LAG_OK ? lag_momentum_balance(momentum, t, x, NULL, jumped) : status;
+}
+
+/* What time changed is told. */
+static lag_status tell_turned(lag_instants *instants, double t, const double *x)
+{
+    const lag_model *model = instants->motion->model;
+    const lag_timed *timed = &instants->timed;
+    const double *w = instants->motion->w + timed->first;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < model->ntimed && status == LAG_OK; ++i) {
+        if (timed->told[i] != 0.0 && w[i] != timed->before[i]) {
+            const lag_event_kind truth = w[i] != 0.0 ? LAG_TRUE : LAG_FALSE;
+            status = lag_event_iteration_tell(&instants->iteration, t, x, timed->told[i] == 1.0 ? truth : LAG_JUMP, model->nindicator + i);
+        }
+    }
+    return status;
+}
+
+lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet)
+{
+    const lag_model *model = instants->motion->model;
+    int jumped = 0;
+    *quiet = 0;
+    for (size_t i = 0; i < model->nclock; ++i) {
+        if (is_due(instants, i, t)) {
+            return LAG_OK;
+        }
+    }
+    if (lag_contacts_next(&instants->contacts) <= t) {
+        return LAG_OK;
+    }
+    memcpy(instants->x_before, x, lag_motion_size(model) * sizeof(double));
+    memcpy(instants->w_before, instants->motion->w, model->nw * sizeof(double));
+    lag_status status = turn(instants, t, x, &jumped);
+    *quiet = !jumped && !lag_timed_told(&instants->timed);
+    if (!*quiet) {
+        memcpy(x, instants->x_before, lag_motion_size(model) * sizeof(double));
+        memcpy(instants->motion->w, instants->w_before, model->nw * sizeof(double));
+    }
+    return status == LAG_OK && *quiet ? lag_timed_seek(&instants->timed, t) : status;
+}
+
+/* What is due now, before the clauses are looked at: changes with time, clocks, the end of bounces. */
+static lag_status strike(lag_instants *instants, double t, double *x)
+{
+    int jumped = 0;
+    lag_status status = instants->timed.next <= t ? turn(instants, t, x, &jumped) : LAG_OK;
+    if (status == LAG_OK) {
+        status = rest(instants, t, x);
+    }
+    if (status == LAG_OK) {
+        status = ring(instants, t, x);
+    }
+    if (status == LAG_OK && instants->timed.next <= t) {
+        status = tell_turned(instants, t, x);
+        instants->timed.next = (double)INFINITY;
+    }
+    return status;
+}
+
+/* Relations that pass zero just now turn with the clocks that tick. */
+static lag_status turn_relations(lag_instants *instants, double t, const double *x)
+{
+    lag_event_iteration *iteration = &instants->iteration;
+    const lag_model *model = instants->motion->model;
+    const double *truth = instants->motion->w + instants->places.relation;
+    memcpy(iteration->before, instants->motion->w, model->nw * sizeof(double));
+    lag_status status = lag_event_iteration_turn(iteration, t, x);
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        if (truth[i] != iteration->before[instants->places.relation + i]) {
+            status = lag_event_iteration_tell(iteration, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
+        }
+    }
+    return status;
+}
+
+lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
+{
+    lag_status status = strike(instants, t, x);
+    if (status == LAG_OK) {
+        status = turn_relations(instants, t, x);
+    }
+    instants->timed.next = (double)INFINITY;
+    return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
+}
+
+/* A relation changes, with what an energy that jumps there does; or the motion turns back before it does. */
+static lag_status turn_relation(lag_instants *instants, double t, double *x, size_t i)
+{
+    double *truth = instants->motion->w + instants->places.relation;
+    int refracted = 0;
+    int back = 0;
+    instants->refraction.length = instants->contacts.length;
+    lag_status status = lag_refraction_cross(&instants->refraction, t, x, i, instants->iteration.lookahead, &refracted, &back);
+    truth[i] = back ? truth[i] : 1.0 - truth[i];
+    if (status == LAG_OK && refracted) {
+        status = lag_event_iteration_settled(&instants->iteration, t, x);
+    }
+    return status == LAG_OK && !back ? lag_event_iteration_tell(&instants->iteration, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i) : status;
+}
+
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks)
+{
+    const lag_model *model = instants->motion->model;
+    lag_status status = ticks ? strike(instants, t, x) : LAG_OK;
+    int any = 0;
+    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        if (changed[i] != 0.0) {
+            any = 1;
+            status = turn_relation(instants, t, x, i);
+        }
+    }
+    if (status == LAG_OK) {
+        status = run(instants, t, x, changed, changed + model->nindicator);
+    }
+    if (!crowds(&instants->crowd, t, any) || (status != LAG_OK && status != LAG_STOPPED)) {
+        return status;
+    }
+    memcpy(instants->iteration.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));
+    memcpy(instants->iteration.guilty + instants->places.contact, changed + model->nindicator, model->ncontact * sizeof(double));
+    return LAG_CHATTER;
+}
+
+void lag_instants_after(lag_instants *instants, double t, double h)
+{
+    instants->iteration.lookahead = fmax(AHEAD * h, ULPS * DBL_EPSILON * fabs(t));
+    instants->contacts.lookahead = instants->iteration.lookahead;
+}

@@ -1,0 +1,69 @@
+/*
+ * What happens at instants during one run of a model with discretes: the start and the end, ticks of its clocks, relations and contacts
+ * that were found to change. Nothing here looks for them; see lag/events/zero_crossing.h.
+ */
+#ifndef LAG_INSTANT_H
+#define LAG_INSTANT_H
+
+#include "lag/events/clock.h"
+#include "lag/events/event_iteration.h"
+#include "lag/events/refraction.h"
+#include "lag/events/timed.h"
+
+/* Watches the times of events that were located for crowding towards an instant, so that time does not get beyond it (Zeno). */
+typedef struct lag_crowd {
+    double last, interval, first; /* time of the last event, time since the one before, and that where they began to shrink */
+    unsigned shrinking, still;    /* so many intervals in a row, each shorter than the one before; events at one time */
+} lag_crowd;
+
+typedef struct lag_instants {
+    lag_motion *motion;
+    lag_places places;
+    lag_contacts contacts;
+    lag_noise noise;
+    lag_event_iteration iteration;
+    lag_momentum momentum;
+    lag_timed timed;
+    lag_refraction refraction;
+    double *x_before, *w_before; /* (2 nq + nz) (nw) */
+    lag_clock *clock; /* (nclock) */
+    double *first, *period; /* (nclock) */
+    lag_crowd crowd;
+} lag_instants;
+
+/* Doubles for them, beside nclock clocks. */
+size_t lag_instants_memory(const lag_model *model);
+
+void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *arena);
+
+/*
+ * The start at x = (q, qd, z): discretes, relations as they stand, contacts that carry, and what is to be done there. LAG_PENETRATION:
+ * flags in passes.guilty. This and all below change x and the w of the motion; LAG_STOPPED: a `terminate` acted.
+ */
+lag_status lag_instants_begin(lag_instants *instants, double t, double *x);
+
+/* The end. */
+lag_status lag_instants_end(lag_instants *instants, double t, double *x);
+
+/* Time of the next tick, of what time alone changes, or of the end of bounces too short to follow; infinite without. */
+double lag_instants_next(const lag_instants *instants);
+
+/* Changes with time where nobody needs to hear of them, as no rate jumps: 1 in *quiet, and it is done. */
+lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet);
+
+/* The ticks of now, if there are any. */
+lag_status lag_instants_tick(lag_instants *instants, double t, double *x);
+
+/* 1: lag_instants_tick would do something. */
+int lag_instants_due(const lag_instants *instants, double t);
+
+/*
+ * What changed at t: flags of relations, then of contacts (nindicator + ncontact); with it, where `ticks` is set, the ticks of now.
+ * LAG_CHATTER: events crowd.
+ */
+lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks);
+
+/* Events at t follow on a step of length h. */
+void lag_instants_after(lag_instants *instants, double t, double h);
+
+#endif

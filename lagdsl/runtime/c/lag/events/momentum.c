@@ -1,0 +1,217 @@
+#include "lag/events/momentum.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+/* Newton's method for rates: one step where T is quadratic in them, and one more that finds nothing left. */
+enum { MOST_STEPS = 20 };
+/* What is left of the momenta is this part of their size. */
+static const double ROUNDING = 1e-13;
+/* What is left of a row, as a part of what enters it, is no jump: projection leaves more. */
+static const double LEFT = 1e-9;
+
+static size_t most_held(const lag_model *model)
+{
+    return model->nreset < model->nq ? model->nreset : model->nq;
+}
+
+size_t lag_momentum_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    const size_t rows = model->nc + most_held(model);
+    return 5 * n + n * n + model->nc * n + model->nc + model->nw + rows * n + 2 * rows + lag_system_memory(n, rows);
+}
+
+void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *arena)
+{
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    const size_t rows = model->nc + most_held(model);
+    memset(momentum, 0, sizeof *momentum);
+    momentum->motion = motion;
+    momentum->places = lag_places_of(model);
+    momentum->before = lag_take(&arena, n);
+    momentum->now = lag_take(&arena, n);
+    momentum->mass = lag_take(&arena, n * n);
+    momentum->jacobian = lag_take(&arena, model->nc * n);
+    momentum->rows = lag_take(&arena, model->nc);
+    momentum->open = lag_take(&arena, model->nw);
+    momentum->size = lag_take(&arena, n);
+    momentum->chosen = lag_take(&arena, rows * n);
+    momentum->right = lag_take(&arena, rows);
+    momentum->force = lag_take(&arena, n);
+    momentum->change = lag_take(&arena, n);
+    momentum->lam = lag_take(&arena, rows);
+    momentum->system = arena;
+}
+
+/* dL/dqd; zero where the model does not tell them: then impulses are those of constraints only. */
+static lag_status momenta(const lag_motion *motion, double *momentum)
+{
+    lag_fill(motion->model->nq, 0.0, momentum);
+    return motion->model->momenta != NULL ? motion->model->momenta(&motion->at, momentum) : LAG_OK;
+}
+
+lag_status lag_momentum_keep(lag_momentum *momentum, double t, const double *x, const double *w)
+{
+    lag_motion *motion = momentum->motion;
+    lag_motion_look(motion, t, x);
+    motion->at.w = w;
+    const lag_status status = momenta(motion, momentum->before);
+    motion->at.w = motion->w;
+    return status;
+}
+
+lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x)
+{
+    lag_motion *motion = momentum->motion;
+    const lag_model *model = motion->model;
+    memcpy(momentum->open, motion->w, model->nw * sizeof(double));
+    memset(momentum->open + momentum->places.contact, 0, model->ncontact * sizeof(double));
+    lag_motion_look(motion, t, x);
+    motion->at.w = momentum->open;
+    lag_status status = momenta(motion, momentum->now);
+    if (status == LAG_OK) {
+        status = model->mass_matrix(&motion->at, momentum->mass);
+    }
+    if (status == LAG_OK && model->nc > 0) {
+        status = model->velocity_constraint(&motion->at, momentum->rows, momentum->jacobian);
+    }
+    motion->at.w = motion->w;
+    return status;
+}
+
+/* What the momenta are made of: they count as round-off below a part of this. */
+static void find_sizes(lag_momentum *momentum, const double *qd)
+{
+    const size_t n = momentum->motion->model->nq;
+    for (size_t i = 0; i < n; ++i) {
+        double size = fabs(momentum->before[i]) + fabs(momentum->now[i]);
+        for (size_t j = 0; j < n; ++j) {
+            size += fabs(momentum->mass[i * n + j] * qd[j]);
+        }
+        momentum->size[i] = size;
+    }
+}
+
+/* 1: momenta or rows are off by more than `part` of what enters them. */
+static int is_off(const lag_momentum *momentum, const double *qd, double part, double rows)
+{
+    const lag_model *model = momentum->motion->model;
+    const size_t n = model->nq;
+    int off = 0;
+    for (size_t i = 0; i < n; ++i) {
+        off = off || fabs(momentum->before[i] - momentum->now[i]) > part * momentum->size[i];
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        double size = 0.0;
+        double along = 0.0;
+        for (size_t j = 0; j < n; ++j) {
+            const double term = momentum->jacobian[i * n + j] * qd[j];
+            size += fabs(term);
+            along += term;
+        }
+        size += fabs(momentum->rows[i] - along);
+        off = off || fabs(momentum->rows[i]) > rows * size;
+    }
+    return off;
+}
+
+/* The change of the rates, in the first order; *reached: it satisfies the rows and what is held. */
+static lag_status solve(lag_momentum *momentum, const double *held, int *reached)
+{
+    const lag_model *model = momentum->motion->model;
+    const size_t n = model->nq;
+    size_t rows = model->nc;
+    double size = 1e-300;
+    lag_system system;
+    *reached = 1;
+    memcpy(momentum->chosen, momentum->jacobian, rows * n * sizeof(double));
+    for (size_t i = 0; i < n; ++i) {
+        momentum->force[i] = momentum->before[i] - momentum->now[i];
+    }
+    for (size_t i = 0; i < rows; ++i) {
+        momentum->right[i] = -momentum->rows[i];
+        size = fmax(size, fabs(momentum->rows[i]));
+    }
+    for (size_t j = 0; j < n && held != NULL; ++j) {
+        if (held[j] != 0.0) {
+            memset(momentum->chosen + rows * n, 0, n * sizeof(double));
+            momentum->chosen[rows * n + j] = 1.0;
+            momentum->right[rows++] = 0.0;
+        }
+    }
+    lag_system_place(&system, n, rows, momentum->system);
+    const lag_status status =
+        lag_system_factor(&system, momentum->mass, momentum->chosen, model->rank + (rows - model->nc), &momentum->motion->coordinate);
+    if (status != LAG_OK) {
+        *reached = 0;
+        return status;
+    }
+    lag_system_solve(&system, momentum->force, momentum->right, momentum->change, momentum->lam);
+    for (size_t i = 0; i < rows; ++i) {
+        double rest = -momentum->right[i];
+        double along = size;
+        for (size_t j = 0; j < n; ++j) {
+            rest += momentum->chosen[i * n + j] * momentum->change[j];
+            along += fabs(momentum->chosen[i * n + j] * momentum->change[j]);
+        }
+        *reached = *reached && fabs(rest) <= 1e-8 * along;
+    }
+    return LAG_OK;
+}
+
+/* Momenta that impulses along the constraints gave are no residuals of the next step. */
+static void settle(lag_momentum *momentum)
+{
+    const lag_model *model = momentum->motion->model;
+    const size_t n = model->nq;
+    for (size_t i = 0; i < n; ++i) {
+        double moved = 0.0;
+        for (size_t j = 0; j < n; ++j) {
+            moved += momentum->mass[i * n + j] * momentum->change[j];
+        }
+        momentum->before[i] = momentum->now[i] + moved;
+    }
+}
+
+lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, const double *held, int *jumped)
+{
+    const size_t n = momentum->motion->model->nq;
+    double *qd = x + n;
+    lag_status status = lag_momentum_look(momentum, t, x);
+    *jumped = 0;
+    if (status != LAG_OK) {
+        return status;
+    }
+    find_sizes(momentum, qd);
+    if (!is_off(momentum, qd, ROUNDING, LEFT)) {
+        return LAG_OK;
+    }
+    for (int k = 0; k < MOST_STEPS; ++k) {
+        int reached = 0;
+        status = held != NULL ? solve(momentum, held, &reached) : LAG_OK;
+        if (!reached) {
+            status = solve(momentum, NULL, &reached);
+        }
+        if (status != LAG_OK) {
+            return status;
+        }
+        *jumped = 1;
+        for (size_t j = 0; j < n; ++j) {
+            qd[j] += momentum->change[j];
+        }
+        settle(momentum);
+        status = lag_momentum_look(momentum, t, x);
+        if (status != LAG_OK) {
+            return status;
+        }
+        find_sizes(momentum, qd);
+        if (!is_off(momentum, qd, 1e2 * ROUNDING, 1e-12)) {
+            return LAG_OK;
+        }
+    }
+    return LAG_OK;
+}

@@ -1,0 +1,50 @@
+/*
+ * Impulsive motion: rates after an instant at which T, a prescribed motion or a constraint changes, while positions stay.
+ *
+ * Over an instant Lagrange's equations leave p(t, q, v+, w+) - p(t, q, v-, w-) = J' P with p = dL/dqd, and the constraints that
+ * hold afterwards J v+ + b = 0: momenta change by impulses of the constraints only. All finite forces drop out. Where rates of the
+ * positions jump with time (a ramp begins), with constraints (a clutch closes) or with a discrete mass, this decides.
+ *
+ * Source: L. A. Pars, A Treatise on Analytical Dynamics (1965), chapter XIV; H. Goldstein, Classical Mechanics (2nd ed., 1980),
+ * exercises of chapter 2 on impulsive forces.
+ */
+#ifndef LAG_MOMENTUM_H
+#define LAG_MOMENTUM_H
+
+#include "lag/equations/discretes.h"
+#include "lag/dynamics.h"
+#include "lag/equations/motion.h"
+
+typedef struct lag_momentum {
+    lag_motion *motion;
+    lag_places places;
+    double *before;            /* (nq) momenta that were kept */
+    double *now, *mass;        /* (nq) (nq, nq) */
+    double *jacobian, *rows;   /* (nc, nq) (nc) */
+    double *open;              /* (nw) discretes with all contacts open */
+    double *size;              /* (nq) of the momenta */
+    double *chosen, *right;    /* (nc + most held, nq) (nc + most held) */
+    double *force, *change;    /* (nq) */
+    double *lam;               /* (nc + most held) */
+    double *system;
+} lag_momentum;
+
+/* Doubles for it. */
+size_t lag_momentum_memory(const lag_model *model);
+
+void lag_momentum_place(lag_momentum *momentum, lag_motion *motion, double *arena);
+
+/* Remembers the momenta at x = (q, qd, z) with discretes w (nw). */
+lag_status lag_momentum_keep(lag_momentum *momentum, double t, const double *x, const double *w);
+
+/* Momenta, M and the rows of the constraints at x, with the discretes that hold now but all contacts open. */
+lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x);
+
+/*
+ * With the discretes that hold now: rates at which the momenta are those that were kept, but for impulses of the constraints. Closed
+ * contacts only push, and do not take part. Rates that are `held` (nq flags, or null; at most one for each reset of the model) stay if
+ * the others can do it. *jumped: rates changed by more than round-off.
+ */
+lag_status lag_momentum_balance(lag_momentum *momentum, double t, double *x, const double *held, int *jumped);
+
+#endif

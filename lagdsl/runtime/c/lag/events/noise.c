@@ -1,0 +1,101 @@
+#include "lag/events/noise.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+/* Relative change of the numbers: its square is round-off. */
+static const double CHANGE = 0x1p-26;
+/* So many roundings of each number are round-off. */
+static const double ROUNDINGS = 16.0;
+
+static size_t count_of(const lag_model *model)
+{
+    return model->nindicator + model->ncorner;
+}
+
+size_t lag_noise_memory(const lag_model *model)
+{
+    return count_of(model) > 0 ? 2 * lag_motion_size(model) + 3 * count_of(model) : 0;
+}
+
+void lag_noise_place(lag_noise *noise, lag_motion *motion, double *arena)
+{
+    const lag_model *model = motion->model;
+    const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
+    noise->motion = motion;
+    noise->peak = lag_take(&arena, size);
+    noise->point = lag_take(&arena, size);
+    noise->value = lag_take(&arena, count_of(model));
+    noise->other = lag_take(&arena, count_of(model));
+    noise->sigma = arena;
+    memset(noise->peak, 0, size * sizeof(double));
+    memset(noise->sigma, 0, count_of(model) * sizeof(double));
+}
+
+void lag_noise_follow(lag_noise *noise, const double *x)
+{
+    const lag_model *model = noise->motion->model;
+    const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
+    for (size_t i = 0; i < size; ++i) {
+        const double magnitude = fabs(x[i]);
+        noise->peak[i] = magnitude > noise->peak[i] ? magnitude : noise->peak[i];
+    }
+}
+
+/* Bit k of the number of an entry tells its sign in change k. */
+static int same_sign(size_t entry, unsigned k)
+{
+    return ((entry >> k) & 1u) == 0;
+}
+
+/* Indicators, then distances of corners, with accelerations and multipliers of x at time t. */
+static lag_status evaluate(lag_motion *motion, double t, const double *x, double *values)
+{
+    const lag_model *model = motion->model;
+    double solved = 0.0;
+    lag_status status = lag_motion_solve(motion, t, x);
+    if (status == LAG_OK && model->nindicator > 0) {
+        status = model->indicator(&motion->at, values);
+    }
+    return status == LAG_OK && model->ncorner > 0 ? model->corner(&motion->at, values + model->nindicator, &solved) : status;
+}
+
+/* The same after change k. */
+static lag_status change(lag_noise *noise, double t, const double *x, unsigned k)
+{
+    lag_motion *motion = noise->motion;
+    const lag_model *model = motion->model;
+    for (size_t i = 0; i < lag_motion_size(model); ++i) {
+        const double by = CHANGE * noise->peak[i];
+        noise->point[i] = same_sign(i, k) ? x[i] + by : x[i] - by;
+    }
+    return evaluate(motion, t - CHANGE * fabs(t), noise->point, noise->other);
+}
+
+void lag_noise_find(lag_noise *noise, double t, const double *x)
+{
+    const lag_model *model = noise->motion->model;
+    unsigned changes = 1;
+    lag_noise_follow(noise, x);
+    if (evaluate(noise->motion, t, x, noise->value) != LAG_OK) {
+        return;
+    }
+    for (size_t i = 0; i < count_of(model); ++i) {
+        noise->sigma[i] = DBL_MIN;
+    }
+    while (changes < 32 && (lag_motion_size(model) >> changes) > 0) {
+        ++changes;
+    }
+    for (unsigned k = 0; k < changes; ++k) {
+        if (change(noise, t, x, k) != LAG_OK) {
+            continue;
+        }
+        for (size_t i = 0; i < count_of(model); ++i) {
+            const double by = fabs(noise->other[i] - noise->value[i]) * (ROUNDINGS * DBL_EPSILON / CHANGE);
+            noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
+        }
+    }
+}

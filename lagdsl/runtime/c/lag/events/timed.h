@@ -1,0 +1,43 @@
+/*
+ * Time events: the discretes that depend on time, parameters and other discretes only change at instants that are computed ahead. The
+ * integrator steps to them exactly, so that nothing is stepped over however short it is.
+ *
+ * An entry stays as it is while its distances are positive. Between events a distance is affine in time, where the model says so, and
+ * its zero is exact; else it is smooth, and its first zero is isolated on Hermite's cubics, intervals being halved until these agree
+ * with the distance. Distances that depend on other entries (a limit of a table of time) are looked at anew after each event.
+ */
+#ifndef LAG_TIMED_H
+#define LAG_TIMED_H
+
+#include "lag/equations/discretes.h"
+#include "lag/equations/motion.h"
+
+typedef struct lag_timed {
+    lag_motion *motion;
+    size_t first;                             /* the first entry of w */
+    double length;                            /* of the experiment [s]; 0: not known */
+    double next;                              /* time of the next change, or up to which there is none */
+    double *value, *told;                     /* (ntimed) */
+    double *before;                           /* (ntimed) the entries before the last change */
+    double *distance, *rate, *affine, *entry, *change; /* (ndistance) */
+    double *zero;                             /* (ndistance) the time at which it reaches zero */
+} lag_timed;
+
+/* Doubles for them. */
+size_t lag_timed_memory(const lag_model *model);
+
+void lag_timed_place(lag_timed *timed, lag_motion *motion, double *arena);
+
+/* Entries are what they are just behind time t. */
+lag_status lag_timed_enter(lag_timed *timed, double t);
+
+/* Finds `next` after time t, with the present discretes. */
+lag_status lag_timed_seek(lag_timed *timed, double t);
+
+/* The entries that change now, into w; `before` holds what they were. */
+lag_status lag_timed_change(lag_timed *timed, double t);
+
+/* 1: lag_timed_change() changed what is told. */
+int lag_timed_told(const lag_timed *timed);
+
+#endif

@@ -1,0 +1,61 @@
+/*
+ * Does anything happen that the discretes w of a model do not know of yet? Relations that changed their truth, open contacts whose
+ * gaps are negative, closed contacts that would pull. Each has a value that is positive while nothing changes; where it was negative
+ * already when the step began, or is so by no more than round-off, it has to fall further. What follows from a change is not said here.
+ * Corners are looked at where somebody asks for it (lag/corners.h): the discretes do not know them.
+ */
+#ifndef LAG_ZERO_CROSSING_H
+#define LAG_ZERO_CROSSING_H
+
+#include "lag/events/contact.h"
+#include "lag/events/noise.h"
+
+/* Looks at one piece of a step, its beginning included. */
+enum { LAG_ZERO_CROSSING_LOOKS = 5 };
+
+typedef struct lag_zero_crossing {
+    lag_motion *motion;
+    lag_places places;
+    lag_contacts *contacts;
+    lag_noise *noise;
+    double *g, *gap, *speed, *jacobian, *laws; /* (nindicator) (ngap) (ngap) (ngap, nq) (3 ncontact) */
+    double *far, *side;            /* (ncorner) distances of corners, 1 or -1: the side on which this one is positive, 0: not looked at */
+    size_t corners;                /* ncorner where corners are looked at, else 0 */
+    int solved;                    /* they read accelerations or multipliers */
+    double *changed;               /* (nindicator + ncontact + ncorner) 1: this one, at the state looked at last */
+    double *band;                  /* the same: how far below zero values may be */
+    double *seen[LAG_ZERO_CROSSING_LOOKS]; /* the same: values, for those who look for the time */
+    double *root, *found;          /* the same */
+    double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
+} lag_zero_crossing;
+
+/* Doubles for it. */
+size_t lag_zero_crossing_memory(const lag_model *model);
+
+void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, lag_contacts *contacts, lag_noise *noise, double *arena);
+
+/* So many things are looked at: relations, contacts, corners. */
+size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);
+
+/* What passes zero, downward, when relation, contact or corner number `which` changes; as it was looked at last. */
+double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which);
+
+/* Round-off of that, as far as it is known. */
+double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which);
+
+/* Whether that is found by lag/events/noise.h: contacts have other means. */
+int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which);
+
+/* A step begins at x at time t. */
+lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const double *x);
+
+/* LAG_EVENT_PENDING if something happens at x at time t or happened before, with the discretes of `motion`. */
+lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const double *x);
+
+/*
+ * What changed by no more than round-off has not: bands of the relations that seemed to have changed at x at time t, when it was looked at last.
+ * 1: it must be looked at again.
+ */
+int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double *x);
+
+#endif

@@ -1,0 +1,111 @@
+/* Rates of a start in a singular position. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/initial/initialization_rates.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/svd.h"
+
+/* In a singular position singular values of J are below this part of the largest. */
+static const double LOST = 1e-7;
+static const double DIFFERENCE = 1e-6;
+static const double TARGET = 1e-13;
+enum { DESCENTS = 100 };
+
+static double product(size_t n, const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+static void add(size_t n, double factor, const double *a, double *x)
+{
+    for (size_t i = 0; i < n; ++i) {
+        x[i] += factor * a[i];
+    }
+}
+
+/* n' gamma at rates v + along' y for every combination n of rows that vanishes: zero along a branch of the motion. */
+static void bias(lag_rates *r, const double *y, size_t moved, double by, double *result)
+{
+    lag_initialization *b = r->b;
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    memcpy(r->part, r->v, n * sizeof(double));
+    for (size_t i = 0; i < r->along_width; ++i) {
+        add(n, y[i] + (i == moved ? by : 0.0), r->along + i * n, r->part);
+    }
+    for (size_t j = 0; j < n; ++j) {
+        b->qd[j] = r->part[j] * b->sizes[j];
+    }
+    const lag_status status = model->dynamics(&b->motion->at, r->inner, r->force, r->turned, r->gamma);
+    for (size_t i = 0; i < r->lost; ++i) {
+        result[i] = status == LAG_OK ? 0.0 : (double)NAN;
+        for (size_t k = 0; k < model->nc; ++k) {
+            result[i] += r->vanishing[i * model->nc + k] * r->gamma[k] / b->row_sizes[k];
+        }
+    }
+}
+
+static void at_branches(void *context, const double *y, double *residual, double *jacobian)
+{
+    lag_rates *r = context;
+    for (size_t k = 0; k < r->along_width; ++k) {
+        bias(r, y, k, -DIFFERENCE, residual);
+        for (size_t i = 0; i < r->lost; ++i) {
+            jacobian[i * r->along_width + k] = -residual[i];
+        }
+        bias(r, y, k, DIFFERENCE, residual);
+        for (size_t i = 0; i < r->lost; ++i) {
+            jacobian[i * r->along_width + k] = (jacobian[i * r->along_width + k] + residual[i]) / (2.0 * DIFFERENCE);
+        }
+    }
+    bias(r, y, r->along_width, 0.0, residual);
+}
+
+static int descend_along(lag_rates *r, const double *along, size_t width)
+{
+    const size_t n = r->b->motion->model->nq;
+    const size_t m = r->b->motion->model->nc;
+    double *arena = r->minimizer;
+    const lag_equations equations = {r->lost, width, at_branches, r};
+    lag_levenberg_marquardt minimizer;
+    r->along = along;
+    r->along_width = width;
+    const lag_parts parts = lag_parts_of(r->lost, width, NULL, lag_take(&arena, lag_parts_memory(m, n)));
+    lag_levenberg_marquardt_place(&minimizer, r->lost, width, arena);
+    lag_fill(width, 0.0, r->change);
+    lag_descend(&minimizer, &equations, &parts, TARGET, DESCENTS, r->change);
+    if (!(lag_levenberg_marquardt_size(&minimizer, &equations) <= LAG_HOLDS * fmax(1.0, product(n, r->v, r->v)))) {
+        return 0;
+    }
+    for (size_t i = 0; i < width; ++i) {
+        add(n, r->change[i], along + i * n, r->v);
+    }
+    return 1;
+}
+
+void lag_initialization_branch(lag_rates *r)
+{
+    const lag_model *model = r->b->motion->model;
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    for (size_t i = 0; i < m; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            r->turned[j * m + i] = r->rows[i * n + j];
+        }
+    }
+    const lag_svd svd = lag_svd_of(n, m, r->turned, r->svd);
+    const size_t rank = lag_svd_rank(&svd, LOST);
+    if (rank >= model->rank) {
+        return;
+    }
+    r->lost = m - rank;
+    memcpy(r->vanishing, svd.v + rank * m, r->lost * m * sizeof(double));
+    if (!descend_along(r, r->free, r->width)) {
+        (void)descend_along(r, r->unbound, r->unbound_width);
+    }
+}

@@ -1,0 +1,305 @@
+/*
+ * Ranks at other parameters and starts than those the model was compiled with. A linkage that moves because of its special dimensions
+ * (Bennett's) is rigid with others, and one that does not may get them.
+ *
+ * Rows that depend on each other on the constraint set only are independent beside it, so ranks are those of general points on it, on the
+ * branch on which the motion starts, found by walking along.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "lag/initial/initialization.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/svd.h"
+
+static const double RANK = 1e-9;
+static const double LOOSE = 1e-6;
+/* Points are as good as exact below this residual; J is known to so many residuals. */
+static const double EXACT = 1e-10;
+static const double KNOWN = 1e3;
+/* A part whose largest singular value is below this has no content but round-off. */
+static const double CONTENT = 1e-3;
+/* Rows are told apart by what is left of them: lowered between these until there are enough. Below a length there is no row. */
+static const double LEAST = 1e-13;
+static const double NOTHING = 1e-12;
+static const double SHORTER = 0.6;
+static const double TARGET = 1e-13;
+enum { WANTED = 3, TRIES = 24, DESCENTS = 100 };
+
+typedef struct walk {
+    lag_initialization *b;
+    lag_levenberg_marquardt minimizer;
+    lag_parts parts, all; /* of the position rows, of all rows */
+    lag_equations equations;
+    double *here, *step, *point;    /* (nq) in natural sizes */
+    double *residual, *jacobian;    /* (rows) (nc, nq) */
+    double *block, *part, *inner;   /* (nc, nq) (nq) (nq) */
+    double *ranks;                  /* (nc + nq) of each part, the largest so far, */
+    double *rough;                  /* (nc + nq) and of points where the rows hold by and large */
+    double *best;                   /* (nc, nq) J where the rank of a part was largest */
+    double *basis;                  /* (nq, nq) */
+    double *svd;
+} walk;
+
+size_t lag_initialization_rank_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    return lag_levenberg_marquardt_memory(m, n) + 2 * lag_parts_memory(m, n) + 3 * n + m + 4 * m * n + n * n + 2 * n + 2 * (m + n) + lag_svd_memory(m, n);
+}
+
+static void at_point(void *context, const double *y, double *residual, double *jacobian)
+{
+    walk *w = context;
+    lag_initialization *b = w->b;
+    const size_t n = b->motion->model->nq;
+    for (size_t j = 0; j < n; ++j) {
+        b->q[j] = y[j] * b->sizes[j];
+    }
+    lag_initialization_positions(b);
+    for (size_t i = 0; i < b->rows; ++i) {
+        const size_t row = (size_t)b->row[i];
+        residual[i] = b->phi[row] / b->row_sizes[row];
+        for (size_t j = 0; j < n; ++j) {
+            jacobian[i * n + j] = b->jacobian[row * n + j] * b->sizes[j] / b->row_sizes[row];
+        }
+    }
+}
+
+static void place(walk *w, lag_initialization *b)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    double *arena = b->arena;
+    memset(w, 0, sizeof *w);
+    w->b = b;
+    w->equations = (lag_equations){b->rows, n, at_point, w};
+    lag_levenberg_marquardt_place(&w->minimizer, b->rows, n, lag_take(&arena, lag_levenberg_marquardt_memory(m, n)));
+    double *for_parts = lag_take(&arena, lag_parts_memory(m, n));
+    double *for_all = lag_take(&arena, lag_parts_memory(m, n));
+    w->here = lag_take(&arena, n);
+    w->step = lag_take(&arena, n);
+    w->point = lag_take(&arena, n);
+    w->residual = lag_take(&arena, m);
+    w->jacobian = lag_take(&arena, m * n);
+    w->block = lag_take(&arena, m * n);
+    double *pattern = lag_take(&arena, m * n);
+    w->part = lag_take(&arena, n);
+    w->inner = lag_take(&arena, n);
+    w->ranks = lag_take(&arena, m + n);
+    w->rough = lag_take(&arena, m + n);
+    w->best = lag_take(&arena, m * n);
+    w->basis = lag_take(&arena, n * n);
+    w->svd = arena;
+    lag_fill(m * n, 0.0, w->best);
+    lag_fill(m + n, 0.0, w->ranks);
+    lag_fill(m + n, 0.0, w->rough);
+    memcpy(w->jacobian, b->pattern, m * n * sizeof(double));
+    for (size_t i = 0; i < b->rows; ++i) {
+        memcpy(pattern + i * n, w->jacobian + (size_t)b->row[i] * n, n * sizeof(double));
+    }
+    w->parts = lag_parts_of(b->rows, n, pattern, for_parts);
+    w->all = lag_parts_of(m, n, w->jacobian, for_all);
+}
+
+/* The part of `step` that the position rows leave free. */
+static void keep_tangent(walk *w)
+{
+    const size_t n = w->b->motion->model->nq;
+    at_point(w, w->here, w->residual, w->jacobian);
+    for (size_t which = 0; which < w->parts.count; ++which) {
+        size_t first = 0;
+        const size_t rows = lag_parts_rows(&w->parts, which, &first);
+        const size_t columns = lag_parts_columns(&w->parts, which, &first);
+        if (rows == 0 || columns == 0 || !lag_parts_block(&w->parts, which, n, w->jacobian, w->block)) {
+            continue;
+        }
+        const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);
+        for (size_t j = 0; j < columns; ++j) {
+            w->part[j] = w->step[(size_t)w->parts.column[first + j]];
+            w->inner[j] = 0.0;
+        }
+        for (size_t i = lag_svd_rank(&svd, LOOSE); i < columns; ++i) {
+            double along = 0.0;
+            for (size_t j = 0; j < columns; ++j) {
+                along += svd.v[i * columns + j] * w->part[j];
+            }
+            for (size_t j = 0; j < columns; ++j) {
+                w->inner[j] += along * svd.v[i * columns + j];
+            }
+        }
+        for (size_t j = 0; j < columns; ++j) {
+            w->step[(size_t)w->parts.column[first + j]] = w->inner[j];
+        }
+    }
+}
+
+/* The rows of a part as they are now. */
+static void keep(walk *w, size_t which)
+{
+    const size_t n = w->b->motion->model->nq;
+    size_t first = 0;
+    const size_t rows = lag_parts_rows(&w->all, which, &first);
+    for (size_t i = first; i < first + rows; ++i) {
+        const size_t row = (size_t)w->all.row[i];
+        memcpy(w->best + row * n, w->jacobian + row * n, n * sizeof(double));
+    }
+}
+
+static double product(size_t n, const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+/* What is left of a row beside the orthonormal ones, into w->part, as a part of its length. */
+static double left_of(walk *w, const double *row, size_t count)
+{
+    const size_t n = w->b->motion->model->nq;
+    const double length = sqrt(product(n, row, row));
+    memcpy(w->part, row, n * sizeof(double));
+    for (int again = 0; again < 2; ++again) {
+        for (size_t k = 0; k < count; ++k) {
+            const double along = product(n, w->basis + k * n, w->part);
+            for (size_t j = 0; j < n; ++j) {
+                w->part[j] -= along * w->basis[k * n + j];
+            }
+        }
+    }
+    return length > NOTHING ? sqrt(product(n, w->part, w->part)) / length : 0.0;
+}
+
+/*
+ * Rows of a part in turn, those of position level first, each if it depends on none of those before, until there are as many as the rank:
+ * with that known no tolerance of its own decides. The others are flagged.
+ */
+static void flag_dependent(walk *w, size_t which, size_t rank)
+{
+    const lag_model *model = w->b->motion->model;
+    unsigned char *flags = w->b->told.dependent;
+    size_t first = 0;
+    size_t count = 0;
+    const size_t rows = lag_parts_rows(&w->all, which, &first);
+    for (double least = LOOSE; count < rank && least > LEAST; least *= 0.1) {
+        count = 0;
+        for (int velocities = 0; velocities < 2; ++velocities) {
+            for (size_t i = first; i < first + rows; ++i) {
+                const size_t row = (size_t)w->all.row[i];
+                if ((model->position_level[row] == 0) != velocities) {
+                    continue;
+                }
+                const double left = left_of(w, w->best + row * model->nq, count);
+                flags[row] = !(count < rank && left > least);
+                for (size_t j = 0; j < model->nq && !flags[row]; ++j) {
+                    w->basis[count * model->nq + j] = w->part[j];
+                }
+                if (!flags[row]) {
+                    const double length = sqrt(product(model->nq, w->part, w->part));
+                    for (size_t j = 0; j < model->nq; ++j) {
+                        w->basis[count * model->nq + j] /= length;
+                    }
+                    ++count;
+                }
+            }
+        }
+    }
+    for (size_t i = first; i < first + rows && rank == 0; ++i) {
+        flags[(size_t)w->all.row[i]] = 1;
+    }
+}
+
+/* Ranks of all parts at `point`, which is on the constraints up to the residual; 0: a function is not finite there. */
+static int look(walk *w, double residual)
+{
+    lag_initialization *b = w->b;
+    const size_t n = b->motion->model->nq;
+    double *ranks = residual <= EXACT ? w->ranks : w->rough;
+    for (size_t j = 0; j < n; ++j) {
+        b->q[j] = w->point[j] * b->sizes[j];
+    }
+    lag_initialization_velocities(b);
+    for (size_t i = 0; i < b->motion->model->nc; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            w->jacobian[i * n + j] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
+        }
+    }
+    int finite = 1;
+    for (size_t which = 0; which < w->all.count && finite; ++which) {
+        size_t first = 0;
+        const size_t rows = lag_parts_rows(&w->all, which, &first);
+        const size_t columns = lag_parts_columns(&w->all, which, &first);
+        finite = lag_parts_block(&w->all, which, n, w->jacobian, w->block);
+        if (finite && rows > 0 && columns > 0) {
+            const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);
+            const double least = fmax(RANK, KNOWN * residual) * fmax(svd.value[0], CONTENT);
+            size_t rank = 0;
+            while (rank < svd.k && svd.value[rank] > least) {
+                ++rank;
+            }
+            if ((double)rank > ranks[which]) {
+                ranks[which] = (double)rank;
+                keep(w, which);
+            }
+        }
+    }
+    return finite;
+}
+
+/* Further along the set; 0: there are no numbers, or no way back to it. */
+static int take_step(walk *w, unsigned long long *seed, size_t which, double scale, double *residual)
+{
+    lag_initialization *b = w->b;
+    const size_t n = b->motion->model->nq;
+    lag_initialization_point(b, seed, which, b->x, w->step);
+    for (size_t j = 0; j < n; ++j) {
+        w->step[j] = (w->step[j] - b->x[j]) / b->sizes[j];
+    }
+    keep_tangent(w);
+    for (size_t j = 0; j < n; ++j) {
+        w->point[j] = w->here[j] + scale * w->step[j];
+    }
+    lag_descend(&w->minimizer, &w->equations, &w->parts, TARGET, DESCENTS, w->point);
+    *residual = lag_levenberg_marquardt_size(&w->minimizer, &w->equations);
+    return *residual <= LAG_HOLDS && look(w, *residual);
+}
+
+void lag_initialization_find_rank(lag_initialization *b, const double *x)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    walk w;
+    unsigned long long seed = 20011;
+    double scale = 1.0;
+    double residual = 0.0;
+    size_t found = 0;
+    size_t rank = 0;
+    place(&w, b);
+    memcpy(b->qd, x + n, n * sizeof(double));
+    for (size_t j = 0; j < n; ++j) {
+        w.here[j] = x[j] / b->sizes[j];
+    }
+    for (size_t k = 0; k < TRIES && found < WANTED; ++k) {
+        if (take_step(&w, &seed, k, scale, &residual)) {
+            memcpy(w.here, w.point, n * sizeof(double));
+            found += residual <= EXACT;
+        } else {
+            scale *= SHORTER;
+        }
+    }
+    for (size_t which = 0; which < w.all.count; ++which) {
+        const size_t part = (size_t)(found > 0 ? w.ranks : w.rough)[which];
+        rank += part;
+        if (b->told.dependent != NULL) {
+            flag_dependent(&w, which, part);
+        }
+    }
+    b->told.rank = rank;
+    if (rank > model->rank) {
+        b->told.fault = LAG_INITIAL_RANK;
+        b->told.which = rank - model->rank;
+    }
+}

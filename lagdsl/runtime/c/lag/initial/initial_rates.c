@@ -1,0 +1,341 @@
+/* Rates of a start: fixed ones, then written ones as far as the constraints leave them free, then least kinetic energy of the change. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/initial/initialization_rates.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/svd.h"
+
+static const double RANK = 1e-9;
+/* The same where initial equations take part, whose derivatives are differences. */
+static const double ROUGH = 1e-7;
+/* A rate that the remaining freedom moves by less than this part is decided by the others (dead centers). */
+static const double INDEPENDENT = 1e-6;
+static const double CONSISTENT = 1e-9;
+/* What was met exactly is handed on exactly, not to within round-off. */
+static const double EXACT = 1e-13;
+
+/* Conditions at most. */
+static size_t most(const lag_model *model)
+{
+    return model->nc + model->ne + model->nq;
+}
+
+size_t lag_initialization_qd_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t all = most(model) + n;
+    return m * n + 3 * all * n + 2 * most(model) + 4 * n + 5 * n * n + 3 * n + m + n * m + m * m + lag_parts_memory(all, n) +
+           lag_levenberg_marquardt_memory(m, n) + lag_parts_memory(m, n) + lag_svd_memory(all, n) + lag_svd_memory(n, m);
+}
+
+static void place(lag_rates *r, lag_initialization *b)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t all = most(model) + n;
+    double *arena = b->arena;
+    memset(r, 0, sizeof *r);
+    r->b = b;
+    r->rows = lag_take(&arena, m * n);
+    r->table = lag_take(&arena, all * n);
+    r->pattern = lag_take(&arena, all * n);
+    r->block = lag_take(&arena, all * n);
+    r->right = lag_take(&arena, most(model));
+    r->its_right = lag_take(&arena, most(model));
+    r->v = lag_take(&arena, n);
+    r->wanted = lag_take(&arena, n);
+    r->its_v = lag_take(&arena, n);
+    r->its_wanted = lag_take(&arena, n);
+    r->free = lag_take(&arena, n * n);
+    r->unbound = lag_take(&arena, n * n);
+    r->its_free = lag_take(&arena, n * n);
+    r->other = lag_take(&arena, n * n);
+    r->inner = lag_take(&arena, n * n);
+    r->part = lag_take(&arena, n);
+    r->change = lag_take(&arena, n);
+    r->force = lag_take(&arena, n);
+    r->gamma = lag_take(&arena, m);
+    r->turned = lag_take(&arena, n * m);
+    r->vanishing = lag_take(&arena, m * m);
+    r->parts = lag_parts_of(0, 0, NULL, lag_take(&arena, lag_parts_memory(all, n)));
+    r->minimizer = lag_take(&arena, lag_levenberg_marquardt_memory(m, n) + lag_parts_memory(m, n));
+    r->svd = arena;
+}
+
+static double product(size_t n, const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+static void add(size_t n, double factor, const double *a, double *x)
+{
+    for (size_t i = 0; i < n; ++i) {
+        x[i] += factor * a[i];
+    }
+}
+
+/* ---- conditions ---- */
+
+/* J v + b = 0, the initial equations as they are near the rates of the start, and the fixed rates. */
+static void state_conditions(lag_rates *r, const double *x)
+{
+    const lag_initialization *b = r->b;
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    size_t count = m;
+    for (size_t i = 0; i < m; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            r->rows[i * n + j] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
+        }
+        r->right[i] = -b->phi[i] / b->row_sizes[i];
+    }
+    memcpy(r->table, r->rows, m * n * sizeof(double));
+    for (size_t i = 0; b->slopes != NULL && i < model->ne; ++i, ++count) {
+        memcpy(r->table + count * n, b->slopes + i * n, n * sizeof(double));
+        r->right[count] = 0.0;
+        for (size_t j = 0; j < n; ++j) {
+            r->right[count] += b->slopes[i * n + j] * x[n + j] / b->sizes[j];
+        }
+    }
+    for (size_t j = 0; j < n; ++j) {
+        r->wanted[j] = r->v[j] = b->x[n + j] / b->sizes[j];
+        if (b->fixed[n + j] != 0.0) {
+            lag_fill(n, 0.0, r->table + count * n);
+            r->table[count * n + j] = 1.0;
+            r->right[count++] = r->wanted[j];
+        }
+    }
+    r->conditions = count;
+}
+
+/* M behind the conditions, and the rates that belong together. */
+static void find_parts(lag_rates *r)
+{
+    const lag_initialization *b = r->b;
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    double *mass = r->table + r->conditions * n;
+    double *arena = r->parts.row_part;
+    if (model->mass_matrix(&b->motion->at, mass) != LAG_OK) {
+        lag_fill(n * n, 0.0, mass);
+    }
+    for (size_t k = 0; k < n * n; ++k) {
+        mass[k] = isfinite(mass[k]) ? mass[k] * b->sizes[k / n] * b->sizes[k % n] : 0.0;
+    }
+    for (size_t k = 0; k < (r->conditions + n) * n; ++k) {
+        r->pattern[k] = r->table[k] != 0.0 || (k < model->nc * n && b->pattern[k] != 0.0);
+    }
+    for (size_t j = 0; j < n; ++j) {
+        r->pattern[(r->conditions + j) * n + j] = 1.0;
+    }
+    r->parts = lag_parts_of(r->conditions + n, n, r->pattern, arena);
+}
+
+/* ---- one part ---- */
+
+/* Which condition is off, and by how much; behind all rows the fixed rates. */
+static void tell(lag_rates *r, size_t which, double residual)
+{
+    lag_initialization *b = r->b;
+    const size_t n = b->motion->model->nq;
+    const size_t m = b->motion->model->nc;
+    size_t number = m + (b->slopes != NULL ? b->motion->model->ne : 0);
+    b->told.fault = LAG_INITIAL_RATES;
+    b->told.which = which;
+    b->told.residual = which < m ? residual * b->row_sizes[which] : residual;
+    for (size_t j = 0; which >= m && j < n; ++j) {
+        if (b->fixed[n + j] != 0.0 && number++ == which) {
+            b->told.which = m + j;
+            b->told.residual = residual * b->sizes[j];
+        }
+    }
+}
+
+/* v of minimum norm, and what it leaves free; 0: the conditions contradict each other, which is told. */
+static int satisfy(lag_rates *r, size_t which)
+{
+    const size_t n = r->columns;
+    const lag_model *model = r->b->motion->model;
+    int with_equations = 0;
+    size_t first = 0;
+    const size_t count = lag_parts_rows(&r->parts, which, &first) - n;
+    double largest = 0.0;
+    double worst = 0.0;
+    size_t place = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const size_t row = (size_t)r->parts.row[first + i];
+        r->its_right[i] = r->right[row];
+        with_equations = with_equations || (r->b->slopes != NULL && row >= model->nc && row < model->nc + model->ne);
+    }
+    const lag_svd svd = lag_svd_of(count, n, r->block, r->svd);
+    const double least = with_equations ? ROUGH : RANK;
+    const size_t rank = lag_svd_rank(&svd, least);
+    lag_svd_solve(&svd, r->its_right, least, 0.0, r->its_v);
+    for (size_t i = 0; i < count; ++i) {
+        const double left = fabs(product(n, r->block + i * n, r->its_v) - r->its_right[i]);
+        largest = fmax(largest, fabs(r->its_right[i]));
+        if (left > worst) {
+            worst = left;
+            place = i;
+        }
+    }
+    r->its_width = n - rank;
+    memcpy(r->its_free, svd.v + rank * n, (n - rank) * n * sizeof(double));
+    if (worst <= (with_equations ? LAG_HOLDS : CONSISTENT) * (1.0 + largest)) {
+        return 1;
+    }
+    tell(r, (size_t)r->parts.row[first + place], worst);
+    return 0;
+}
+
+/* Written rates in turn, each if it is independent of the constraints and those before it. */
+static void impose(lag_rates *r, const double *column)
+{
+    const lag_initialization *b = r->b;
+    const size_t n = r->columns;
+    for (size_t j = 0; j < n; ++j) {
+        const size_t place = b->motion->model->nq + (size_t)column[j];
+        double length = 0.0;
+        if (b->written[place] == 0.0 || b->fixed[place] != 0.0) {
+            continue;
+        }
+        for (size_t i = 0; i < r->its_width; ++i) {
+            r->part[i] = r->its_free[i * n + j];
+            length += r->part[i] * r->part[i];
+        }
+        if (!(sqrt(length) > INDEPENDENT)) {
+            continue;
+        }
+        const double missing = (r->its_wanted[j] - r->its_v[j]) / length;
+        for (size_t i = 0; i < r->its_width; ++i) {
+            add(n, r->part[i] * missing, r->its_free + i * n, r->its_v);
+        }
+        const lag_svd svd = lag_svd_of(1, r->its_width, r->part, r->svd);
+        for (size_t i = 0; i + 1 < r->its_width; ++i) {
+            lag_fill(n, 0.0, r->other + i * n);
+            for (size_t k = 0; k < r->its_width; ++k) {
+                add(n, svd.v[(i + 1) * r->its_width + k], r->its_free + k * n, r->other + i * n);
+            }
+        }
+        --r->its_width;
+        memcpy(r->its_free, r->other, r->its_width * n * sizeof(double));
+    }
+}
+
+/* The rest: nearest to the start values, then with the least kinetic energy of the change. */
+static void complete(lag_rates *r, const double *mass)
+{
+    const size_t n = r->columns;
+    const size_t width = r->its_width;
+    for (size_t j = 0; j < n; ++j) {
+        r->change[j] = r->its_wanted[j] - r->its_v[j];
+    }
+    for (size_t i = 0; i < width; ++i) {
+        add(n, product(n, r->its_free + i * n, r->change), r->its_free + i * n, r->its_v);
+    }
+    for (size_t j = 0; j < n; ++j) {
+        r->change[j] = r->its_wanted[j] - r->its_v[j];
+    }
+    for (size_t i = 0; i < width; ++i) { /* free' M, then free' M free and free' M (wanted - v) */
+        lag_fill(n, 0.0, r->other + i * n);
+        for (size_t k = 0; k < n; ++k) {
+            add(n, r->its_free[i * n + k], mass + k * n, r->other + i * n);
+        }
+    }
+    for (size_t i = 0; i < width; ++i) {
+        for (size_t k = 0; k < width; ++k) {
+            r->inner[i * width + k] = product(n, r->other + i * n, r->its_free + k * n);
+        }
+        r->part[i] = product(n, r->other + i * n, r->change);
+    }
+    if (width > 0) {
+        const lag_svd svd = lag_svd_of(width, width, r->inner, r->svd);
+        lag_svd_solve(&svd, r->part, RANK, 0.0, r->force);
+    }
+    for (size_t i = 0; i < width; ++i) {
+        add(n, r->force[i], r->its_free + i * n, r->its_v);
+    }
+}
+
+/* Rows of a part among those of all rates, behind `width` others. */
+static size_t append(const lag_rates *r, const double *column, size_t width, double *all)
+{
+    const size_t n = r->b->motion->model->nq;
+    for (size_t i = 0; i < r->its_width; ++i) {
+        lag_fill(n, 0.0, all + (width + i) * n);
+        for (size_t j = 0; j < r->columns; ++j) {
+            all[(width + i) * n + (size_t)column[j]] = r->its_free[i * r->columns + j];
+        }
+    }
+    return width + r->its_width;
+}
+
+/* The rates of a part, as if it were alone; 0: there are none. */
+static int settle(lag_rates *r, size_t which)
+{
+    size_t first = 0;
+    size_t row = 0;
+    r->columns = lag_parts_columns(&r->parts, which, &first);
+    const size_t conditions = lag_parts_rows(&r->parts, which, &row) - r->columns;
+    const double *column = r->parts.column + first;
+    for (size_t j = 0; j < r->columns; ++j) {
+        r->its_wanted[j] = r->wanted[(size_t)column[j]];
+    }
+    for (size_t i = 0; r->columns == 0 && i < conditions; ++i) { /* rows that no rate moves */
+        const size_t its = (size_t)r->parts.row[row + i];
+        if (!(fabs(r->right[its]) <= CONSISTENT)) {
+            tell(r, its, fabs(r->right[its]));
+            return 0;
+        }
+    }
+    if (conditions == 0 || r->columns == 0) {
+        return 1; /* as wanted */
+    }
+    (void)lag_parts_block(&r->parts, which, r->b->motion->model->nq, r->table, r->block);
+    if (!satisfy(r, which)) {
+        return 0;
+    }
+    r->unbound_width = append(r, column, r->unbound_width, r->unbound);
+    impose(r, column);
+    complete(r, r->block + conditions * r->columns);
+    r->width = append(r, column, r->width, r->free);
+    for (size_t j = 0; j < r->columns; ++j) {
+        r->v[(size_t)column[j]] = r->its_v[j];
+    }
+    return 1;
+}
+
+void lag_initialization_find_qd(lag_initialization *b, double *x)
+{
+    const size_t n = b->motion->model->nq;
+    lag_rates r;
+    if (b->motion->model->nc == 0 && b->slopes == NULL) {
+        return;
+    }
+    place(&r, b);
+    memcpy(b->q, x, n * sizeof(double));
+    lag_fill(n, 0.0, b->qd);
+    lag_initialization_velocities(b);
+    state_conditions(&r, x);
+    find_parts(&r);
+    int possible = 1;
+    for (size_t which = 0; which < r.parts.count && possible; ++which) {
+        possible = settle(&r, which);
+    }
+    if (possible && b->motion->model->nc > 0) {
+        lag_initialization_branch(&r);
+    }
+    for (size_t j = 0; j < n; ++j) {
+        const double rate = r.v[j] * b->sizes[j];
+        const double wanted = b->x[n + j];
+        x[n + j] = possible && fabs(rate - wanted) <= EXACT * fmax(fabs(wanted), b->sizes[j]) ? wanted : rate;
+    }
+}

@@ -1,0 +1,331 @@
+#include "lag/initial/initialization.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/methods/accuracy.h"
+#include "lag/equations/discretes.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/svd.h"
+
+/* A written start value weighs 100 times another: the square of this. */
+static const double SHARP = 10.0;
+/* Rows that are smaller than this part of the largest are zero but for round-off. */
+static const double ROUNDING = 1e-12;
+/* An entry of J that is smaller, as a part of its row, at every point looked at is none. */
+static const double ABSENT = 1e-13;
+static const double RANK = 1e-9;
+/* Beside the start, rows are measured at so many points: the median of their lengths hardly depends on which they are. */
+enum { SIZED_AT = 9 };
+/* Which coordinates a row ties, where the model does not say it, is seen at so many. */
+enum { LOOKED_AT = 3 };
+
+static size_t numbers(const lag_model *model)
+{
+    return lag_motion_size(model);
+}
+
+size_t lag_initialization_memory(const lag_model *model)
+{
+    return 5 * numbers(model) + 3 * model->nc + model->nc * model->nq + 2 * model->nq + model->nz + model->nu + model->nw + model->nq +
+           model->nc + SIZED_AT * model->nc + model->nc * model->nq;
+}
+
+void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *arena)
+{
+    const lag_model *model = motion->model;
+    const size_t size = numbers(model);
+    memset(b, 0, sizeof *b);
+    b->motion = motion;
+    b->row = lag_take(&arena, model->nc);
+    b->x = lag_take(&arena, size);
+    b->sizes = lag_take(&arena, size);
+    b->row_sizes = lag_take(&arena, model->nc);
+    b->widths = lag_take(&arena, size);
+    b->written = lag_take(&arena, size);
+    b->fixed = lag_take(&arena, size);
+    b->phi = lag_take(&arena, model->nc);
+    b->jacobian = lag_take(&arena, model->nc * model->nq);
+    b->q = lag_take(&arena, model->nq);
+    b->qd = lag_take(&arena, model->nq);
+    b->z = lag_take(&arena, model->nz);
+    b->u = lag_take(&arena, model->nu);
+    b->w = lag_take(&arena, model->nw);
+    b->still = lag_take(&arena, model->nq + model->nc);
+    b->lengths = lag_take(&arena, SIZED_AT * model->nc);
+    b->pattern = lag_take(&arena, model->nc * model->nq);
+    b->arena = arena;
+    for (size_t i = 0; i < model->nc; ++i) {
+        if (model->position_level[i]) {
+            b->row[b->rows++] = (double)i;
+        }
+    }
+}
+
+/* ---- what is asked ---- */
+
+static void ask(lag_initialization *b, lag_status (*function)(const lag_arguments *, double *, double *))
+{
+    lag_arguments *at = &b->motion->at;
+    const lag_model *model = b->motion->model;
+    at->q = b->q;
+    at->qd = b->qd;
+    at->z = b->z;
+    if (function(at, b->phi, b->jacobian) != LAG_OK) {
+        lag_fill(model->nc, (double)NAN, b->phi);
+        lag_fill(model->nc * model->nq, (double)NAN, b->jacobian);
+    }
+}
+
+void lag_initialization_positions(lag_initialization *b)
+{
+    ask(b, b->motion->model->position_constraint);
+}
+
+void lag_initialization_velocities(lag_initialization *b)
+{
+    ask(b, b->motion->model->velocity_constraint);
+}
+
+double lag_initialization_draw(unsigned long long *seed)
+{
+    double sum = -6.0;
+    for (int i = 0; i < 12; ++i) {
+        *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
+        sum += (double)(*seed >> 11) / 9007199254740992.0;
+    }
+    return sum;
+}
+
+void lag_initialization_point(const lag_initialization *b, unsigned long long *seed, size_t which, const double *q, double *point)
+{
+    const lag_start *start = b->start;
+    const double width = 0.4 * pow(1.2, (double)(which < 12 ? which : 12));
+    for (size_t j = 0; j < b->motion->model->nq; ++j) {
+        point[j] = q[j] + width * b->sizes[j] * lag_initialization_draw(seed);
+        if (start != NULL && start->minimum != NULL) {
+            point[j] = fmax(point[j], start->minimum[j]);
+        }
+        if (start != NULL && start->maximum != NULL) {
+            point[j] = fmin(point[j], start->maximum[j]);
+        }
+    }
+}
+
+size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *arena)
+{
+    if (count == 0 || width == 0 || !lag_finite(count * width, matrix)) {
+        return 0;
+    }
+    const lag_svd svd = lag_svd_of(count, width, matrix, arena);
+    return lag_svd_rank(&svd, RANK);
+}
+
+/* ---- sizes ---- */
+
+/* The model may know better where J vanishes everywhere. Which coordinates a row ties is not seen while it is off. */
+static void find_pattern(lag_initialization *b)
+{
+    const lag_model *model = b->motion->model;
+    const lag_pattern *entries = model->jacobian_pattern;
+    lag_fill(entries != NULL ? model->nc * model->nq : 0, 0.0, b->pattern);
+    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
+        b->pattern[entries->row[k] * model->nq + entries->column[k]] = 1.0;
+    }
+    for (size_t k = 0; entries == NULL && k < model->nswitched; ++k) {
+        lag_fill(model->nq, 1.0, b->pattern + model->switched_rows[k] * model->nq);
+    }
+}
+
+/* Coordinates that constraints tie together have one size for each unit: their largest start value, not that of strangers. */
+static void find_sizes_of_parts(lag_initialization *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    const double *group = b->widths;
+    unsigned long long seed = 20011;
+    lag_fill(model->nc * n, 0.0, b->pattern);
+    memcpy(b->q, q, n * sizeof(double));
+    for (size_t point = 0; point < LOOKED_AT && model->jacobian_pattern == NULL; ++point) {
+        lag_initialization_velocities(b);
+        for (size_t k = 0; k < model->nc * n; ++k) {
+            b->pattern[k] = b->pattern[k] != 0.0 || b->jacobian[k] != 0.0;
+        }
+        lag_initialization_point(b, &seed, point, q, b->q);
+    }
+    find_pattern(b);
+    const lag_parts parts = lag_parts_of(model->nc, n, b->pattern, b->arena);
+    for (size_t j = 0; j < n; ++j) {
+        double most = 0.0;
+        for (size_t k = 0; k < n; ++k) {
+            const int alike = parts.column_part[k] == parts.column_part[j] && group[k] == group[j];
+            most = alike && isfinite(q[k]) ? fmax(most, fabs(q[k])) : most;
+        }
+        b->sizes[j] = isfinite(b->written[j]) ? 1.0 : most > 0.0 ? most : 1.0; /* angles have a cap, and size 1 */
+    }
+}
+
+static void find_sizes(lag_initialization *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    const double *nominal = b->start != NULL ? b->start->nominal : NULL;
+    lag_accuracy_groups(model, q, b->widths, b->sizes, b->written); /* groups, sizes and caps */
+    if (model->nc > 0) {
+        find_sizes_of_parts(b, q);
+    }
+    for (size_t j = 0; j < n; ++j) {
+        b->sizes[n + j] = b->sizes[j];
+    }
+    for (size_t i = 0; i < n && nominal != NULL; ++i) {
+        b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : b->sizes[i];
+        b->sizes[n + i] = b->sizes[i];
+    }
+    for (size_t i = 2 * n; i < numbers(model) && nominal != NULL; ++i) {
+        b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : 1.0;
+    }
+}
+
+/* The median of the lengths, of those that are not zero; the lower one of two. */
+static double usual(size_t count, double *lengths)
+{
+    size_t some = 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (isfinite(lengths[i]) && lengths[i] > 0.0) {
+            size_t place = some++;
+            const double length = lengths[i];
+            for (; place > 0 && lengths[place - 1] > length; --place) {
+                lengths[place] = lengths[place - 1];
+            }
+            lengths[place] = length;
+        }
+    }
+    return some > 0 ? lengths[(some - 1) / 2] : 0.0;
+}
+
+/* Rows are as large as their derivatives usually come out, at the start and at points about it. */
+static void find_row_sizes(lag_initialization *b, const double *q)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    double *lengths = b->lengths;
+    double most = 0.0;
+    unsigned long long seed = 20011;
+    memcpy(b->q, q, n * sizeof(double));
+    lag_fill(model->nc * n, 0.0, b->pattern);
+    for (size_t k = 0; k < SIZED_AT; ++k) {
+        if (k > 0) {
+            lag_initialization_point(b, &seed, k - 1, q, b->q);
+        }
+        lag_initialization_velocities(b);
+        for (size_t i = 0; i < model->nc; ++i) {
+            double sum = 0.0;
+            for (size_t j = 0; j < n; ++j) {
+                const double entry = b->jacobian[i * n + j] * b->sizes[j];
+                const double seen = b->pattern[i * n + j];
+                sum += entry * entry;
+                b->pattern[i * n + j] = fabs(entry) <= seen ? seen : isfinite(entry) ? fabs(entry) : (double)INFINITY;
+            }
+            lengths[i * SIZED_AT + k] = sqrt(sum);
+        }
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        b->row_sizes[i] = usual(SIZED_AT, lengths + i * SIZED_AT);
+        most = fmax(most, b->row_sizes[i]);
+    }
+    for (size_t i = 0; i < model->nc; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], ROUNDING * most);
+        }
+        b->row_sizes[i] = b->row_sizes[i] > ROUNDING * most ? b->row_sizes[i] : 1.0;
+    }
+    find_pattern(b);
+}
+
+static void find_widths(lag_initialization *b, const unsigned char *set)
+{
+    const lag_start *start = b->start;
+    for (size_t i = 0; i < numbers(b->motion->model); ++i) {
+        const int written = (start != NULL && start->written != NULL && start->written[i]) || (set != NULL && set[i]);
+        b->written[i] = written;
+        b->fixed[i] = start != NULL && start->fixed != NULL && start->fixed[i];
+        b->widths[i] = written ? b->sizes[i] / SHARP : b->sizes[i];
+    }
+}
+
+/* ---- discretes ---- */
+
+/* Those of the start, relations as they stand in the state (q, qd, z). */
+static lag_status find_discretes(lag_initialization *b, const double *q, const double *qd, const double *z)
+{
+    lag_motion *motion = b->motion;
+    const lag_model *model = motion->model;
+    lag_arguments at = motion->at;
+    if (model->discrete_start == NULL) {
+        return LAG_OK;
+    }
+    lag_status status = model->discrete_start(&at, motion->w);
+    at.q = q;
+    at.qd = qd;
+    at.z = z;
+    at.qdd = b->still;
+    at.lam = b->still + model->nq;
+    if (status == LAG_OK && model->standing != NULL) {
+        status = model->standing(&at, b->w);
+        memcpy(motion->w, b->w, model->nw * sizeof(double));
+    }
+    return status;
+}
+
+static void close_contacts(lag_initialization *b, double closed)
+{
+    const lag_model *model = b->motion->model;
+    const lag_places places = lag_places_of(model);
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        b->motion->w[places.contact + i] = closed;
+    }
+}
+
+void lag_initialization_parameters(lag_initialization *b)
+{
+    const size_t n = b->motion->model->nq;
+    (void)lag_motion_parameters(b->motion, b->told.p);
+    (void)find_discretes(b, b->x, b->x + n, b->x + 2 * n);
+    close_contacts(b, 0.0);
+}
+
+lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, const unsigned char *set, double t, const double *x)
+{
+    lag_motion *motion = b->motion;
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    double *own = b->widths; /* the start values of the model, */
+    b->start = start;
+    b->t = t;
+    lag_fill(n + model->nc, 0.0, b->still);
+    lag_motion_look(motion, t, x); /* and the inputs of the motion, which stay */
+    memcpy(b->x, x, numbers(model) * sizeof(double));
+    lag_status status = model->start(&motion->at, own, own + n, own + 2 * n, b->u);
+    if (status != LAG_OK) {
+        return status;
+    }
+    memcpy(b->fixed, own, n * sizeof(double));
+    memcpy(b->q, own, n * sizeof(double));
+    memcpy(b->qd, own + n, n * sizeof(double));
+    memcpy(b->z, own + 2 * n, model->nz * sizeof(double));
+    status = find_discretes(b, b->q, b->qd, b->z);
+    if (status != LAG_OK) {
+        return status;
+    }
+    close_contacts(b, 1.0);
+    find_sizes(b, b->fixed);
+    find_row_sizes(b, b->fixed);
+    close_contacts(b, 0.0);
+    find_widths(b, set);
+    memcpy(b->q, x, n * sizeof(double));
+    memcpy(b->qd, x + n, n * sizeof(double));
+    memcpy(b->z, x + 2 * n, model->nz * sizeof(double));
+    return LAG_OK;
+}

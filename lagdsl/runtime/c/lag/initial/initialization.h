@@ -1,0 +1,67 @@
+/* What the parts of lag/initial.h share: the start values with their weights, and the constraints in natural sizes. */
+#ifndef LAG_INITIALIZATION_H
+#define LAG_INITIALIZATION_H
+
+#include "lag/initial.h"
+#include "lag/initial/nearest_configuration.h"
+
+/* Residuals, as a part of the row's size, below which a constraint counts as met. */
+#define LAG_HOLDS 1e-7
+
+typedef struct lag_initialization {
+    lag_motion *motion;
+    const lag_start *start;
+    double t;
+    size_t rows;                 /* of position level */
+    double *row;                 /* (rows) which they are */
+    double *x;                   /* (2 nq + nz) the start values */
+    double *sizes, *row_sizes;   /* (2 nq + nz) (nc) natural ones */
+    double *widths;              /* (2 nq + nz) 1/sqrt(weight) */
+    double *written, *fixed;     /* (2 nq + nz) flags */
+    double *phi, *jacobian;      /* (nc) (nc, nq) */
+    double *q, *qd, *z;          /* (nq) (nq) (nz) where the functions are asked */
+    double *u, *w;               /* (nu) (nw) set aside */
+    double *still;               /* (nq + nc) zeros */
+    double *lengths;             /* of rows at several points */
+    double *pattern;             /* (nc, nq) 1: the entry of J is not zero everywhere */
+    unsigned char *joined;       /* (nq) or null: 1: initial equations decide this coordinate, with what they tie to it */
+    const double *slopes;        /* (ne, nq) or null: how initial equations change with rates, in natural sizes */
+    double *arena;              /* of each part in turn */
+    lag_initial told;
+} lag_initialization;
+
+/* Doubles without `memory`. */
+size_t lag_initialization_memory(const lag_model *model);
+void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *arena);
+
+/* Sizes, weights and discretes for the start values x at time t, of which those flagged in `set` (or null) were changed. */
+lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, const unsigned char *set, double t, const double *x);
+
+/* Parameters were changed: they are prepared, and discretes are those of the start with them. */
+void lag_initialization_parameters(lag_initialization *b);
+
+/* phi or J qd + b, and J, at q and qd of `b`; no numbers where there are none. */
+void lag_initialization_positions(lag_initialization *b);
+void lag_initialization_velocities(lag_initialization *b);
+
+/* Point number `which` about q, ever wider apart, within the bounds of the coordinates; the same in every run. `seed` goes on. */
+void lag_initialization_point(const lag_initialization *b, unsigned long long *seed, size_t which, const double *q, double *point);
+
+/* A number of normal distribution, about. */
+double lag_initialization_draw(unsigned long long *seed);
+
+/* Independent ones of the rows (count, width), whose numbers stand in `matrix`; `memory`: lag_svd_memory(). None where one is no number. */
+size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *arena);
+
+/* The parts of lag_initial_find(): each changes x or says in `told` what stands in the way. Their doubles. */
+size_t lag_initialization_q_memory(const lag_model *model);
+void lag_initialization_find_q(lag_initialization *b, double *x);
+size_t lag_initialization_qd_memory(const lag_model *model);
+void lag_initialization_find_qd(lag_initialization *b, double *x);
+size_t lag_initialization_all_memory(const lag_model *model);
+void lag_initialization_find_all(lag_initialization *b, double *x);
+size_t lag_initialization_rank_memory(const lag_model *model);
+/* Independent rows near x in general. */
+void lag_initialization_find_rank(lag_initialization *b, const double *x);
+
+#endif

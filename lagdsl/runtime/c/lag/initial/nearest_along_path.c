@@ -1,0 +1,311 @@
+/* Along a constraint set to where it is nearest: Newton's method on it. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/finite.h"
+#include "lag/linalg/linalg.h"
+#include "lag/linalg/arena.h"
+#include "lag/initial/nearest_configuration.h"
+#include "lag/linalg/svd.h"
+
+static const double DIFFERENCE = 1e-6;
+static const double STATIONARY = 1e-11;
+static const double RANK = 1e-9;
+static const double TARGET = 1e-13;
+/* The Hessian counts as at least so curved: steps stay within reach. */
+static const double LEAST_CURVED = 0.05;
+/* A saddle bends down by more than this; so far the way from it leads, as a part of the size of the point. */
+static const double SADDLE = 1e-6;
+static const double AWAY = 0.1;
+static const double SHORTEST = 1e-6;
+static const double BENT = 0.5;
+enum { ITERATIONS = 60, DESCENTS = 100 };
+
+static double product(size_t n, const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+/* Columns of a part, and where its (columns, columns) numbers stand among those of all parts. */
+static size_t square_of(const lag_parts *parts, size_t which, size_t *first, size_t *place)
+{
+    *place = 0;
+    for (size_t i = 0; i < which; ++i) {
+        const size_t columns = lag_parts_columns(parts, i, first);
+        *place += columns * columns;
+    }
+    return lag_parts_columns(parts, which, first);
+}
+
+static void gather(const lag_parts *parts, size_t which, const double *x, double *part)
+{
+    size_t first = 0;
+    const size_t columns = lag_parts_columns(parts, which, &first);
+    for (size_t j = 0; j < columns; ++j) {
+        part[j] = x[(size_t)parts->column[first + j]];
+    }
+}
+
+/* Weights of the rows whose combination of gradients is opposite to the point, as well as that can be. */
+static void weigh(lag_nearest_configuration *s, size_t which, const double *point, const lag_svd *svd)
+{
+    size_t first = 0;
+    const size_t rows = lag_parts_rows(s->parts, which, &first);
+    gather(s->parts, which, point, s->part);
+    lag_svd_solve_transposed(svd, s->part, RANK, s->weight);
+    for (size_t i = 0; i < rows; ++i) {
+        s->weights[(size_t)s->parts->row[first + i]] = -s->weight[i];
+    }
+}
+
+/* One step of size DIFFERENCE along direction number `index` of all parts that have so many, added to or taken from `point`. */
+static void displace(const lag_nearest_configuration *s, size_t index, double sign, const double *point, double *x)
+{
+    memcpy(x, point, s->parts->n * sizeof(double));
+    for (size_t which = 0, place = 0; which < s->parts->count; ++which) {
+        size_t first = 0;
+        const size_t columns = lag_parts_columns(s->parts, which, &first);
+        for (size_t j = 0; j < columns && (double)index < s->widths[which]; ++j) {
+            x[(size_t)s->parts->column[first + j]] += sign * DIFFERENCE * s->directions[place + index * columns + j];
+        }
+        place += columns * columns;
+    }
+}
+
+/* Second derivatives of weights.equations along the directions of each part: by central differences of the Jacobian, one direction of all at once. */
+static void bend(lag_nearest_configuration *s, const double *point)
+{
+    const lag_equations *e = s->equations;
+    const lag_parts *parts = s->parts;
+    double widest = 0.0;
+    for (size_t which = 0; which < parts->count; ++which) {
+        widest = fmax(widest, s->widths[which]);
+    }
+    for (size_t index = 0; (double)index < widest; ++index) {
+        displace(s, index, -1.0, point, s->trial);
+        e->evaluate(e->context, s->trial, s->residual, s->before);
+        displace(s, index, 1.0, point, s->trial);
+        e->evaluate(e->context, s->trial, s->residual, s->jacobian);
+        for (size_t which = 0, place = 0; which < parts->count; ++which) {
+            size_t row = 0;
+            size_t column = 0;
+            const size_t rows = lag_parts_rows(parts, which, &row);
+            const size_t columns = lag_parts_columns(parts, which, &column);
+            for (size_t j = 0; j < columns && (double)index < s->widths[which]; ++j) {
+                double sum = 0.0;
+                for (size_t i = 0; i < rows; ++i) {
+                    const size_t line = (size_t)parts->row[row + i];
+                    const size_t entry = line * parts->n + (size_t)parts->column[column + j];
+                    sum += s->weights[line] * (s->jacobian[entry] - s->before[entry]);
+                }
+                s->bends[place + index * columns + j] = sum / (2.0 * DIFFERENCE);
+            }
+            place += columns * columns;
+        }
+    }
+}
+
+/* The directions that the equations leave free in the moving parts. */
+static void find_tangents(lag_nearest_configuration *s, const double *point)
+{
+    const lag_parts *parts = s->parts;
+    s->equations->evaluate(s->equations->context, point, s->residual, s->jacobian);
+    for (size_t which = 0, place = 0; which < parts->count; ++which) {
+        size_t first = 0;
+        const size_t rows = lag_parts_rows(parts, which, &first);
+        const size_t columns = lag_parts_columns(parts, which, &first);
+        s->widths[which] = 0.0;
+        if (s->moving[which] != 0.0 && lag_parts_block(parts, which, parts->n, s->jacobian, s->block)) {
+            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->svd);
+            const size_t rank = lag_svd_rank(&svd, RANK);
+            s->widths[which] = (double)(columns - rank);
+            memcpy(s->directions + place, svd.v + rank * columns, (columns - rank) * columns * sizeof(double));
+            weigh(s, which, point, &svd);
+        }
+        place += columns * columns;
+    }
+}
+
+/* I + free' bends, symmetric, and its eigenvalues and eigenvectors. Returns the number of the smallest. */
+static size_t curve(lag_nearest_configuration *s, size_t width, size_t columns, const double *directions, const double *bends)
+{
+    size_t least = 0;
+    for (size_t i = 0; i < width; ++i) {
+        for (size_t j = 0; j < width; ++j) {
+            const double one = product(columns, directions + i * columns, bends + j * columns);
+            const double other = product(columns, directions + j * columns, bends + i * columns);
+            s->hessian[i * width + j] = 0.5 * (one + other) + (i == j ? 1.0 : 0.0);
+        }
+    }
+    lag_symmetric_eigen(width, s->hessian, s->eigen, s->vectors);
+    for (size_t i = 1; i < width; ++i) {
+        least = s->eigen[i] < s->eigen[least] ? i : least;
+    }
+    return least;
+}
+
+/* The step of a part along its set; one that leaves a saddle is flagged in `ways`, a part that is stationary becomes still. */
+static void step_of(lag_nearest_configuration *s, size_t which, const double *point, double length)
+{
+    size_t first = 0;
+    size_t place = 0;
+    const size_t columns = square_of(s->parts, which, &first, &place);
+    const size_t width = (size_t)s->widths[which];
+    const double *directions = s->directions + place;
+    const size_t least = curve(s, width, columns, directions, s->bends + place);
+    double slope = 0.0;
+    gather(s->parts, which, point, s->part);
+    for (size_t i = 0; i < width; ++i) {
+        const double along = product(columns, directions + i * columns, s->part);
+        slope += along * along;
+    }
+    const int sloping = sqrt(slope) > STATIONARY * length;
+    if (!sloping && !(width > 0 && s->eigen[least] < -SADDLE)) {
+        s->moving[which] = 0.0;
+        return;
+    }
+    s->ways[which] = !sloping;
+    for (size_t k = 0; k < width; ++k) {
+        double along = 0.0;
+        for (size_t i = 0; i < width; ++i) {
+            along += s->vectors[i * width + k] * product(columns, directions + i * columns, s->part);
+        }
+        const double part = sloping ? -along / fmax(fabs(s->eigen[k]), LEAST_CURVED) : k == least ? AWAY * length : 0.0;
+        for (size_t i = 0; i < width; ++i) {
+            for (size_t j = 0; j < columns; ++j) {
+                s->steps[(size_t)s->parts->column[first + j]] += part * s->vectors[i * width + k] * directions[i * columns + j];
+            }
+        }
+    }
+}
+
+static void find_steps(lag_nearest_configuration *s, const double *point)
+{
+    find_tangents(s, point);
+    bend(s, point);
+    lag_fill(s->parts->n, 0.0, s->steps);
+    lag_fill(s->parts->count, 0.0, s->ways);
+    lag_parts_norms(s->parts, 0, point, s->lengths);
+    for (size_t which = 0; which < s->parts->count; ++which) {
+        if (s->moving[which] != 0.0) {
+            step_of(s, which, point, 1.0 + s->lengths[which]);
+        }
+    }
+}
+
+/* Points of the set on the way along the steps that are closer to the origin, into `result`; `done`: those of the `moving` parts that got there. */
+static void shorten(lag_nearest_configuration *s, const double *point, double sign, const double *moving, double *result, double *done)
+{
+    const lag_parts *parts = s->parts;
+    const size_t count = parts->count;
+    int left = lag_any(count, moving);
+    memcpy(result, point, parts->n * sizeof(double));
+    lag_fill(count, 0.0, done);
+    lag_parts_norms(parts, 0, point, s->lengths);
+    for (double factor = 1.0; factor > SHORTEST && left; factor *= 0.5) {
+        for (size_t j = 0; j < parts->n; ++j) {
+            const size_t which = (size_t)parts->column_part[j];
+            const int tried = moving[which] != 0.0 && done[which] == 0.0;
+            s->trial[j] = tried ? point[j] + sign * factor * s->steps[j] : result[j];
+        }
+        lag_descend(&s->minimizer, s->equations, parts, TARGET, DESCENTS, s->trial);
+        lag_parts_norms(parts, 0, s->trial, s->distances);
+        left = 0;
+        for (size_t which = 0; which < count; ++which) {
+            const int tried = moving[which] != 0.0 && done[which] == 0.0;
+            s->chosen[which] = tried && s->minimizer.sizes[which] <= s->limits[which] && s->distances[which] < s->lengths[which];
+            done[which] = s->chosen[which] != 0.0 ? 1.0 : done[which];
+            left = left || (tried && s->chosen[which] == 0.0);
+        }
+        lag_parts_mix(parts, s->chosen, s->trial, result);
+    }
+}
+
+/* From a saddle down on the other side, where that is nearer. */
+static void other_side(lag_nearest_configuration *s, const double *point)
+{
+    const lag_parts *parts = s->parts;
+    shorten(s, point, -1.0, s->ways, s->opposite, s->also);
+    lag_parts_norms(parts, 0, s->opposite, s->distances);
+    lag_parts_norms(parts, 0, s->shorter, s->lengths);
+    for (size_t which = 0; which < parts->count; ++which) {
+        s->chosen[which] = s->also[which] != 0.0 && (s->moved[which] == 0.0 || s->distances[which] < s->lengths[which]);
+        s->moved[which] = s->moved[which] != 0.0 || s->also[which] != 0.0;
+    }
+    lag_parts_mix(parts, s->chosen, s->opposite, s->shorter);
+}
+
+static void every_part_moves(lag_nearest_configuration *s)
+{
+    for (size_t which = 0; which < s->parts->count; ++which) {
+        size_t first = 0;
+        s->moving[which] = lag_parts_rows(s->parts, which, &first) > 0 && lag_parts_columns(s->parts, which, &first) > 0;
+    }
+}
+
+void lag_nearest_configuration_along(lag_nearest_configuration *s, double *point)
+{
+    const size_t n = s->parts->n;
+    every_part_moves(s);
+    for (size_t j = 0; j < n; ++j) { /* what nothing restricts stays at the origin */
+        point[j] = s->moving[(size_t)s->parts->column_part[j]] != 0.0 ? point[j] : 0.0;
+    }
+    for (unsigned k = 0; k < ITERATIONS && lag_any(s->parts->count, s->moving); ++k) {
+        find_steps(s, point);
+        shorten(s, point, 1.0, s->moving, s->shorter, s->moved);
+        if (lag_any(s->parts->count, s->ways)) {
+            other_side(s, point);
+        }
+        memcpy(point, s->shorter, n * sizeof(double));
+        memcpy(s->moving, s->moved, s->parts->count * sizeof(double));
+    }
+}
+
+/* Flags in `also` the parts that bend by much at a place, with the weights there are. */
+static void look_at_bends(lag_nearest_configuration *s, const double *place)
+{
+    bend(s, place);
+    for (size_t which = 0; which < s->parts->count; ++which) {
+        size_t first = 0;
+        size_t start = 0;
+        const size_t columns = square_of(s->parts, which, &first, &start);
+        if (s->widths[which] > 0.0 && s->also[which] == 0.0) {
+            const double *bends = s->bends + start;
+            s->also[which] = !lag_finite(columns * columns, bends) || lag_svd_of(columns, columns, bends, s->svd).value[0] > BENT;
+        }
+    }
+}
+
+int lag_nearest_configuration_bends(lag_nearest_configuration *s)
+{
+    const lag_parts *parts = s->parts;
+    every_part_moves(s);
+    s->equations->evaluate(s->equations->context, s->best.point, s->residual, s->jacobian);
+    for (size_t which = 0, place = 0; which < parts->count; ++which) {
+        size_t first = 0;
+        const size_t rows = lag_parts_rows(parts, which, &first);
+        const size_t columns = lag_parts_columns(parts, which, &first);
+        s->also[which] = s->widths[which] = 0.0;
+        if (s->moving[which] != 0.0 && lag_parts_block(parts, which, parts->n, s->jacobian, s->block)) {
+            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->svd);
+            weigh(s, which, s->best.point, &svd);
+            s->widths[which] = (double)columns;
+            lag_fill(columns * columns, 0.0, s->directions + place);
+            for (size_t j = 0; j < columns; ++j) {
+                s->directions[place + j * columns + j] = 1.0;
+            }
+        }
+        place += columns * columns;
+    }
+    lag_fill(parts->n, 0.0, s->point);
+    look_at_bends(s, s->point);
+    look_at_bends(s, s->best.point);
+    for (size_t which = 0; which < parts->count; ++which) {
+        s->moving[which] = s->also[which] != 0.0 && s->best.distances[which] > 0.0;
+    }
+    return lag_any(parts->count, s->moving);
+}

@@ -1,0 +1,335 @@
+/* The beginnings of a search, and which of the points that they lead to is the nearest. */
+#include "lag/initial/nearest_configuration.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/linalg/svd.h"
+
+static const double PENALTIES[] = {1.0, 0.3, 0.1, 0.03, 0.01, 1e-3};
+/* Distances that differ by less are the same; the point that is reached from the start then stays. */
+static const double TIE = 1e-9;
+static const double TARGET = 1e-13;
+static const double ROUNDED = 1e6;
+enum { ITERATIONS = 100, RELAXED = 20 };
+
+static size_t larger(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
+size_t lag_nearest_configuration_memory(size_t m, size_t n)
+{
+    const size_t points = LAG_NEAREST_FOUND + LAG_NEAREST_REFINED + 1;
+    return lag_levenberg_marquardt_memory(m, n) + lag_levenberg_marquardt_memory(m + n, n) + lag_parts_memory(m + n, n) + points * (n + 2 * (m + n)) + m +
+           2 * m * n + 5 * n + 9 * (m + n) + 2 * n * n + m + larger(m, n) * n + n + m + 2 * n * n + n +
+           lag_svd_memory(larger(m, n), n);
+}
+
+static void place_found(lag_found *found, size_t m, size_t n, double **arena)
+{
+    found->point = lag_take(arena, n);
+    found->sizes = lag_take(arena, m + n);
+    found->distances = lag_take(arena, m + n);
+}
+
+void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, size_t n, double *arena)
+{
+    double **const in_parts[] = {&s->moving, &s->moved, &s->ways, &s->also, &s->chosen, &s->lengths, &s->limits, &s->distances, &s->widths};
+    double **const points[] = {&s->point, &s->steps, &s->shorter, &s->opposite, &s->trial};
+    memset(s, 0, sizeof *s);
+    lag_levenberg_marquardt_place(&s->minimizer, m, n, lag_take(&arena, lag_levenberg_marquardt_memory(m, n)));
+    lag_levenberg_marquardt_place(&s->widened, m + n, n, lag_take(&arena, lag_levenberg_marquardt_memory(m + n, n)));
+    s->room = lag_take(&arena, lag_parts_memory(m + n, n));
+    for (size_t i = 0; i < LAG_NEAREST_FOUND; ++i) {
+        place_found(&s->found[i], m, n, &arena);
+    }
+    for (size_t i = 0; i < LAG_NEAREST_REFINED; ++i) {
+        place_found(&s->refined[i], m, n, &arena);
+    }
+    place_found(&s->best, m, n, &arena);
+    s->residual = lag_take(&arena, m);
+    s->jacobian = lag_take(&arena, m * n);
+    s->before = lag_take(&arena, m * n);
+    for (size_t i = 0; i < sizeof points / sizeof *points; ++i) {
+        *points[i] = lag_take(&arena, n);
+    }
+    for (size_t i = 0; i < sizeof in_parts / sizeof *in_parts; ++i) {
+        *in_parts[i] = lag_take(&arena, m + n);
+    }
+    s->directions = lag_take(&arena, n * n);
+    s->bends = lag_take(&arena, n * n);
+    s->weights = lag_take(&arena, m);
+    s->block = lag_take(&arena, larger(m, n) * n);
+    s->part = lag_take(&arena, n);
+    s->weight = lag_take(&arena, m);
+    s->hessian = lag_take(&arena, n * n);
+    s->vectors = lag_take(&arena, n * n);
+    s->eigen = lag_take(&arena, n);
+    s->svd = arena;
+}
+
+/* ---- points ---- */
+
+/* `to` becomes `from` in the chosen parts. */
+static void mix(const lag_nearest_configuration *s, const double *chosen, const lag_found *from, lag_found *to)
+{
+    lag_parts_mix(s->parts, chosen, from->point, to->point);
+    for (size_t i = 0; i < s->parts->count; ++i) {
+        to->sizes[i] = chosen[i] != 0.0 ? from->sizes[i] : to->sizes[i];
+        to->distances[i] = chosen[i] != 0.0 ? from->distances[i] : to->distances[i];
+    }
+}
+
+static void copy(const lag_nearest_configuration *s, const lag_found *from, lag_found *to)
+{
+    memcpy(to->point, from->point, s->parts->n * sizeof(double));
+    memcpy(to->sizes, from->sizes, s->parts->count * sizeof(double));
+    memcpy(to->distances, from->distances, s->parts->count * sizeof(double));
+}
+
+/* Where `found->point` leads. */
+static void descend(lag_nearest_configuration *s, lag_found *found)
+{
+    lag_descend(&s->minimizer, s->equations, s->parts, TARGET, ITERATIONS, found->point);
+    memcpy(found->sizes, s->minimizer.sizes, s->parts->count * sizeof(double));
+    lag_parts_norms(s->parts, 0, found->point, found->distances);
+}
+
+/* The smaller residuals of both. */
+static void improve(lag_nearest_configuration *s, const lag_found *other)
+{
+    for (size_t i = 0; i < s->parts->count; ++i) {
+        s->chosen[i] = other->sizes[i] < s->best.sizes[i];
+    }
+    mix(s, s->chosen, other, &s->best);
+}
+
+/* ---- beginnings ---- */
+
+static void relaxed(void *context, const double *y, double *residual, double *jacobian)
+{
+    const lag_nearest_configuration *s = context;
+    const size_t m = s->equations->m;
+    const size_t n = s->equations->n;
+    s->equations->evaluate(s->equations->context, y, residual, jacobian);
+    lag_fill(n * n, 0.0, jacobian + m * n);
+    for (size_t j = 0; j < n; ++j) {
+        residual[m + j] = s->penalty * y[j];
+        jacobian[(m + j) * n + j] = s->penalty;
+    }
+}
+
+/* The parts with a row more for each column. */
+static void widen(lag_nearest_configuration *s, double *arena)
+{
+    const lag_parts *parts = s->parts;
+    const size_t m = parts->m;
+    const size_t n = parts->n;
+    lag_parts *wide = &s->wide;
+    wide->m = m + n;
+    wide->n = n;
+    wide->count = parts->count;
+    wide->row_part = lag_take(&arena, m + n);
+    wide->column_part = lag_take(&arena, n);
+    wide->row = lag_take(&arena, m + n);
+    wide->column = lag_take(&arena, n);
+    wide->first_row = lag_take(&arena, m + 2 * n + 1);
+    wide->first_column = arena;
+    memcpy(wide->row_part, parts->row_part, m * sizeof(double));
+    memcpy(wide->row_part + m, parts->column_part, n * sizeof(double));
+    memcpy(wide->column_part, parts->column_part, n * sizeof(double));
+    lag_parts_order(wide);
+}
+
+/* Minima of e |y|^2 + |equations(y)|^2 for ever smaller e, each from the last, the first from the origin. */
+static void follow(lag_nearest_configuration *s, double *point)
+{
+    const lag_equations wider = {s->equations->m + s->equations->n, s->equations->n, relaxed, s};
+    lag_fill(s->equations->n, 0.0, point);
+    for (size_t i = 0; i < sizeof PENALTIES / sizeof *PENALTIES; ++i) {
+        s->penalty = PENALTIES[i];
+        lag_descend(&s->widened, &wider, &s->wide, TARGET, RELAXED, point);
+    }
+}
+
+/* ---- the nearest of them ---- */
+
+/* Number `rank` of the points that are found in a part, the nearest first; those that do not satisfy the equations last. */
+static size_t ranked(const lag_nearest_configuration *s, size_t part, size_t rank)
+{
+    for (size_t i = 0; i < s->count; ++i) {
+        const double own = s->found[i].sizes[part] <= s->holds ? s->found[i].distances[part] : (double)INFINITY;
+        size_t before = 0;
+        for (size_t j = 0; j < s->count; ++j) {
+            const double other = s->found[j].sizes[part] <= s->holds ? s->found[j].distances[part] : (double)INFINITY;
+            before += other < own || (other == own && j < i);
+        }
+        if (before == rank) {
+            return i;
+        }
+    }
+    return 0;
+}
+
+/* The nearest points number `rank` of each part in one; 0: there is none in any part. Where only some parts have one, the first stands in. */
+static int collect(lag_nearest_configuration *s, size_t rank, lag_found *to)
+{
+    int any = 0;
+    copy(s, &s->found[0], to);
+    for (size_t part = 0; part < s->parts->count; ++part) {
+        const lag_found *from = &s->found[ranked(s, part, rank)];
+        const int feasible = from->sizes[part] <= s->holds && isfinite(from->distances[part]);
+        lag_fill(s->parts->count, 0.0, s->chosen);
+        s->chosen[part] = 1.0;
+        mix(s, s->chosen, feasible || rank == 0 ? from : &s->refined[0], to);
+        any = any || feasible;
+    }
+    return any;
+}
+
+static void refine(lag_nearest_configuration *s, lag_found *found)
+{
+    for (size_t i = 0; i < s->parts->count; ++i) {
+        s->limits[i] = fmax(1e-12, found->sizes[i]);
+    }
+    lag_nearest_configuration_along(s, found->point);
+    s->equations->evaluate(s->equations->context, found->point, s->residual, s->jacobian);
+    lag_parts_norms(s->parts, 1, s->residual, found->sizes);
+    lag_parts_norms(s->parts, 0, found->point, found->distances);
+}
+
+/* Whether coordinates of a part, in its distance and rounded, are larger than others. */
+static int beyond(const lag_nearest_configuration *s, size_t part, double limit, const double *x, const double *y)
+{
+    size_t first = 0;
+    const size_t columns = lag_parts_columns(s->parts, part, &first);
+    const double unit = limit > 0.0 ? limit : 1.0;
+    for (size_t j = first; j < first + columns; ++j) {
+        const size_t column = (size_t)s->parts->column[j];
+        const double a = floor(x[column] / unit * ROUNDED + 0.5);
+        const double b = floor(y[column] / unit * ROUNDED + 0.5);
+        if (a != b) {
+            return a > b;
+        }
+    }
+    return 0;
+}
+
+/*
+ * For each part the nearest of `best`, if there is one, and the stationary points reached from those found that are nearest; of mirrored ones
+ * that with the larger coordinates, so that the order in which they were found does not matter.
+ */
+static void choose(lag_nearest_configuration *s, int with_best, lag_found *result)
+{
+    size_t refined = 0;
+    while (refined < LAG_NEAREST_REFINED && refined < s->count && collect(s, refined, &s->refined[refined])) {
+        refine(s, &s->refined[refined]);
+        ++refined;
+    }
+    copy(s, &s->refined[0], result);
+    for (size_t part = 0; part < s->parts->count && refined > 0; ++part) {
+        size_t winner = refined;
+        double limit = with_best ? s->best.distances[part] : (double)INFINITY;
+        for (size_t i = 0; i < refined; ++i) {
+            limit = fmin(limit, s->refined[i].distances[part]);
+        }
+        limit *= 1.0 + TIE;
+        for (size_t i = 0; i < refined; ++i) {
+            if (s->refined[i].distances[part] <= limit &&
+                (winner == refined || beyond(s, part, limit, s->refined[i].point, s->refined[winner].point))) {
+                winner = i;
+            }
+        }
+        lag_fill(s->parts->count, 0.0, s->chosen);
+        s->chosen[part] = 1.0;
+        if (with_best && s->best.distances[part] <= limit) {
+            mix(s, s->chosen, &s->best, result);
+        } else if (winner < refined) {
+            mix(s, s->chosen, &s->refined[winner], result);
+        }
+    }
+}
+
+/* Nearer points of parts that bend. */
+static void look_beyond(lag_nearest_configuration *s)
+{
+    const size_t n = s->parts->n;
+    if (!lag_nearest_configuration_bends(s)) {
+        return;
+    }
+    s->count = 0;
+    for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
+        const double *other = s->others + k * n;
+        const double share = (double)(k + 1) / (double)LAG_NEAREST_OTHERS;
+        lag_parts_norms(s->parts, 0, other, s->lengths);
+        for (int sign = 1; sign >= -1; sign -= 2) {
+            lag_found *found = &s->found[s->count++];
+            copy(s, &s->best, found);
+            for (size_t j = 0; j < n; ++j) {
+                const size_t part = (size_t)s->parts->column_part[j];
+                const double length = s->lengths[part] > 0.0 ? s->lengths[part] : 1.0;
+                if (s->moving[part] != 0.0) {
+                    found->point[j] = sign * s->best.distances[part] * share / length * other[j];
+                }
+            }
+            descend(s, found);
+        }
+    }
+    choose(s, 1, &s->found[0]);
+    copy(s, &s->found[0], &s->best);
+}
+
+double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_equations *equations, const lag_parts *parts, const double *others, double holds)
+{
+    const size_t n = parts->n;
+    size_t feasible = 0;
+    double worst = 0.0;
+    s->equations = equations;
+    s->parts = parts;
+    s->others = others;
+    s->holds = holds;
+    s->count = 2;
+    widen(s, s->room);
+    lag_fill(n, 0.0, s->found[0].point);
+    descend(s, &s->found[0]);
+    follow(s, s->found[1].point);
+    descend(s, &s->found[1]);
+    copy(s, &s->found[0], &s->best);
+    improve(s, &s->found[1]);
+    for (size_t k = 0; k < LAG_NEAREST_OTHERS; ++k) {
+        lag_found *found = &s->found[s->count];
+        int open = 0;
+        for (size_t i = 0; i < parts->count; ++i) {
+            s->chosen[i] = s->best.sizes[i] > holds;
+            open = open || s->best.sizes[i] > holds;
+        }
+        if (!open) {
+            break;
+        }
+        copy(s, &s->best, found);
+        lag_parts_mix(parts, s->chosen, others + k * n, found->point);
+        descend(s, found);
+        ++s->count;
+        improve(s, found);
+    }
+    for (size_t i = 0; i < parts->count; ++i) {
+        feasible += s->best.sizes[i] <= holds;
+    }
+    if (feasible > 0) {
+        lag_found *result = &s->found[LAG_NEAREST_FOUND - 1];
+        choose(s, 0, result);
+        for (size_t i = 0; i < parts->count; ++i) {
+            s->chosen[i] = s->best.sizes[i] <= holds;
+        }
+        mix(s, s->chosen, result, &s->best);
+    }
+    if (feasible == parts->count) {
+        look_beyond(s);
+    }
+    for (size_t i = 0; i < parts->count; ++i) {
+        worst = fmax(worst, s->best.sizes[i]);
+    }
+    return worst;
+}

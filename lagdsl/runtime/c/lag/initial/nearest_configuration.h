@@ -1,0 +1,62 @@
+/*
+ * The point of a constraint set nearest to the origin, which is the declared start.
+ *
+ * Found by following the problem from there (|y|^2 e + |equations(y)|^2 with e to 0) and by the root finder alone, each made stationary by
+ * Newton's method on the set. Where the set bends more than half the distance, at the start or at the point found, there may be
+ * nearer points: then further beginnings inside the ball of that distance are tried. Independent parts are searched at the same
+ * time, each as if it were alone.
+ *
+ * Source: Nocedal and Wright, Numerical Optimization, 2nd ed., sections 17.1 (penalty), 18.3 (reduced Hessian) and 3.1 (line search).
+ */
+#ifndef LAG_NEAREST_CONFIGURATION_H
+#define LAG_NEAREST_CONFIGURATION_H
+
+#include "lag/linalg/levenberg_marquardt.h"
+
+/* Points that beginnings lead to: of the origin, of the penalties, of further ones, and beyond bends on either side of each. */
+enum { LAG_NEAREST_OTHERS = 40, LAG_NEAREST_FOUND = 2 * LAG_NEAREST_OTHERS, LAG_NEAREST_REFINED = 6 };
+
+/* A point with residuals and distances from the origin of each part. */
+typedef struct lag_found {
+    double *point;             /* (n) */
+    double *sizes, *distances; /* (m + n) */
+} lag_found;
+
+typedef struct lag_nearest_configuration {
+    const lag_equations *equations;
+    const lag_parts *parts;
+    double holds;          /* residuals of a part that are as small as this are none */
+    const double *others;  /* (LAG_NEAREST_OTHERS, n) further beginnings, used as directions once a point is known */
+    lag_levenberg_marquardt minimizer, widened;
+    lag_parts wide;        /* of the penalized equations */
+    lag_found found[LAG_NEAREST_FOUND], refined[LAG_NEAREST_REFINED], best;
+    size_t count;          /* found */
+    double penalty;
+    double *residual, *jacobian, *before; /* (m) (m, n) (m, n) */
+    double *point, *steps, *shorter, *opposite, *trial; /* (n) */
+    double *moving, *moved, *ways, *also, *chosen, *lengths, *limits, *distances, *widths; /* (m + n) */
+    double *directions, *bends; /* (n, n) of all parts, one after the other: rows of as many numbers as a part has columns */
+    double *weights;            /* (m) */
+    double *block, *part, *weight; /* (m, n) or (n, n) (n) (m) */
+    double *hessian, *eigen, *vectors; /* (n, n) (n) (n, n) */
+    double *svd;
+    double *room;               /* of `wide` */
+} lag_nearest_configuration;
+
+size_t lag_nearest_configuration_memory(size_t m, size_t n);
+void lag_nearest_configuration_place(lag_nearest_configuration *nearest, size_t m, size_t n, double *arena);
+
+/*
+ * Minimizes |y| subject to equations(y) = 0: `best`. Where no beginning leads to residuals below `holds`, it is the point of the smallest.
+ * Returns the largest of them.
+ */
+double lag_nearest_configuration_search(lag_nearest_configuration *nearest, const lag_equations *equations, const lag_parts *parts, const double *others, double holds);
+
+/* For the parts of a search. */
+
+/* A local minimum of |y| subject to the equations from `point`, where they hold up to `limits`; lengths fall monotonically. */
+void lag_nearest_configuration_along(lag_nearest_configuration *nearest, double *point);
+/* Flags in `moving` the parts in which the set bends by more than half the distance, at the origin or at the best point. Returns whether any does. */
+int lag_nearest_configuration_bends(lag_nearest_configuration *nearest);
+
+#endif

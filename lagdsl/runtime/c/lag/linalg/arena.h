@@ -1,0 +1,33 @@
+/* Arrays of doubles in memory of the caller: laid out, filled, looked through. */
+#ifndef LAG_MEMORY_H
+#define LAG_MEMORY_H
+
+#include <stddef.h>
+
+/* The next `count` doubles; *memory goes on behind them. */
+static inline double *lag_take(double **arena, size_t count)
+{
+    double *start = *arena;
+    *arena += count;
+    return start;
+}
+
+/* Every entry of x (count) becomes `value`. */
+static inline void lag_fill(size_t count, double value, double *x)
+{
+    for (size_t i = 0; i < count; ++i) {
+        x[i] = value;
+    }
+}
+
+/* Whether a flag (count) is set. */
+static inline int lag_any(size_t count, const double *flags)
+{
+    size_t i = 0;
+    while (i < count && flags[i] == 0.0) {
+        ++i;
+    }
+    return i < count;
+}
+
+#endif

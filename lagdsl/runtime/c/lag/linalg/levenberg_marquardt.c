@@ -1,0 +1,253 @@
+#include "lag/linalg/levenberg_marquardt.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/finite.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/svd.h"
+
+static const double SMALLEST_DAMPING = 1e-3;
+static const double LARGEST_DAMPING = 1e8;
+static const double RANK = 1e-9;
+
+/* ---- parts ---- */
+
+size_t lag_parts_memory(size_t m, size_t n)
+{
+    return 4 * (m + n) + 2;
+}
+
+/* Rows, then columns, as entries of `leader`, which leads to the first of its part. */
+static size_t leader_of(double *leader, size_t x)
+{
+    while ((size_t)leader[x] != x) {
+        leader[x] = leader[(size_t)leader[x]];
+        x = (size_t)leader[x];
+    }
+    return x;
+}
+
+static void join(size_t m, size_t n, const double *pattern, double *leader)
+{
+    for (size_t i = 0; i < m + n; ++i) {
+        leader[i] = pattern != NULL ? (double)i : 0.0;
+    }
+    for (size_t i = 0; pattern != NULL && i < m; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            if (pattern[i * n + j] != 0.0) {
+                const size_t a = leader_of(leader, i);
+                const size_t b = leader_of(leader, m + j);
+                leader[a > b ? a : b] = (double)(a < b ? a : b);
+            }
+        }
+    }
+}
+
+/* Those of each part one after the other, in their order. */
+static void order(size_t count, const double *part, size_t parts, double *ordered, double *first)
+{
+    size_t next = 0;
+    for (size_t which = 0; which < parts; ++which) {
+        first[which] = (double)next;
+        for (size_t i = 0; i < count; ++i) {
+            if ((size_t)part[i] == which) {
+                ordered[next++] = (double)i;
+            }
+        }
+    }
+    first[parts] = (double)next;
+}
+
+void lag_parts_order(lag_parts *parts)
+{
+    order(parts->m, parts->row_part, parts->count, parts->row, parts->first_row);
+    order(parts->n, parts->column_part, parts->count, parts->column, parts->first_column);
+}
+
+lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *arena)
+{
+    lag_parts parts;
+    parts.m = m;
+    parts.n = n;
+    parts.count = 0;
+    parts.row_part = lag_take(&arena, m);
+    parts.column_part = lag_take(&arena, n);
+    parts.row = lag_take(&arena, m);
+    parts.column = lag_take(&arena, n);
+    parts.first_row = lag_take(&arena, m + n + 1);
+    parts.first_column = lag_take(&arena, m + n + 1);
+    double *leader = parts.first_row;
+    double *name = parts.first_column;
+    join(m, n, pattern, leader);
+    for (size_t i = 0; i < m + n; ++i) {
+        const size_t its = leader_of(leader, i);
+        name[i] = its == i ? (double)parts.count++ : name[its];
+    }
+    memcpy(parts.row_part, name, m * sizeof(double));
+    memcpy(parts.column_part, name + m, n * sizeof(double));
+    lag_parts_order(&parts);
+    return parts;
+}
+
+void lag_parts_mix(const lag_parts *parts, const double *chosen, const double *point, double *x)
+{
+    for (size_t j = 0; j < parts->n; ++j) {
+        x[j] = chosen[(size_t)parts->column_part[j]] != 0.0 ? point[j] : x[j];
+    }
+}
+
+int lag_parts_block(const lag_parts *parts, size_t which, size_t width, const double *matrix, double *block)
+{
+    size_t row = 0;
+    size_t column = 0;
+    const size_t rows = lag_parts_rows(parts, which, &row);
+    const size_t columns = lag_parts_columns(parts, which, &column);
+    for (size_t i = 0; i < rows; ++i) {
+        for (size_t j = 0; j < columns; ++j) {
+            block[i * columns + j] = matrix[(size_t)parts->row[row + i] * width + (size_t)parts->column[column + j]];
+        }
+    }
+    return lag_finite(rows * columns, block);
+}
+
+void lag_parts_norms(const lag_parts *parts, int of_rows, const double *x, double *norms)
+{
+    const double *part = of_rows ? parts->row_part : parts->column_part;
+    const size_t count = of_rows ? parts->m : parts->n;
+    lag_fill(parts->count, 0.0, norms);
+    for (size_t i = 0; i < count; ++i) {
+        norms[(size_t)part[i]] += x[i] * x[i];
+    }
+    for (size_t i = 0; i < parts->count; ++i) {
+        norms[i] = isfinite(norms[i]) ? sqrt(norms[i]) : (double)INFINITY;
+    }
+}
+
+/* ---- descent ---- */
+
+size_t lag_levenberg_marquardt_memory(size_t m, size_t n)
+{
+    return 3 * m * n + 3 * m + 2 * n + 4 * (m + n) + lag_svd_memory(m, n);
+}
+
+void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m, size_t n, double *arena)
+{
+    minimizer->m = m;
+    minimizer->n = n;
+    minimizer->residual = lag_take(&arena, m);
+    minimizer->jacobian = lag_take(&arena, m * n);
+    minimizer->sizes = lag_take(&arena, m + n);
+    minimizer->other = lag_take(&arena, m);
+    minimizer->others_jacobian = lag_take(&arena, m * n);
+    minimizer->other_sizes = lag_take(&arena, m + n);
+    minimizer->trial = lag_take(&arena, n);
+    minimizer->damping = lag_take(&arena, m + n);
+    minimizer->active = lag_take(&arena, m + n);
+    minimizer->block = lag_take(&arena, m * n);
+    minimizer->right = lag_take(&arena, m);
+    minimizer->part = lag_take(&arena, n);
+    minimizer->svd = arena;
+}
+
+/* Where the active parts are tried next; one whose Jacobian is no number becomes inactive. */
+static void try_next(lag_levenberg_marquardt *d, const lag_parts *parts, const double *point)
+{
+    memcpy(d->trial, point, parts->n * sizeof(double));
+    for (size_t which = 0; which < parts->count; ++which) {
+        size_t row = 0;
+        size_t column = 0;
+        const size_t rows = lag_parts_rows(parts, which, &row);
+        const size_t columns = lag_parts_columns(parts, which, &column);
+        if (d->active[which] == 0.0) {
+            continue;
+        }
+        if (!lag_parts_block(parts, which, parts->n, d->jacobian, d->block)) {
+            d->active[which] = 0.0;
+            continue;
+        }
+        for (size_t i = 0; i < rows; ++i) {
+            d->right[i] = d->residual[(size_t)parts->row[row + i]];
+        }
+        const lag_svd svd = lag_svd_of(rows, columns, d->block, d->svd);
+        lag_svd_solve(&svd, d->right, RANK, d->damping[which], d->part);
+        for (size_t j = 0; j < columns; ++j) {
+            d->trial[(size_t)parts->column[column + j]] -= d->part[j];
+        }
+    }
+}
+
+/* What became of a trial: a part that got better goes there; damping, and whether it goes on. */
+static int judge(lag_levenberg_marquardt *d, size_t which, double target)
+{
+    const double size = d->sizes[which];
+    const double other = d->other_sizes[which];
+    const double damping = d->damping[which];
+    const int better = d->active[which] != 0.0 && other < size;
+    const int settled = size <= target && other > 0.5 * size;
+    const int stalled = damping == 0.0 && other > (1.0 - 1e-9) * size;
+    const int hopeless = !better && (size <= target || damping > LARGEST_DAMPING);
+    if (hopeless || (better && (settled || stalled))) {
+        d->active[which] = 0.0;
+    }
+    if (better) {
+        d->sizes[which] = other;
+        d->damping[which] = damping > SMALLEST_DAMPING ? damping / 3.0 : 0.0;
+    } else {
+        d->damping[which] = fmax(4.0 * damping, SMALLEST_DAMPING);
+    }
+    return better;
+}
+
+static void take(lag_levenberg_marquardt *d, const lag_parts *parts, size_t which, double *point)
+{
+    size_t first = 0;
+    const size_t rows = lag_parts_rows(parts, which, &first);
+    for (size_t i = 0; i < rows; ++i) {
+        const size_t row = (size_t)parts->row[first + i];
+        d->residual[row] = d->other[row];
+        memcpy(d->jacobian + row * parts->n, d->others_jacobian + row * parts->n, parts->n * sizeof(double));
+    }
+    const size_t columns = lag_parts_columns(parts, which, &first);
+    for (size_t j = 0; j < columns; ++j) {
+        const size_t column = (size_t)parts->column[first + j];
+        point[column] = d->trial[column];
+    }
+}
+
+void lag_descend(lag_levenberg_marquardt *d, const lag_equations *equations, const lag_parts *parts, double target, unsigned iterations,
+    double *point)
+{
+    equations->evaluate(equations->context, point, d->residual, d->jacobian);
+    lag_parts_norms(parts, 1, d->residual, d->sizes);
+    for (size_t which = 0; which < parts->count; ++which) {
+        size_t first = 0;
+        d->damping[which] = 0.0;
+        d->active[which] = lag_parts_rows(parts, which, &first) > 0 && lag_parts_columns(parts, which, &first) > 0;
+    }
+    for (unsigned k = 0; k < iterations; ++k) {
+        for (size_t which = 0; which < parts->count; ++which) {
+            d->active[which] *= d->sizes[which] > 0.0 && isfinite(d->sizes[which]);
+        }
+        try_next(d, parts, point);
+        if (!lag_any(parts->count, d->active)) {
+            break;
+        }
+        equations->evaluate(equations->context, d->trial, d->other, d->others_jacobian);
+        lag_parts_norms(parts, 1, d->other, d->other_sizes);
+        for (size_t which = 0; which < parts->count; ++which) {
+            if (judge(d, which, target)) {
+                take(d, parts, which, point);
+            }
+        }
+    }
+}
+
+double lag_levenberg_marquardt_size(const lag_levenberg_marquardt *d, const lag_equations *equations)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < equations->m; ++i) {
+        sum += d->residual[i] * d->residual[i];
+    }
+    return isfinite(sum) ? sqrt(sum) : (double)INFINITY;
+}

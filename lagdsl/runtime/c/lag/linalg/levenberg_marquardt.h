@@ -1,0 +1,83 @@
+/*
+ * Damped Gauss-Newton for equations with more, fewer or dependent rows. Levenberg's damping with steps of minimum norm, so that dependent
+ * rows and singular positions pass. Independent parts of the equations are damped, accepted and finished each for itself, at the same
+ * time: a machine with a hundred loops has a hundred small problems, not one large one.
+ *
+ * Source: Nocedal and Wright, Numerical Optimization, 2nd ed., section 10.3.
+ */
+#ifndef LAG_LEVENBERG_MARQUARDT_H
+#define LAG_LEVENBERG_MARQUARDT_H
+
+#include <stddef.h>
+
+/* Numbers of rows and columns are kept as doubles: a workspace is of one type. */
+typedef struct lag_parts {
+    size_t m, n, count;                 /* rows, columns, parts */
+    double *row_part, *column_part;     /* (m) (n) which part it belongs to */
+    double *row, *column;               /* (m) (n) ordered by parts */
+    double *first_row, *first_column;   /* (count + 1) where those of a part begin, room for m + n + 1 */
+} lag_parts;
+
+/* Equations, scaled to be of order one: residual (m) and Jacobian (m, n) at x (n). What does not exist is no number. */
+typedef struct lag_equations {
+    size_t m, n;
+    void (*evaluate)(void *context, const double *x, double *residual, double *jacobian);
+    void *context;
+} lag_equations;
+
+typedef struct lag_levenberg_marquardt {
+    size_t m, n;                 /* room for so many */
+    double *residual, *jacobian; /* (m) (m, n) where it ended */
+    double *sizes;               /* (m + n) norms of the residuals of each part, infinite where one is no number */
+    double *other, *others_jacobian, *other_sizes;
+    double *trial;               /* (n) */
+    double *damping, *active;    /* (m + n) */
+    double *block, *right, *part; /* (m, n) (m) (n) */
+    double *svd;
+} lag_levenberg_marquardt;
+
+/* Doubles for parts of m rows and n columns. */
+size_t lag_parts_memory(size_t m, size_t n);
+
+/* Every column of `pattern` (m, n), 0 where an entry vanishes everywhere, in a part with the rows it shares entries with. Null: one part. */
+lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *arena);
+
+/* Fills what follows from the parts of rows and columns and their count. */
+void lag_parts_order(lag_parts *parts);
+
+/* x (n) becomes `point` in the chosen parts (flags). */
+void lag_parts_mix(const lag_parts *parts, const double *chosen, const double *point, double *x);
+
+/* Rows of a part, and where its first stands in `row`; the same of columns. */
+static inline size_t lag_parts_rows(const lag_parts *parts, size_t which, size_t *first)
+{
+    *first = (size_t)parts->first_row[which];
+    return (size_t)parts->first_row[which + 1] - *first;
+}
+
+static inline size_t lag_parts_columns(const lag_parts *parts, size_t which, size_t *first)
+{
+    *first = (size_t)parts->first_column[which];
+    return (size_t)parts->first_column[which + 1] - *first;
+}
+
+/* The entries of a matrix with `width` columns that are a part's, tightly packed. Returns 0 where one is no number. */
+int lag_parts_block(const lag_parts *parts, size_t which, size_t width, const double *matrix, double *block);
+
+/* Euclidean norm of each part's entries of x: (m) of rows, (n) of columns; infinite where one is no number. */
+void lag_parts_norms(const lag_parts *parts, int of_rows, const double *x, double *norms);
+
+size_t lag_levenberg_marquardt_memory(size_t m, size_t n);
+void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m, size_t n, double *arena);
+
+/*
+ * Reduces the residuals from `point` (n) on, which becomes the result, until they are below `target`, stall or `iterations` are used up;
+ * below `target` it goes on as long as whole steps halve them.
+ */
+void lag_descend(lag_levenberg_marquardt *minimizer, const lag_equations *equations, const lag_parts *parts, double target, unsigned iterations,
+    double *point);
+
+/* Euclidean norm of all residuals where it ended; infinite where one is no number. */
+double lag_levenberg_marquardt_size(const lag_levenberg_marquardt *minimizer, const lag_equations *equations);
+
+#endif

@@ -1,0 +1,78 @@
+#include "lag/methods/accuracy.h"
+
+#include <math.h>
+
+static const double FLOOR = 1e-4;
+static const double ROUNDING = 1e-15;
+
+/* fmax() and fmin() without what they do for nan: they are called often, and states of accepted steps are numbers. */
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *tolerance)
+{
+    for (size_t i = 0; i < accuracy->size; ++i) {
+        double *largest = accuracy->largest + (size_t)accuracy->group[i];
+        *largest = larger(*largest, fabs(x[i]));
+    }
+    for (size_t i = 0; i < accuracy->size; ++i) {
+        const double floor = FLOOR * accuracy->natural[i];
+        const double scale = smaller(larger(accuracy->largest[(size_t)accuracy->group[i]], floor), larger(accuracy->cap[i], floor));
+        tolerance[i] = larger(accuracy->relative * scale, ROUNDING * larger(accuracy->natural[i], fabs(x[i])));
+    }
+}
+
+static int same(const char *a, const char *b)
+{
+    while (*a != '\0' && *a == *b) {
+        ++a;
+        ++b;
+    }
+    return *a == *b;
+}
+
+/* Coordinates of one component and unit. */
+static int alike(const lag_model *model, size_t i, size_t j)
+{
+    return (model->components == NULL || model->components[i] == model->components[j]) &&
+           same(model->coordinates[i].unit, model->coordinates[j].unit);
+}
+
+static int is_angle(const lag_model *model, size_t i)
+{
+    return same(model->coordinates[i].unit, "rad") || same(model->coordinates[i].unit, "1");
+}
+
+void lag_accuracy_groups(const lag_model *model, const double *start, double *group, double *natural, double *cap)
+{
+    const size_t n = model->nq;
+    for (size_t i = 0; i < n; ++i) {
+        size_t first = 0;
+        while (first < i && !(group[first] == (double)first && alike(model, first, i))) {
+            ++first;
+        }
+        group[i] = (double)first;
+        group[n + i] = (double)(n + first);
+        natural[i] = 0.0;
+        natural[first] = fmax(natural[first], fabs(start[i]));
+    }
+    for (size_t i = n; i-- > 0;) { /* the first of a group last */
+        const double most = natural[(size_t)group[i]];
+        const int angle = is_angle(model, i);
+        natural[i] = natural[n + i] = angle || !(most > 0.0 && isfinite(most)) ? 1.0 : most;
+        cap[i] = angle ? 1.0 : (double)INFINITY;
+        cap[n + i] = (double)INFINITY;
+    }
+    for (size_t i = 2 * n; i < 2 * n + model->nz; ++i) {
+        group[i] = (double)i;
+        natural[i] = 1.0;
+        cap[i] = (double)INFINITY;
+    }
+}

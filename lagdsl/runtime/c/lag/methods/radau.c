@@ -1,0 +1,262 @@
+/*
+ * Implicit Runge-Kutta methods Radau IIA of orders 5, 9 and 13: L-stable and stiffly accurate, with an error estimate of the order
+ * of the stages and the collocation polynomial as dense output.
+ *
+ * Source: see lag/methods/radau.h; when a Jacobian or a decomposition is kept and when the order changes as in the authors' programs
+ * RADAU5 and RADAU; step control by Gustafsson, section IV.8, formula (8.25).
+ */
+#include "lag/methods/radau.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/lu.h"
+
+static const double SAFETY = 0.9;
+static const double SHRINK = 0.2;
+static const double GROW = 8.0;
+/* A step that would grow by less keeps its length, and so its decomposition. */
+static const double WORTH_IT = 1.2;
+/* The order goes up where Newton's method contracts by this, after some steps, and tolerances are so small a part of the state. */
+static const double HIGHER = 2e-3;
+enum { SETTLED = 10 };
+static const double ACCURATE[LAG_RADAU_TABLES] = {0.0, 1e5, 1e9};
+/* It goes down where Newton's method contracts by this while the length of steps stays within these bounds, or fails. */
+static const double LOWER = 0.8;
+static const double STEADY[2] = {0.8, 1.2};
+/* After a step that could not be solved the next ones are shorter than it by this; the bound recedes by so much at each of them. */
+static const double BELOW = 0.8;
+static const double RECEDE = 1.03;
+
+static void begin(lag_stepper *s)
+{
+    size_t level = 0;
+    while (2 * lag_radau_tables[level].stages - 1 < s->method->order) {
+        ++level;
+    }
+    *(lag_radau_memo *)(void *)s->work = (lag_radau_memo){.level = (double)level, .trust = 1.0};
+}
+
+/* The collocation polynomial of the last step in Newton's form: 0 and the nodes are its places. */
+static void dense(const lag_stepper *s, double t, double *x)
+{
+    const lag_radau_places at = lag_radau_place(s);
+    const size_t n = s->ode->size;
+    const size_t terms = (size_t)at.memo->polynomial;
+    const double h = s->t - s->t_before;
+    const double part = h > 0.0 ? (t - s->t_before) / h : 1.0;
+    const double *node = lag_radau_tables[(terms - 3) / 2].node;
+    for (size_t i = 0; i < n; ++i) {
+        double sum = 0.0;
+        for (size_t k = terms; k-- > 0;) {
+            sum = at.dense[k * n + i] + sum * (part - node[k]);
+        }
+        x[i] = s->x_before[i] + part * sum;
+    }
+}
+
+/* First guess of the stages: the polynomial of the step before, continued. */
+static void predict(const lag_stepper *s, const lag_radau_places *at, double h)
+{
+    const size_t n = s->ode->size;
+    if (at->memo->polynomial == 0.0) {
+        memset(at->z, 0, at->table->stages * n * sizeof(double));
+        return;
+    }
+    for (size_t k = 0; k < at->table->stages; ++k) {
+        dense(s, s->t + at->table->node[k] * h, at->point);
+        for (size_t i = 0; i < n; ++i) {
+            at->z[k * n + i] = at->point[i] - s->x[i];
+        }
+    }
+}
+
+/* The estimate (8.19); filtered once more, (8.20), after a rejected step. */
+static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int again)
+{
+    const size_t n = s->ode->size;
+    for (size_t i = 0; i < n; ++i) {
+        double sum = 0.0;
+        for (size_t k = 0; k < at->table->stages; ++k) {
+            sum += at->table->error[k] * at->z[k * n + i];
+        }
+        at->right[i] = sum / h;
+        at->error[i] = s->f[i] + at->right[i];
+    }
+    lag_lu_solve(n, at->real, at->pivots, at->error);
+    const double size = lag_stepper_norm(s, at->error);
+    if (size < 1.0 || !again) {
+        return size;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        at->point[i] = s->x[i] + at->error[i];
+    }
+    if (lag_stepper_rates(s, s->t, at->point, at->error) != LAG_OK) {
+        return size;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        at->error[i] += at->right[i];
+    }
+    lag_lu_solve(n, at->real, at->pivots, at->error);
+    return lag_stepper_norm(s, at->error);
+}
+
+/* Gustafsson's prediction from two errors, (8.25). */
+static double factor_of(const lag_stepper *s, unsigned stages, double h, double error)
+{
+    const double exponent = 1.0 / (double)(stages + 1);
+    if (!(error > 0.0)) {
+        return GROW;
+    }
+    const double trend = s->error > 0.0 ? h / s->h_of_error * pow(s->error / error, exponent) : 1.0;
+    return fmin(1.0, trend) * pow(error, -exponent);
+}
+
+/* Divided differences of z/node for number i of the state; returns the slope of the polynomial at the end, times h. */
+static double differences(const lag_radau_places *at, size_t n, size_t i)
+{
+    const size_t stages = at->table->stages;
+    const double *node = at->table->node;
+    double *term = at->dense + i;
+    double sum = 0.0;
+    double slope = 0.0;
+    for (size_t k = 0; k < stages; ++k) {
+        term[k * n] = at->z[k * n + i] / node[k];
+    }
+    for (size_t order = 1; order < stages; ++order) {
+        for (size_t k = stages; k-- > order;) {
+            term[k * n] = (term[k * n] - term[(k - 1) * n]) / (node[k] - node[k - order]);
+        }
+    }
+    for (size_t k = stages; k-- > 0;) {
+        slope = sum + slope * (1.0 - node[k]);
+        sum = term[k * n] + sum * (1.0 - node[k]);
+    }
+    return sum + slope;
+}
+
+/* The slope at the end is that of the collocation polynomial there, as the stage equations say it. */
+static void accept(lag_stepper *s, const lag_radau_places *at, double h, double t_new)
+{
+    const size_t n = s->ode->size;
+    for (size_t i = 0; i < n; ++i) {
+        at->point[i] = s->x[i] + at->z[(at->table->stages - 1) * n + i];
+        at->slope[i] = differences(at, n, i) / h;
+    }
+    at->memo->polynomial = (double)at->table->stages;
+    lag_stepper_accept(s, t_new, at->point, at->slope);
+}
+
+/* The table of the next step: by how Newton's method did, and by how the length of steps changes. */
+static void choose_order(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double ratio)
+{
+    lag_radau_memo *memo = at->memo;
+    const size_t level = (size_t)memo->level;
+    const unsigned order = 2 * at->table->stages - 1;
+    const int slow = solved->smooth >= LOWER && ratio >= STEADY[0] && ratio <= STEADY[1];
+    memo->age += 1.0;
+    if (order > s->method->order && (!solved->converged || slow)) {
+        memo->level -= 1.0;
+    } else if (order < s->method->highest_order && solved->converged && memo->age >= SETTLED && solved->smooth <= HIGHER &&
+               lag_stepper_norm(s, s->x) >= ACCURATE[level + 1]) {
+        memo->level += 1.0;
+    } else {
+        return;
+    }
+    memo->age = memo->decomposed = 0.0;
+    memo->trust = 1.0;
+    s->error = 0.0;
+}
+
+/* Length of the next step, where `factor` is what the error of this one, of length h, allows for. */
+static double next_length(const lag_radau_places *at, double h, double factor)
+{
+    lag_radau_memo *memo = at->memo;
+    const int keep = memo->usable != 0.0 && memo->turning == 0.0 && factor >= 1.0 && factor < WORTH_IT;
+    double next = keep ? h : h * fmin(factor, GROW);
+    if (memo->wall > 0.0) {
+        next = fmin(next, BELOW * memo->wall);
+        memo->wall *= RECEDE;
+        memo->wall = next < 0.5 * memo->wall ? 0.0 : memo->wall;
+    }
+    return next;
+}
+
+/* One trial. Infinite: the stage equations could not be solved. */
+static lag_status try_step(lag_stepper *s, const lag_radau_places *at, double h, int again, lag_radau_outcome *solved, double *error)
+{
+    const lag_status status = lag_radau_solve(s, at, h, predict, solved);
+    *error = status == LAG_OK && solved->converged ? error_of(s, at, h, again) : (double)INFINITY;
+    return status;
+}
+
+/* The step is done. */
+static void go_on(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double next, double error)
+{
+    s->h = next;
+    s->error = fmax(error, 1e-2);
+    s->h_of_error = h;
+    choose_order(s, at, solved, next / h);
+}
+
+/* It is to be tried again, shorter. */
+static void shorten(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double factor)
+{
+    ++s->rejections;
+    s->h = fmax(h * fmax(SHRINK, fmin(factor, 0.9)), s->h_least);
+    lag_radau_fail(at, solved);
+    if (!solved->converged) {
+        at->memo->wall = h;
+        choose_order(s, at, solved, 0.0);
+    }
+}
+
+static lag_status step(lag_stepper *s, double limit)
+{
+    for (int rejected = 0;; rejected = 1) {
+        const lag_radau_places at = lag_radau_place(s);
+        const double most = (double)lag_radau_iterations(at.table->stages);
+        const double proposed = fmin(s->h, s->h_most);
+        const double h = lag_stepper_length(s, limit);
+        const double t_new = lag_stepper_end(s, h, limit);
+        double error = 0.0;
+        lag_radau_outcome solved;
+        const lag_status status = try_step(s, &at, h, rejected, &solved, &error);
+        if (status != LAG_OK) {
+            return status;
+        }
+        const double safety = SAFETY * (2.0 * most + 1.0) / (2.0 * most + (double)solved.iterations);
+        const double factor = isfinite(error) ? safety * factor_of(s, at.table->stages, h, error) : 0.5;
+        if (error < 1.0) {
+            accept(s, &at, h, t_new);
+            lag_radau_keep(s, &at, &solved);
+            const double next = next_length(&at, h, factor);
+            go_on(s, &at, &solved, h, h < proposed && !rejected ? fmax(next, proposed) : next, error);
+            return LAG_OK;
+        }
+        if (h <= s->h_least) {
+            ++s->rejections;
+            return LAG_STEP_TOO_SMALL;
+        }
+        shorten(s, &at, &solved, h, factor);
+    }
+}
+
+static lag_status prepare_dense(lag_stepper *s)
+{
+    (void)s;
+    return LAG_OK;
+}
+
+/* What the four have in common. The least number of stages is that of the dense output and of the error estimate. */
+#define RADAU(NAME, LEAST, MOST)                                                                                              \
+    {                                                                                                                         \
+        .name = NAME, .order = 2 * (LEAST)-1, .highest_order = 2 * (MOST)-1, .dense_order = (LEAST), .implicit = 1,            \
+        .factor = 1e-1, .error_order = (LEAST), .arena = lag_radau_memory, .begin = begin, .step = step,                      \
+        .prepare_dense = prepare_dense, .dense = dense                                                                        \
+    }
+
+const lag_method lag_radau = RADAU("radau", 3, 7);
+const lag_method lag_radau5 = RADAU("radau5", 3, 3);
+const lag_method lag_radau9 = RADAU("radau9", 5, 5);
+const lag_method lag_radau13 = RADAU("radau13", 7, 7);

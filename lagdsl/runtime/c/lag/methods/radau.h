@@ -1,0 +1,109 @@
+/*
+ * The Radau IIA methods of 3, 5 and 7 stages: their numbers, and the stage equations of one step. What lag_radau consists of.
+ *
+ * With stages z (each the distance from the present state), A the Runge-Kutta matrix and h A f = z: the inverse of A is
+ * transform * D * inverse, D with the real eigenvalue `mu` and, for each pair of the others, a block
+ * ((alpha, beta), (-beta, alpha)).
+ *
+ * Source: Hairer and Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.8; for 5 and 7 stages and the choice
+ * among them: the same, Stiff differential equations solved by Radau methods, J. Comput. Appl. Math. 111 (1999) 93.
+ */
+#ifndef LAG_RADAU_H
+#define LAG_RADAU_H
+
+#include "lag/stepper.h"
+
+enum { LAG_RADAU_STAGES = 7, LAG_RADAU_PAIRS = 3, LAG_RADAU_TABLES = 3 };
+
+typedef struct lag_radau_table {
+    unsigned stages; /* order of the method: 2 stages - 1 */
+    double node[LAG_RADAU_STAGES]; /* the last is 1 */
+    double mu, alpha[LAG_RADAU_PAIRS], beta[LAG_RADAU_PAIRS];
+    double transform[LAG_RADAU_STAGES][LAG_RADAU_STAGES];
+    double inverse[LAG_RADAU_STAGES][LAG_RADAU_STAGES];
+    double error[LAG_RADAU_STAGES]; /* f(x) + error * z / h: the error estimate, times mu / h, before it is filtered */
+} lag_radau_table;
+
+/* By increasing order. */
+extern const lag_radau_table lag_radau_tables[LAG_RADAU_TABLES];
+
+/* The methods of one order each; lag_radau chooses among them. */
+extern const lag_method lag_radau5, lag_radau9, lag_radau13;
+
+/* Vectors of the Krylov space in which stage equations are solved where the Jacobian turns. */
+enum { LAG_RADAU_KRYLOV = 12 };
+
+/* What is remembered between steps, as numbers. */
+typedef struct lag_radau_memo {
+    double level;      /* the present table */
+    double age;        /* steps since it changed */
+    double fresh;      /* 1: the Jacobian is that of the present state */
+    double usable;     /* 1: there is a Jacobian */
+    double decomposed; /* step length of the decompositions, 0: none */
+    double polynomial; /* terms of the dense output of the step before, 0: there is none */
+    double turning;    /* for so many more steps the Jacobian is taken as linear in time, 0: as constant in a step */
+    double ahead;      /* length of step along which it changes by `change`, 0: not known */
+    double before;     /* length of the step that `trend` is from, 0: none */
+    double wall;       /* stage equations of a step so long could not be solved, 0: none such */
+    double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
+} lag_radau_memo;
+
+/* Where a method keeps what; n: size of the state. */
+typedef struct lag_radau_places {
+    lag_radau_memo *memo;
+    const lag_radau_table *table;
+    double *jacobian;               /* (n, n) */
+    double *real, *complex;         /* (n, n), (pairs, n, n, 2): decomposed */
+    double *pivots;                 /* (1 + pairs, n) */
+    double *z, *w, *slope, *dense;  /* (stages, n) */
+    double *right;                  /* (stages, n) */
+    double *point, *error;          /* (n) */
+    double *change;                 /* (n, n) of the Jacobian along the step */
+    double *bend;                   /* (n, n) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
+    double *trend;                  /* (n, n) its change along the step before, by time */
+    double *basis;                  /* (LAG_RADAU_KRYLOV + 2, stages, n) */
+} lag_radau_places;
+
+size_t lag_radau_memory(size_t size);
+lag_radau_places lag_radau_place(const lag_stepper *s);
+
+/* How Newton's method did. */
+typedef struct lag_radau_outcome {
+    int converged;
+    unsigned iterations;
+    double rate;   /* of contraction in the last iteration; 0: there was only one */
+    double smooth; /* geometric mean of the last two rates */
+} lag_radau_outcome;
+
+unsigned lag_radau_iterations(unsigned stages); /* at most */
+
+/* out = matrix in, for as many arrays of n numbers as there are stages. */
+void lag_radau_transform(
+    size_t n, size_t stages, const double matrix[LAG_RADAU_STAGES][LAG_RADAU_STAGES], const double *in, double *out);
+
+/* x (stages, n) becomes the solution of the decomposed systems for it. */
+void lag_radau_decomposed(size_t n, const lag_radau_places *at, double *x);
+
+/* Sum over the stages, by the tolerances. */
+double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, const double *b);
+
+/*
+ * x (stages, n), which solves the equations with the Jacobian at the middle of the step, becomes the solution with one that
+ * changes along it, to a small part of itself.
+ */
+void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x);
+
+/*
+ * The stages z of a step of length h, from the first guess that `guess` puts into them: with the Jacobian at hand, and a new one
+ * where that fails. What is not LAG_OK comes from the Jacobian.
+ */
+lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
+    void (*guess)(const lag_stepper *s, const lag_radau_places *at, double h), lag_radau_outcome *outcome);
+
+/* The step was accepted: whether the Jacobian serves the next one, and how that is to be solved. */
+void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *outcome);
+
+/* It was not. */
+void lag_radau_fail(const lag_radau_places *at, const lag_radau_outcome *outcome);
+
+#endif

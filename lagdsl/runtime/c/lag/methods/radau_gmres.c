@@ -1,0 +1,132 @@
+/*
+ * Linear systems of the stage equations where the Jacobian changes along the step: GMRES, in the norm of the tolerances, with the
+ * decomposed systems as preconditioner. No right-hand side is evaluated.
+ *
+ * Source: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856; the arithmetic as in Saad, Iterative Methods for Sparse Linear
+ * Systems, 2nd ed., algorithm 6.9 and section 6.5.3.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "lag/methods/radau.h"
+
+enum { MOST = LAG_RADAU_KRYLOV, STAGES = LAG_RADAU_STAGES };
+
+/* What is left of the residual. */
+static const double SMALL = 1e-6;
+/* A direction of which no more than this is left is none. */
+static const double ROUNDING = 1e-14;
+
+/* The Hessenberg matrix, column by column as it grows, made triangular by rotations, and the rotated right-hand side. */
+typedef struct least_squares {
+    double column[MOST][MOST + 1];
+    double cosine[MOST], sine[MOST], right[MOST + 1];
+} least_squares;
+
+/* out = v - solution of the decomposed systems for (the change of the Jacobian up to the stages, from the middle on) v */
+static void apply(size_t n, const lag_radau_places *at, const double *v, double *out)
+{
+    const lag_radau_table *table = at->table;
+    const size_t stages = table->stages;
+    double *product = at->basis + (MOST + 1) * STAGES * n;
+    lag_radau_transform(n, stages, table->transform, v, out);
+    for (size_t k = 0; k < stages; ++k) {
+        const double part = table->node[k] - 0.5;
+        for (size_t i = 0; i < n; ++i) {
+            double sum = 0.0;
+            for (size_t j = 0; j < n; ++j) {
+                sum += (at->change[i * n + j] + part * at->bend[i * n + j]) * out[k * n + j];
+            }
+            product[k * n + i] = part * sum;
+        }
+    }
+    lag_radau_transform(n, stages, table->inverse, product, out);
+    lag_radau_decomposed(n, at, out);
+    for (size_t i = 0; i < stages * n; ++i) {
+        out[i] = v[i] - out[i];
+    }
+}
+
+/* The next direction, orthogonal to all before it and of length 1; what it had of them, and its length, into `column`. */
+static void grow(const lag_stepper *s, const lag_radau_places *at, size_t m, double *column)
+{
+    const size_t size = at->table->stages * s->ode->size;
+    double *next = at->basis + (m + 1) * size;
+    apply(s->ode->size, at, at->basis + m * size, next);
+    for (size_t k = 0; k <= m; ++k) {
+        const double *before = at->basis + k * size;
+        column[k] = lag_radau_inner(s, at->table->stages, next, before);
+        for (size_t i = 0; i < size; ++i) {
+            next[i] -= column[k] * before[i];
+        }
+    }
+    column[m + 1] = sqrt(lag_radau_inner(s, at->table->stages, next, next));
+    for (size_t i = 0; i < size && column[m + 1] > 0.0; ++i) {
+        next[i] /= column[m + 1];
+    }
+}
+
+/* Column m becomes one of a triangular matrix. 0: it depends on those before it. */
+static int rotate(least_squares *system, size_t m)
+{
+    double *column = system->column[m];
+    for (size_t k = 0; k < m; ++k) {
+        const double kept = system->cosine[k] * column[k] + system->sine[k] * column[k + 1];
+        column[k + 1] = system->cosine[k] * column[k + 1] - system->sine[k] * column[k];
+        column[k] = kept;
+    }
+    const double length = hypot(column[m], column[m + 1]);
+    if (!(length > 0.0) || !isfinite(length)) {
+        return 0;
+    }
+    system->cosine[m] = column[m] / length;
+    system->sine[m] = column[m + 1] / length;
+    column[m] = length;
+    system->right[m + 1] = -system->sine[m] * system->right[m];
+    system->right[m] *= system->cosine[m];
+    return 1;
+}
+
+/* x = the directions with the weights that the triangular system of m columns says. */
+static void combine(size_t size, const lag_radau_places *at, least_squares *system, size_t m, double *x)
+{
+    memset(x, 0, size * sizeof(double));
+    for (size_t k = m; k-- > 0;) {
+        for (size_t j = k + 1; j < m; ++j) {
+            system->right[k] -= system->column[j][k] * system->right[j];
+        }
+        system->right[k] /= system->column[k][k];
+        for (size_t i = 0; i < size; ++i) {
+            x[i] += system->right[k] * at->basis[k * size + i];
+        }
+    }
+}
+
+void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x)
+{
+    const size_t size = at->table->stages * s->ode->size;
+    const double start = sqrt(lag_radau_inner(s, at->table->stages, x, x));
+    least_squares system;
+    size_t m = 0;
+    if (!(start > 0.0) || !isfinite(start)) {
+        return;
+    }
+    for (size_t i = 0; i < size; ++i) {
+        at->basis[i] = x[i] / start;
+    }
+    system.right[0] = start;
+    while (m < MOST && fabs(system.right[m]) > SMALL * start) {
+        grow(s, at, m, system.column[m]);
+        const int last = !(system.column[m][m + 1] > ROUNDING);
+        if (!rotate(&system, m)) {
+            break;
+        }
+        ++m;
+        if (last) {
+            break;
+        }
+    }
+    if (m > 0) {
+        combine(size, at, &system, m, x);
+    }
+}

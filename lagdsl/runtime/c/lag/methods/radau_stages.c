@@ -1,0 +1,344 @@
+/*
+ * The stage equations of a Radau method, by simplified Newton iterations with the exact Jacobian: one real and some complex systems
+ * of the size of the state.
+ *
+ * Where stiff directions turn along a step, as they do in mechanisms, iterations with a Jacobian that is constant converge for short
+ * steps only (Lubich, Integration of stiff mechanical systems by Runge-Kutta methods, ZAMP 44 (1993) 1022). Then the Jacobian is
+ * taken as quadratic in time, by that at the start of the step before, at its start and at its predicted end; the last is the one at
+ * the start of the next step.
+ *
+ * Source: see lag/methods/radau.h; section IV.8, formulas (8.4) to (8.11).
+ */
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/lu.h"
+#include "lag/methods/radau.h"
+
+/* Errors of the stage equations, as a part of the tolerance. */
+static const double NEWTON_TOLERANCE = 3e-3;
+/* Where Newton's method contracts by less than this the Jacobian is kept for the next step. */
+static const double GOOD_RATE = 1e-3;
+/* Where it contracts by more than this, so many steps are done with a Jacobian that changes along them. */
+static const double SLOW = 0.1;
+enum { TURNING = 50 };
+
+enum { STAGES = LAG_RADAU_STAGES, PAIRS = LAG_RADAU_PAIRS, MEMO = sizeof(lag_radau_memo) / sizeof(double) };
+
+size_t lag_radau_memory(size_t size)
+{
+    return MEMO + (5 + 2 * PAIRS) * size * size + (3 + PAIRS + (5 + LAG_RADAU_KRYLOV + 2) * STAGES) * size;
+}
+
+lag_radau_places lag_radau_place(const lag_stepper *s)
+{
+    const size_t n = s->ode->size;
+    lag_radau_places at;
+    at.memo = (lag_radau_memo *)(void *)s->work;
+    at.table = &lag_radau_tables[(size_t)at.memo->level];
+    at.jacobian = s->work + MEMO;
+    at.real = at.jacobian + n * n;
+    at.complex = at.real + n * n;
+    at.pivots = at.complex + 2 * PAIRS * n * n;
+    at.z = at.pivots + (1 + PAIRS) * n;
+    at.w = at.z + STAGES * n;
+    at.slope = at.w + STAGES * n;
+    at.dense = at.slope + STAGES * n;
+    at.right = at.dense + STAGES * n;
+    at.point = at.right + STAGES * n;
+    at.error = at.point + n;
+    at.change = at.error + n;
+    at.bend = at.change + n * n;
+    at.trend = at.bend + n * n;
+    at.basis = at.trend + n * n;
+    return at;
+}
+
+unsigned lag_radau_iterations(unsigned stages)
+{
+    return 7 + (stages - 3) * 5 / 2;
+}
+
+static lag_status take_jacobian(lag_stepper *s, const lag_radau_places *at, double t, const double *x, double *matrix)
+{
+    ++s->jacobians;
+    const lag_status status = s->ode->jacobian(s->ode->context, t, x, matrix);
+    at->memo->decomposed = 0.0;
+    if (status != LAG_OK) {
+        s->trouble = status;
+        s->trouble_time = t;
+        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
+    }
+    return status;
+}
+
+/* Its change along a step that ends about at its last stage z. */
+static lag_status take_change(lag_stepper *s, const lag_radau_places *at, double h)
+{
+    const size_t n = s->ode->size;
+    const double before = at->memo->before;
+    for (size_t i = 0; i < n; ++i) {
+        at->point[i] = s->x[i] + at->z[(at->table->stages - 1) * n + i];
+    }
+    const lag_status status = take_jacobian(s, at, s->t + h, at->point, at->change);
+    for (size_t i = 0; i < n * n; ++i) {
+        at->change[i] -= at->jacobian[i];
+        at->bend[i] = before > 0.0 ? (at->change[i] - h * at->trend[i]) * (h / (h + before)) : 0.0;
+    }
+    at->memo->ahead = h;
+    return status;
+}
+
+/* The same along a part of that step. */
+static void cut_change(size_t n, const lag_radau_places *at, double part)
+{
+    for (size_t i = 0; i < n * n; ++i) {
+        at->change[i] = part * (at->change[i] + (part - 1.0) * at->bend[i]);
+        at->bend[i] *= part * part;
+    }
+    at->memo->decomposed = 0.0;
+    at->memo->ahead *= part;
+}
+
+/* What Newton's method needs to know of the Jacobian for a step of length h. */
+static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
+{
+    lag_radau_memo *memo = at->memo;
+    lag_status status = LAG_OK;
+    if (memo->usable == 0.0) {
+        status = take_jacobian(s, at, s->t, s->x, at->jacobian);
+        memo->ahead = 0.0;
+        memo->fresh = memo->usable = status == LAG_OK ? 1.0 : 0.0;
+    }
+    if (status == LAG_OK && memo->turning > 0.0 && memo->ahead == 0.0) {
+        status = take_change(s, at, h);
+    } else if (memo->turning > 0.0 && memo->ahead != h) {
+        cut_change(s->ode->size, at, h / memo->ahead);
+        memo->ahead = h;
+    }
+    return status;
+}
+
+/* Entry i of the Jacobian that is decomposed: at the start of the step, or at its middle. */
+static double entry(const lag_radau_places *at, size_t i)
+{
+    return at->memo->turning > 0.0 ? at->jacobian[i] + 0.5 * at->change[i] - 0.25 * at->bend[i] : at->jacobian[i];
+}
+
+/* ((alpha - i beta)/h) I - J, decomposed. */
+static int decompose_pair(size_t n, const lag_radau_places *at, size_t pair, double h)
+{
+    double *matrix = at->complex + 2 * n * n * pair;
+    for (size_t i = 0; i < n * n; ++i) {
+        matrix[2 * i] = -entry(at, i);
+        matrix[2 * i + 1] = 0.0;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        matrix[2 * (i * n + i)] += at->table->alpha[pair] / h;
+        matrix[2 * (i * n + i) + 1] -= at->table->beta[pair] / h;
+    }
+    return lag_lu_complex(n, matrix, at->pivots + (1 + pair) * n);
+}
+
+/* (mu/h) I - J and the matrices of the pairs, decomposed. */
+static lag_status decompose(lag_stepper *s, const lag_radau_places *at, double h)
+{
+    const size_t n = s->ode->size;
+    if (at->memo->decomposed == h) {
+        return LAG_OK;
+    }
+    ++s->decompositions;
+    for (size_t i = 0; i < n * n; ++i) {
+        at->real[i] = -entry(at, i);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        at->real[i * n + i] += at->table->mu / h;
+    }
+    int regular = lag_lu(n, at->real, at->pivots);
+    for (size_t pair = 0; 2 * pair + 1 < at->table->stages && regular; ++pair) {
+        regular = decompose_pair(n, at, pair, h);
+    }
+    at->memo->decomposed = regular ? h : 0.0;
+    return regular ? LAG_OK : LAG_SINGULAR;
+}
+
+void lag_radau_transform(size_t n, size_t stages, const double matrix[STAGES][STAGES], const double *in, double *out)
+{
+    for (size_t k = 0; k < stages; ++k) {
+        for (size_t i = 0; i < n; ++i) {
+            double sum = 0.0;
+            for (size_t j = 0; j < stages; ++j) {
+                sum += matrix[k][j] * in[j * n + i];
+            }
+            out[k * n + i] = sum;
+        }
+    }
+}
+
+static lag_status stage_slopes(lag_stepper *s, const lag_radau_places *at, double h)
+{
+    const size_t n = s->ode->size;
+    lag_status status = LAG_OK;
+    for (size_t k = 0; k < at->table->stages && status == LAG_OK; ++k) {
+        for (size_t i = 0; i < n; ++i) {
+            at->point[i] = s->x[i] + at->z[k * n + i];
+        }
+        status = lag_stepper_rates(s, s->t + at->table->node[k] * h, at->point, at->slope + k * n);
+    }
+    return status;
+}
+
+void lag_radau_decomposed(size_t n, const lag_radau_places *at, double *x)
+{
+    lag_lu_solve(n, at->real, at->pivots, x);
+    for (size_t pair = 0; 2 * pair + 1 < at->table->stages; ++pair) {
+        double *a = x + (2 * pair + 1) * n;
+        double *b = a + n;
+        for (size_t i = 0; i < n; ++i) {
+            at->right[2 * i] = a[i];
+            at->right[2 * i + 1] = b[i];
+        }
+        lag_lu_complex_solve(n, at->complex + 2 * n * n * pair, at->pivots + (1 + pair) * n, at->right);
+        for (size_t i = 0; i < n; ++i) {
+            a[i] = at->right[2 * i];
+            b[i] = at->right[2 * i + 1];
+        }
+    }
+}
+
+/* The slopes of the stages become the residual of the stage equations, in the coordinates w. */
+static void residual(size_t n, const lag_radau_places *at, double h)
+{
+    const lag_radau_table *table = at->table;
+    lag_radau_transform(n, table->stages, table->inverse, at->slope, at->right);
+    memcpy(at->slope, at->right, table->stages * n * sizeof(double));
+    for (size_t i = 0; i < n; ++i) {
+        at->slope[i] -= table->mu / h * at->w[i];
+    }
+    for (size_t pair = 0; 2 * pair + 1 < table->stages; ++pair) {
+        const double alpha = table->alpha[pair] / h;
+        const double beta = table->beta[pair] / h;
+        double *a = at->slope + (2 * pair + 1) * n;
+        const double *w = at->w + (2 * pair + 1) * n;
+        for (size_t i = 0; i < n; ++i) {
+            a[i] -= alpha * w[i] + beta * w[n + i];
+            a[n + i] -= alpha * w[n + i] - beta * w[i];
+        }
+    }
+}
+
+double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, const double *b)
+{
+    const size_t n = s->ode->size;
+    double sum = 0.0;
+    for (size_t k = 0; k < stages; ++k) {
+        for (size_t i = 0; i < n; ++i) {
+            sum += a[k * n + i] / s->tolerance[i] * (b[k * n + i] / s->tolerance[i]);
+        }
+    }
+    return sum;
+}
+
+/* The slopes of the stages become one correction of w by Newton's method; its size as a part of the tolerances. */
+static double correction(const lag_stepper *s, const lag_radau_places *at, double h)
+{
+    const size_t n = s->ode->size;
+    const size_t stages = at->table->stages;
+    residual(n, at, h);
+    lag_radau_decomposed(n, at, at->slope);
+    if (at->memo->turning > 0.0) {
+        lag_radau_gmres(s, at, at->slope);
+    }
+    return sqrt(lag_radau_inner(s, stages, at->slope, at->slope) / (double)(n > 0 ? stages * n : 1));
+}
+
+/* Simplified Newton iterations from the stages z, formulas (8.10) and (8.11). */
+static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, double h)
+{
+    const size_t n = s->ode->size;
+    const size_t stages = at->table->stages;
+    const unsigned most = lag_radau_iterations(at->table->stages);
+    lag_radau_outcome result = {0, 0, 0.0, 1.0};
+    double before = 0.0;
+    double trust = pow(fmax(at->memo->trust, 1e-16), 0.8);
+    lag_radau_transform(n, stages, at->table->inverse, at->z, at->w);
+    for (unsigned k = 0; k < most; ++k) {
+        result.iterations = k + 1;
+        if (stage_slopes(s, at, h) != LAG_OK) {
+            return result;
+        }
+        const double size = correction(s, at, h);
+        const double rate = before > 0.0 ? size / before : 0.0;
+        const double remaining = pow(rate, (double)(most - k)) / (1.0 - rate) * size;
+        if (!isfinite(size) || (before > 0.0 && (rate >= 1.0 || remaining > NEWTON_TOLERANCE))) {
+            return result;
+        }
+        for (size_t i = 0; i < stages * n; ++i) {
+            at->w[i] += at->slope[i];
+        }
+        lag_radau_transform(n, stages, at->table->transform, at->w, at->z);
+        trust = before > 0.0 ? rate / (1.0 - rate) : trust;
+        if (size == 0.0 || trust * size < NEWTON_TOLERANCE) {
+            at->memo->trust = trust;
+            result.converged = 1;
+            result.smooth = k > 1 ? sqrt(rate * result.rate) : rate;
+            result.rate = rate;
+            return result;
+        }
+        result.rate = rate;
+        before = size;
+    }
+    return result;
+}
+
+lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
+    void (*guess)(const lag_stepper *s, const lag_radau_places *at, double h), lag_radau_outcome *outcome)
+{
+    *outcome = (lag_radau_outcome){0, 0, 0.0, 1.0};
+    for (;;) {
+        guess(s, at, h);
+        const lag_status status = prepare(s, at, h);
+        if (status != LAG_OK) {
+            return status;
+        }
+        if (decompose(s, at, h) == LAG_OK) {
+            *outcome = iterate(s, at, h);
+        }
+        if (outcome->converged || at->memo->fresh != 0.0 || at->memo->turning > 0.0) {
+            return LAG_OK;
+        }
+        at->memo->usable = 0.0;
+    }
+}
+
+void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *outcome)
+{
+    const size_t n = s->ode->size;
+    lag_radau_memo *memo = at->memo;
+    memo->fresh = 0.0;
+    memo->before = 0.0;
+    if (memo->turning > 0.0) {
+        for (size_t i = 0; i < n * n; ++i) {
+            at->jacobian[i] += at->change[i];
+            at->trend[i] = at->change[i] / memo->ahead;
+        }
+        memo->before = memo->ahead;
+        memo->turning -= 1.0;
+        memo->usable = memo->turning > 0.0 ? 1.0 : 0.0;
+    } else {
+        memo->turning = outcome->smooth > SLOW ? TURNING : 0.0;
+        memo->usable = outcome->rate > GOOD_RATE ? 0.0 : 1.0;
+    }
+    memo->ahead = 0.0;
+}
+
+void lag_radau_fail(const lag_radau_places *at, const lag_radau_outcome *outcome)
+{
+    lag_radau_memo *memo = at->memo;
+    if (outcome->converged) {
+        return;
+    }
+    memo->usable = memo->turning > 0.0 ? 0.0 : memo->usable; /* it was that of a state that was only predicted */
+    memo->turning = TURNING;
+    memo->ahead = memo->decomposed = 0.0;
+}

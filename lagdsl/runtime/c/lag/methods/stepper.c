@@ -1,0 +1,164 @@
+#include "lag/stepper.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/finite.h"
+
+/* Steps that would leave less than this part of themselves before the limit are stretched to it. */
+static const double STRETCH = 1.01;
+
+size_t lag_stepper_memory(size_t size)
+{
+    const size_t explicit_work = lag_dop853.arena(size);
+    const size_t implicit_work = lag_radau.arena(size);
+    const size_t fixed_work = lag_steps_rk4.arena(size);
+    const size_t work = explicit_work > implicit_work ? explicit_work : implicit_work;
+    return 6 * size + (work > fixed_work ? work : fixed_work);
+}
+
+void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *arena)
+{
+    const size_t size = ode->size;
+    memset(s, 0, sizeof *s);
+    s->ode = ode;
+    s->x = arena;
+    s->f = s->x + size;
+    s->x_before = s->f + size;
+    s->f_before = s->x_before + size;
+    s->tolerance = s->f_before + size;
+    s->trouble_x = s->tolerance + size;
+    s->work = s->trouble_x + size;
+    s->h_most = (double)INFINITY;
+}
+
+lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *xd)
+{
+    ++s->evaluations;
+    lag_status status = s->ode->rates(s->ode->context, t, x, xd);
+    if (status == LAG_OK && !lag_finite(s->ode->size, xd)) {
+        status = LAG_NOT_FINITE;
+    }
+    if (status != LAG_OK) {
+        s->trouble = status;
+        s->trouble_time = t;
+        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
+    }
+    return status;
+}
+
+double lag_stepper_norm(const lag_stepper *s, const double *error)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < s->ode->size; ++i) {
+        const double part = error[i] / s->tolerance[i];
+        sum += part * part;
+    }
+    return isfinite(sum) ? sqrt(sum / (double)(s->ode->size > 0 ? s->ode->size : 1)) : (double)INFINITY;
+}
+
+/*
+ * Length of the first step for an error estimate of the given order.
+ * Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.4, "Starting step size".
+ */
+static double first_length(lag_stepper *s, double span)
+{
+    const size_t size = s->ode->size;
+    const double d0 = lag_stepper_norm(s, s->x);
+    const double d1 = lag_stepper_norm(s, s->f);
+    double h0 = d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1;
+    h0 = fmin(h0, fmin(span, s->h_most));
+    for (size_t i = 0; i < size; ++i) {
+        s->x_before[i] = s->x[i] + h0 * s->f[i];
+    }
+    if (!(h0 > 0.0) || lag_stepper_rates(s, s->t + h0, s->x_before, s->f_before) != LAG_OK) {
+        return fmax(1e-3 * h0, s->h_least);
+    }
+    for (size_t i = 0; i < size; ++i) {
+        s->f_before[i] -= s->f[i];
+    }
+    const double d2 = lag_stepper_norm(s, s->f_before) / h0;
+    const double most = fmax(d1, d2);
+    const double h1 = most <= 1e-15 ? fmax(1e-6, 1e-3 * h0) : pow(0.01 / most, 1.0 / (double)(s->method->error_order + 1));
+    return fmin(fmin(100.0 * h0, h1), fmin(span, s->h_most));
+}
+
+lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double span)
+{
+    s->method = method;
+    s->error = s->h_of_error = s->urge = 0.0;
+    s->dense_ready = 0;
+    const lag_status status = lag_stepper_rates(s, s->t, s->x, s->f);
+    if (status != LAG_OK) {
+        return status;
+    }
+    if (!(s->h > 0.0)) {
+        s->h = method->error_order > 0 ? first_length(s, span) : s->length;
+    }
+    memcpy(s->x_before, s->x, s->ode->size * sizeof(double));
+    memcpy(s->f_before, s->f, s->ode->size * sizeof(double));
+    s->t_before = s->t;
+    method->begin(s);
+    return LAG_OK;
+}
+
+lag_status lag_stepper_step(lag_stepper *s, double limit)
+{
+    s->dense_ready = 0;
+    const lag_status status = s->method->step(s, limit);
+    s->steps += status == LAG_OK;
+    return status;
+}
+
+lag_status lag_stepper_correct(lag_stepper *s)
+{
+    return lag_stepper_rates(s, s->t, s->x, s->f);
+}
+
+void lag_stepper_undo(lag_stepper *s, double h)
+{
+    s->t = s->t_before;
+    memcpy(s->x, s->x_before, s->ode->size * sizeof(double));
+    memcpy(s->f, s->f_before, s->ode->size * sizeof(double));
+    s->h = h;
+    s->error = s->h_of_error = 0.0;
+    s->dense_ready = 0;
+    s->method->begin(s);
+}
+
+lag_status lag_stepper_dense(lag_stepper *s, double t, double *x)
+{
+    if (!s->dense_ready) {
+        const lag_status status = s->method->prepare_dense(s);
+        if (status != LAG_OK) {
+            return status;
+        }
+        s->dense_ready = 1;
+    }
+    s->method->dense(s, t, x);
+    return LAG_OK;
+}
+
+double lag_stepper_length(const lag_stepper *s, double limit)
+{
+    const double rest = limit - s->t;
+    const double h = fmin(s->h, s->h_most);
+    return h * STRETCH >= rest ? rest : h;
+}
+
+double lag_stepper_end(const lag_stepper *s, double h, double limit)
+{
+    return h >= limit - s->t ? limit : s->t + h;
+}
+
+void lag_stepper_accept(lag_stepper *s, double t_new, const double *x_new, const double *f_new)
+{
+    const size_t bytes = s->ode->size * sizeof(double);
+    memcpy(s->x_before, s->x, bytes);
+    memcpy(s->f_before, s->f, bytes);
+    memcpy(s->x, x_new, bytes);
+    memcpy(s->f, f_new, bytes);
+    s->t_before = s->t;
+    s->t = t_new;
+}

@@ -1,0 +1,178 @@
+/* Methods of fixed steps (lag/fixed.h) for those who want events and rows within their steps: ends are counted, not added up. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/fixed.h"
+#include "lag/linalg/arena.h"
+#include "lag/stepper.h"
+
+/* A last step that would leave less than this part of itself is stretched. */
+static const double STRETCH = 1.01;
+
+/* Where the steps are counted from: what begins, and how many followed the first, of this length. */
+typedef struct places {
+    double *start, *first, *count;
+    double *x, *f;    /* (size) */
+    double *arena;
+} places;
+
+static places place(const lag_stepper *s)
+{
+    double *arena = s->work;
+    places at;
+    at.start = lag_take(&arena, 1);
+    at.first = lag_take(&arena, 1);
+    at.count = lag_take(&arena, 1);
+    at.x = lag_take(&arena, s->ode->size);
+    at.f = lag_take(&arena, s->ode->size);
+    at.arena = arena;
+    return at;
+}
+
+static size_t arena(size_t size)
+{
+    return 3 + 2 * size + lag_fixed_memory(size);
+}
+
+static void begin(lag_stepper *s)
+{
+    const places at = place(s);
+    *at.start = s->t;
+    *at.first = s->h > 0.0 ? fmin(s->h, s->length) : s->length;
+    *at.count = 0.0;
+}
+
+static int same(size_t size, const double *x, const double *y)
+{
+    for (size_t i = 0; i < size; ++i) {
+        if (x[i] != y[i]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The system as the formulas see it: counted, and known at the present state. */
+static lag_status rates(void *context, double t, const double *x, double *xd)
+{
+    lag_stepper *s = context;
+    if (t == s->t && same(s->ode->size, x, s->x)) {
+        memcpy(xd, s->f, s->ode->size * sizeof(double));
+        return LAG_OK;
+    }
+    return lag_stepper_rates(s, t, x, xd);
+}
+
+static lag_status jacobian(void *context, double t, const double *x, double *matrix)
+{
+    lag_stepper *s = context;
+    ++s->jacobians;
+    const lag_status status = s->ode->jacobian(s->ode->context, t, x, matrix);
+    if (status != LAG_OK) {
+        s->trouble = status;
+        s->trouble_time = t;
+        memcpy(s->trouble_x, x, s->ode->size * sizeof(double));
+    }
+    return status;
+}
+
+static lag_status step(lag_stepper *s, double limit, lag_fixed_step *formula)
+{
+    const places at = place(s);
+    const lag_ode ode = {s->ode->size, s, rates, jacobian};
+    double end = *at.start + *at.first + *at.count * s->length;
+    if (limit - s->t <= STRETCH * (end - s->t)) {
+        end = limit;
+    }
+    memcpy(at.x, s->x, s->ode->size * sizeof(double));
+    lag_status status = formula(&ode, s->nq, s->t, end - s->t, at.x, at.arena);
+    if (status == LAG_OK) {
+        status = lag_stepper_rates(s, end, at.x, at.f);
+    }
+    if (status != LAG_OK) {
+        return LAG_STEP_TOO_SMALL;
+    }
+    *at.count += 1.0;
+    s->h = s->length;
+    lag_stepper_accept(s, end, at.x, at.f);
+    return LAG_OK;
+}
+
+static lag_status prepare_dense(lag_stepper *s)
+{
+    (void)s;
+    return LAG_OK;
+}
+
+/* Cubic Hermite interpolation. */
+static void dense(const lag_stepper *s, double t, double *x)
+{
+    const places at = place(s);
+    const double h = s->t - s->t_before;
+    const double part = (t - s->t_before) / h;
+    for (size_t i = 0; i < s->ode->size; ++i) {
+        const double change = at.x[i] - s->x_before[i];
+        const double bend = (1.0 - 2.0 * part) * change + (part - 1.0) * h * s->f_before[i] + part * h * at.f[i];
+        x[i] = s->x_before[i] + part * change + part * (part - 1.0) * bend;
+    }
+}
+
+static lag_status step_rk4(lag_stepper *s, double limit)
+{
+    return step(s, limit, lag_rk4);
+}
+
+static lag_status step_leapfrog(lag_stepper *s, double limit)
+{
+    return step(s, limit, lag_leapfrog);
+}
+
+static lag_status step_ros2(lag_stepper *s, double limit)
+{
+    return step(s, limit, lag_ros2);
+}
+
+const lag_method lag_steps_rk4 = {
+    .name = "rk4",
+    .order = 4,
+    .highest_order = 4,
+    .dense_order = 3,
+    .implicit = 0,
+    .factor = 1.0,
+    .error_order = 0,
+    .arena = arena,
+    .begin = begin,
+    .step = step_rk4,
+    .prepare_dense = prepare_dense,
+    .dense = dense,
+};
+
+const lag_method lag_steps_leapfrog = {
+    .name = "leapfrog",
+    .order = 2,
+    .highest_order = 2,
+    .dense_order = 3,
+    .implicit = 0,
+    .factor = 1.0,
+    .error_order = 0,
+    .arena = arena,
+    .begin = begin,
+    .step = step_leapfrog,
+    .prepare_dense = prepare_dense,
+    .dense = dense,
+};
+
+const lag_method lag_steps_ros2 = {
+    .name = "ros2",
+    .order = 2,
+    .highest_order = 2,
+    .dense_order = 3,
+    .implicit = 1,
+    .factor = 1.0,
+    .error_order = 0,
+    .arena = arena,
+    .begin = begin,
+    .step = step_ros2,
+    .prepare_dense = prepare_dense,
+    .dense = dense,
+};

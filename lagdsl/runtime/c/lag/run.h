@@ -1,0 +1,317 @@
+/*
+ * Simulation of a model: steps with error control, projection onto the constraints after each of them, rows at requested times
+ * from dense output, events located on it, clocks, and a watch over what must stay true.
+ *
+ *     lag_run_options options = {.tolerance = 1e-8, .count = 101, .times = times, .rows = rows};
+ *     lag_run *run = lag_run_place(malloc(lag_run_size(&Model, &options)), &Model, &options);
+ *     lag_status status = lag_run_begin(run, 0.0, NULL);
+ *     if (status == LAG_OK) status = lag_run_to(run, 10.0, 0);
+ *
+ * All state of a run lies in the one block that the caller gives; nothing is allocated, nothing is global, so runs in different
+ * threads do not know of each other. The model, the options' arrays and the parameters must outlive it.
+ */
+#ifndef LAG_RUN_H
+#define LAG_RUN_H
+
+#include "lag/methods/accuracy.h"
+#include "lag/events/zero_crossing.h"
+#include "lag/events/clock.h"
+#include "lag/run/extremes.h"
+#include "lag/events/instant.h"
+#include "lag/equations/motion.h"
+#include "lag/equations/projection.h"
+#include "lag/equations/rank.h"
+#include "lag/run/results.h"
+#include "lag/run/singular_crossing.h"
+#include "lag/stepper.h"
+#include "lag/methods/stiffness.h"
+#include "lag/equations/watch.h"
+
+typedef struct lag_run lag_run;
+struct lag_initial;
+
+/* What happened at an instant. */
+typedef struct lag_event {
+    double t;
+    const double *crossed; /* (indicators) 1: became >= 0, -1: became < 0, 0: neither */
+    const double *ticked;  /* (clocks) 1: its instant is now */
+    unsigned pass;         /* 0, and more where the event itself let indicators change their signs */
+} lag_event;
+
+typedef struct lag_run_options {
+    double tolerance;         /* of the motion as a whole; 0: 1e-8 */
+    const lag_method *method; /* null: lag_dop853, and lag_radau where stability would limit its steps */
+    double h_first, h_most;   /* lengths of steps; 0: found by the method, without bound */
+    double h_fixed;           /* that of methods which do not choose it */
+    double part;              /* projection leaves residuals of this part of the tolerance; 0: 1e-3 */
+
+    const double *p;          /* (np) parameters; null: the defaults */
+    void *context;            /* of all callbacks */
+    lag_inputs *inputs;       /* null: constant inputs, */
+    const double *u;          /* (nu) these; null: the defaults */
+
+    /* What counts as a change of order one; null: found at the first state (see lag/methods/accuracy.h). */
+    const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
+    const double *row_sizes;             /* (nc) of the constraints */
+    int careful;                         /* 1: ranks are looked at, and singular positions crossed (lag/run/singular_crossing.h) */
+    const double *lasting;               /* (nc) 0: the row comes and goes, as those of contacts; null: all last, */
+    size_t general;                      /* else so many of those that do are independent in general */
+
+    /*
+     * What happens at instants, of models with discretes: told as it happens. A contact rests when less than a millionth of the `length`
+     * of the experiment is left of a series of impacts; 0: that of the times, or as long as the run is let go.
+     */
+    lag_status (*tell)(void *context, lag_run *run, const lag_event_notice *notice);
+    double length;
+
+    /* Rows: states (2 nq + nz) at `count` increasing times, where `rows` (count, 2 nq + nz) or `output` is given. */
+    size_t count;
+    const double *times;
+    double *rows;
+    lag_status (*output)(void *context, lag_run *run, double t, const double *x);
+    lag_results *results; /* whole rows at these times and at events, and what happens; null: not wanted */
+
+    /* Events of the caller's. Indicators are looked at `looks` times in each step (0: 4) and located to `time_tolerance` (0: round-off). */
+    size_t indicators;
+    lag_status (*indicate)(void *context, lag_run *run, double t, const double *x, double *value);
+    size_t clocks;
+    const double *first, *period; /* (clocks) [s] */
+    /*
+     * At an event: may change x, which run->stepper.x is, and run->motion.w. Rates are moved onto the constraints afterwards.
+     * Called again where that lets indicators change their signs.
+     */
+    lag_status (*event)(void *context, lag_run *run, const lag_event *event);
+    unsigned looks;
+    double time_tolerance;
+
+    /* Invariants and assertions; null tolerances: not watched. The arrays may be null, the block holds them then. */
+    const double *invariant_tolerance;                      /* (ni) */
+    double *invariant_start, *invariant_size, *invariant_drift; /* (ni), as an earlier run left them where `continued` */
+    int continued;
+
+    /* What the model says of the start, for lag_run_begin() without a state; null: start values are moved onto the constraints, that is all. */
+    const lag_start *start;
+} lag_run_options;
+
+/* A change of the method. */
+typedef struct lag_change {
+    double t;
+    int implicit; /* to an implicit one */
+} lag_change;
+
+enum { LAG_CHANGES = 16 };
+
+/* A step of which what happens at its end is still to come. */
+typedef struct lag_half {
+    int open;            /* there is one */
+    int own, other;      /* something of the model's, of the caller's happens at its end */
+    int corner;          /* a corner is at its end */
+    double t;            /* where that is; the end of the step where nothing happens */
+    double length, next; /* of the step, as far as the method went; proposed for the next one */
+} lag_half;
+
+struct lag_run {
+    lag_run_options options;
+    lag_motion motion;
+    lag_stepper stepper;
+    lag_projection projection;
+    lag_accuracy accuracy;
+    lag_look look;
+    lag_singular singular;    /* where it goes across singular positions */
+    const lag_method *behind; /* the method behind one */
+    lag_watch watch;
+    lag_zero_crossing crossings;
+    lag_instants instants;
+    double begun;             /* time at which it began */
+    lag_clock pace;           /* the ends of steps of fixed length, counted: nothing adds up */
+    lag_stiffness stiffness;
+    int sized;                /* natural sizes are known */
+    double *group, *natural, *cap, *row_sizes;
+    double *lasting;          /* (nc) rows that come and go, or depend on others, are 0 */
+    unsigned char *dependent; /* (nc) */
+    double *point;            /* (2 nq + nz) */
+    double *p;                /* (np) the parameters, where some are found with the start */
+    double *lost;             /* (2 nq + nz) the state that could not be accepted, at time */
+    double lost_time;         /* infinite: none */
+    double *sign, *value, *crossed, *other; /* (indicators) */
+    double *ticked;           /* (clocks) */
+    double *pending;          /* (nindicator + ncontact) what happens at the end of `half` */
+    lag_half half;
+    lag_clock *clock;         /* (clocks) */
+    size_t row;               /* the next one */
+    size_t steps;             /* of this call */
+    size_t events;            /* all */
+    unsigned idle;            /* events in a row between which no time passed */
+    double event_time;        /* of the last one */
+    lag_change change[LAG_CHANGES];
+    size_t changes;           /* all; the first LAG_CHANGES are kept */
+    double *arena;           /* (numbers) all arrays of it, one after the other */
+    size_t numbers;
+    double *initial;          /* lag_initial_memory(), where there is a `start`; nothing of it is remembered */
+};
+
+/* Where a run is and what it took. */
+typedef struct lag_run_report {
+    double t, h, trouble_time;
+    const double *x;            /* (2 nq + nz) */
+    size_t row;                 /* rows recorded */
+    size_t steps;               /* in the last call of lag_run_to; all others count from the beginning */
+    size_t all_steps, rejections, evaluations, jacobians, decompositions, projections, events, changes;
+    const double *w;            /* (nw) */
+    const double *changed;      /* (nindicator + ncontact) 1: the relation, the contact that changed last */
+    const double *guilty;       /* (nw) after LAG_EVENT_ITERATION_FAILED, LAG_CHATTER, LAG_PENETRATION, 1: because of this one */
+    const double *slack;        /* (2) what is round-off: lag/events/contact.h */
+    size_t fault;               /* after LAG_CONFLICT a reset, after LAG_ASSERTION_FAILED an assertion of a clause */
+    double next;                /* time of the next tick of the model's clocks; infinite: none */
+    const lag_change *change;   /* the first LAG_CHANGES of them */
+    int implicit;               /* the present method is */
+} lag_run_report;
+
+/* Bytes of the block for a run, and its layout; the block is aligned as malloc does. */
+size_t lag_run_size(const lag_model *model, const lag_run_options *options);
+/* Of these, the doubles that its arrays take, without those of which nothing is remembered. */
+size_t lag_run_numbers(const lag_model *model, const lag_run_options *options);
+lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options);
+
+/*
+ * Starts at time t from x (2 nq + nz), or, where x is null, from the state that lag/initial.h finds from options.start. Clocks strike
+ * if it is their instant; the row of this time is recorded. LAG_PROJECTION_FAILED: there is no such state.
+ */
+lag_status lag_run_begin(lag_run *run, double t, const double *x);
+
+/*
+ * The start values of the model at time t into x (2 nq + nz), for the parameters and inputs of the run; then from such values, of which those
+ * flagged in `set` (or null) count as written, to a state that satisfies everything: lag_initial_find(), with what it tells. It must
+ * have a `start`.
+ */
+lag_status lag_run_start(lag_run *run, double t, double *x);
+lag_status lag_run_find(lag_run *run, double t, const unsigned char *set, double *x, struct lag_initial *told);
+
+/*
+ * Goes on from another state, as it is: x (null: the model's start values), with h as the length of the next step (0: to be found).
+ * Nothing strikes, nothing is recorded.
+ */
+lag_status lag_run_move(lag_run *run, double t, const double *x, double h);
+
+/*
+ * For callers who step by themselves and leave events to the run, which must be at their state (lag_run_move): what happens at the start;
+ * what changed in their last step, of length h (flags as in `changed` above; null: nothing); ticks
+ * that are due, and whether any would be at t.
+ */
+lag_status lag_run_enter(lag_run *run);
+lag_status lag_run_event(lag_run *run, double h, const double *changed);
+lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed); /* with the ticks that are due */
+lag_status lag_run_ticks(lag_run *run);
+int lag_run_due(const lag_run *run, double t);
+
+/* Inputs may have jumped at the present time, to which lag_run_to() led with those before: relations that are other now. */
+lag_status lag_run_jump(lag_run *run);
+
+/* What happens at the end, once, where nothing more is to follow: ticks that are due, then `terminal()`. */
+lag_status lag_run_end(lag_run *run);
+
+/* Flags (nc) of rows that depend on others with these parameters and starts (lag/initial.h), beside those that do so in any case. */
+void lag_run_depend(lag_run *run, const unsigned char *dependent);
+
+/*
+ * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then, and at any
+ * failure the last good one. Ticks of the model at that very time are left to the next call, or to lag_run_end.
+ * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
+ * LAG_STEP_TOO_SMALL, LAG_TOO_LONG, LAG_PROJECTION_FAILED, LAG_BRANCH_POINT, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted. LAG_EVENT_ITERATION_FAILED and what
+ * follows it there: an event came to no good end. What callbacks return other than LAG_OK comes back.
+ */
+lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
+
+/*
+ * lag_run_to in pieces, for those who want to see the states within a step before anything happens at its end, and let steps lead
+ * beyond what they want to see: the method starts at the present state, on the way to `stop`; one step, of which what is behind
+ * the first that happens in it is of no use (run->half); that, and what else follows. A step that failed is taken back, and may be tried with another `stop`.
+ */
+lag_status lag_run_restart(lag_run *run, double stop);
+lag_status lag_run_step(lag_run *run, double stop);
+lag_status lag_run_finish(lag_run *run, double stop);
+
+/*
+ * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no rows. What happens at instants,
+ * of the model, happens at the end of the step.
+ * `memory`: lag_fixed_memory() doubles.
+ */
+lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
+    double *arena);
+
+/*
+ * Between two calls: the functions of `model` from now on, another filling of the same equations, such as compiled C after a tape.
+ * `workspace` (model->workspace) and the model must outlive the run, which can no longer be saved. Where both round alike, the motion
+ * is the same to the bit. LAG_BAD_STATE_DATA: it is another model.
+ */
+lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspace);
+
+void lag_run_tell(const lag_run *run, lag_run_report *report);
+
+/* Why a run ended with a status that is not LAG_OK. */
+typedef struct lag_fault {
+    double t;         /* where it happened */
+    const double *x;  /* (2 nq + nz) the state there */
+    /*
+     * LAG_SINGULAR: a coordinate whose acceleration is not determined. LAG_NOT_FINITE: the first number of x' that is none. LAG_STEP_TOO_SMALL: the
+     * number of x that changes fastest. LAG_PROJECTION_FAILED, LAG_POSITION_JUMP: the row of the constraints that is farthest off. LAG_BRANCH_POINT: the one that has
+     * the largest share in the combination that vanishes. LAG_VIOLATED: an assertion, or behind all of them an invariant. LAG_CONFLICT:
+     * a reset. LAG_ASSERTION_FAILED: an assertion of a clause.
+     */
+    size_t which;
+    double value, limit; /* LAG_PROJECTION_FAILED, LAG_POSITION_JUMP: the residual, in the unit of the row. LAG_VIOLATED: the drift of the invariant and what it may be */
+} lag_fault;
+
+void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault);
+
+/*
+ * Any function of the model (lag/evaluate.h) at x at time t, with the present discretes, inputs and parameters, accelerations and multipliers
+ * solved; results stand one after the other.
+ */
+lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, double *results);
+
+/* Independent rows at the present state, of those that last, and in general; where some are lost, the row with the largest share in that. */
+size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
+
+/* For the parts of a run. */
+
+/* What must stay true at x at time t. LAG_VIOLATED: that is the state that was lost, and the last row. */
+lag_status lag_run_watch(lag_run *run, double t, const double *x);
+/* The state x at time t is lost: what lag_run_explain() tells of. */
+void lag_run_lose(lag_run *run, double t, const double *x);
+/* Whether its model is another than the one that it was placed with. */
+int lag_run_is_changed(const lag_run *run);
+
+/* Whether it goes across singular positions by itself. */
+int lag_run_crosses(const lag_model *model, const lag_run_options *options);
+
+/* Records the rows before time t, or up to it, from the last step. */
+lag_status lag_run_rows(lag_run *run, double t, int up_to);
+/* Takes the signs of the indicators at the present state. */
+lag_status lag_run_signs(lag_run *run);
+/* The first crossing within the last step: *t its time, or infinite. */
+lag_status lag_run_crossing(lag_run *run, double *t);
+/* The time at which the next clock strikes, the model's or the caller's; infinite without. */
+double lag_run_instant(const lag_run *run);
+/* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
+lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
+/* LAG_EVENT_PENDING: something of the model's happens within the last step, first at *t; run->alert.changed tells what (see lag/run/scan.h). */
+lag_status lag_run_happening(lag_run *run, double *t);
+/*
+ * Corners (run_corners.c). Steps end a moment before a corner; on a straight line over some roundings of time the run passes it, so that no
+ * step has a corner inside. Whether the last step may have met one: then they are looked at, in the scan.
+ */
+lag_status lag_run_face_corners(lag_run *run);
+/* lag_run_happening(), where what happens first is a corner at *corner; else at *own. Infinite: nowhere. */
+lag_status lag_run_next_corner(lag_run *run, double *own, double *corner);
+/* Where a step to a corner is to end; whether the last one did. */
+double lag_run_before_corner(const lag_run *run, double corner);
+int lag_run_is_at_end(const lag_run *run, double corner);
+/* Over a corner at the end of the last step, unless something is due before `limit`. */
+void lag_run_pass_corner(lag_run *run, double limit);
+/* The state on the constraints at a time within the last step. */
+lag_status lag_run_inside(lag_run *run, double t, double *x);
+/* The run goes back to a time within its last step, on the constraints to round-off: what is left of a rate would be an impact. */
+lag_status lag_run_back(lag_run *run, double t);
+
+#endif

@@ -1,0 +1,357 @@
+/* Motion that is fitted to the equations beyond a singular position. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/finite.h"
+#include "lag/linalg/arena.h"
+#include "lag/run.h"
+
+enum { NODES = 7, HALVINGS = 4, ITERATIONS = 30, BETWEEN = 5 };
+
+/* Not too near the start, where positions are hardly told apart from the singular one. */
+static const double FIRST = 0.3;
+/*
+ * Part of the time in which a coordinate moves by its natural size: long enough to leave the singular position, short enough for so many
+ * points. Halved where the motion has shorter times of its own.
+ */
+static const double PART = 0.1;
+static const double CONVERGED = 1e-11;
+/* Changes that do not shrink any more are round-off, magnified by the nearness of the singular position. */
+static const double SETTLED = 1e-4;
+/* Estimated errors, as a part of the change of state: good enough at once, and not good enough at all. */
+static const double ACCURATE = 1e-6;
+static const double USELESS = 1e-4;
+/*
+ * A crossing, in distances to the singular position: how far (shorter where the motion bends, longer where round-off is magnified), at
+ * least how far, and where in between constraints are looked at; by how much, as a part of the sizes of the rows, they may be missed.
+ */
+static const double ACROSS[] = {8.0, 32.0, 4.0, 128.0};
+static const double LEAST_ACROSS = 4.0;
+static const double PLACES[BETWEEN] = {0.06, 0.125, 0.19, 0.25, 0.6};
+static const double KEPT = 1e-9;
+/* By how much branches that meet may miss each other. */
+static const double MEETING = 1e-12;
+/* A crossing is as smooth as this, in tolerances, within these bounds. */
+static const double SMOOTH = 10.0;
+static const double SMOOTHEST = 1e-9;
+static const double ROUGHEST = 1e-7;
+
+static double node(size_t i)
+{
+    return FIRST + (1.0 - FIRST) * (double)i / (double)(NODES - 1);
+}
+
+static size_t order_of(const lag_singular *s)
+{
+    return s->run->motion.model->nq;
+}
+
+/* nq + nz: rates and states of first order. */
+static size_t width_of(const lag_singular *s)
+{
+    return order_of(s) + s->run->motion.model->nz;
+}
+
+/* Polynomials through values (count, width) at the last `count` nodes; rows of `values` become coefficients of the powers of time. */
+static void interpolate(size_t count, size_t width, double *values)
+{
+    double powers[NODES][NODES];
+    for (size_t i = 0; i < count; ++i) {
+        powers[i][0] = 1.0;
+        for (size_t k = 1; k < count; ++k) {
+            powers[i][k] = powers[i][k - 1] * node(NODES - count + i);
+        }
+    }
+    for (size_t k = 0; k < count; ++k) {
+        size_t pivot = k;
+        for (size_t i = k + 1; i < count; ++i) {
+            pivot = fabs(powers[i][k]) > fabs(powers[pivot][k]) ? i : pivot;
+        }
+        for (size_t j = 0; j < count && pivot != k; ++j) {
+            const double kept = powers[k][j];
+            powers[k][j] = powers[pivot][j];
+            powers[pivot][j] = kept;
+        }
+        for (size_t j = 0; j < width && pivot != k; ++j) {
+            const double kept = values[k * width + j];
+            values[k * width + j] = values[pivot * width + j];
+            values[pivot * width + j] = kept;
+        }
+        for (size_t i = k + 1; i < count; ++i) {
+            const double factor = powers[i][k] / powers[k][k];
+            for (size_t j = k; j < count; ++j) {
+                powers[i][j] -= factor * powers[k][j];
+            }
+            for (size_t j = 0; j < width; ++j) {
+                values[i * width + j] -= factor * values[k * width + j];
+            }
+        }
+    }
+    for (size_t k = count; k-- > 0;) {
+        for (size_t j = 0; j < width; ++j) {
+            double value = values[k * width + j];
+            for (size_t i = k + 1; i < count; ++i) {
+                value -= powers[k][i] * values[i * width + j];
+            }
+            values[k * width + j] = value / powers[k][k];
+        }
+    }
+}
+
+/* The state at a part of the interval: qd and z as integrals of the polynomials, q as double integrals; not projected. */
+static void state_at(size_t n, size_t width, const double *coefficients, const double *start, double length, double part, double *x)
+{
+    for (size_t j = 0; j < width; ++j) {
+        double once = 0.0;
+        double twice = 0.0;
+        for (size_t k = NODES; k-- > 0;) {
+            once = once * part + coefficients[k * width + j] / (double)(k + 1);
+            twice = twice * part + coefficients[k * width + j] / (double)((k + 1) * (k + 2));
+        }
+        x[n + j] = start[n + j] + length * part * once;
+        if (j < n) {
+            x[j] = start[j] + length * part * (start[n + j] + length * part * twice);
+        }
+    }
+}
+
+static lag_status rates_at(lag_singular *s, double t, const double *x)
+{
+    const lag_ode *ode = &s->run->motion.ode;
+    ++s->run->stepper.evaluations;
+    const lag_status status = ode->rates(ode->context, t, x, s->rates);
+    return status == LAG_OK && !lag_finite(ode->size, s->rates) ? LAG_NOT_FINITE : status;
+}
+
+/* Derivatives of rates and states at the nodes, into `fitted`, by fixed-point iteration; their polynomials into `coefficients`. */
+static int collocate(lag_singular *s, double t, const double *x, double length)
+{
+    const size_t n = order_of(s);
+    const size_t width = width_of(s);
+    double change = (double)INFINITY;
+    int moved = 0;
+    if (rates_at(s, t, x) != LAG_OK) {
+        return 0;
+    }
+    for (size_t i = 0; i < NODES; ++i) {
+        memcpy(s->branch + i * width, s->rates + n, width * sizeof(double));
+    }
+    for (int k = 0; k < ITERATIONS; ++k) {
+        const double previous = change;
+        change = 0.0;
+        memcpy(s->coefficients, s->branch, NODES * width * sizeof(double));
+        interpolate(NODES, width, s->coefficients);
+        for (size_t i = 0; i < NODES; ++i) {
+            const double time = t + length * node(i);
+            state_at(n, width, s->coefficients, x, length, node(i), s->state);
+            if (lag_projection_exact(&s->run->projection, time, s->state, &moved) != LAG_OK || rates_at(s, time, s->state) != LAG_OK) {
+                return 0;
+            }
+            for (size_t j = 0; j < width; ++j) {
+                double *value = s->branch + i * width + j;
+                change = fmax(change, fabs(s->rates[n + j] - *value) / (1.0 + fabs(s->rates[n + j])));
+                *value = s->rates[n + j];
+            }
+        }
+        if (change <= CONVERGED || (change <= SETTLED && change > 0.2 * previous)) {
+            memcpy(s->coefficients, s->branch, NODES * width * sizeof(double));
+            interpolate(NODES, width, s->coefficients);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* What leaving out the first node changes in number j, per second: far more than the error of all nodes. Its change itself. */
+static double doubt(const lag_singular *s, size_t j, double *change)
+{
+    const size_t width = width_of(s);
+    double without = 0.0;
+    *change = 0.0;
+    for (size_t k = NODES; k-- > 0;) {
+        *change += s->coefficients[k * width + j] / (double)(k + 1);
+        without += k + 1 < NODES ? s->earlier[k * width + j] / (double)(k + 1) : 0.0;
+    }
+    return fabs(*change - without);
+}
+
+static void prepare_doubt(lag_singular *s)
+{
+    const size_t width = width_of(s);
+    memcpy(s->earlier, s->branch + width, (NODES - 1) * width * sizeof(double));
+    interpolate(NODES - 1, width, s->earlier);
+}
+
+/* ---- out of a singular position ---- */
+
+/* Time in which the accelerations move a coordinate by its natural size; infinite where rates do that sooner, or without acceleration. */
+static double pace_of(lag_singular *s, double t, const double *x)
+{
+    const size_t n = order_of(s);
+    double speed = 0.0;
+    double urge = 0.0;
+    if (rates_at(s, t, x) != LAG_OK) {
+        return (double)INFINITY;
+    }
+    for (size_t j = 0; j < n; ++j) {
+        speed = fmax(speed, fabs(x[n + j]) / s->run->natural[j]);
+        urge = fmax(urge, fabs(s->rates[n + j]) / s->run->natural[j]);
+    }
+    const double pace = urge > 0.0 ? sqrt(2.0 / urge) : (double)INFINITY;
+    return speed * pace < 1.0 ? pace : (double)INFINITY;
+}
+
+/* The doubt about the change of rates and states, as a part of it. */
+static double error_of(lag_singular *s)
+{
+    double most = 0.0;
+    double largest = 0.0;
+    prepare_doubt(s);
+    for (size_t j = 0; j < width_of(s); ++j) {
+        double change = 0.0;
+        most = fmax(most, doubt(s, j, &change));
+        largest = fmax(largest, fabs(change));
+    }
+    return most / (largest > 0.0 ? largest : 1.0);
+}
+
+int lag_fit_out(lag_singular *s, double t, const double *x, double limit, double *length)
+{
+    const size_t n = order_of(s);
+    const size_t width = width_of(s);
+    double trial = fmin(PART * pace_of(s, t, x), 0.5 * (limit - t));
+    double smallest = USELESS;
+    int found = 0;
+    int moved = 0;
+    for (int k = 0; k < HALVINGS && trial < (double)INFINITY; ++k) {
+        const int fits = collocate(s, t, x, trial);
+        const double error = fits ? error_of(s) : (double)INFINITY;
+        if (fits && error < smallest) {
+            state_at(n, width, s->coefficients, x, trial, 1.0, s->state);
+            if (lag_projection_exact(&s->run->projection, t + trial, s->state, &moved) == LAG_OK) {
+                memcpy(s->end, s->state, (n + width) * sizeof(double));
+                memcpy(s->best, s->coefficients, NODES * width * sizeof(double));
+                *length = trial;
+                smallest = error;
+                found = 1;
+            }
+        }
+        if (smallest <= ACCURATE || (found && error > smallest)) {
+            break;
+        }
+        trial *= 0.5;
+    }
+    return found;
+}
+
+/* ---- across ---- */
+
+/* Largest residual of a position row, as a part of its size. */
+static double distance_of(lag_singular *s, double t, const double *x)
+{
+    lag_motion *motion = &s->run->motion;
+    lag_projection *projection = &s->run->projection;
+    double most = 0.0;
+    lag_motion_look(motion, t, x);
+    if (motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian) != LAG_OK) {
+        return (double)INFINITY;
+    }
+    for (size_t i = 0; i < motion->model->nc; ++i) {
+        const double part = motion->model->position_level[i] ? fabs(projection->phi[i]) / s->run->row_sizes[i] : 0.0;
+        most = part <= most ? most : part;
+    }
+    return most;
+}
+
+static int smooth(lag_singular *s, double length)
+{
+    const size_t n = order_of(s);
+    const lag_run *run = s->run;
+    const double relative = fmin(fmax(SMOOTH * run->options.tolerance, SMOOTHEST), ROUGHEST);
+    prepare_doubt(s);
+    for (size_t j = 0; j < width_of(s); ++j) {
+        double change = 0.0;
+        if (!(length * doubt(s, j, &change) <= run->stepper.tolerance[n + j] * relative / run->accuracy.relative)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The constraints are kept all the way, and branches meet. */
+static int keeps(lag_singular *s, double t, const double *x, double distance, double length)
+{
+    const size_t n = order_of(s);
+    const size_t width = width_of(s);
+    int moved = 0;
+    for (size_t k = 0; k <= BETWEEN; ++k) {
+        const double part = k < BETWEEN ? PLACES[k] : distance / length;
+        state_at(n, width, s->coefficients, x, length, part, s->state);
+        if (!(distance_of(s, t + length * part, s->state) <= KEPT)) {
+            return 0;
+        }
+    }
+    memcpy(s->end, s->state, (n + width) * sizeof(double));
+    if (!(lag_branch_point_height(s, t + distance, s->end) <= MEETING)) {
+        return 0;
+    }
+    state_at(n, width, s->coefficients, x, length, 1.0, s->end);
+    return lag_projection_exact(&s->run->projection, t + length, s->end, &moved) == LAG_OK;
+}
+
+int lag_fit_across(lag_singular *s, double t, const double *x, double distance, double limit, double *length)
+{
+    for (size_t k = 0; k < sizeof ACROSS / sizeof *ACROSS; ++k) {
+        *length = fmin(ACROSS[k] * distance, 0.999 * (limit - t));
+        if (*length >= LEAST_ACROSS * distance && collocate(s, t, x, *length) && smooth(s, *length) && keeps(s, t, x, distance, *length)) {
+            memcpy(s->best, s->coefficients, NODES * width_of(s) * sizeof(double));
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* ---- as a step that was done ---- */
+
+/* In the work of a stepper: nq, the length, then coefficients. */
+static void begin(lag_stepper *s)
+{
+    (void)s;
+}
+
+static lag_status step(lag_stepper *s, double limit)
+{
+    (void)s;
+    (void)limit;
+    return LAG_STEP_TOO_SMALL;
+}
+
+static lag_status prepare_dense(lag_stepper *s)
+{
+    (void)s;
+    return LAG_OK;
+}
+
+static void dense(const lag_stepper *s, double t, double *x)
+{
+    const size_t n = (size_t)s->work[0];
+    const double part = (t - s->t_before) / s->work[1];
+    state_at(n, s->ode->size - n, s->work + 2, s->x_before, s->work[1], part, x);
+}
+
+static size_t memory_of(size_t size)
+{
+    return 2 + NODES * size;
+}
+
+const lag_method lag_branch_switching = {.name = "fitted",
+    .order = NODES,
+    .highest_order = NODES,
+    .dense_order = NODES,
+    .factor = 1.0,
+    .error_order = NODES,
+    .arena = memory_of,
+    .begin = begin,
+    .step = step,
+    .prepare_dense = prepare_dense,
+    .dense = dense};

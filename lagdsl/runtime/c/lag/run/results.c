@@ -1,0 +1,171 @@
+#include "lag/run/results.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/equations/discretes.h"
+#include "lag/linalg/arena.h"
+#include "lag/run.h"
+
+static const double TURN = 6.283185307179586;
+
+size_t lag_results_width(const lag_model *model)
+{
+    return 1 + lag_motion_size(model) + lag_places_of(model).contact + model->ny + 3;
+}
+
+static double largest(size_t count, const double *x)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        most = fmax(most, fabs(x[i]));
+    }
+    return most;
+}
+
+/* Largest residuals of position and velocity level; the motion looks at the state. */
+static void find_residuals(lag_run *run, double *residual)
+{
+    const lag_model *model = run->motion.model;
+    const lag_arguments *at = &run->motion.at;
+    double *phi = run->projection.phi;
+    residual[0] = residual[1] = 0.0;
+    if (model->nc > 0) {
+        const lag_status positions = model->position_constraint(at, phi, run->projection.jacobian);
+        residual[0] = positions == LAG_OK ? largest(model->nc, phi) : (double)NAN;
+        const lag_status velocities = model->velocity_constraint(at, phi, run->projection.jacobian);
+        residual[1] = velocities == LAG_OK ? largest(model->nc, phi) : (double)NAN;
+    }
+}
+
+/* Outputs, energy and residuals at x. */
+static void observe(lag_run *run, double t, const double *x, double *values)
+{
+    lag_motion *motion = &run->motion;
+    const lag_model *model = motion->model;
+    double *energy = values + model->ny;
+    double parts[3];
+    lag_status status = LAG_OK;
+    if (model->ny > 0) {
+        status = lag_motion_solve(motion, t, x);
+        if (status != LAG_OK || model->output(&motion->at, values) != LAG_OK) {
+            lag_fill(model->ny, (double)NAN, values);
+        }
+    } else {
+        lag_motion_look(motion, t, x);
+    }
+    if (model->energies == NULL || model->energies(&motion->at, energy, parts, parts + 1, parts + 2) != LAG_OK) {
+        *energy = (double)NAN;
+    }
+    find_residuals(run, energy + 1);
+}
+
+/* Of all angles that differ by whole turns the nearest to the one before; what is no number is left out. */
+static void unwind(lag_results *results, size_t count, double *outputs)
+{
+    for (size_t i = 0; i < count; ++i) {
+        if (results->turning[i] && isfinite(outputs[i])) {
+            if (isfinite(results->angle[i])) {
+                outputs[i] += TURN * nearbyint((results->angle[i] - outputs[i]) / TURN);
+            }
+            results->angle[i] = outputs[i];
+        }
+    }
+}
+
+static lag_status make_room(lag_results *results)
+{
+    if (results->row < results->most_rows && results->note < results->most_notes) {
+        return LAG_OK;
+    }
+    const lag_status status = results->full(results->context, results);
+    results->row = results->note = 0;
+    return status;
+}
+
+lag_status lag_results_row(lag_results *results, lag_run *run, double t, const double *x)
+{
+    const lag_model *model = run->motion.model;
+    const size_t size = lag_motion_size(model);
+    const size_t variables = lag_places_of(model).contact;
+    const lag_status status = make_room(results);
+    double *row = results->rows + results->row * lag_results_width(model);
+    if (status != LAG_OK) {
+        return status;
+    }
+    row[0] = t;
+    memcpy(row + 1, x, size * sizeof(double));
+    memcpy(row + 1 + size, run->motion.w, variables * sizeof(double));
+    observe(run, t, x, row + 1 + size + variables);
+    if (results->turning != NULL) {
+        unwind(results, model->ny, row + 1 + size + variables);
+    }
+    if (results->extremes != NULL) {
+        lag_extremes_row(results->extremes, row + 1);
+    }
+    ++results->row;
+    results->any = 1;
+    results->last = t;
+    return LAG_OK;
+}
+
+lag_status lag_results_step(lag_results *results, lag_run *run, double t)
+{
+    lag_motion *motion = &run->motion;
+    const lag_model *model = motion->model;
+    lag_stepper *s = &run->stepper;
+    if (results->extremes == NULL) {
+        return LAG_OK;
+    }
+    const lag_status status = lag_extremes_step(results->extremes, run, t);
+    double *outputs = results->extremes->outputs;
+    if (status == LAG_OK && model->ny > 0 && t == s->t && lag_motion_solve(motion, t, s->x) == LAG_OK &&
+        model->output(&motion->at, outputs) == LAG_OK) {
+        lag_extremes_outputs(results->extremes, model->ny, outputs, results->turning);
+    }
+    return status;
+}
+
+static int is_there(const lag_results *results, double t)
+{
+    return results->any && results->last == t;
+}
+
+lag_status lag_results_at(lag_results *results, lag_run *run, double t, const double *x)
+{
+    return is_there(results, t) ? LAG_OK : lag_results_row(results, run, t, x);
+}
+
+lag_status lag_results_end(lag_results *results, lag_run *run, double t, const double *x)
+{
+    const int told = is_there(results, t) && results->after == t;
+    return results->any && !told ? lag_results_row(results, run, t, x) : LAG_OK;
+}
+
+static lag_status note(lag_results *results, const lag_event_notice *notice)
+{
+    const lag_status status = make_room(results);
+    if (status == LAG_OK) {
+        results->notes[results->note++] = (lag_note){notice->t, notice->what, notice->which};
+    }
+    return status;
+}
+
+lag_status lag_results_tell(lag_results *results, lag_run *run, const lag_event_notice *notice)
+{
+    const double t = notice->t;
+    lag_status status = LAG_OK;
+    switch (notice->what) {
+    case LAG_BEFORE:
+        status = lag_results_at(results, run, t, notice->x);
+        while (run->row < run->options.count && run->options.times[run->row] <= t) {
+            ++run->row;
+        }
+        return status;
+    case LAG_AFTER:
+        results->after = t;
+        return lag_results_row(results, run, t, notice->x);
+    default:
+        return note(results, notice);
+    }
+}

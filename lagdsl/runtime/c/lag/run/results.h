@@ -1,0 +1,54 @@
+/*
+ * Rows and events of a run, in buffers of the caller: a row at every requested time, two rows at an event (before it and after it; one of
+ * them alone where the other one is there already), and a note of everything that happens.
+ *
+ * A row is t, x (2 nq + nz), the discrete variables, the outputs (ny), energy() [J], and the largest residuals of the constraints of
+ * position level and of velocity level, in the units of their rows. Angles that are known up to whole turns go on from row to row.
+ */
+#ifndef LAG_RESULTS_H
+#define LAG_RESULTS_H
+
+#include "lag/event_notice.h"
+
+struct lag_run;
+
+typedef struct lag_note {
+    double t;
+    lag_event_kind what;
+    size_t which;
+} lag_note;
+
+typedef struct lag_results {
+    size_t most_rows, most_notes; /* room, at least one of each */
+    double *rows;                 /* (most_rows, lag_results_width()) */
+    lag_note *notes;              /* (most_notes) */
+    /* Called when one of both is full: empties them. What it returns other than LAG_OK ends the run. */
+    lag_status (*full)(void *context, struct lag_results *results);
+    void *context;
+    size_t row, note;             /* how many of them are filled */
+    int any;                      /* 1: there was a row, */
+    double last, after;           /* the times of the last row and of the last one after an event */
+    const unsigned char *turning; /* (ny) 1: an angle that the model knows up to whole turns, continuous in rows; null: none is */
+    struct lag_extremes *extremes; /* lowest and highest values of everything, of the motion itself; null: not wanted */
+    double *angle;                /* (ny) with `turning`: such angles in the last row that had them; not numbers before the first one */
+} lag_results;
+
+/* Numbers of a row. */
+size_t lag_results_width(const lag_model *model);
+
+/* A row of the state x at time t, with the present discretes; outputs that do not exist are no numbers. */
+lag_status lag_results_row(lag_results *results, struct lag_run *run, double t, const double *x);
+
+/* The same, unless there is a row of this time. */
+lag_status lag_results_at(lag_results *results, struct lag_run *run, double t, const double *x);
+
+/* The last state of a run that fails there: only behind a first row, and not twice. */
+lag_status lag_results_end(lag_results *results, struct lag_run *run, double t, const double *x);
+
+/* A step of the run was accepted, up to time t. */
+lag_status lag_results_step(lag_results *results, struct lag_run *run, double t);
+
+/* What happened: a row or a note. */
+lag_status lag_results_tell(lag_results *results, struct lag_run *run, const lag_event_notice *notice);
+
+#endif

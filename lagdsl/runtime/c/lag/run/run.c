@@ -1,0 +1,182 @@
+#include "lag/run.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/initial.h"
+#include "lag/linalg/arena.h"
+
+static const double TOLERANCE = 1e-8;
+static const double PART = 1e-3;
+
+
+int lag_run_crosses(const lag_model *model, const lag_run_options *options)
+{
+    return options->careful && model->nc > 0;
+}
+
+size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
+{
+    const size_t size = lag_motion_size(model);
+    return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
+           lag_look_memory(model->nc, model->nq) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
+           lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
+           model->nindicator + model->ncontact + model->np + 1;
+}
+
+/* Doubles of which nothing is remembered. */
+static size_t scratch(const lag_model *model, const lag_run_options *options)
+{
+    const size_t initial = options->start != NULL ? lag_initial_memory(model) : 0;
+    return initial + (lag_run_crosses(model, options) ? lag_singular_memory(model) : 0);
+}
+
+static size_t padded(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+size_t lag_run_size(const lag_model *model, const lag_run_options *options)
+{
+    return padded(sizeof(lag_run)) + padded((options->clocks + model->nclock) * sizeof(lag_clock)) +
+           (lag_run_numbers(model, options) + scratch(model, options)) * sizeof(double);
+}
+
+static void place_watch(lag_run *run, const lag_model *model, double **arena)
+{
+    const lag_run_options *options = &run->options;
+    const size_t ni = model->ni;
+    double *own = lag_take(arena, 3 * ni);
+    run->watch.motion = &run->motion;
+    run->watch.begun = options->continued;
+    run->watch.start = options->invariant_start != NULL ? options->invariant_start : own;
+    run->watch.size = options->invariant_size != NULL ? options->invariant_size : own + ni;
+    run->watch.drift = options->invariant_drift != NULL ? options->invariant_drift : own + 2 * ni;
+    run->watch.tolerance = options->invariant_tolerance;
+    run->watch.value = lag_take(arena, lag_watch_memory(model));
+    run->watch.scale = run->watch.value + ni;
+    run->watch.held = run->watch.scale + ni;
+}
+
+static lag_status tell(void *context, const lag_event_notice *notice)
+{
+    lag_run *run = context;
+    lag_event_notice told = *notice;
+    lag_status status = LAG_OK;
+    if (run->options.results != NULL) {
+        status = lag_results_tell(run->options.results, run, notice);
+    }
+    told.row = run->row;
+    return status == LAG_OK && run->options.tell != NULL ? run->options.tell(run->options.context, run, &told) : status;
+}
+
+static void place_instants(lag_run *run, const lag_model *model, double **arena)
+{
+    const lag_run_options *options = &run->options;
+    double *own = lag_take(arena, lag_instants_memory(model));
+    lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock + options->clocks, own);
+    lag_zero_crossing_place(&run->crossings, &run->motion, &run->instants.contacts, &run->instants.noise, lag_take(arena, lag_zero_crossing_memory(model)));
+    run->instants.iteration.tell = tell;
+    run->instants.iteration.context = run;
+    run->instants.contacts.length = options->length > 0.0 ? options->length
+        : options->count > 1                              ? options->times[options->count - 1] - options->times[0]
+                                                          : 0.0;
+}
+
+void lag_run_depend(lag_run *run, const unsigned char *dependent)
+{
+    const lag_model *model = run->motion.model;
+    const double *lasting = run->options.lasting;
+    run->look.most = lasting != NULL ? run->options.general : model->rank;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const int lasts = lasting == NULL || lasting[i] != 0.0;
+        const int lost = dependent != NULL && dependent[i] && !(model->redundant != NULL && model->redundant[i]);
+        run->lasting[i] = lasts && !lost;
+        run->look.most -= lasts && lost && run->look.most > 0;
+    }
+    if (lag_run_crosses(model, &run->options)) {
+        lag_singular_count(&run->singular, run->lasting);
+    }
+}
+
+lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_options *options)
+{
+    const size_t size = lag_motion_size(model);
+    char *bytes = block;
+    memset(block, 0, lag_run_size(model, options));
+    lag_run *run = block;
+    run->options = *options;
+    run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
+    double *arena = (double *)(void *)(bytes + padded(sizeof(lag_run)) +
+        padded((options->clocks + model->nclock) * sizeof(lag_clock)));
+    run->arena = arena;
+    run->numbers = lag_run_numbers(model, options);
+    run->options.tolerance = options->tolerance > 0.0 ? options->tolerance : TOLERANCE;
+    run->options.part = options->part > 0.0 ? options->part : PART;
+    run->options.looks = options->looks > 0 ? options->looks : 4;
+    lag_motion_place(&run->motion, model, lag_take(&arena, lag_motion_memory(model)));
+    run->motion.inputs = options->inputs;
+    run->motion.context = options->context;
+    lag_stepper_place(&run->stepper, &run->motion.ode, lag_take(&arena, lag_stepper_memory(size)));
+    run->stepper.method = options->method != NULL ? options->method : &lag_dop853;
+    run->stepper.length = options->h_fixed;
+    run->stepper.nq = model->nq;
+    lag_projection_place(&run->projection, &run->motion, lag_take(&arena, lag_projection_memory(model)));
+    run->group = lag_take(&arena, size);
+    run->natural = lag_take(&arena, size);
+    run->cap = lag_take(&arena, size);
+    run->row_sizes = lag_take(&arena, model->nc);
+    lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&arena, lag_look_memory(model->nc, model->nq)));
+    run->lasting = lag_take(&arena, model->nc);
+    run->dependent = (unsigned char *)(void *)lag_take(&arena, model->nc);
+    run->look.lasting = run->lasting;
+    run->initial = run->arena + run->numbers;
+    if (lag_run_crosses(model, options)) {
+        lag_singular_place(&run->singular, run, run->initial + (options->start != NULL ? lag_initial_memory(model) : 0));
+    }
+    lag_run_depend(run, model->redundant);
+    place_instants(run, model, &arena);
+    run->accuracy = (lag_accuracy){size, run->group, run->natural, run->cap, lag_take(&arena, size), 0.0};
+    run->point = lag_take(&arena, size);
+    run->p = lag_take(&arena, model->np);
+    run->lost = lag_take(&arena, size);
+    run->lost_time = (double)INFINITY;
+    place_watch(run, model, &arena);
+    lag_stiffness_place(&run->stiffness, size, lag_take(&arena, lag_stiffness_memory(size)));
+    run->sign = lag_take(&arena, options->indicators);
+    run->value = lag_take(&arena, options->indicators);
+    run->crossed = lag_take(&arena, options->indicators);
+    run->other = lag_take(&arena, options->indicators);
+    run->ticked = lag_take(&arena, options->clocks);
+    run->pending = lag_take(&arena, model->nindicator + model->ncontact);
+    return run;
+}
+
+void lag_run_tell(const lag_run *run, lag_run_report *report)
+{
+    const lag_stepper *s = &run->stepper;
+    *report = (lag_run_report){
+        .t = s->t,
+        .h = s->h,
+        .trouble_time = s->trouble_time,
+        .x = s->x,
+        .row = run->row,
+        .steps = run->steps,
+        .all_steps = s->steps,
+        .rejections = s->rejections,
+        .evaluations = s->evaluations,
+        .jacobians = s->jacobians,
+        .decompositions = s->decompositions,
+        .projections = run->projection.count,
+        .events = run->events,
+        .changes = run->changes,
+        .w = run->motion.w,
+        .changed = run->crossings.changed,
+        .guilty = run->instants.iteration.guilty,
+        .slack = run->instants.contacts.slack,
+        .fault = run->instants.iteration.fault,
+        .next = lag_instants_next(&run->instants),
+        .change = run->change,
+        .implicit = s->method->implicit,
+    };
+}

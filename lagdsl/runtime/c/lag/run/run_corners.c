@@ -1,0 +1,237 @@
+/* Corners of forces, energies and rates along the motion: steps end there, and begin anew behind them. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/run.h"
+#include "lag/run/scan.h"
+
+enum { LOOKS = LAG_ZERO_CROSSING_LOOKS - 1, TURNS = 8, PATTERNS = 3 };
+/* Looks at a step, as parts of it, behind its beginning; no two distances are alike. */
+static const double PLACES[LOOKS] = {0.2071, 0.4583, 0.7361, 1.0};
+/* Of a corner that is nearer to the beginning of a step than this part of its change the side is what it is a moment later. */
+static const double BESIDE = 1e-6;
+/* Times that differ by so many times the tolerance of roots are one here; a moment is as long. */
+static const double TOGETHER = 4.0 * 8.0;
+
+/* So many of them behind a corner it has been passed. */
+static const double BEHIND = 6.0, PASSED = 4.0;
+
+/* Whether steps of this run are to end at corners. */
+static int is_careful(const lag_run *run)
+{
+    const lag_method *method = run->stepper.method;
+    return run->motion.model->ncorner > 0 && method->error_order > 0 && method != &lag_branch_switching;
+}
+
+static double lookahead(const lag_run *run)
+{
+    return TOGETHER * lag_scan_tolerance(run);
+}
+
+/* Distances at x at time t. */
+static lag_status look(lag_run *run, double t, const double *x, double *far)
+{
+    lag_motion *motion = &run->motion;
+    double solved = 0.0;
+    lag_status status = LAG_OK;
+    if (run->crossings.solved) {
+        status = lag_motion_solve(motion, t, x);
+    } else {
+        lag_motion_look(motion, t, x);
+    }
+    status = status == LAG_OK ? motion->model->corner(&motion->at, far, &solved) : status;
+    if (status == LAG_OK && solved != 0.0 && !run->crossings.solved) {
+        run->crossings.solved = 1;
+        return look(run, t, x, far);
+    }
+    return status;
+}
+
+/* The state at part s of the last step by Hermite's cubic, into run->point. */
+static void between(lag_run *run, double s)
+{
+    const lag_stepper *step = &run->stepper;
+    const double h = step->t - step->t_before;
+    const double r = 1.0 - s;
+    for (size_t i = 0; i < step->ode->size; ++i) {
+        const double slopes = s * r * h * (r * step->f_before[i] - s * step->f[i]);
+        run->point[i] = r * r * (1.0 + 2.0 * s) * step->x_before[i] + s * s * (3.0 - 2.0 * s) * step->x[i] + slopes;
+    }
+}
+
+/* Distances at the beginning of the last step and at four other places of it, into `seen`. */
+static lag_status sample(lag_run *run)
+{
+    const lag_stepper *s = &run->stepper;
+    lag_status status = look(run, s->t_before, s->x_before, run->crossings.seen[0]);
+    for (int k = 0; k < LOOKS && status == LAG_OK; ++k) {
+        between(run, PLACES[k]);
+        status = look(run, s->t_before + PLACES[k] * (s->t - s->t_before), k == LOOKS - 1 ? s->x : run->point, run->crossings.seen[k + 1]);
+    }
+    return status;
+}
+
+/* The difference of the largest and the smallest distance of corner i. */
+static double range_of(const lag_run *run, size_t i)
+{
+    double least = run->crossings.seen[0][i];
+    double most = least;
+    for (int k = 1; k <= LOOKS; ++k) {
+        least = fmin(least, run->crossings.seen[k][i]);
+        most = fmax(most, run->crossings.seen[k][i]);
+    }
+    return most - least;
+}
+
+/* 1: it changes by more than it is away from zero. What is no number may be a corner, too. */
+static int is_near(const lag_run *run, size_t i)
+{
+    double nearest = fabs(run->crossings.seen[0][i]);
+    int changes = 0;
+    for (int k = 1; k <= LOOKS; ++k) {
+        nearest = fmin(nearest, fabs(run->crossings.seen[k][i]));
+        changes = changes || (run->crossings.seen[k][i] < 0.0) != (run->crossings.seen[0][i] < 0.0);
+    }
+    return changes || !(nearest >= range_of(run, i));
+}
+
+/* Those that change by no more in the step than the tolerances of the numbers allow are left out: what has come to rest is not told from zero. */
+static lag_status leave_out(lag_run *run)
+{
+    const lag_stepper *s = &run->stepper;
+    lag_zero_crossing *crossings = &run->crossings;
+    lag_status status = LAG_OK;
+    for (unsigned pattern = 0; pattern < PATTERNS; ++pattern) {
+        for (size_t i = 0; i < s->ode->size; ++i) {
+            const double by = (i >> pattern & 1u) != 0 ? -s->tolerance[i] : s->tolerance[i];
+            run->point[i] = s->x_before[i] + (pattern + 1 < PATTERNS ? by : s->tolerance[i]);
+        }
+        status = status == LAG_OK ? look(run, s->t_before, run->point, crossings->far) : status;
+        for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
+            crossings->side[i] = range_of(run, i) <= fabs(crossings->far[i] - crossings->seen[0][i]) ? 0.0 : crossings->side[i];
+        }
+    }
+    return status;
+}
+
+/* On which side each of them is as the step begins: that of a moment later where it is about to pass zero. */
+static lag_status face(lag_run *run)
+{
+    const lag_stepper *s = &run->stepper;
+    lag_zero_crossing *crossings = &run->crossings;
+    lag_status status = LAG_OK;
+    int beside = 0;
+    for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
+        crossings->side[i] = crossings->side[i] == 0.0 ? 0.0 : crossings->seen[0][i] < 0.0 ? -1.0 : 1.0;
+        beside = beside || (crossings->side[i] != 0.0 && fabs(crossings->seen[0][i]) <= BESIDE * range_of(run, i));
+    }
+    if (beside) {
+        for (size_t i = 0; i < s->ode->size; ++i) {
+            run->point[i] = s->x_before[i] + lookahead(run) * s->f_before[i];
+        }
+        status = look(run, s->t_before + lookahead(run), run->point, crossings->far);
+    }
+    for (size_t i = 0; i < run->motion.model->ncorner && beside && status == LAG_OK; ++i) {
+        const int is_beside = crossings->side[i] != 0.0 && fabs(crossings->seen[0][i]) <= BESIDE * range_of(run, i);
+        if (is_beside && crossings->far[i] != 0.0) {
+            crossings->side[i] = crossings->far[i] < 0.0 ? -1.0 : 1.0;
+        }
+    }
+    return status;
+}
+
+lag_status lag_run_face_corners(lag_run *run)
+{
+    const size_t count = run->motion.model->ncorner;
+    int near = 0;
+    run->crossings.corners = 0;
+    if (!is_careful(run)) {
+        return LAG_OK;
+    }
+    lag_status status = sample(run);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        run->crossings.side[i] = is_near(run, i);
+        near = near || run->crossings.side[i] != 0.0;
+    }
+    if (near) {
+        status = leave_out(run);
+    }
+    if (near && status == LAG_OK && lag_any(count, run->crossings.side)) {
+        run->crossings.corners = count;
+        status = face(run);
+    }
+    return status;
+}
+
+/* 1: nothing but corners was found to change. */
+static int only_corners(const lag_run *run)
+{
+    const lag_model *model = run->motion.model;
+    return !lag_any(model->nindicator + model->ncontact, run->crossings.changed);
+}
+
+/* A corner at *own: what else changes there by a jump is what happens, the corner only where there is nothing. */
+static lag_status with_relations(lag_run *run, double *own, double *corner)
+{
+    const lag_model *model = run->motion.model;
+    const double at = *own;
+    const double behind = fmin(run->stepper.t, at + BEHIND * lookahead(run));
+    const lag_status status = lag_scan_look(run, behind);
+    const int more = lag_any(model->nindicator + model->ncontact, run->crossings.changed);
+    *own = more ? behind : (double)INFINITY;
+    *corner = more ? (double)INFINITY : at;
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
+}
+
+lag_status lag_run_next_corner(lag_run *run, double *own, double *corner)
+{
+    const lag_model *model = run->motion.model;
+    lag_zero_crossing *crossings = &run->crossings;
+    const double *changed = crossings->changed + model->nindicator + model->ncontact;
+    lag_status status = LAG_OK;
+    *corner = (double)INFINITY;
+    for (int k = 0; k <= TURNS; ++k) {
+        *own = (double)INFINITY;
+        crossings->corners = k < TURNS ? crossings->corners : 0;
+        status = lag_run_happening(run, own);
+        if (status != LAG_EVENT_PENDING || !only_corners(run)) {
+            break;
+        }
+        if (*own - run->stepper.t_before > lookahead(run)) {
+            return with_relations(run, own, corner);
+        }
+        for (size_t i = 0; i < crossings->corners; ++i) { /* it has just been passed */
+            crossings->side[i] = changed[i] != 0.0 ? -crossings->side[i] : crossings->side[i];
+        }
+    }
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
+}
+
+double lag_run_before_corner(const lag_run *run, double corner)
+{
+    return corner - lookahead(run);
+}
+
+int lag_run_is_at_end(const lag_run *run, double corner)
+{
+    return corner >= run->stepper.t - 2.0 * lookahead(run);
+}
+
+void lag_run_pass_corner(lag_run *run, double limit)
+{
+    lag_stepper *s = &run->stepper;
+    const double t = s->t + PASSED * lookahead(run);
+    run->crossings.corners = 0;
+    if (!(t < limit)) {
+        return;
+    }
+    for (size_t i = 0; i < s->ode->size; ++i) {
+        run->point[i] = s->x[i] + (t - s->t) * s->f[i];
+    }
+    if (lag_zero_crossing_count(&run->crossings) > 0 && lag_zero_crossing_look(&run->crossings, t, run->point) != LAG_OK) {
+        return; /* something happens on the way */
+    }
+    memcpy(s->x, run->point, s->ode->size * sizeof(double));
+    s->t = t;
+}

@@ -1,0 +1,182 @@
+/* Why a run ended: what can be told of the state at which it did. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/evaluate.h"
+#include "lag/run.h"
+
+void lag_run_lose(lag_run *run, double t, const double *x)
+{
+    run->lost_time = t;
+    memmove(run->lost, x, run->stepper.ode->size * sizeof(double));
+}
+
+lag_status lag_run_watch(lag_run *run, double t, const double *x)
+{
+    const lag_status status = lag_watch_look(&run->watch, t, x);
+    if (status == LAG_VIOLATED) {
+        lag_watch_count(&run->watch);
+        lag_run_lose(run, t, x);
+        if (run->options.results != NULL) {
+            const lag_status told = lag_results_end(run->options.results, run, t, x);
+            return told == LAG_OK ? status : told;
+        }
+    }
+    return status;
+}
+
+lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, double *results)
+{
+    lag_motion *motion = &run->motion;
+    if (lag_motion_solve(motion, t, x) != LAG_OK) {
+        for (size_t i = 0; i < motion->model->nq; ++i) {
+            motion->qdd[i] = (double)NAN;
+        }
+        for (size_t i = 0; i < motion->model->nc; ++i) {
+            motion->lam[i] = (double)NAN;
+        }
+    }
+    return lag_evaluate(motion->model, (lag_function)which, &motion->at, results);
+}
+
+size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest)
+{
+    *general = *weakest = 0;
+    return lag_run_crosses(run->motion.model, &run->options)
+        ? lag_singular_rank(&run->singular, run->stepper.t, run->stepper.x, general, weakest)
+        : 0;
+}
+
+/* The place of the largest; what is no number is larger than all others. */
+static size_t worst(size_t count, const double *x)
+{
+    size_t which = 0;
+    for (size_t i = 1; i < count; ++i) {
+        if (!(x[i] <= x[which]) && !isnan(x[which])) {
+            which = i;
+        }
+    }
+    return which;
+}
+
+/* Rates at the state of the fault, into run->stepper.f; what does not exist is no number. */
+static void find_rates(lag_run *run, const lag_fault *fault)
+{
+    lag_motion *motion = &run->motion;
+    const lag_model *model = motion->model;
+    const size_t n = model->nq;
+    double *rates = run->stepper.f;
+    const lag_status status = lag_motion_solve(motion, fault->t, fault->x);
+    memcpy(rates, fault->x + n, n * sizeof(double));
+    for (size_t i = 0; i < n; ++i) {
+        rates[n + i] = status == LAG_SINGULAR ? (double)NAN : motion->qdd[i];
+    }
+    if (model->nz > 0) {
+        (void)model->state_derivative(&motion->at, rates + 2 * n);
+    }
+}
+
+static void explain_not_finite(lag_run *run, lag_fault *fault)
+{
+    const size_t size = run->stepper.ode->size;
+    find_rates(run, fault);
+    while (fault->which + 1 < size && isfinite(run->stepper.f[fault->which])) {
+        ++fault->which;
+    }
+}
+
+static void explain_stuck(lag_run *run, lag_fault *fault)
+{
+    lag_stepper *s = &run->stepper;
+    find_rates(run, fault);
+    for (size_t i = 0; i < s->ode->size; ++i) {
+        s->f[i] = fabs(s->f[i]) / s->tolerance[i];
+    }
+    fault->which = worst(s->ode->size, s->f);
+}
+
+/* Of the rows of position level, or of those that discretes switch, the one that is farthest off. */
+static void explain_off(lag_run *run, int switched, lag_fault *fault)
+{
+    const lag_model *model = run->motion.model;
+    const size_t count = switched ? model->nswitched : model->nc;
+    double most = -1.0;
+    for (size_t k = 0; k < count; ++k) {
+        const size_t row = switched ? model->switched_rows[k] : k;
+        const double distance =
+            model->position_level[row] ? lag_projection_distance(&run->projection, fault->t, fault->x, row) : 0.0;
+        if (distance > most || (isnan(distance) && !isnan(most))) {
+            most = distance;
+            fault->which = row;
+            fault->value = fabs(run->projection.phi[row]);
+        }
+    }
+}
+
+static void explain_violated(lag_run *run, lag_fault *fault)
+{
+    const lag_model *model = run->motion.model;
+    lag_watch *watch = &run->watch;
+    fault->which = model->na + model->ni;
+    for (size_t i = model->ni; i-- > 0;) {
+        const double drift = fabs(watch->value[i] - watch->start[i]);
+        const double limit = watch->tolerance[i] * fmax(watch->size[i], fmax(fabs(watch->start[i]), watch->scale[i]));
+        if (!(drift <= limit)) {
+            fault->which = model->na + i;
+            fault->value = drift;
+            fault->limit = limit;
+        }
+    }
+    for (size_t i = model->na; i-- > 0;) {
+        fault->which = watch->held[i] == 0.0 ? i : fault->which;
+    }
+}
+
+/* Where accelerations were asked for in vain. */
+static void go_to_trouble(const lag_run *run, lag_fault *fault)
+{
+    const lag_stepper *s = &run->stepper;
+    if (s->trouble != LAG_OK && s->trouble_time >= s->t) {
+        fault->t = s->trouble_time;
+        fault->x = s->trouble_x;
+    }
+}
+
+void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
+{
+    const lag_stepper *s = &run->stepper;
+    *fault = (lag_fault){.t = s->t, .x = s->x};
+    if ((status == LAG_PROJECTION_FAILED || status == LAG_VIOLATED) && run->lost_time < (double)INFINITY) {
+        fault->t = run->lost_time;
+        fault->x = run->lost;
+    }
+    switch (status) {
+    case LAG_SINGULAR:
+        fault->which = run->motion.coordinate;
+        go_to_trouble(run, fault);
+        break;
+    case LAG_NOT_FINITE:
+        go_to_trouble(run, fault);
+        explain_not_finite(run, fault);
+        break;
+    case LAG_STEP_TOO_SMALL:
+        explain_stuck(run, fault);
+        break;
+    case LAG_PROJECTION_FAILED:
+    case LAG_POSITION_JUMP:
+        explain_off(run, status == LAG_POSITION_JUMP, fault);
+        break;
+    case LAG_BRANCH_POINT:
+        (void)lag_run_rank(run, &(size_t){0}, &fault->which);
+        break;
+    case LAG_VIOLATED:
+        explain_violated(run, fault);
+        break;
+    case LAG_CONFLICT:
+    case LAG_ASSERTION_FAILED:
+        fault->which = run->instants.iteration.fault;
+        break;
+    default:
+        break;
+    }
+}

@@ -1,0 +1,51 @@
+/* Steps of fixed length, at a bounded cost. */
+#include "lag/fixed.h"
+#include "lag/run.h"
+
+/* What happened during a step of fixed length happens at its end. */
+static lag_status follow_fixed(lag_run *run, double h)
+{
+    lag_status status = LAG_OK;
+    if (run->motion.model->event == NULL) {
+        return status;
+    }
+    lag_instants_after(&run->instants, run->stepper.t, h);
+    run->instants.contacts.flight = h;
+    status = lag_zero_crossing_look(&run->crossings, run->stepper.t, run->stepper.x);
+    if (status == LAG_EVENT_PENDING) {
+        status = lag_run_event(run, h, run->crossings.changed);
+    }
+    run->instants.contacts.flight = 0.0;
+    return status == LAG_OK ? lag_run_ticks(run) : status;
+}
+
+/* The end of a step of length h from t; of one after the other, as a whole number of steps from the first. */
+static double end_of_step(lag_clock *pace, double t, double h)
+{
+    if (pace->period != h || lag_clock_instant(pace, pace->next) != t) {
+        *pace = lag_clock_of(t, h);
+    }
+    ++pace->next;
+    return lag_clock_instant(pace, pace->next);
+}
+
+lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
+    double *arena)
+{
+    lag_stepper *s = &run->stepper;
+    const unsigned iterations = run->projection.iterations;
+    int moved = 0;
+    lag_status status = lag_zero_crossing_begin(&run->crossings, s->t, s->x);
+    if (status != LAG_OK) {
+        return status;
+    }
+    status = step(s->ode, run->motion.model->nq, s->t, h, s->x, arena);
+    if (status == LAG_OK) {
+        s->t_before = s->t;
+        s->t = end_of_step(&run->pace, s->t, h);
+        run->projection.iterations = 2;
+        (void)lag_projection_apply(&run->projection, s->t, s->x, &moved);
+        run->projection.iterations = iterations;
+    }
+    return status == LAG_OK ? follow_fixed(run, h) : status;
+}

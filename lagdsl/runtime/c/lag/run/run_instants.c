@@ -1,0 +1,130 @@
+/* What happens at instants of a run: told before and after. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/run.h"
+
+static int has_instants(const lag_run *run)
+{
+    return run->motion.model->event != NULL;
+}
+
+static lag_status tell(lag_run *run, lag_event_kind what)
+{
+    return lag_event_iteration_tell(&run->instants.iteration, run->stepper.t, run->stepper.x, what, 0);
+}
+
+/* An event that came to a good end is told. */
+static lag_status over(lag_run *run, lag_status status)
+{
+    if (status != LAG_OK && status != LAG_STOPPED) {
+        return status;
+    }
+    const lag_status told = tell(run, LAG_AFTER);
+    return told == LAG_OK ? status : told;
+}
+
+lag_status lag_run_enter(lag_run *run)
+{
+    return has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
+}
+
+static lag_status carry_out(lag_run *run, double h, const double *changed, int ticks)
+{
+    const lag_model *model = run->motion.model;
+    double *x = run->stepper.x;
+    lag_instants_after(&run->instants, run->stepper.t, h);
+    if (changed == NULL) {
+        return LAG_OK;
+    }
+    ++run->events;
+    memmove(run->crossings.changed, changed, (model->nindicator + model->ncontact) * sizeof(double));
+    lag_status status = tell(run, LAG_BEFORE);
+    if (status == LAG_OK) {
+        status = over(run, lag_instants_carry_out(&run->instants, run->stepper.t, x, run->crossings.changed, ticks));
+    }
+    return status;
+}
+
+lag_status lag_run_event(lag_run *run, double h, const double *changed)
+{
+    return carry_out(run, h, changed, 0);
+}
+
+lag_status lag_run_event_and_ticks(lag_run *run, double h, const double *changed)
+{
+    return carry_out(run, h, changed, 1);
+}
+
+int lag_run_due(const lag_run *run, double t)
+{
+    return has_instants(run) && lag_instants_due(&run->instants, t);
+}
+
+lag_status lag_run_ticks(lag_run *run)
+{
+    int quiet = 0;
+    if (!lag_run_due(run, run->stepper.t)) {
+        return LAG_OK;
+    }
+    lag_status status = lag_instants_quietly(&run->instants, run->stepper.t, run->stepper.x, &quiet);
+    if (quiet || status != LAG_OK) {
+        return status;
+    }
+    ++run->events;
+    status = tell(run, LAG_BEFORE);
+    return status == LAG_OK ? over(run, lag_instants_tick(&run->instants, run->stepper.t, run->stepper.x)) : status;
+}
+
+lag_status lag_run_jump(lag_run *run)
+{
+    const lag_model *model = run->motion.model;
+    lag_stepper *s = &run->stepper;
+    run->motion.until = (double)INFINITY;
+    if (model->nindicator == 0) {
+        return LAG_OK;
+    }
+    lag_status status = lag_zero_crossing_look(&run->crossings, s->t, s->x);
+    for (size_t i = 0; i < model->ncontact; ++i) { /* these follow, or show in the next step */
+        run->crossings.changed[model->nindicator + i] = 0.0;
+    }
+    if (status != LAG_EVENT_PENDING || !lag_any(model->nindicator, run->crossings.changed)) {
+        return status == LAG_EVENT_PENDING ? LAG_OK : status;
+    }
+    memcpy(run->pending, run->crossings.changed, (model->nindicator + model->ncontact) * sizeof(double));
+    run->motion.until = s->t; /* the row before has the inputs before */
+    status = tell(run, LAG_BEFORE);
+    run->motion.until = (double)INFINITY;
+    ++run->events;
+    if (status == LAG_OK) {
+        status = over(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->pending, 0));
+    }
+    return status == LAG_OK ? lag_run_watch(run, s->t, s->x) : status;
+}
+
+lag_status lag_run_end(lag_run *run)
+{
+    run->motion.until = (double)INFINITY;
+    const lag_status status = lag_run_ticks(run);
+    if (status != LAG_OK || !has_instants(run) || run->instants.places.terminal == run->motion.model->nw) {
+        return status;
+    }
+    return over(run, lag_instants_end(&run->instants, run->stepper.t, run->stepper.x));
+}
+
+lag_status lag_run_back(lag_run *run, double t)
+{
+    lag_stepper *s = &run->stepper;
+    int moved = 0;
+    lag_status status = lag_run_rows(run, t, 0);
+    if (status == LAG_OK) {
+        status = lag_stepper_dense(s, t, run->point);
+    }
+    if (status == LAG_OK) {
+        (void)lag_projection_exact(&run->projection, t, run->point, &moved); /* where it cannot, it is as the method found it */
+        memcpy(s->x, run->point, s->ode->size * sizeof(double));
+        s->t = t;
+    }
+    return status;
+}

@@ -1,0 +1,331 @@
+/* Pieces of the last step of a run, one after the other, up to the first in which something happens. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/run.h"
+#include "lag/run/scan.h"
+
+enum { LAST = LAG_ZERO_CROSSING_LOOKS - 1, AGAIN = 16 };
+/* Looks in a piece, as parts of it: no two distances are alike, so that what is periodic does not look constant. */
+static const double PLACES[LAG_ZERO_CROSSING_LOOKS] = {0.0, 0.2071, 0.4583, 0.7361, 1.0};
+/* The largest difference of the two polynomials, as a part of the fourth divided difference, about. */
+static const double DIFFERENCE = 0.03;
+/* The error of a parabola through three looks, as a part of the third. */
+static const double THIRD = 0.01;
+/* Values are known where that is at most this part of the largest of them. */
+static const double KNOWN = 0.1;
+/* Lengths of pieces change by at most these factors; the first is this part of a step. */
+static const double SAFETY = 0.8, LEAST_FACTOR = 0.1, MOST_FACTOR = 4.0, FIRST = 0.25;
+/* A piece is no longer than this part of the experiment, and no shorter than this part of its step. */
+static const double LONGEST = 0.02, SHORTEST = 0x1p-24;
+/* A minimum that is so much nearer to zero than what was seen is looked at, but none so near to the beginning of the step: that has just happened. */
+static const double NEARER = 0.3, BEGINNING = 0.01;
+/* So many times its error a minimum may be lower than it seems. */
+static const double LOWER = 2.0;
+/* So far from an end, as a part of the distance to the next look; below this part of the next value something has just happened. */
+static const double BESIDE = 0.25, JUST = 1e-6;
+/* With each look at a minimum it is known better, by this factor at most. */
+static const double CLEARER = 0.25;
+/* The last piece of a step may be longer by this factor. */
+static const double LAST_STRETCH = 1.2;
+/* A piece that is shorter than it was to be by more than this part was cut at the end of a step; by less, times were rounded. */
+static const double CUT = 0.01;
+/* Values below so many times their round-off have no shape. */
+static const double SHAPELESS = 1e3;
+
+typedef struct piece {
+    double a, b;
+    int looks; /* the last one */
+} piece;
+
+static double place_of(const piece *in, int k)
+{
+    return k == LAST ? in->b : in->a + (in->b - in->a) * PLACES[k];
+}
+
+static size_t count_of(const lag_run *run)
+{
+    return lag_zero_crossing_count(&run->crossings);
+}
+
+static void remember(lag_run *run, int k)
+{
+    for (size_t i = 0; i < count_of(run); ++i) {
+        run->crossings.seen[k][i] = lag_zero_crossing_value(&run->crossings, i);
+    }
+}
+
+/* LAG_EVENT_PENDING: something has changed at t by more than round-off. */
+static lag_status look(lag_run *run, double t)
+{
+    const lag_status status = lag_scan_look(run, t);
+    return status == LAG_EVENT_PENDING && lag_zero_crossing_widen(&run->crossings, t, run->point) ? lag_scan_look(run, t) : status;
+}
+
+/* ---- what comes and goes between looks ---- */
+
+typedef struct triple {
+    double u[3], v[3];
+} triple;
+
+/*
+ * 1: a minimum, known up to an error, may be below zero, seen from the values: its place by a parabola, and the value of that. Where it lies beyond an end whose value is below the error, a place beside that end; not at a
+ * beginning where something has just happened.
+ */
+static int minimum_of(const triple *at, double error, double *u, double *height)
+{
+    const double *v = at->v;
+    const double slope = (v[1] - v[0]) / (at->u[1] - at->u[0]);
+    const double bend = ((v[2] - v[1]) / (at->u[2] - at->u[1]) - slope) / (at->u[2] - at->u[0]);
+    const double vertex = 0.5 * (at->u[0] + at->u[1]) - 0.5 * slope / bend;
+    const int inside = bend > 0.0 && vertex > at->u[0] && vertex < at->u[2];
+    const int first = v[0] < v[1] && v[0] < LOWER * error && v[0] > JUST * v[1];
+    const int last = v[2] < v[1] && v[2] < LOWER * error;
+    *u = inside ? vertex
+        : first ? at->u[0] + BESIDE * (at->u[1] - at->u[0])
+                : at->u[2] - BESIDE * (at->u[2] - at->u[1]);
+    *height = v[0] + (*u - at->u[0]) * (slope + bend * (*u - at->u[1]));
+    return inside ? *height < fmax(NEARER * fmax(fmin(v[0], fmin(v[1], v[2])), 0.0), LOWER * error) : first || last;
+}
+
+static void put(triple *at, int k, double u, double v)
+{
+    at->u[k] = u;
+    at->v[k] = v;
+}
+
+/* Three looks around the minimum, of which that at u is one. */
+static void narrow(triple *at, double u, double v)
+{
+    const int before = u < at->u[1];
+    if (v <= at->v[1]) {
+        put(at, before ? 2 : 0, at->u[1], at->v[1]);
+        put(at, 1, u, v);
+    } else {
+        put(at, before ? 0 : 2, u, v);
+    }
+}
+
+/* LAG_EVENT_PENDING: number i, known up to an error, has changed at the minimum, at *t, between looks k - 2 and k. */
+static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i, double error, double *t)
+{
+    triple at;
+    double u = 0.0;
+    double height = 0.0;
+    for (int j = 0; j < 3; ++j) {
+        put(&at, j, PLACES[k - 2 + j], run->crossings.seen[k - 2 + j][i]);
+    }
+    for (int again = 0; again < AGAIN && minimum_of(&at, error, &u, &height); ++again) {
+        *t = in->a + u * (in->b - in->a);
+        if (!(*t > run->stepper.t_before + BEGINNING * (place_of(in, 1) - in->a)) || !(*t < place_of(in, k))) {
+            return LAG_OK;
+        }
+        const lag_status status = look(run, *t);
+        const double value = lag_zero_crossing_value(&run->crossings, i);
+        if ((status == LAG_EVENT_PENDING && run->crossings.changed[i] != 0.0) || (status != LAG_OK && status != LAG_EVENT_PENDING)) {
+            return status;
+        }
+        error = fmax(fabs(value - height), CLEARER * error);
+        narrow(&at, u, value);
+    }
+    return LAG_OK;
+}
+
+/* What changes and changes back between looks up to that number: LAG_EVENT_PENDING, at *b, and not yet at *a. */
+static lag_status look_between(lag_run *run, const piece *in, double *a, double *b)
+{
+    double there = 0.0;
+    for (int k = 2; k <= in->looks; ++k) {
+        for (size_t i = 0; i < count_of(run); ++i) {
+            const int changes = run->crossings.seen[k][i] < 0.0;
+            const lag_status status = changes ? LAG_OK : look_at_minimum(run, in, k, i, run->crossings.found[i], &there);
+            if (status != LAG_OK) {
+                *a = there <= place_of(in, k - 1) ? place_of(in, k - 2) : place_of(in, k - 1);
+                *b = there;
+                return status;
+            }
+        }
+    }
+    return LAG_OK;
+}
+
+/* ---- one piece ---- */
+
+static double largest_value(const lag_run *run, const piece *in, size_t i)
+{
+    double most = 0.0;
+    for (int k = 0; k <= in->looks; ++k) {
+        most = fmax(most, fabs(run->crossings.seen[k][i]));
+    }
+    return most;
+}
+
+/* How badly number i is known: the difference of the polynomials; into `found`, the error of parabolas through three looks. */
+static double difference_of(lag_run *run, size_t i)
+{
+    double d[LAG_ZERO_CROSSING_LOOKS];
+    double third = 0.0;
+    for (int k = 0; k < LAG_ZERO_CROSSING_LOOKS; ++k) {
+        d[k] = run->crossings.seen[k][i];
+    }
+    for (int order = 1; order < LAG_ZERO_CROSSING_LOOKS; ++order) {
+        for (int k = LAST; k >= order; --k) {
+            d[k] = (d[k] - d[k - 1]) / (PLACES[k] - PLACES[k - order]);
+        }
+        third = order == LAST - 1 ? fmax(fabs(d[LAST]), fabs(d[LAST - 1])) : third;
+    }
+    run->crossings.found[i] = DIFFERENCE * fabs(d[LAST]) + THIRD * third;
+    return DIFFERENCE * fabs(d[LAST]);
+}
+
+/* The same as a part of its largest value; zero where that is round-off. */
+static double doubt_of(lag_run *run, const piece *in, size_t i)
+{
+    const double most = largest_value(run, in, i);
+    run->crossings.found[i] = KNOWN * most;
+    const double difference = in->looks == LAST ? difference_of(run, i) : 0.0;
+    if (!(difference > KNOWN * most)) {
+        return most > 0.0 ? difference / most : 0.0;
+    }
+    if (lag_zero_crossing_has_noise(&run->crossings, i) && !(lag_zero_crossing_noise(&run->crossings, i) > 0.0)) {
+        lag_noise_find(run->crossings.noise, run->stepper.t_before, run->stepper.x_before);
+    }
+    return most > SHAPELESS * lag_zero_crossing_noise(&run->crossings, i) ? difference / most : 0.0;
+}
+
+static double largest_doubt(lag_run *run, const piece *in)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < count_of(run); ++i) {
+        most = fmax(most, doubt_of(run, in, i));
+    }
+    return most;
+}
+
+/* Looks at a piece, up to the first at which something has changed; LAG_EVENT_PENDING: at *b, and not yet at *a. */
+static lag_status look_at_piece(lag_run *run, piece *in, double *a, double *b)
+{
+    lag_status status = LAG_OK;
+    for (int k = 1; k <= LAST && status == LAG_OK; ++k) {
+        *a = place_of(in, k - 1);
+        *b = place_of(in, k);
+        status = look(run, *b);
+        remember(run, k);
+        in->looks = k;
+    }
+    return status;
+}
+
+/* The length of the next trial after one of length w: the doubt goes with its fourth power. */
+static double next_length(double w, double doubt)
+{
+    const double factor = doubt > 0.0 ? SAFETY * pow(KNOWN / doubt, 0.25) : MOST_FACTOR;
+    return w * fmin(MOST_FACTOR, fmax(LEAST_FACTOR, factor));
+}
+
+/* Pieces from a on; `reach` is the length of the next one. */
+typedef struct scan {
+    double a, reach, shortest, longest;
+} scan;
+
+/* 1: the piece is known as well as it can be; what it is to be otherwise is in `reach`. */
+static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
+{
+    const double w = in->b - in->a;
+    const int whole = in->looks == LAST;
+    if (!whole && place_of(in, in->looks) - in->a > run->crossings.span && w > 1.5 * on->shortest) {
+        on->reach = place_of(in, in->looks) - in->a; /* nothing is known of so short a time: it is looked at as a piece */
+        return 0;
+    }
+    const double doubt = largest_doubt(run, in);
+    if (doubt > KNOWN && w > 1.5 * on->shortest) {
+        on->reach = fmax(on->shortest, fmin(0.7 * w, next_length(w, doubt)));
+        run->crossings.span = fmin(run->crossings.span, on->reach);
+        return 0;
+    }
+    if (whole && status == LAG_OK) {
+        const double next = next_length(w, doubt);
+        const int cut = w < (1.0 - CUT) * on->reach;
+        on->reach = fmin(on->longest, cut ? fmin(on->reach, fmax(w, next)) : next);
+        run->crossings.span = fmax(run->crossings.span, w);
+    }
+    return 1;
+}
+
+/* What is about to change at the end, within round-off of time, does so there. */
+static lag_status look_at_end(lag_run *run, const piece *in)
+{
+    const double h = in->b - place_of(in, LAST - 1);
+    const double soon = LAG_SCAN_TOGETHER * lag_scan_tolerance(run);
+    int any = 0;
+    for (size_t i = 0; i < count_of(run); ++i) {
+        const double value = run->crossings.seen[LAST][i];
+        const double rate = (value - run->crossings.seen[LAST - 1][i]) / h;
+        run->crossings.changed[i] = rate < 0.0 && run->crossings.seen[LAST - 1][i] > 0.0 && value <= -rate * soon;
+        any = any || run->crossings.changed[i] != 0.0;
+    }
+    return any ? LAG_EVENT_PENDING : LAG_OK;
+}
+
+static lag_status scan_pieces(lag_run *run, scan *on, double *t)
+{
+    const lag_stepper *s = &run->stepper;
+    piece in = {on->a, on->a, 0};
+    double stretch = LAST_STRETCH;
+    remember(run, 0);
+    while (in.a < s->t) {
+        double a = 0.0;
+        double b = 0.0;
+        in.b = s->t - in.a > stretch * on->reach && in.a + on->reach > in.a ? in.a + on->reach : s->t;
+        lag_status status = look_at_piece(run, &in, &a, &b);
+        const int accepted = (status == LAG_OK || status == LAG_EVENT_PENDING) && accept(run, on, &in, status);
+        const lag_status between = accepted ? look_between(run, &in, &a, &b) : LAG_OK;
+        status = between == LAG_OK ? status : between;
+        if (status != LAG_OK && status != LAG_EVENT_PENDING) {
+            return status;
+        }
+        stretch = accepted ? LAST_STRETCH : 1.0;
+        if (accepted && status == LAG_EVENT_PENDING) {
+            (void)lag_scan_look(run, b);
+            *t = lag_scan_earliest(run, a, b);
+            return status;
+        }
+        if (accepted && in.b == s->t && look_at_end(run, &in) == LAG_EVENT_PENDING) {
+            *t = s->t;
+            return LAG_EVENT_PENDING;
+        }
+        if (accepted) {
+            memcpy(run->crossings.seen[0], run->crossings.seen[LAST], count_of(run) * sizeof(double));
+            in.a = in.b;
+        }
+    }
+    return LAG_OK;
+}
+
+lag_status lag_run_happening(lag_run *run, double *t)
+{
+    const lag_stepper *s = &run->stepper;
+    lag_zero_crossing *crossings = &run->crossings;
+    const double h = s->t - s->t_before;
+    const double length = run->instants.contacts.length;
+    scan on = {s->t_before, crossings->reach > 0.0 ? crossings->reach : FIRST * h, 0.0, (double)INFINITY};
+    if (count_of(run) == 0 || !(h > 0.0)) {
+        return LAG_OK;
+    }
+    on.shortest = fmax(SHORTEST * h, 64.0 * lag_scan_tolerance(run));
+    on.longest = length > 0.0 ? LONGEST * length : (double)INFINITY;
+    on.reach = fmin(on.reach, on.longest);
+    lag_status status = lag_stepper_dense(&run->stepper, on.a, run->point);
+    if (status == LAG_OK) {
+        status = lag_zero_crossing_begin(crossings, on.a, run->point);
+    }
+    if (status == LAG_OK) {
+        status = scan_pieces(run, &on, t);
+    }
+    crossings->reach = on.reach;
+    if (status == LAG_EVENT_PENDING && s->t - *t <= LAG_SCAN_TOGETHER * lag_scan_tolerance(run)) {
+        *t = s->t;
+    }
+    return status;
+}

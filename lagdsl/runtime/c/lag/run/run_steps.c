@@ -1,0 +1,347 @@
+/* Steps of a run, one after the other: onto the constraints, up to what happens, with what must stay true. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/run.h"
+
+/* Steps are at least so many units in the last place of time. */
+static const double ULPS = 16.0;
+/* A step from which the constraints are out of reach is tried again with this part of its length. */
+static const double SHORTER = 0.25;
+/* So often a step is cut where a corner is found in it. */
+enum { MOST_CUTS = 10 };
+
+static double least_length(const lag_run *run, double stop)
+{
+    return ULPS * DBL_EPSILON * fmax(fmax(fabs(run->stepper.t), fabs(stop)), DBL_MIN);
+}
+
+/* The method starts (again) at the present state; h is what the stepper proposes. */
+static lag_status restart(lag_run *run, const lag_method *method, double span)
+{
+    lag_stepper *s = &run->stepper;
+    if (method == &lag_branch_switching) {
+        method = run->behind;
+    }
+    run->accuracy.relative = method->factor * run->options.tolerance;
+    lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
+    return lag_stepper_begin(s, method, span);
+}
+
+/* Back onto the constraints after a step. LAG_PROJECTION_FAILED: it was too long. */
+static lag_status settle(lag_run *run)
+{
+    lag_stepper *s = &run->stepper;
+    int moved = 0;
+    lag_status status = lag_projection_apply(&run->projection, s->t, s->x, &moved);
+    if (status == LAG_OK && moved) {
+        status = lag_stepper_correct(s);
+    }
+    return status == LAG_OK ? LAG_OK : LAG_PROJECTION_FAILED;
+}
+
+/* The present state is what the next one is compared with. */
+static lag_status see(lag_run *run)
+{
+    run->look.rank = 0;
+    lag_motion_look(&run->motion, run->stepper.t, run->stepper.x);
+    const lag_status status = run->motion.model->velocity_constraint(&run->motion.at, run->projection.phi, run->projection.jacobian);
+    return status == LAG_OK ? lag_look_at(&run->look, run->projection.jacobian) : status;
+}
+
+/* Rank after a step that ended on the constraints. LAG_TOO_LONG: it is to be tried with the length *shorter. */
+static lag_status look_around(lag_run *run, double limit, double *shorter)
+{
+    lag_stepper *s = &run->stepper;
+    lag_status status = lag_look_at(&run->look, run->projection.jacobian);
+    if (status != LAG_ATTENTION) {
+        return status;
+    }
+    status = lag_singular_after(&run->singular, limit, shorter);
+    if (status == LAG_ATTENTION && *shorter > s->h_least) {
+        lag_stepper_undo(s, *shorter);
+        status = LAG_TOO_LONG;
+    } else if (status == LAG_ATTENTION) {
+        status = LAG_STEP_TOO_SMALL;
+    }
+    const lag_status seen = see(run);
+    return status == LAG_OK && seen != LAG_ATTENTION ? seen : status;
+}
+
+/* What is known of a singular position ahead comes first. */
+static lag_status look_ahead(lag_run *run, double limit, int *done)
+{
+    lag_stepper *s = &run->stepper;
+    lag_status status = s->method == &lag_branch_switching ? restart(run, run->behind, limit - s->t) : LAG_OK;
+    if (status == LAG_OK) {
+        status = lag_singular_ahead(&run->singular, limit, done);
+    }
+    if (status == LAG_OK && *done) {
+        status = see(run);
+        status = status == LAG_ATTENTION ? LAG_OK : status;
+    }
+    return status;
+}
+
+/* One step that ends on the constraints; where that looks dangerous it is taken back. */
+static lag_status step_once(lag_run *run, double limit)
+{
+    lag_stepper *s = &run->stepper;
+    for (;;) {
+        double shorter = 0.0;
+        lag_status status = lag_stepper_step(s, limit);
+        if (status != LAG_OK) {
+            return status == LAG_STEP_TOO_SMALL && s->trouble != LAG_OK && s->trouble_time >= s->t ? s->trouble : status;
+        }
+        const double h = s->t - s->t_before;
+        status = settle(run);
+        if (status == LAG_PROJECTION_FAILED && SHORTER * h > s->h_least) {
+            lag_stepper_undo(s, SHORTER * h);
+            continue;
+        }
+        if (status == LAG_PROJECTION_FAILED) {
+            lag_run_lose(run, s->t, s->x);
+        }
+        if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
+            status = look_around(run, limit, &shorter);
+        }
+        if (status == LAG_TOO_LONG) {
+            continue;
+        }
+        return status;
+    }
+}
+
+/* The same, unless something is known that comes first. */
+static lag_status advance(lag_run *run, double limit)
+{
+    lag_stepper *s = &run->stepper;
+    const double t = s->t;
+    int done = 0;
+    lag_status status = lag_run_crosses(run->motion.model, &run->options) ? look_ahead(run, limit, &done) : LAG_OK;
+    if (status == LAG_OK && !done) {
+        status = step_once(run, limit);
+    }
+    if (status != LAG_OK && s->t > t) {
+        lag_stepper_undo(s, s->t - s->t_before);
+    }
+    return status;
+}
+
+/* After a step without event: the tolerances follow the motion, the method may change. */
+static lag_status follow(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    if (s->method == &lag_branch_switching && s->t < stop) {
+        return restart(run, run->behind, stop - s->t);
+    }
+    const lag_method *method = run->options.method == NULL && s->method != &lag_branch_switching ? lag_stiffness_method(&run->stiffness, s) : s->method;
+    if (method == s->method || s->t >= stop) {
+        lag_accuracy_after(&run->accuracy, s->x, s->tolerance);
+        return LAG_OK;
+    }
+    if (run->changes < LAG_CHANGES) {
+        run->change[run->changes] = (lag_change){s->t, method->implicit};
+    }
+    ++run->changes;
+    return restart(run, method, stop - s->t);
+}
+
+/* A step from time t that cannot be made use of is taken back, if there was one. */
+static lag_status give_back(lag_run *run, double t, lag_status status)
+{
+    if (run->stepper.t > t) {
+        lag_stepper_undo(&run->stepper, 0.5 * (run->stepper.t - t));
+    }
+    return status;
+}
+
+/* Where in the last step something happens first, the model's at *own, the caller's at *other, a corner; infinite: nowhere. */
+static lag_status find(lag_run *run, double *own, double *other, double *corner)
+{
+    *own = *other = (double)INFINITY;
+    lag_status status = lag_run_next_corner(run, own, corner);
+    if (status == LAG_OK && run->options.indicators > 0) {
+        status = lag_run_crossing(run, other);
+    }
+    if (status == LAG_OK && *other < *own) {
+        *own = (double)INFINITY;
+    } else if (*own < (double)INFINITY) {
+        *other = (double)INFINITY;
+    }
+    return status;
+}
+
+/* One step that ends at a corner, if there is one in it, and what happens then. */
+static lag_status advance_to_corner(lag_run *run, double limit, double *own, double *other)
+{
+    lag_stepper *s = &run->stepper;
+    lag_half *half = &run->half;
+    double corner = (double)INFINITY;
+    double end = corner;
+    *own = *other = (double)INFINITY;
+    lag_status status = advance(run, limit);
+    half->next = s->h;
+    half->corner = 0;
+    for (int k = 0; k < MOST_CUTS && status == LAG_OK; ++k) {
+        status = lag_run_face_corners(run);
+        run->crossings.corners = k + 1 < MOST_CUTS ? run->crossings.corners : 0;
+        status = status == LAG_OK ? find(run, own, other, &corner) : status;
+        const int found = corner < (double)INFINITY;
+        const int inside = found && !lag_run_is_at_end(run, corner);
+        half->corner = found || (s->t == end && !(fmin(*own, *other) < (double)INFINITY));
+        if (status != LAG_OK || !inside) {
+            return status;
+        }
+        half->corner = 0;
+        end = lag_run_before_corner(run, corner);
+        lag_stepper_undo(s, end - s->t_before);
+        status = advance(run, end);
+    }
+    return status;
+}
+
+/* The time scale of what happens at the end of a step: one that was cut short does not tell it. */
+static double scale_of(const lag_run *run, const lag_half *half)
+{
+    const double reach = run->crossings.reach;
+    return reach > 0.0 ? fmin(reach, fmax(half->length, half->next)) : half->length;
+}
+
+/* Relations that pass zero with a tick do so in the event of the tick, which at `stop` is left to the next call. */
+static int left_to_ticks(const lag_run *run, double stop)
+{
+    const lag_model *model = run->motion.model;
+    return run->stepper.t >= stop && lag_run_due(run, run->stepper.t) && !lag_any(model->ncontact, run->pending + model->nindicator);
+}
+
+/* What happens at the end of a step: the model's, the caller's; clocks before `stop`. */
+static lag_status happen(lag_run *run, double stop, const lag_half *half, int *happened)
+{
+    const double t = run->stepper.t;
+    const double h = scale_of(run, half);
+    const int due = t < stop && lag_run_due(run, t);
+    int fired = 0;
+    const int own = half->own && !left_to_ticks(run, stop);
+    *happened = own || due;
+    lag_instants_after(&run->instants, t, h);
+    lag_status status = LAG_OK;
+    if (own) {
+        status = due ? lag_run_event_and_ticks(run, h, run->pending) : lag_run_event(run, h, run->pending);
+    } else if (due) {
+        status = lag_run_ticks(run);
+    }
+    if (status == LAG_OK) {
+        status = lag_run_fire(run, half->other, &fired);
+    }
+    *happened = *happened || fired;
+    return status == LAG_OK && *happened ? lag_run_watch(run, run->stepper.t, run->stepper.x) : status;
+}
+
+lag_status lag_run_step(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    lag_half *half = &run->half;
+    const double t = s->t;
+    double own = (double)INFINITY;
+    double other = (double)INFINITY;
+    lag_status status = advance_to_corner(run, fmin(stop, lag_run_instant(run)), &own, &other);
+    half->length = s->t - t;
+    half->t = fmin(fmin(own, other), s->t);
+    if (status == LAG_OK) {
+        status = lag_run_rows(run, half->t, 0);
+    }
+    if (status == LAG_OK && run->options.results != NULL) {
+        status = lag_results_step(run->options.results, run, half->t);
+    }
+    if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
+        status = lag_run_watch(run, s->t, s->x);
+    }
+    if (status != LAG_OK) {
+        return give_back(run, t, status);
+    }
+    half->own = own < (double)INFINITY;
+    half->other = other < (double)INFINITY;
+    half->open = 1;
+    memcpy(run->pending, run->crossings.changed, (run->motion.model->nindicator + run->motion.model->ncontact) * sizeof(double));
+    return LAG_OK;
+}
+
+lag_status lag_run_finish(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    lag_half *half = &run->half;
+    int happened = 0;
+    if (!half->open) {
+        return LAG_OK;
+    }
+    half->open = 0;
+    lag_status status = half->own || half->other ? lag_run_back(run, half->t) : LAG_OK;
+    if (status != LAG_OK) {
+        return give_back(run, s->t_before, status);
+    }
+    status = happen(run, stop, half, &happened);
+    if (status == LAG_OK && happened) {
+        s->h = fmin(half->next, s->h_most);
+        run->look.rank = 0;
+        status = s->t < stop ? restart(run, s->method, stop - s->t) : LAG_OK;
+    } else if (status == LAG_OK && half->corner) {
+        status = lag_run_rows(run, s->t, 1);
+        lag_run_pass_corner(run, fmin(stop, lag_run_instant(run)));
+        s->h = fmin(fmax(s->h, half->next), s->h_most);
+        status = status == LAG_OK && s->t < stop ? restart(run, s->method, stop - s->t) : status;
+    } else if (status == LAG_OK) {
+        status = follow(run, stop);
+    }
+    return status == LAG_OK ? lag_run_rows(run, s->t, 1) : status;
+}
+
+lag_status lag_run_restart(lag_run *run, double stop)
+{
+    lag_stepper *s = &run->stepper;
+    run->motion.until = stop;
+    s->h_least = least_length(run, stop);
+    if (!(run->options.length > 0.0) && run->options.count < 2) {
+        run->instants.contacts.length = fmax(run->instants.contacts.length, stop - run->begun);
+    }
+    s->h_most = run->options.h_most > 0.0 ? run->options.h_most : (double)INFINITY;
+    run->half.open = 0;
+    run->instants.timed.length = run->instants.contacts.length;
+    lag_status status = lag_run_ticks(run);
+    if (status == LAG_OK && lag_run_instant(run) > s->t) {
+        status = lag_timed_seek(&run->instants.timed, s->t);
+    }
+    if (status == LAG_OK) {
+        status = restart(run, s->method, stop - s->t);
+    }
+    if (status == LAG_OK && lag_run_crosses(run->motion.model, &run->options)) {
+        status = see(run);
+        if (status == LAG_OK || status == LAG_ATTENTION) {
+            lag_singular_begin(&run->singular, status == LAG_ATTENTION);
+            status = LAG_OK;
+        }
+    }
+    return status;
+}
+
+lag_status lag_run_to(lag_run *run, double stop, size_t most_steps)
+{
+    run->steps = 0;
+    if (!(stop > run->stepper.t)) {
+        return LAG_OK;
+    }
+    lag_status status = lag_run_restart(run, stop);
+    while (status == LAG_OK && run->stepper.t < stop) {
+        if (most_steps > 0 && run->steps >= most_steps) {
+            return LAG_TOO_LONG;
+        }
+        ++run->steps;
+        status = lag_run_step(run, stop);
+        if (status == LAG_OK) {
+            status = lag_run_finish(run, stop);
+        }
+    }
+    return status;
+}

@@ -1,0 +1,98 @@
+/* Where in a piece of the last step something that has changed at its end does so. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/root.h"
+#include "lag/run.h"
+#include "lag/run/scan.h"
+
+/* So often an interval is halved before nothing is left of it. */
+enum { HALVES = 60 };
+/* At least this part of the other is no round-off. */
+static const double ALIKE = 1e-6;
+
+lag_status lag_scan_look(lag_run *run, double t)
+{
+    const lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
+    return status == LAG_OK ? lag_zero_crossing_look(&run->crossings, t, run->point) : status;
+}
+
+typedef struct change {
+    lag_run *run;
+    size_t which;
+} change;
+
+static double value_of(void *context, double t)
+{
+    const change *one = context;
+    const lag_status status = lag_scan_look(one->run, t);
+    return status == LAG_OK || status == LAG_EVENT_PENDING ? lag_zero_crossing_value(&one->run->crossings, one->which) : (double)NAN;
+}
+
+/*
+ * A root is told from the side on which things have changed; what is left of the way there is as good as straight. Where the value jumps
+ * the time is some roundings behind the jump, so that the state, moved onto the constraints, is behind it, too.
+ */
+static double refine(change *one, double a, double fa, double b, double root, double tolerance)
+{
+    const double value = value_of(one, root);
+    const double better = root - value * (root - a) / (value - fa);
+    if (fabs(value) > ALIKE * fabs(fa)) {
+        return fmin(b, root + LAG_SCAN_TOGETHER * tolerance);
+    }
+    return fabs(better - root) <= tolerance ? better : root;
+}
+
+/*
+ * Where number `which`, which has changed at b, does so. A value that is zero but for round-off at a, as after an impact, tells nothing:
+ * the interval is halved until its ends have different signs and alike sizes.
+ */
+static double root_of(change *one, double a, double b, double tolerance)
+{
+    double fa = value_of(one, a);
+    double fb = value_of(one, b);
+    for (int k = 0; k < HALVES; ++k) {
+        const double middle = a + 0.5 * (b - a);
+        if (lag_root_sign(fa) != lag_root_sign(fb) && fabs(fa) >= ALIKE * fabs(fb)) {
+            return refine(one, a, fa, b, lag_root(value_of, one, a, fa, b, fb, tolerance), tolerance);
+        }
+        if (!(middle > a && middle < b)) {
+            break;
+        }
+        const double value = value_of(one, middle);
+        if (one->run->crossings.changed[one->which] != 0.0) {
+            b = middle;
+            fb = value;
+        } else {
+            a = middle;
+            fa = value;
+        }
+    }
+    return b;
+}
+
+double lag_scan_earliest(lag_run *run, double a, double b)
+{
+    const size_t count = lag_zero_crossing_count(&run->crossings);
+    const double tolerance = lag_scan_tolerance(run);
+    double *root = run->crossings.root;
+    double first = b;
+    memcpy(root, run->crossings.changed, count * sizeof(double));
+    for (size_t i = 0; i < count; ++i) {
+        change one = {run, i};
+        const double last = fmin(b, first + LAG_SCAN_TOGETHER * tolerance);
+        const int may_be = root[i] != 0.0;
+        root[i] = (double)INFINITY;
+        if (may_be) {
+            (void)value_of(&one, last);
+            if (run->crossings.changed[i] != 0.0) {
+                root[i] = root_of(&one, a, last, tolerance);
+                first = fmin(first, root[i]);
+            }
+        }
+    }
+    for (size_t i = 0; i < count; ++i) {
+        run->crossings.changed[i] = root[i] <= first + LAG_SCAN_TOGETHER * tolerance;
+    }
+    return first;
+}

@@ -1,0 +1,32 @@
+/*
+ * Where in the last step of a run something happens. The values of lag/events/zero_crossing.h are looked at in pieces of the step that are so short that
+ * a polynomial of degree three through four looks and one of degree four through five of them differ little: so nothing can come and go
+ * between two looks without a minimum of the polynomial near zero, where it is looked again. The pieces follow the time scale of
+ * the values alone; it is remembered from step to step.
+ */
+#ifndef LAG_SCAN_H
+#define LAG_SCAN_H
+
+#include <float.h>
+#include <math.h>
+
+#include "lag/run.h"
+
+/* Roots are found to so many units in the last place of time, */
+static const double LAG_SCAN_ULPS = 4.0;
+/* and are one where they differ by so many times that. */
+static const double LAG_SCAN_TOGETHER = 8.0;
+
+static inline double lag_scan_tolerance(const lag_run *run)
+{
+    const lag_stepper *s = &run->stepper;
+    return LAG_SCAN_ULPS * DBL_EPSILON * fmax(fabs(s->t), s->t - s->t_before);
+}
+
+/* The alert at a time within the last step. */
+lag_status lag_scan_look(lag_run *run, double t);
+
+/* The first root of what has changed at b, and not at a; with it changes what does so at the same time but for round-off. */
+double lag_scan_earliest(lag_run *run, double a, double b);
+
+#endif

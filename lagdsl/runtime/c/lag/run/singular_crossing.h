@@ -1,0 +1,91 @@
+/*
+ * Motion out of and across singular positions, where several branches of the constraint set meet: fitted, not integrated.
+ *
+ * Rows of J are scaled to size one; along a branch that crosses a singular position some of its singular values pass through zero and
+ * change their sign. A step that jumps across shows it: seen in the singular vectors of the state before, J has turned around. There
+ * the derivatives of rates and states are polynomials in time that agree with the equations at collocation points behind the position,
+ * whose states are projected onto the constraints. Whether branches meet is told by the height of the saddle of the combination
+ * of rows that vanishes.
+ *
+ * Sources: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.7; Rheinboldt, Numerical Analysis
+ * of Parametrized Nonlinear Equations, 1986, chapter 5.
+ */
+#ifndef LAG_SINGULAR_H
+#define LAG_SINGULAR_H
+
+#include "lag/linalg/levenberg_marquardt.h"
+#include "lag/equations/motion.h"
+#include "lag/stepper.h"
+
+struct lag_run;
+
+/* A fitted motion behaves as a step that was done: it has a dense output. The next one is to be done by another method. */
+extern const lag_method lag_branch_switching;
+
+typedef struct lag_singular {
+    struct lag_run *run;
+    lag_parts parts;             /* of J */
+    double *counts;              /* (nc + nq) independent rows of each part in general */
+    size_t general;              /* all of them */
+    /* what is to be done before the next step */
+    int leave;                   /* 1: rank is lost here */
+    double distance;             /* [s] to a singular position ahead; 0: none is known */
+    double margin;               /* smallest singular value at the present state; infinite: not looked at */
+    double *before, *now;        /* (nc, nq) J, scaled, at the beginning of a step and at another state */
+    double *block, *other, *turned; /* (nc, nq) (nc, nq) (k, k), k: the smaller of both */
+    double *wide, *tall;         /* (nc, nq + 1) (nq + 1, nc) */
+    double *point, *left;        /* (nq + 1) (nc) */
+    double *vanishing, *free;    /* (LAG_VANISHING, nc) (nq + 1, nq + 1) */
+    double *holding;             /* (nc, nc) combinations of rows that do not vanish */
+    double *slopes;              /* (nq + 1, LAG_VANISHING, nq + 1) */
+    double *lines, *wanted, *step; /* (nc + LAG_VANISHING (nq + 1), nq + 1) and its right-hand side; (nq + 1 and more) */
+    double *still;               /* (nq) zeros */
+    double *branch, *earlier, *coefficients, *best; /* (7, nq + nz) */
+    double *state, *rates, *origin, *end; /* (2 nq + nz) */
+    double *arena;              /* of singular and other values */
+} lag_singular;
+
+/* So many combinations of rows at most may vanish at one time. */
+enum { LAG_VANISHING = 6 };
+
+/* Doubles for it. */
+size_t lag_singular_memory(const lag_model *model);
+
+void lag_singular_place(lag_singular *singular, struct lag_run *run, double *arena);
+
+/* Rows with a zero in `lasting` (nc) come and go, or depend on others. */
+void lag_singular_count(lag_singular *singular, const double *lasting);
+
+/* The motion begins at the present state, which may be singular if `attention` is asked for. */
+void lag_singular_begin(lag_singular *singular, int attention);
+
+/*
+ * Independent rows at the state x at time t, of those that last; *general: as many as there are in general. Where some are lost *weakest is
+ * the row that has the largest share in the combination that vanishes.
+ */
+size_t lag_singular_rank(lag_singular *singular, double t, const double *x, size_t *general, size_t *weakest);
+
+/*
+ * Before a step, not beyond `limit`. *done: a motion across or out of a singular position is there as a step that was done. LAG_BRANCH_POINT:
+ * branches cannot be told apart.
+ */
+lag_status lag_singular_ahead(lag_singular *singular, double limit, int *done);
+
+/*
+ * After a step that ended on the constraints and where lag/equations/rank.h asks for attention. LAG_OK: it is good, or was replaced by one across
+ * a singular position. LAG_ATTENTION: it is to be tried with the length *shorter. LAG_PROJECTION_FAILED, LAG_BRANCH_POINT.
+ */
+lag_status lag_singular_after(lag_singular *singular, double limit, double *shorter);
+
+/* For its parts. */
+
+/* 1: the fitted motion from the state x at time t into *length, `best` and `end`, out of a singular position, */
+int lag_fit_out(lag_singular *singular, double t, const double *x, double limit, double *length);
+/* or across one so far ahead. */
+int lag_fit_across(lag_singular *singular, double t, const double *x, double distance, double limit, double *length);
+/* By how much branches miss each other at the saddle near a state, as a part of the sizes of the rows; infinite where there is none. */
+double lag_branch_point_height(lag_singular *singular, double t, const double *x);
+/* The smallest of the singular values of J at a state that are not zero in general; J into `jacobian` (nc, nq), scaled. */
+double lag_singular_margin(lag_singular *singular, double t, const double *x, double *jacobian);
+
+#endif

@@ -1,0 +1,40 @@
+/*
+ * The state of a run as bytes: no pointers among them, so they may be taken back at another address, by another run of the same model
+ * with the same options, in another process. It goes on bit by bit as the first one would have.
+ *
+ * Options, parameters behind them and what callbacks point to belong to the caller, who saves them beside it if they change.
+ */
+#ifndef LAG_SAVING_H
+#define LAG_SAVING_H
+
+#include "lag/run.h"
+
+/*
+ * One walk over everything that is to be saved, for all three purposes: how much it is, out of it, and back into it. Both
+ * pointers null: only counted.
+ */
+typedef struct lag_record {
+    unsigned char *bytes;       /* written to, or null */
+    const unsigned char *saved; /* read from, or null */
+    size_t count;               /* so many so far */
+} lag_record;
+
+/* `size` bytes at `data`, without pointers. */
+void lag_record_bytes(lag_record *record, void *data, size_t size);
+
+/* A number that is the same in any two runs that may take each other's bytes: of the model's name and sizes, and of the options'. */
+unsigned long long lag_run_signature(const lag_model *model, const lag_run_options *options);
+
+/* Of bytes; any change of a few of them changes it. */
+unsigned long long lag_record_sum(const unsigned char *bytes, size_t count);
+
+/* All of a run; parameters are taken from its options again where they have been prepared. */
+void lag_run_record(lag_run *run, lag_record *record);
+
+/* The same with signature and sum around it. Any alignment does. */
+size_t lag_run_saved_size(const lag_model *model, const lag_run_options *options);
+void lag_run_save(const lag_run *run, unsigned char *bytes);
+/* LAG_BAD_STATE_DATA: the run stays as it is. So it does after lag_run_change(), of the run or of the one that was saved. */
+lag_status lag_run_load(lag_run *run, const unsigned char *bytes);
+
+#endif

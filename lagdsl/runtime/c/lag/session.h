@@ -1,0 +1,51 @@
+/*
+ * One motion of a model for callers that know numbers and addresses only: a web page over WebAssembly, another language.
+ *
+ *     lag_status status = lag_tape_check(bytes, count, &memory);              (lag/tape.h; or a model of compiled C)
+ *     const lag_model *model = lag_tape_model(bytes, count, memory_for_it);
+ *     lag_session *session = lag_session_place(block, model, lag_tape_start(model), 1e-6, 10.0);
+ *     status = lag_session_begin(session, 0.0);
+ *     status = lag_session_to(session, 0.02, 1000); ... lag_session_row(session)
+ *
+ * Everything lies in the one block that the caller gives.
+ */
+#ifndef LAG_SESSION_H
+#define LAG_SESSION_H
+
+#include "lag/run.h"
+
+typedef struct lag_session lag_session;
+
+/* Bytes of the block, on an address that is a multiple of 16. `start` may be null, as in lag/run.h. */
+size_t lag_session_size(const lag_model *model, const lag_start *start);
+
+/* `tolerance` and `length` [s] as in lag_run_options. Parameters and inputs are the defaults. */
+lag_session *lag_session_place(void *block, const lag_model *model, const lag_start *start, double tolerance, double length);
+
+/* (np) to be changed before lag_session_begin(), which may be called again. */
+double *lag_session_parameters(lag_session *session);
+
+/* (nu) to be changed at any time; lag_session_jump() after that lets what they bring happen. */
+double *lag_session_inputs(lag_session *session);
+
+/*
+ * (nc) to be changed before lag_session_begin(): 0 for rows of constraints that come and go. Those of contacts are so; those of velocity
+ * level that discretes switch the model does not tell.
+ */
+double *lag_session_lasting(lag_session *session);
+
+/* From the start of the model at time t [s]; LAG_PROJECTION_FAILED: there is no such state. */
+lag_status lag_session_begin(lag_session *session, double t);
+
+/* On to time t, in at most so many steps (0: without bound), as lag_run_to(). */
+lag_status lag_session_to(lag_session *session, double t, size_t most_steps);
+
+lag_status lag_session_jump(lag_session *session);
+
+/* The present state as a row of lag/run/results.h: time, coordinates, rates, states, discrete variables, outputs, energy, residuals. */
+const double *lag_session_row(lag_session *session);
+
+/* Numbers of a row. */
+size_t lag_session_width(const lag_session *session);
+
+#endif

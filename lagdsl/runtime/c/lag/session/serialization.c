@@ -1,0 +1,253 @@
+/* Everything in a run that is no pointer, and the few pointers that change, as numbers. */
+#include "lag/serialization.h"
+
+#include <string.h>
+
+#include "lag/methods/radau.h"
+
+/* Of FNV-1a. */
+static const unsigned long long BASIS = 14695981039346656037ULL;
+static const unsigned long long PRIME = 1099511628211ULL;
+static const size_t WORD = sizeof(unsigned long long);
+
+/* ---- the walk ---- */
+
+void lag_record_bytes(lag_record *record, void *data, size_t size)
+{
+    if (size > 0 && record->bytes != NULL) {
+        memcpy(record->bytes + record->count, data, size);
+    } else if (size > 0 && record->saved != NULL) {
+        memcpy(data, record->saved + record->count, size);
+    }
+    record->count += size;
+}
+
+void lag_record_doubles(lag_record *record, size_t count, double *data)
+{
+    lag_record_bytes(record, data, count * sizeof(double));
+}
+
+#define RECORD(member) lag_record_bytes(record, &(member), sizeof(member))
+
+/* Which of them it is; one more: none. */
+static size_t place_of(const lag_method *const *methods, size_t count, const lag_method *method)
+{
+    size_t i = 0;
+    while (i < count && methods[i] != method) {
+        ++i;
+    }
+    return i;
+}
+
+static void record_method(const lag_run *run, const lag_method **method, lag_record *record)
+{
+    const lag_method *const methods[] = {
+        NULL, run->options.method, &lag_dop853, &lag_radau, &lag_radau5, &lag_radau9, &lag_radau13, &lag_branch_switching};
+    const size_t count = sizeof methods / sizeof *methods;
+    size_t which = place_of(methods, count, *method);
+    RECORD(which);
+    if (record->saved != NULL) {
+        *method = methods[which < count ? which : 0];
+    }
+}
+
+static void record_parameters(lag_run *run, lag_record *record)
+{
+    lag_arguments *at = &run->motion.at;
+    int prepared = at->p != NULL;
+    RECORD(prepared);
+    if (record->saved != NULL && !prepared) {
+        at->p = NULL;
+    } else if (record->saved != NULL && at->p == NULL) {
+        at->p = run->options.p != NULL ? run->options.p : run->motion.model->defaults;
+    }
+}
+
+static void record_stepper(lag_stepper *s, lag_record *record)
+{
+    RECORD(s->t);
+    RECORD(s->t_before);
+    RECORD(s->h);
+    RECORD(s->h_least);
+    RECORD(s->h_most);
+    RECORD(s->error);
+    RECORD(s->h_of_error);
+    RECORD(s->urge);
+    RECORD(s->dense_ready);
+    RECORD(s->evaluations);
+    RECORD(s->jacobians);
+    RECORD(s->decompositions);
+    RECORD(s->steps);
+    RECORD(s->rejections);
+    RECORD(s->trouble);
+    RECORD(s->trouble_time);
+}
+
+static void record_clock(lag_clock *clock, lag_record *record)
+{
+    RECORD(clock->first);
+    RECORD(clock->period);
+    RECORD(clock->next);
+    RECORD(clock->first_part);
+    RECORD(clock->period_part);
+    RECORD(clock->denominator);
+}
+
+static void record_instants(lag_instants *instants, lag_record *record)
+{
+    RECORD(instants->contacts.length);
+    RECORD(instants->contacts.flight);
+    RECORD(instants->contacts.lookahead);
+    RECORD(instants->contacts.slack);
+    RECORD(instants->contacts.struck);
+    RECORD(instants->timed.length);
+    RECORD(instants->timed.next);
+    RECORD(instants->iteration.lookahead);
+    RECORD(instants->iteration.stopped);
+    RECORD(instants->iteration.fault);
+    RECORD(instants->crowd.last);
+    RECORD(instants->crowd.interval);
+    RECORD(instants->crowd.first);
+    RECORD(instants->crowd.shrinking);
+    RECORD(instants->crowd.still);
+}
+
+static void record_rest(lag_run *run, lag_record *record)
+{
+    RECORD(run->motion.coordinate);
+    RECORD(run->projection.count);
+    RECORD(run->accuracy.relative);
+    RECORD(run->look.most);
+    RECORD(run->look.rank);
+    RECORD(run->singular.leave);
+    RECORD(run->singular.distance);
+    RECORD(run->singular.margin);
+    RECORD(run->watch.begun);
+    RECORD(run->begun);
+    RECORD(run->stiffness.signs);
+    RECORD(run->stiffness.wait);
+    RECORD(run->stiffness.needed);
+    RECORD(run->crossings.span);
+    RECORD(run->crossings.reach);
+    RECORD(run->sized);
+    RECORD(run->row);
+    RECORD(run->steps);
+    RECORD(run->events);
+    RECORD(run->idle);
+    RECORD(run->event_time);
+    RECORD(run->changes);
+    RECORD(run->half.open);
+    RECORD(run->half.own);
+    RECORD(run->half.other);
+    RECORD(run->half.t);
+    RECORD(run->half.length);
+    RECORD(run->half.next);
+    for (size_t i = 0; i < LAG_CHANGES; ++i) {
+        RECORD(run->change[i].t);
+        RECORD(run->change[i].implicit);
+    }
+}
+
+/* All but what there are several of. */
+static void record_members(lag_run *run, lag_record *record)
+{
+    record_method(run, &run->stepper.method, record);
+    record_method(run, &run->behind, record);
+    record_parameters(run, record);
+    record_stepper(&run->stepper, record);
+    record_clock(&run->pace, record);
+    record_instants(&run->instants, record);
+    record_rest(run, record);
+}
+
+void lag_run_record(lag_run *run, lag_record *record)
+{
+    const lag_model *model = run->motion.model;
+    record_members(run, record);
+    for (size_t i = 0; i < run->options.clocks + model->nclock; ++i) {
+        record_clock(&run->clock[i], record);
+    }
+    lag_record_doubles(record, run->numbers, run->arena);
+    if (record->saved != NULL && run->singular.run != NULL) {
+        lag_singular_count(&run->singular, run->lasting);
+    }
+}
+
+/* ---- around it ---- */
+
+static unsigned long long mixed(unsigned long long sum, unsigned long long word)
+{
+    sum = (sum ^ word) * PRIME;
+    return sum ^ (sum >> 32);
+}
+
+unsigned long long lag_record_sum(const unsigned char *bytes, size_t count)
+{
+    unsigned long long sum = mixed(BASIS, count);
+    unsigned long long word = 0;
+    size_t i = 0;
+    for (; i + WORD <= count; i += WORD) {
+        memcpy(&word, bytes + i, WORD);
+        sum = mixed(sum, word);
+    }
+    word = 0;
+    memcpy(&word, bytes + i, count - i);
+    return mixed(sum, word);
+}
+
+unsigned long long lag_run_signature(const lag_model *model, const lag_run_options *options)
+{
+    const size_t sizes[] = {model->nq, model->nz, model->nu, model->nw, model->np, model->nc, model->ni, model->na, model->workspace,
+        model->prepared, model->nindicator, model->ncontact, model->ngap, model->nclock, model->nreset, model->nk, options->indicators,
+        options->clocks, options->count, lag_run_size(model, options), sizeof(lag_run)};
+    const double one = 1.0; /* how numbers are written */
+    unsigned long long sum = mixed(lag_record_sum((const unsigned char *)&one, sizeof one), LAG_MODEL_VERSION);
+    for (const char *letter = model->name; *letter != '\0'; ++letter) {
+        sum = mixed(sum, (unsigned char)*letter);
+    }
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        sum = mixed(sum, sizes[i]);
+    }
+    return sum;
+}
+
+/* What comes first: signature and sum. */
+typedef struct head {
+    unsigned long long signature, sum;
+} head;
+
+size_t lag_run_saved_size(const lag_model *model, const lag_run_options *options)
+{
+    static const lag_run none; /* to be counted, nothing else */
+    lag_record record = {NULL, NULL, sizeof(head)};
+    lag_record clock = {NULL, NULL, 0};
+    record_members((lag_run *)&none, &record);
+    record_clock((lag_clock *)&none.pace, &clock);
+    return record.count + (options->clocks + model->nclock) * clock.count + lag_run_numbers(model, options) * sizeof(double);
+}
+
+void lag_run_save(const lag_run *run, unsigned char *bytes)
+{
+    lag_record record = {bytes, NULL, sizeof(head)};
+    head first = {lag_run_is_changed(run) ? 0 : lag_run_signature(run->motion.model, &run->options), 0};
+    lag_run_record((lag_run *)run, &record); /* which writes to the bytes only */
+    first.sum = lag_record_sum(bytes + sizeof first, record.count - sizeof first);
+    memcpy(bytes, &first, sizeof first);
+}
+
+lag_status lag_run_load(lag_run *run, const unsigned char *bytes)
+{
+    lag_record record = {NULL, bytes, sizeof(head)};
+    head first;
+    if (lag_run_is_changed(run)) {
+        return LAG_BAD_STATE_DATA;
+    }
+    const size_t size = lag_run_saved_size(run->motion.model, &run->options);
+    memcpy(&first, bytes, sizeof first);
+    if (first.signature != lag_run_signature(run->motion.model, &run->options) ||
+        first.sum != lag_record_sum(bytes + sizeof first, size - sizeof first)) {
+        return LAG_BAD_STATE_DATA;
+    }
+    lag_run_record(run, &record);
+    return LAG_OK;
+}

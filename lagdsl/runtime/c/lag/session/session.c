@@ -1,0 +1,164 @@
+#include "lag/session.h"
+
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+struct lag_session {
+    const lag_model *model;
+    const lag_start *start;
+    double tolerance, length;
+    void *block; /* of the run */
+    lag_run *run;
+    lag_results results;
+    double *p, *u;
+    double *lasting; /* (nc) */
+};
+
+static void tell_inputs(void *context, double t, int before, double *u)
+{
+    const lag_session *session = context;
+    (void)t;
+    (void)before;
+    memcpy(u, session->u, session->model->nu * sizeof *u);
+}
+
+/* How many of the lasting rows are independent in general. */
+static size_t independent(const lag_session *session)
+{
+    const unsigned char *redundant = session->model->redundant;
+    size_t count = 0;
+    for (size_t i = 0; i < session->model->nc; ++i) {
+        count += session->lasting[i] != 0.0 && !(redundant != NULL && redundant[i]);
+    }
+    return count;
+}
+
+static lag_run_options plan(lag_session *session)
+{
+    return (lag_run_options){
+        .tolerance = session->tolerance,
+        .length = session->length,
+        .start = session->start,
+        .careful = 2,
+        .context = session,
+        .inputs = session->model->nu > 0 ? tell_inputs : NULL,
+        .p = session->p,
+        .lasting = session->lasting,
+        .general = session->lasting != NULL ? independent(session) : 0
+    };
+}
+
+static size_t padded(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+static size_t numbers(const lag_model *model)
+{
+    return lag_results_width(model) + model->np + model->nu + model->nc + 3;
+}
+
+size_t lag_session_size(const lag_model *model, const lag_start *start)
+{
+    lag_session session = {.model = model, .start = start};
+    const lag_run_options options = plan(&session);
+    return padded(sizeof session) + padded(numbers(model) * sizeof(double)) + lag_run_size(model, &options);
+}
+
+/* Rows of contacts come and go. */
+static void find_lasting(lag_session *session)
+{
+    lag_fill(session->model->nc, 1.0, session->lasting);
+    for (size_t i = 0; i < session->model->ncontact; ++i) {
+        session->lasting[session->model->contact_rows[i]] = 0.0;
+    }
+}
+
+/* A run that has not begun. */
+static void renew(lag_session *session)
+{
+    const lag_run_options options = plan(session);
+    session->run = lag_run_place(session->block, session->model, &options);
+}
+
+/* Start values may depend on parameters; inputs are what the model says without them. */
+static void find_default_inputs(lag_session *session)
+{
+    lag_motion *motion = &session->run->motion;
+    const double t = session->start != NULL ? session->start->t : 0.0;
+    if (lag_motion_parameters(motion, session->p) == LAG_OK && lag_motion_start(motion, t, session->run->point) == LAG_OK) {
+        memcpy(session->u, motion->u, session->model->nu * sizeof(double));
+    }
+}
+
+lag_session *lag_session_place(void *block, const lag_model *model, const lag_start *start, double tolerance, double length)
+{
+    char *bytes = block;
+    lag_session *session = block;
+    double *arena = (double *)(void *)(bytes + padded(sizeof *session));
+    memset(block, 0, padded(sizeof *session) + padded(numbers(model) * sizeof(double)));
+    session->model = model;
+    session->start = start;
+    session->tolerance = tolerance;
+    session->length = length;
+    session->block = bytes + padded(sizeof *session) + padded(numbers(model) * sizeof(double));
+    session->results.most_rows = session->results.most_notes = 1;
+    session->results.rows = lag_take(&arena, lag_results_width(model));
+    session->p = lag_take(&arena, model->np + 1);
+    session->u = lag_take(&arena, model->nu + 1);
+    session->lasting = lag_take(&arena, model->nc + 1);
+    find_lasting(session);
+    if (model->np > 0) {
+        memcpy(session->p, model->defaults, model->np * sizeof(double));
+    }
+    renew(session);
+    if (model->nu > 0) {
+        find_default_inputs(session);
+    }
+    return session;
+}
+
+double *lag_session_parameters(lag_session *session)
+{
+    return session->p;
+}
+
+double *lag_session_inputs(lag_session *session)
+{
+    return session->u;
+}
+
+double *lag_session_lasting(lag_session *session)
+{
+    return session->lasting;
+}
+
+lag_status lag_session_begin(lag_session *session, double t)
+{
+    renew(session);
+    return lag_run_begin(session->run, t, NULL);
+}
+
+lag_status lag_session_to(lag_session *session, double t, size_t most_steps)
+{
+    return lag_run_to(session->run, t, most_steps);
+}
+
+lag_status lag_session_jump(lag_session *session)
+{
+    return lag_run_jump(session->run);
+}
+
+const double *lag_session_row(lag_session *session)
+{
+    lag_run *run = session->run;
+    session->results.row = 0;
+    (void)lag_results_row(&session->results, run, run->stepper.t, run->stepper.x);
+    return session->results.rows;
+}
+
+size_t lag_session_width(const lag_session *session)
+{
+    return lag_results_width(session->model);
+}

@@ -1,0 +1,97 @@
+/*
+ * One-step methods that choose the length of their steps. A method remembers nothing that must not change: between two steps
+ * the caller may move the state (projection, events), take a step back, or go on with another method.
+ *
+ * Error control: a step is accepted where the root mean square of the estimated local errors, each as a part of its absolute
+ * `tolerance`, is at most 1.
+ */
+#ifndef LAG_STEPPER_H
+#define LAG_STEPPER_H
+
+#include "lag/ode.h"
+
+typedef struct lag_method lag_method;
+
+typedef struct lag_stepper {
+    const lag_ode *ode;
+    const lag_method *method;
+    double t;           /* time of x */
+    double t_before;    /* start of the last step */
+    double h;           /* proposed length of the next step; 0: not known yet */
+    double h_least;     /* shorter steps than this are given up */
+    double h_most;      /* none is longer */
+    double *x, *f;      /* (size) the state and its derivative */
+    double *x_before;   /* (size) at the start of the last step */
+    double *f_before;   /* (size) */
+    double *tolerance;  /* (size) absolute; may be changed between steps */
+    double *work;       /* of the method */
+    double error;       /* of the last accepted step, 0: none */
+    double h_of_error;  /* its length */
+    double urge;        /* h |lambda| along the last step, as an explicit method sees it; 0: not known */
+    int dense_ready;    /* whether the dense output of the last step has been prepared */
+    size_t evaluations, jacobians, decompositions, steps, rejections;
+    lag_status trouble; /* the last status of the system that was not LAG_OK, and the time it was asked for */
+    double trouble_time;
+    double *trouble_x;  /* (size) and the state */
+    double length;      /* of the steps of methods that do not choose it */
+    size_t nq;          /* for methods of second order: x begins with so many coordinates and their rates */
+} lag_stepper;
+
+struct lag_method {
+    const char *name;
+    unsigned order;       /* of the steps; where the method chooses among several: the lowest, */
+    unsigned highest_order; /* and the highest */
+    unsigned dense_order; /* of the dense output */
+    int implicit;         /* needs the Jacobian */
+    double factor;        /* local tolerance as a part of the tolerance of the whole motion */
+    unsigned error_order; /* of the error estimate, for the first step; 0: there is none, and steps are of the stepper's `length` */
+    size_t (*arena)(size_t size);
+    void (*begin)(lag_stepper *s);
+    lag_status (*step)(lag_stepper *s, double limit);
+    lag_status (*prepare_dense)(lag_stepper *s);
+    void (*dense)(const lag_stepper *s, double t, double *x);
+};
+
+extern const lag_method lag_dop853; /* explicit, order 8 */
+extern const lag_method lag_radau;  /* implicit, order 5, 9 or 13, L-stable */
+/* Those of lag/fixed.h with steps of `length`, without error estimate: the last one is cut, or stretched a little, to hit the limit. */
+extern const lag_method lag_steps_rk4, lag_steps_leapfrog, lag_steps_ros2;
+
+/* Doubles for states of `size` numbers; enough for any method of this runtime. */
+size_t lag_stepper_memory(size_t size);
+
+/* Lays out `s` in `memory` for the system. The caller sets t, x, tolerance, h_least and h_most, then begins. */
+void lag_stepper_place(lag_stepper *s, const lag_ode *ode, double *arena);
+
+/* Start, or start again after x jumped or with another method: evaluates f; finds h where it is 0, within `span`. */
+lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double span);
+
+/*
+ * One accepted step, not beyond `limit` (> t), which is hit exactly. LAG_STEP_TOO_SMALL: even a step of length h_least cannot be
+ * accepted; x stays.
+ */
+lag_status lag_stepper_step(lag_stepper *s, double limit);
+
+/* x was moved a little after the last step: f there. */
+lag_status lag_stepper_correct(lag_stepper *s);
+
+/* The last step is taken back; the next will be proposed with length h. */
+void lag_stepper_undo(lag_stepper *s, double h);
+
+/* The state at a time within the last step, as the method found it (moves of x afterwards do not count). */
+lag_status lag_stepper_dense(lag_stepper *s, double t, double *x);
+
+/* For the methods themselves. */
+
+/* f(t, x), counted; what is not finite is trouble. */
+lag_status lag_stepper_rates(lag_stepper *s, double t, const double *x, double *xd);
+/* Root mean square of error (size) over tolerance; infinite where it is no number. */
+double lag_stepper_norm(const lag_stepper *s, const double *error);
+/* Length of the next trial: the proposed one, cut or stretched a little to hit the limit. */
+double lag_stepper_length(const lag_stepper *s, double limit);
+/* The end of a step of length h: the limit itself where it leads there. */
+double lag_stepper_end(const lag_stepper *s, double h, double limit);
+/* x_new becomes the state at t_new; f_new its derivative. */
+void lag_stepper_accept(lag_stepper *s, double t_new, const double *x_new, const double *f_new);
+
+#endif

@@ -1,0 +1,1 @@
+"""Engines: programs made callable as a lag_model."""

@@ -1,0 +1,81 @@
+"""Functions of one state applied over leading axes, and the functions users call over any engine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lagdsl.backends.python.sizes import motion_sizes
+from lagdsl.backends.python.support.interface import Interface
+from lagdsl.program.program import Program
+from lagdsl.record import record
+from lagdsl.runtime.engines.engine import Engine, Floats
+
+
+class BatchEngine(Engine, Protocol):
+    """An engine whose functions also broadcast over leading axes."""
+
+    def evaluate_many(self, function: str, *arguments: ArrayLike) -> tuple[Floats, ...]:
+        """Result blocks, each of shape (leading axes of the arguments, own shape)."""
+        ...
+
+    def solve_many(self, *state: ArrayLike) -> tuple[Floats, ...]:
+        """qdd (..., nq) and lam (..., nc) at t, q, qd, z, u, w, p."""
+        ...
+
+    def solve_batch(self, threads: int, *state: ArrayLike) -> tuple[Floats, ...]:
+        """The same as `solve_many`, by `threads` threads."""
+        ...
+
+    def jacobian_many(self, by: str, *state: ArrayLike) -> tuple[Floats, Floats]:
+        """d(qd, qdd, zd)/dx, shape (..., 2 nq + nz, nx), and dy/dx, shape (..., ny, nx), by "state" (q, qd, z), "input"
+        or "parameter"."""
+        ...
+
+
+def interface(program: Program, engine: BatchEngine) -> Interface:
+    """The functions users call, computed by `engine`."""
+    return Interface(
+        engine.evaluate_many, engine.solve_many, engine.jacobian_many, motion_sizes(program), program.layout.defaults
+    )
+
+
+@record()
+class Spread:
+    """Arguments with common leading axes, `count` states in all.
+
+    Each has its name, a contiguous array, and the numbers from one state to the next (0 where all states share it).
+    """
+
+    leading: tuple[int, ...]
+    count: int
+    arrays: tuple[tuple[str, Floats, int], ...]
+
+
+def spread(signature: Sequence[tuple[str, int | None]], arguments: Sequence[ArrayLike]) -> Spread:
+    """Raises ValueError for an argument of a wrong length or with leading axes that do not fit. Length None: no axis
+    of its own (the time)."""
+    given = [np.asarray(argument, dtype=np.float64) for argument in arguments]
+    leading: tuple[int, ...] = ()
+    for (name, length), array in zip(signature, given, strict=True):
+        if length is not None and (array.ndim == 0 or array.shape[-1] != length):
+            raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {array.shape}")
+        own_axes = array.shape if length is None else array.shape[:-1]
+        try:
+            leading = np.broadcast_shapes(leading, own_axes)
+        except ValueError:
+            raise ValueError(
+                f"leading axes {own_axes} of {name} do not fit {leading} of the arguments before"
+            ) from None
+    arrays = []
+    for (name, length), array in zip(signature, given, strict=True):
+        own = () if length is None else (length,)
+        if array.shape == own:
+            arrays.append((name, np.ascontiguousarray(array), 0))
+        else:
+            whole = np.ascontiguousarray(np.broadcast_to(array, leading + own))
+            arrays.append((name, whole, 1 if length is None else length))
+    return Spread(leading, int(np.prod(leading, dtype=np.int64)), tuple(arrays))

@@ -1,0 +1,22 @@
+"""The engine over a tape: the functions of a program interpreted by the C runtime, at once and without a compiler."""
+
+from __future__ import annotations
+
+from lagdsl.backends.tape.emit import PARTS, tape
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.runtime.engines.native_model import NativeModel
+from lagdsl.runtime.engines.tape_model import load_tape
+
+
+class TapeEngine(CEngine):
+    """As CEngine. Nothing is compiled."""
+
+    name: EngineName = "tape"
+
+    def _provide(self, part: str | None = None) -> NativeModel:
+        return load_tape(self._made(part), part)
+
+    def _made(self, part: str | None) -> bytes:
+        """The tape with the functions that are called `part`; those of several states are on every tape."""
+        return tape(self._program, parts=(part,) if part in PARTS else ())

@@ -1,0 +1,1 @@
+"""Closed forms of placements: the algebra of poses, and their inverses."""

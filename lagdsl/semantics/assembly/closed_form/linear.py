@@ -1,0 +1,42 @@
+"""Expressions that are linear in one variable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.traversal import postorder
+from lagdsl.semantics.assembly.closed_form.algebra import minus, negative, over, plus, times
+
+
+def variables(parts: Iterable[FlatExpression]) -> dict[str, None]:
+    """Names of all variables, in the order of the text."""
+    return {node.name: None for part in parts for node in postorder(part) if isinstance(node, flat.Variable)}
+
+
+def linear(expression: FlatExpression, name: str) -> tuple[FlatExpression, FlatExpression] | None:
+    """(a, b) of a*name + b; None where it is not seen to be of that form. `a` and `b` are free of the name."""
+    if name not in variables((expression,)):
+        return flat.ZERO, expression
+    match expression:
+        case flat.Variable():
+            return flat.ONE, flat.ZERO
+        case flat.Unary(operator="-", operand=inner):
+            found = linear(inner, name)
+            return (negative(found[0]), negative(found[1])) if found is not None else None
+        case flat.Binary(operator=("+" | "-") as operator, left=left, right=right):
+            one, two = linear(left, name), linear(right, name)
+            if one is None or two is None:
+                return None
+            joined = plus if operator == "+" else minus
+            return joined(one[0], two[0]), joined(one[1], two[1])
+        case flat.Binary(operator="*", left=left, right=right):
+            factor, rest = (left, right) if name not in variables((left,)) else (right, left)
+            found = linear(rest, name) if name not in variables((factor,)) else None
+            return (times(factor, found[0]), times(factor, found[1])) if found is not None else None
+        case flat.Binary(operator="/", left=left, right=right) if name not in variables((right,)):
+            found = linear(left, name)
+            return (over(found[0], right), over(found[1], right)) if found is not None else None
+        case _:
+            return None

@@ -1,0 +1,1 @@
+"""Classes: lookup, inheritance, modification, redeclaration, instances."""

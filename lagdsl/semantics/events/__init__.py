@@ -1,0 +1,1 @@
+"""When clauses, resets and functions of events."""

@@ -1,0 +1,164 @@
+"""Functions of events: `pre`, `edge`, `change`, `sample`, `initial`, `terminal`, `closed`, `impacts`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from lagdsl.flat import expression as flat
+from lagdsl.flat.events import INITIAL, TERMINAL
+from lagdsl.flat.quantity import Variability
+from lagdsl.semantics.operators.arguments import labelled, named_element, positional
+from lagdsl.semantics.operators.event_limits import require
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import kind_of
+from lagdsl.semantics.scope.occurrences import Mode
+from lagdsl.semantics.scope.scope import Scope
+from lagdsl.semantics.scope.values import POISON, Order, Poison, Scalar, Value, rank
+from lagdsl.semantics.types.bindings import Expected, conform
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS, TIME
+
+
+def before(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`pre(v)`: the value before the event; of what moves continuously, the one before `reinit`."""
+    arguments = positional(ctx, node, 1, 1)
+    if arguments is None or not _at_an_event(ctx, node):
+        return POISON
+    value = ctx.elaborate(ctx, scope, arguments[0], False)
+    if not isinstance(value, Scalar):
+        if not isinstance(value, Poison):
+            ctx.sink.report("E0312", arguments[0].span, expected="a variable", found=kind_of(value))
+        return POISON
+    if isinstance(value.expression, flat.Variable | flat.Derivative) and _moves(value):
+        return value
+    previous = _previous(ctx, scope, arguments[0], value)
+    if previous is None:
+        return POISON
+    return Scalar(previous, value.dimension, value.variability, value.order, value.kind)
+
+
+def _moves(value: Scalar) -> bool:
+    return value.variability == Variability.CONTINUOUS and value.order in (Order.CONFIGURATION, Order.RATE)
+
+
+def _previous(ctx: Context, scope: Scope, node: nodes.Expression, value: Scalar) -> flat.FlatExpression | None:
+    """What it was before the event: of a discrete variable, or of a truth that changes at events; None after E0376."""
+    found = named_element(ctx, scope, node) if isinstance(node, _NAMES) else None
+    if found is not None and found[0].kind == "discrete" and isinstance(value.expression, flat.Variable):
+        return flat.Previous(value.expression.name)
+    if value.kind == "Boolean" and value.variability == Variability.DISCRETE:
+        spans = (node.span, *scope.spans)
+        return flat.Previous(ctx.occurrences.remembered(node.span.text, spans, value.expression))
+    ctx.sink.report("E0376", node.span, name=node.span.text)
+    return None
+
+
+_NAMES = (nodes.Reference, nodes.Member, nodes.Index)
+
+
+def changed(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`edge(b)`: b and not pre(b); `change(v)`: v <> pre(v)."""
+    arguments = positional(ctx, node, 1, 1)
+    if arguments is None or not _at_an_event(ctx, node):
+        return POISON
+    value = ctx.elaborate(ctx, scope, arguments[0], False)
+    if isinstance(value, Poison):
+        return POISON
+    edge = node.function.span.text == "edge"
+    if not isinstance(value, Scalar) or (edge and value.kind != "Boolean"):
+        expected = "a Boolean" if edge else "a variable"
+        ctx.sink.report("E0312", arguments[0].span, expected=expected, found=kind_of(value))
+        return POISON
+    previous = _previous(ctx, scope, arguments[0], value)
+    if previous is None:
+        return POISON
+    if edge:
+        truth: flat.FlatExpression = flat.Binary("and", value.expression, flat.Unary("not", previous))
+    else:
+        truth = flat.Binary("<>", value.expression, previous)
+    return Scalar(truth, DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+
+
+def sample(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`sample(start, period)`: true at the ticks of a clock."""
+    arguments = positional(ctx, node, 2, 2)
+    if arguments is None or not _at_an_event(ctx, node):
+        return POISON
+    parts: list[flat.FlatExpression] = []
+    for what, argument in zip(("the first tick", "the period"), arguments, strict=True):
+        value = ctx.elaborate(ctx, scope, argument, True)
+        found = conform(ctx, scope, argument, value, Expected(what, ctx.dimension(TIME), (), code="E0415"))
+        if not isinstance(found, Scalar):
+            return POISON
+        if rank(found.variability) > rank(Variability.PARAMETER):
+            ctx.sink.report("E0317", argument.span, what=f"{what} of a clock", allowed="parameters and constants")
+            return POISON
+        if what == "the period" and not require(ctx, scope, argument, what, found, strict=True):
+            return POISON
+        parts.append(found.expression)
+    spans = (node.span, *scope.spans)
+    name = ctx.occurrences.clock(scope.owner.prefix + node.span.text, spans, parts[0], parts[1])
+    return _truth(name)
+
+
+def instant(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`initial()`, `terminal()`."""
+    if positional(ctx, node, 0, 0) is None or not _at_an_event(ctx, node):
+        return POISON
+    name = INITIAL if node.function.span.text == "initial" else TERMINAL
+    ctx.occurrences.instants.add(name)
+    return _truth(name)
+
+
+def of_contact(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`closed(c)`: whether the contact is; `impacts(c)`: how often it closed or bounced so far."""
+    arguments = positional(ctx, node, 1, 1)
+    if arguments is None:
+        return POISON
+    found = labelled(ctx, scope, arguments[0], "contact")
+    if found is None:
+        return POISON
+    symbol, indices = found
+    contact = ctx.resolver.contact(symbol, indices)
+    if contact is None:
+        return POISON
+    function = node.function.span.text
+    if function == "closed":
+        return _truth(contact.closed)
+    if contact.impacts is None:
+        ctx.sink.report("E0380", node.span, name=contact.name)
+        return POISON
+    return Scalar(flat.Variable(contact.impacts), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Integer")
+
+
+def action(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
+    """`reinit`, `terminate`, `impact` as a value: they are equations of a `when`."""
+    ctx.sink.report("E0377", node.span, name=node.function.span.text)
+    return POISON
+
+
+OF_EVENTS: dict[str, Callable[[Context, Scope, nodes.Call], Value]] = {
+    "pre": before,
+    "edge": changed,
+    "change": changed,
+    "sample": sample,
+    "initial": instant,
+    "terminal": instant,
+    "closed": of_contact,
+    "impacts": of_contact,
+    "reinit": action,
+    "terminate": action,
+    "impact": action,
+}
+
+
+def _truth(name: str) -> Scalar:
+    return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")
+
+
+def _at_an_event(ctx: Context, node: nodes.Call) -> bool:
+    """E0375 outside of `when`."""
+    if ctx.mode is not Mode.ALWAYS:
+        return True
+    ctx.sink.report("E0375", node.span, name=node.function.span.text)
+    return False

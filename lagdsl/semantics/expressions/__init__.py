@@ -1,0 +1,1 @@
+"""Expressions: references, calls, functions of mechanics."""

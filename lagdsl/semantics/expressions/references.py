@@ -1,0 +1,229 @@
+"""Names in expressions: plain, with subscripts, with members."""
+
+from __future__ import annotations
+
+import re
+
+from lagdsl.diagnostics import Label
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat import expression as flat
+from lagdsl.flat.quantity import Variability
+from lagdsl.semantics.expressions import slices
+from lagdsl.semantics.operators import arrays, geometry
+from lagdsl.semantics.operators.builtin import BUILTINS
+from lagdsl.semantics.operators.paths import designated
+from lagdsl.semantics.scope import prelude
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.imports import import_hint
+from lagdsl.semantics.scope.naming import an, kind_of
+from lagdsl.semantics.scope.scope import (
+    ClassSymbol,
+    Entry,
+    FunctionSymbol,
+    Instance,
+    InstanceArray,
+    Scope,
+    Symbol,
+    TypeSymbol,
+    is_guess,
+    lookup,
+    visible,
+)
+from lagdsl.semantics.scope.values import POISON, Array, Component, Order, Poison, Scalar, Value, Vector, components
+from lagdsl.semantics.types import enumerations
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import TIME
+from lagdsl.units.parse import UnknownUnit, parse_unit
+
+
+def reference(ctx: Context, scope: Scope, node: nodes.Reference) -> Value:
+    """The value of a plain name."""
+    entry = lookup(scope, node.name, node.span)
+    if entry is None:
+        found = _prelude(ctx, node.name)
+        if found is None:
+            report_unknown(ctx, scope, node)
+        return found or POISON
+    return _value(ctx, entry, node)
+
+
+def _value(ctx: Context, entry: Entry, node: nodes.Expression) -> Value:
+    match entry:
+        case Symbol():
+            entry.used = True
+            return ctx.resolver.whole(entry, node.span)
+        case FunctionSymbol():
+            ctx.sink.report("E0219", node.span, name=node.span.text, what="a function", help="call it: `f(...)`")
+            return POISON
+        case TypeSymbol():
+            ctx.sink.report("E0219", node.span, name=node.span.text, what="a type")
+            return POISON
+        case ClassSymbol():
+            ctx.sink.report("E0219", node.span, name=node.span.text, what="a class")
+            return POISON
+        case Instance() if not entry.present:
+            label = Label(entry.span, "declared here")
+            ctx.sink.report("E0230", node.span, label, name=entry.name)
+            return POISON
+        case Instance() | InstanceArray():
+            return Component(entry)
+        case _:
+            return entry
+
+
+def _prelude(ctx: Context, name: str) -> Value | None:
+    if name == "time":
+        return Scalar(flat.TIME, ctx.dimension(TIME), Variability.CONTINUOUS, Order.STILL)
+    if name == "world":
+        return geometry.WORLD
+    constant = prelude.CONSTANTS.get(name)
+    if constant is None:
+        return None
+    dimension = None if name == "inf" else ctx.dimension(constant.dimension)
+    return Scalar(flat.Number(constant.value), dimension)
+
+
+def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
+    """E0201, once for each name, with the nearest declared one."""
+    key = f"{scope.title}.{node.name}"
+    if key in ctx.reported or ctx.incomplete or is_guess(scope):
+        ctx.withheld = node.span
+        return
+    ctx.reported.add(key)
+    if node.name in BUILTINS or node.name == "der":
+        ctx.sink.report("E0219", node.span, name=node.name, what="a function", help=f"call it: `{node.name}(...)`")
+        return
+    outside = next((found for step in scope.chain() if isinstance(found := step.entries.get(node.name), Symbol)), None)
+    if outside is not None:
+        outside.used = True
+        label = Label(outside.span, f"{an(outside.word)}, declared here")
+        function = scope.owner.text is None
+        way = f"a function knows its arguments and constants only: give it `{node.name}` as an argument"
+        if not function:
+            way = f"a class inside another sees its constants only: give `{node.name}` by a modifier"
+        title = "the function" if function else scope.title
+        ctx.sink.report("E0201", node.span, label, name=node.name, scope=title, help=way)
+        return
+    names = dict(visible(scope))
+    meant = nearest(node.name, [*names, *prelude.CONSTANTS, "time", "world"])
+    entry = names.get(meant) if meant is not None else None
+    labels: tuple[Label, ...] = ()
+    if isinstance(entry, Symbol):
+        entry.used = True
+        labels = (Label(entry.span, f"{an(entry.word)} with a similar name is declared here"),)
+    hint = f"did you mean `{meant}`?" if meant is not None else import_hint(scope, node.name)
+    if hint is None and _after_unit(node):
+        hint = f"if the unit `{node.name}` is meant: units are joined by `.`, as in `5 kg.m2`"
+    if hint is None and node.name in prelude.TYPES:
+        hint = f"`{node.name}` is a type; a value needs a name of its own"
+    ctx.sink.report("E0201", node.span, *labels, name=node.name, scope=scope.title, help=hint)
+
+
+_UNIT_BEFORE = re.compile(r"[0-9.]\s*[A-Za-z][A-Za-z0-9.^/]*\s*\*\s*$")
+
+
+def _after_unit(node: nodes.Reference) -> bool:
+    """Whether the name is a unit multiplied with a quantity literal: `5 kg*m2`."""
+    before = node.span.file.text[max(node.span.start - 40, 0) : node.span.start]
+    if not _UNIT_BEFORE.search(before):
+        return False
+    try:
+        parse_unit(node.name)
+    except UnknownUnit:
+        return False
+    return True
+
+
+def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:
+    several = slices.of_several(ctx, scope, node, _value)
+    if several is not None:
+        return several
+    entry = designated(ctx, scope, node)
+    if entry is not None:
+        return _value(ctx, entry, node)
+    if not_in_package(ctx, scope, node):
+        return POISON
+    kind = designated(ctx, scope, node.target)
+    if isinstance(kind, TypeSymbol):
+        return enumerations.literal(ctx, kind, node)
+    return geometry.member(ctx, node, ctx.elaborate(ctx, scope, node.target, False))
+
+
+def package_entry(scope: Scope, node: nodes.Expression) -> Entry | None:
+    """The entry that `Package.name` means, if the text is one."""
+    match node:
+        case nodes.Reference():
+            return lookup(scope, node.name, node.span)
+        case nodes.Member():
+            around = package_entry(scope, node.target)
+            if isinstance(around, ClassSymbol) and around.inner is not None:
+                return around.inner.find(node.name, node.span)
+    return None
+
+
+def not_in_package(ctx: Context, scope: Scope, node: nodes.Member) -> bool:
+    """E0210 for a name that a package does not hold."""
+    around = package_entry(scope, node.target)
+    if not isinstance(around, ClassSymbol) or around.inner is None:
+        return False
+    meant = nearest(node.name, around.inner.names())
+    what = f"package `{node.target.span.text}`"
+    hint = f"did you mean `{meant}`?" if meant else None
+    ctx.sink.report("E0210", node.name_span, name=node.name, what=what, help=hint)
+    return True
+
+
+def index(ctx: Context, scope: Scope, node: nodes.Index) -> Value:
+    """`a[i]`, `a[2:3]`, `P[k]`: one element of a declared array is read without its neighbours."""
+    split = ctx.split_values.get((scope, id(node.target)))
+    if split is not None:
+        return _indexed(ctx, scope, node, split)
+    entry = designated(ctx, scope, node)
+    if entry is not None:
+        return _value(ctx, entry, node)
+    symbol = designated(ctx, scope, node.target)
+    if isinstance(symbol, Poison):
+        return POISON
+    if isinstance(symbol, Symbol):
+        symbol.used = True
+        shape = ctx.resolver.shape(symbol)
+        if shape is None:
+            return POISON
+        if shape:
+            return _element(ctx, scope, node, symbol, shape)
+    return _indexed(ctx, scope, node, ctx.elaborate(ctx, scope, node.target, False))
+
+
+def _element(ctx: Context, scope: Scope, node: nodes.Index, symbol: Symbol, shape: tuple[int, ...]) -> Value:
+    given, rest = node.subscripts[: len(shape)], node.subscripts[len(shape) :]
+    found = arrays.subscript_indices(ctx, scope, given, shape, node)
+    if found is None:
+        return POISON
+    indices = tuple(item for item in found if isinstance(item, int))
+    if len(indices) < len(shape):
+        return ctx.resolver.part(symbol, found, node.span)
+    value = ctx.resolver.element(symbol, indices, node.span)
+    if not rest:
+        return value
+    if isinstance(value, Scalar):
+        ctx.sink.report("E0341", node.span, index=len(node.subscripts), extent=len(shape))
+        return POISON
+    inner = nodes.Index(span=node.span, target=node.target, subscripts=rest)
+    return _indexed(ctx, scope, inner, value)
+
+
+def _no_slice(ctx: Context, node: nodes.Index, value: Value) -> Value:
+    if not isinstance(value, Poison):
+        ctx.sink.report("E0312", node.span, expected="an array", found=kind_of(value))
+    return POISON
+
+
+def _indexed(ctx: Context, scope: Scope, node: nodes.Index, value: Value) -> Value:
+    """Subscripts of a value; for a geometric vector they choose world components."""
+    if isinstance(value, Poison):
+        return POISON
+    array = components(value) if isinstance(value, Vector) else value
+    if not isinstance(array, Array):
+        return _no_slice(ctx, node, value)
+    found = arrays.subscript_indices(ctx, scope, node.subscripts, array.shape, node)
+    return POISON if found is None else arrays.select(array, found)

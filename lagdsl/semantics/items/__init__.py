@@ -1,0 +1,1 @@
+"""Statements of physics: bodies, loads, constraints, contacts, drawings."""

@@ -1,0 +1,1 @@
+"""Operators and functions on values: arithmetic, arrays, geometry, tables."""

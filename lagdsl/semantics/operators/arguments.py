@@ -1,0 +1,104 @@
+"""Arguments of functions that take them as they are written: by position, by name, names of things."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.semantics.operators.arrays import subscript_indices
+from lagdsl.semantics.operators.paths import designated
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import arguments_text, kind_of, name_span
+from lagdsl.semantics.scope.scope import Indices, Scope, Symbol
+from lagdsl.semantics.scope.values import Poison
+from lagdsl.syntax import nodes
+
+
+def positional(
+    ctx: Context, node: nodes.Call, least: int, most: int, keywords: tuple[str, ...] = ()
+) -> list[nodes.Expression] | None:
+    """The positional arguments, or None after E0315 or E0211."""
+    found: list[nodes.Expression] = []
+    for argument in node.arguments:
+        if not isinstance(argument, nodes.Named):
+            found.append(argument)
+        elif argument.name not in keywords:
+            meant = nearest(argument.name, keywords)
+            hint = (
+                f"did you mean `{meant}`?"
+                if meant
+                else f"it takes {', '.join(f'`{name} =`' for name in keywords)}"
+                if keywords
+                else None
+            )
+            ctx.sink.report(
+                "E0211", name_span(argument), name=argument.name, function=node.function.span.text, help=hint
+            )
+            return None
+    if not least <= len(found) <= most:
+        expected = str(least) if least == most else f"{least} to {most}"
+        ctx.sink.report(
+            "E0315", node.span, function=node.function.span.text, expected=arguments_text(expected), found=len(found)
+        )
+        return None
+    return found
+
+
+def named(node: nodes.Call, name: str) -> nodes.Expression | None:
+    for argument in node.arguments:
+        if isinstance(argument, nodes.Named) and argument.name == name:
+            return argument.value
+    return None
+
+
+def named_element(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Symbol, Indices] | None:
+    """The symbol and indices that `name` or `name[i, j]` stands for; None if it is no such thing."""
+    target = node.target if isinstance(node, nodes.Index) else node
+    symbol = designated(ctx, scope, target)
+    if not isinstance(symbol, Symbol):
+        return None
+    if not isinstance(node, nodes.Index):
+        return symbol, ()
+    shape = ctx.resolver.shape(symbol)
+    found = subscript_indices(ctx, scope, node.subscripts, shape, node) if shape is not None else None
+    if found is None or not all(isinstance(index, int) for index in found):
+        return None
+    symbol.used = True
+    return symbol, tuple(index for index in found if isinstance(index, int))
+
+
+def labelled(
+    ctx: Context, scope: Scope, node: nodes.Expression, *kinds: Literal["constraint", "body", "contact"]
+) -> tuple[Symbol, Indices] | None:
+    """The label of something of one of `kinds` in an argument; a label in a loop may stand without indices for all."""
+    target = node.target if isinstance(node, nodes.Index) else node
+    entry = designated(ctx, scope, target) if isinstance(target, nodes.Reference | nodes.Member) else None
+    if isinstance(entry, Symbol) and entry.kind in kinds:
+        entry.used = True
+        if not isinstance(node, nodes.Index):
+            return entry, ()
+        return named_element(ctx, scope, node)
+    if isinstance(target, nodes.Reference) and entry is None:
+        labels = [
+            name
+            for step in scope.chain()
+            for name, each in step.entries.items()
+            if isinstance(each, Symbol) and each.kind in kinds
+        ]
+        meant = nearest(target.name, labels)
+        ctx.sink.report(
+            "E0201",
+            target.span,
+            name=target.name,
+            scope=scope.title,
+            help=f"did you mean `{meant}`?" if meant else None,
+        )
+        return None
+    value = ctx.elaborate(ctx, scope, node, False)
+    if isinstance(value, Poison) and not isinstance(entry, Symbol):
+        return None
+    found = entry.title if isinstance(entry, Symbol) else kind_of(value)
+    kind = kinds[0]
+    hint = "name the body: `body b(...) on F`" if kind == "body" else f"name the {kind}: `{kind} c: ...`"
+    ctx.sink.report("E0312", node.span, expected=f"the name of a {' or '.join(kinds)}", found=found, help=hint)
+    return None

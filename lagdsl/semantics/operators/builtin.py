@@ -1,0 +1,329 @@
+"""Built-in functions of numbers and vectors: arguments are values already."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from math import pi
+
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat import expression as flat
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Variability
+from lagdsl.semantics.operators import array_functions, corners
+from lagdsl.semantics.operators.application import Application, same, scalars
+from lagdsl.semantics.operators.arithmetic import Located, divided, dot, negative
+from lagdsl.semantics.operators.arrays import extreme
+from lagdsl.semantics.operators.tables import table
+from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity
+from lagdsl.semantics.scope.values import (
+    POISON,
+    AnyDimension,
+    Array,
+    Kind,
+    Poison,
+    Scalar,
+    Text,
+    Value,
+    Vector,
+    as_vector,
+    highest,
+    latest,
+)
+from lagdsl.semantics.types.dimensions import fits, joined, product
+from lagdsl.units.definition import UnitDefinition
+from lagdsl.units.dimension import DIMENSIONLESS
+from lagdsl.units.parse import UnknownUnit, parse_unit
+
+# ---- functions of numbers --------------------------------------------------------------------------------------------
+
+
+def _of_number(call: Application) -> Value:
+    """`sin` and its kind: argument and value without a dimension."""
+    values = scalars(call)
+    if values is None:
+        return POISON
+    argument = values[0]
+    if not fits(argument.dimension, DIMENSIONLESS):
+        span = call.arguments[0].node.span
+        call.ctx.sink.report("E0402", span, function=f"`{call.name}`", found=quantity(argument.dimension))
+        return POISON
+    if call.name in ("floor", "ceil"):
+        return _rounded(call, argument)
+    return _function(call, call.name, (argument.expression,), DIMENSIONLESS)
+
+
+def _rounded(call: Application, x: Scalar) -> Scalar:
+    """`floor` and `ceil`: of time alone a number that is constant between events."""
+    if not corners.has_corner(call.ctx, x):
+        _note_jumps(call)
+        rounded = _function(call, call.name, (x.expression,), DIMENSIONLESS)
+        return _with_corner(call, rounded, corners.at_whole_numbers(x.expression))
+    if call.name == "floor":
+        below: FlatExpression = corners.whole(call.ctx, call.scope, call.node, x.expression)
+    else:
+        below = negative(corners.whole(call.ctx, call.scope, call.node, negative(x.expression)))
+    return Scalar(below, DIMENSIONLESS, Variability.DISCRETE)
+
+
+def _with_corner(call: Application, value: Scalar, distance: FlatExpression) -> Scalar:
+    corners.met(call.ctx, call.scope, call.node, value.expression, distance, *call.numeric)
+    return value
+
+
+def _note_jumps(call: Application) -> None:
+    """The first function whose jumps are met as they come."""
+    moving = any(value.variability == Variability.CONTINUOUS for value in call.numeric)
+    if moving and call.name in ("floor", "ceil", "mod") and not call.ctx.quiet and call.ctx.jump is None:
+        call.ctx.jump = call.node
+
+
+def _function(
+    call: Application, name: str, arguments: tuple[FlatExpression, ...], dimension: AnyDimension, kind: Kind = "Real"
+) -> Scalar:
+    numeric = call.numeric
+    return Scalar(flat.Function(name, arguments), dimension, latest(*numeric), highest(*numeric), kind)
+
+
+def _joint_kind(values: list[Scalar]) -> Kind:
+    """Integer where all are."""
+    return "Integer" if all(value.kind == "Integer" for value in values) else "Real"
+
+
+def _root(call: Application) -> Value:
+    values = scalars(call)
+    if values is None:
+        return POISON
+    dimension = values[0].dimension
+    return _function(call, "sqrt", (values[0].expression,), dimension ** Fraction(1, 2) if dimension else dimension)
+
+
+def _preserving(call: Application) -> Value:
+    """`abs`: the dimension of the argument."""
+    values = scalars(call)
+    if values is None:
+        return POISON
+    x, kind = values[0], _joint_kind(values)
+    if not corners.has_corner(call.ctx, x):
+        return _with_corner(call, _function(call, call.name, (x.expression,), x.dimension, kind), x.expression)
+    positive = corners.of_call(call.ctx, call.scope, call.node, x.expression)
+    value = flat.Conditional(positive, x.expression, negative(x.expression))
+    return Scalar(value, x.dimension, x.variability, x.order, kind)
+
+
+def _sign(call: Application) -> Value:
+    """Of what moves: two relations, so that its jumps are events."""
+    values = scalars(call)
+    if values is None:
+        return POISON
+    if call.ctx.quiet or values[0].variability != Variability.CONTINUOUS:
+        return _function(call, "sign", (values[0].expression,), DIMENSIONLESS, "Integer")
+    text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", values[0].expression
+    place = Located(call.ctx, (call.node.span, *call.scope.spans), values[0].dimension or DIMENSIONLESS)
+    timed = corners.is_timed(call.ctx, values[0])
+    above = place.truth(f"{text} > 0", x, strict=True, timed=timed)
+    below = place.truth(f"{text} < 0", flat.Unary("-", x), strict=True, timed=timed)
+    value = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
+    return Scalar(value, DIMENSIONLESS, Variability.DISCRETE, kind="Integer")
+
+
+def _pair(call: Application) -> Value:
+    """`atan2` and `mod`."""
+    values = scalars(call)
+    if values is None or not same(call, values):
+        return POISON
+    arguments = (values[0].expression, values[1].expression)
+    if call.name == "atan2":
+        return _function(call, call.name, arguments, DIMENSIONLESS)
+    dimension, kind = joined(values[0].dimension, values[1].dimension), _joint_kind(values)
+    if corners.has_corner(call.ctx, *values):
+        return Scalar(_remainder(call, *arguments), dimension, latest(*values), highest(*values), kind)
+    _note_jumps(call)
+    turns = flat.Binary("/", *arguments)
+    remainder = _function(call, call.name, arguments, dimension, kind)
+    return _with_corner(call, remainder, corners.at_whole_numbers(turns))
+
+
+def _remainder(call: Application, x: FlatExpression, y: FlatExpression) -> FlatExpression:
+    """x - floor(x/y)*y, of time alone."""
+    turns = corners.whole(call.ctx, call.scope, call.node, flat.Binary("/", x, y))
+    return flat.Binary("-", x, flat.Binary("*", turns, y))
+
+
+def _log10(call: Application) -> Value:
+    value = _of_number(Application(call.ctx, call.scope, "log", call.node, call.arguments))
+    if not isinstance(value, Scalar):
+        return POISON
+    return Scalar(
+        flat.Binary("/", value.expression, flat.Function("log", (flat.Number(10.0),))),
+        DIMENSIONLESS,
+        value.variability,
+        value.order,
+    )
+
+
+def _limit(call: Application) -> Value:
+    """`limit(x, low, high)`."""
+    values = scalars(call)
+    if values is None or not same(call, values):
+        return POISON
+    x, low, high = values
+    inner = Scalar(extreme(call.ctx, call.scope, call.node, "min", x, high), None, latest(x, high), highest(x, high))
+    dimension = joined(x.dimension, joined(low.dimension, high.dimension))
+    value = extreme(call.ctx, call.scope, call.node, "max", low, inner)
+    return Scalar(value, dimension, latest(*values), highest(*values), _joint_kind(values))
+
+
+def _wrap(call: Application) -> Value:
+    """The angle in [-pi, pi)."""
+    values = scalars(call)
+    if values is None:
+        return POISON
+    if not fits(values[0].dimension, DIMENSIONLESS):
+        span = call.arguments[0].node.span
+        call.ctx.sink.report("E0402", span, function="`wrap`", found=quantity(values[0].dimension))
+        return POISON
+    turned = flat.Binary("+", values[0].expression, flat.Number(pi))
+    turn = flat.Number(2 * pi)
+    timed = corners.has_corner(call.ctx, values[0])
+    wrapped = _remainder(call, turned, turn) if timed else flat.Function("mod", (turned, turn))
+    turns = flat.Binary("/", turned, turn)
+    corners.met(call.ctx, call.scope, call.node, wrapped, corners.at_whole_numbers(turns), values[0])
+    shifted = flat.Binary("-", wrapped, flat.Number(pi))
+    return Scalar(shifted, DIMENSIONLESS, values[0].variability, values[0].order)
+
+
+def _value(call: Application) -> Value:
+    """`value(x, "unit")`: the number of units in x."""
+    x, text = (item.value for item in call.arguments)
+    if not isinstance(x, Scalar) or not isinstance(text, Text):
+        if not isinstance(x, Poison) and not isinstance(text, Poison):
+            wrong = call.arguments[0 if not isinstance(x, Scalar) else 1]
+            expected = "a scalar" if wrong is call.arguments[0] else 'a unit such as "mm"'
+            call.ctx.sink.report("E0312", wrong.node.span, expected=expected, found=kind_of(wrong.value))
+        return POISON
+    unit = _unit(call, text.value)
+    if unit is None:
+        return POISON
+    if not fits(x.dimension, call.ctx.dimension(unit.dimension)):
+        words = quantity(unit.dimension)
+        call.ctx.sink.report(
+            "E0415", call.arguments[0].node.span, what="the value", expected=words, found=quantity(x.dimension)
+        )
+        return POISON
+    number = x.expression
+    if unit.offset:
+        number = flat.Binary("-", number, flat.Number(unit.offset))
+    if unit.factor != 1.0:
+        number = flat.Binary("/", number, flat.Number(unit.factor))
+    return Scalar(number, DIMENSIONLESS, x.variability, x.order)
+
+
+def _unit(call: Application, text: str) -> UnitDefinition | None:
+    try:
+        return parse_unit(text)
+    except UnknownUnit as fault:
+        hint = f"did you mean `{fault.suggestion}`?" if fault.suggestion else None
+        call.ctx.sink.report("E0413", call.arguments[1].node.span, unit=text, help=hint)
+        return None
+
+
+# ---- vectors ---------------------------------------------------------------------------------------------------------
+
+
+def vectors(call: Application) -> list[Vector] | None:
+    found = []
+    for item in call.arguments:
+        vector = as_vector(item.value)
+        if vector is not None:
+            found.append(vector)
+        elif not isinstance(item.value, Poison):
+            expected = f"a vector in `{call.name}`"
+            call.ctx.sink.report("E0312", item.node.span, expected=expected, found=kind_of(item.value))
+    return found if len(found) == len(call.arguments) else None
+
+
+def _cross(call: Application) -> Value:
+    pair = vectors(call)
+    if pair is None:
+        return POISON
+    left, right = pair
+    dimension = product(left.dimension, right.dimension)
+    return Vector(flat.Cross(left.expression, right.expression), dimension, latest(*pair), highest(*pair))
+
+
+def norm(call: Application) -> Value:
+    """Euclidean length of a vector or of an array of any length."""
+    value = call.arguments[0].value
+    if isinstance(value, Array) and len(value.shape) == 1 and value.shape[0] > 3:
+        squares = dot(value.elements, value.elements)
+        return _function(call, "sqrt", (squares,), value.dimension)
+    found = vectors(call)
+    if found is None:
+        return POISON
+    vector = found[0]
+    length = flat.Norm(vector.expression, call.node.span.text)
+    return Scalar(length, vector.dimension, vector.variability, vector.order)
+
+
+def _unit_vector(call: Application) -> Value:
+    length = norm(call)
+    if not isinstance(length, Scalar):
+        return POISON
+    value = call.arguments[0].value
+    assert isinstance(value, Vector | Array | Scalar)
+    return divided(call.ctx, call.node, value, length)
+
+
+Builtin = Callable[[Application], Value]
+
+# name: (function, least and most number of arguments)
+BUILTINS: dict[str, tuple[Builtin, int, int]] = {
+    **dict.fromkeys(
+        ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "floor", "ceil"),
+        (_of_number, 1, 1),
+    ),
+    "log10": (_log10, 1, 1),
+    "sqrt": (_root, 1, 1),
+    "abs": (_preserving, 1, 1),
+    "sign": (_sign, 1, 1),
+    "atan2": (_pair, 2, 2),
+    "mod": (_pair, 2, 2),
+    "limit": (_limit, 3, 3),
+    "wrap": (_wrap, 1, 1),
+    "value": (_value, 2, 2),
+    "cross": (_cross, 2, 2),
+    "norm": (norm, 1, 1),
+    "unit": (_unit_vector, 1, 1),
+    "sum": (array_functions.reduction, 1, 1),
+    "product": (array_functions.reduction, 1, 1),
+    "min": (array_functions.reduction, 1, 2),
+    "max": (array_functions.reduction, 1, 2),
+    "zeros": (array_functions.filled, 1, 3),
+    "ones": (array_functions.filled, 1, 3),
+    "fill": (array_functions.filled, 2, 4),
+    "identity": (array_functions.identity, 1, 1),
+    "diagonal": (array_functions.diagonal, 1, 1),
+    "transpose": (array_functions.transpose, 1, 1),
+    "size": (array_functions.size, 1, 2),
+    "linspace": (array_functions.linspace, 3, 3),
+    "table": (table, 3, 4),
+}
+
+
+def apply(call: Application) -> Value:
+    """The value of a built-in function; the number of arguments is checked here."""
+    function, least, most = BUILTINS[call.name]
+    if not least <= len(call.arguments) <= most:
+        expected = str(least) if least == most else f"{least} to {most}"
+        call.ctx.sink.report(
+            "E0315", call.node.span, function=call.name, expected=arguments_text(expected), found=len(call.arguments)
+        )
+        return POISON
+    if any(isinstance(item.value, Poison) for item in call.arguments):
+        return POISON
+    return function(call)
+
+
+def meant_function(name: str, others: list[str]) -> str | None:
+    return nearest(name, [*BUILTINS, *others])

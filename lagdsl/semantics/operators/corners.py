@@ -1,0 +1,161 @@
+"""Corners and jumps of time alone: they become entries of the discretes, whose changes are time events.
+
+`max(a, b)` is `a` or `b` by the truth of `a - b >= 0`, `floor(x)` a whole number, a table the polynomial of one
+interval. All of that is constant between events, so the equations are smooth there, and a derivative by time is that of
+the present piece. Nothing is stepped over: the instants are computed ahead.
+
+What depends on the motion or on inputs, too, is taken as it stands (`sqrt(max(x, 0))` must not see a negative number);
+for each such corner there is a distance that passes zero there, at which steps end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from lagdsl.flat import expression as flat
+from lagdsl.flat.events import Timed
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Spans, Variability
+from lagdsl.semantics.scope.context import Context, Met
+from lagdsl.semantics.scope.occurrences import Mode
+from lagdsl.semantics.scope.scope import Scope
+from lagdsl.semantics.scope.values import Numeric, Order, highest, latest
+from lagdsl.syntax import nodes
+
+
+def is_timed(ctx: Context, *values: Numeric) -> bool:
+    """Whether relations between these are of time alone, and are to be located."""
+    moving = latest(*values) == Variability.CONTINUOUS and highest(*values) == Order.STILL
+    return moving and not ctx.quiet
+
+
+def has_corner(ctx: Context, *values: Numeric) -> bool:
+    """Whether a corner of a function of these is a time event. At an event functions are taken as they stand."""
+    return is_timed(ctx, *values) and ctx.mode is not Mode.EVENT
+
+
+def met(
+    ctx: Context,
+    scope: Scope,
+    node: nodes.Node,
+    expression: FlatExpression,
+    distance: FlatExpression,
+    *values: Numeric,
+    sharp: bool = True,
+) -> FlatExpression:
+    """The same expression, remembered as one with a corner where the motion or an input can meet it. Not `sharp`: its
+    slope is continuous."""
+    moving = latest(*values) == Variability.CONTINUOUS and highest(*values) > Order.STILL
+    if moving and not ctx.quiet and ctx.mode is Mode.ALWAYS:
+        spans = (node.span, *scope.spans)
+        ctx.corners.append(Met(expression, distance, spans, highest(*values), sharp))
+    return expression
+
+
+def at_whole_numbers(x: FlatExpression) -> FlatExpression:
+    """A distance that passes zero where x is a whole number: parabolas in turn above and below, with slopes of 1 there.
+    Zero is met exactly."""
+    below = flat.Function("floor", (x,))
+    beyond = flat.Binary("-", x, below)
+    arc = flat.Binary("*", beyond, flat.Binary("-", flat.ONE, beyond))
+    odd = flat.Function("mod", (below, flat.Number(2.0)))
+    return flat.Binary("*", flat.Binary("-", flat.ONE, flat.Binary("*", flat.Number(2.0), odd)), arc)
+
+
+def at_borders(x: FlatExpression, borders: Sequence[float]) -> FlatExpression:
+    """The same for given numbers; straight outside of them."""
+    pieces: list[FlatExpression] = [flat.Binary("-", flat.Number(borders[0]), x)]
+    for k, (a, b) in enumerate(pairwise(borders)):
+        sides = flat.Binary("-", x, flat.Number(a)), flat.Binary("-", x, flat.Number(b))
+        arc = flat.Binary("*", flat.Binary("*", flat.Number((-1) ** k / (b - a)), sides[0]), sides[1])
+        pieces.append(arc)
+    sign = flat.Number((-1.0) ** len(borders))
+    pieces.append(flat.Binary("*", sign, flat.Binary("-", x, flat.Number(borders[-1]))))
+    return chosen(x, borders, pieces)
+
+
+def truth(
+    ctx: Context, text: str, spans: Spans, difference: FlatExpression, *, strict: bool, told: bool
+) -> flat.Variable:
+    """The entry that is the truth of `difference > 0` or, where it is not `strict`, of `difference >= 0`."""
+    stands = flat.Binary(">" if strict else ">=", difference, flat.ZERO)
+
+    def make(name: str) -> Timed:
+        distance = flat.Conditional(flat.Variable(name), difference, flat.Unary("-", difference))
+        return Timed(
+            spans=spans,
+            name=name,
+            kind="relation" if told else "corner",
+            value=stands,
+            distances=(distance,),
+            changes=(0,),
+        )
+
+    return flat.Variable(ctx.occurrences.entry(text, stands, make))
+
+
+def of_call(ctx: Context, scope: Scope, node: nodes.Node, difference: FlatExpression) -> flat.Variable:
+    """The truth on which the value of a continuous function depends."""
+    text, spans = _place(scope, node, "branch of ")
+    return truth(ctx, text, spans, difference, strict=False, told=False)
+
+
+def whole(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> flat.Variable:
+    """floor(x)."""
+    text, spans = _place(scope, node)
+    stands = flat.Function("floor", (x,))
+
+    def make(name: str) -> Timed:
+        beyond = flat.Binary("-", x, flat.Variable(name))
+        return Timed(
+            spans=spans,
+            name=name,
+            kind="jump",
+            value=stands,
+            distances=(beyond, flat.Binary("-", flat.ONE, beyond)),
+            changes=(-1, 1),
+        )
+
+    return flat.Variable(ctx.occurrences.entry(text, stands, make))
+
+
+def piece(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression, borders: Sequence[float]) -> flat.Variable:
+    """The number of the interval between `borders` in which x is: k from borders[k - 1] on, up to borders[k]."""
+    text, spans = _place(scope, node, "piece of ")
+    count = len(borders)
+    stands = chosen(x, borders, [flat.Number(float(k)) for k in range(count + 1)])
+
+    def make(name: str) -> Timed:
+        ends = [flat.Number(border) for border in borders]
+        below = chosen_by_number(flat.Variable(name), [flat.Number(-float("inf")), *ends])
+        above = chosen_by_number(flat.Variable(name), [*ends, flat.Number(float("inf"))])
+        return Timed(
+            spans=spans,
+            name=name,
+            kind="corner",
+            value=stands,
+            distances=(flat.Binary("-", x, below), flat.Binary("-", above, x)),
+            changes=(-1, 1),
+        )
+
+    return flat.Variable(ctx.occurrences.entry(text, stands, make))
+
+
+def chosen(x: FlatExpression, borders: Sequence[float], pieces: Sequence[FlatExpression]) -> FlatExpression:
+    """`pieces[k]` below `borders[k]`, the last one beyond them all: a balanced tree of conditionals."""
+    if not borders:
+        return pieces[0]
+    middle = len(borders) // 2
+    below = chosen(x, borders[:middle], pieces[: middle + 1])
+    above = chosen(x, borders[middle + 1 :], pieces[middle + 1 :])
+    return flat.Conditional(flat.Binary("<", x, flat.Number(borders[middle])), below, above)
+
+
+def chosen_by_number(number: FlatExpression, pieces: Sequence[FlatExpression]) -> FlatExpression:
+    """`pieces[number]`."""
+    return chosen(number, [k - 0.5 for k in range(1, len(pieces))], pieces)
+
+
+def _place(scope: Scope, node: nodes.Node, part: str = "") -> tuple[str, Spans]:
+    return f"{part}{scope.owner.prefix}{node.span.text}", (node.span, *scope.spans)

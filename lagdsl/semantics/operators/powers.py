@@ -1,0 +1,58 @@
+"""Powers: what an exponent makes of a dimension."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from lagdsl.flat import expression as flat
+from lagdsl.semantics.scope.constants import evaluate
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import kind_of, quantity
+from lagdsl.semantics.scope.values import POISON, Array, Numeric, Scalar, Value, Vector, highest, is_structural, latest
+from lagdsl.semantics.types.dimensions import fits
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS
+
+
+def power(ctx: Context, node: nodes.Binary, base: Numeric, exponent: Numeric) -> Value:
+    """`x^r`; a base with a dimension needs a literal rational exponent."""
+    if not isinstance(base, Scalar) or not isinstance(exponent, Scalar):
+        which, value = (node.left, base) if not isinstance(base, Scalar) else (node.right, exponent)
+        hint = "for the square of a length write `v*v`" if isinstance(value, Vector | Array) else None
+        ctx.sink.report("E0312", which.span, expected="a scalar", found=kind_of(value), help=hint)
+        return POISON
+    if not fits(exponent.dimension, DIMENSIONLESS):
+        ctx.sink.report("E0408", node.right.span, found=quantity(exponent.dimension))
+        return POISON
+    variability, order = latest(base, exponent), highest(base, exponent)
+    dimension = base.dimension
+    if dimension is not None and not dimension.is_dimensionless:
+        ratio = _rational(node.right, exponent)
+        if ratio is None:
+            ctx.sink.report("E0414", node.right.span, found=quantity(dimension))
+            return POISON
+        dimension = dimension**ratio
+    if isinstance(base.expression, flat.Norm) and exponent.expression == flat.Number(2.0):
+        vector = base.expression.vector
+        return Scalar(flat.Dot(vector, vector), dimension, variability, order)
+    return Scalar(flat.Binary("^", base.expression, exponent.expression), dimension, variability, order)
+
+
+def _rational(node: nodes.Node, value: Scalar) -> Fraction | None:
+    """The exponent as an exact ratio: a literal, a ratio of literals, or a structural Integer."""
+    match node:
+        case nodes.Number(text=text) if len(text) < 30:
+            ratio = Fraction(text)
+            return ratio if abs(ratio) <= 1000 and ratio.denominator <= 10**6 else None
+        case nodes.Parenthesized(inner=inner):
+            return _rational(inner, value)
+        case nodes.Unary(operator=operator, operand=operand):
+            ratio_ = _rational(operand, value)
+            return -ratio_ if ratio_ is not None and operator == "-" else ratio_
+        case nodes.Binary(operator="/", left=left, right=right):
+            top, bottom = _rational(left, value), _rational(right, value)
+            return top / bottom if top is not None and bottom else None
+        case _ if is_structural(value) and value.kind == "Integer":
+            return Fraction(evaluate(value.expression))
+        case _:
+            return None

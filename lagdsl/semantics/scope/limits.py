@@ -1,0 +1,54 @@
+"""How far loops, arrays and functions are expanded. Each bound has a diagnostic (E0326)."""
+
+from __future__ import annotations
+
+import math
+
+from lagdsl.semantics.scope.context import Context
+from lagdsl.source import Span
+
+MAX_ELEMENTS = 100_000
+"""Elements of one array, values of one range."""
+
+MAX_TURNS = 200_000
+"""Turns of all loops, comprehensions and reductions of a model together."""
+
+MAX_COMPONENTS = 20_000
+"""Components of a model, those of components included."""
+
+MAX_CALLS = 50_000
+"""Calls of the user's functions that are expanded in place, nested ones included."""
+
+
+def array_fits(ctx: Context, span: Span, shape: tuple[int, ...]) -> bool:
+    """E0326 unless an array of this shape can be held."""
+    return _fits(ctx, span, "an array", math.prod(shape), MAX_ELEMENTS)
+
+
+def range_fits(ctx: Context, span: Span, count: int) -> bool:
+    return _fits(ctx, span, "a range", count, MAX_ELEMENTS)
+
+
+def another_turn(ctx: Context, span: Span) -> bool:
+    """Count a turn of a loop."""
+    ctx.turns += 1
+    return _fits(ctx, span, "the number of loop turns", ctx.turns, MAX_TURNS)
+
+
+def another_component(ctx: Context, span: Span) -> bool:
+    """Count a component."""
+    ctx.components += 1
+    return _fits(ctx, span, "the number of components", ctx.components, MAX_COMPONENTS)
+
+
+def another_call(ctx: Context, span: Span) -> bool:
+    """Count a function that is expanded."""
+    ctx.calls += 1
+    return _fits(ctx, span, "the number of expanded function calls", ctx.calls, MAX_CALLS)
+
+
+def _fits(ctx: Context, span: Span, what: str, count: int, most: int) -> bool:
+    if count > most and what not in ctx.exceeded:
+        ctx.exceeded.add(what)
+        ctx.sink.report("E0326", span, what=what, most=most)
+    return count <= most

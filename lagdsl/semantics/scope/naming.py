@@ -1,0 +1,75 @@
+"""Words for values in diagnostics, and names of elements in the flat model."""
+
+from __future__ import annotations
+
+from lagdsl.semantics.scope.values import (
+    NUMERIC,
+    AnyDimension,
+    Array,
+    Component,
+    FrameValue,
+    Poison,
+    Reaction,
+    Scalar,
+    Text,
+    Value,
+    Vector,
+)
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS
+from lagdsl.units.naming import describe, unit_text
+
+
+def an(noun: str) -> str:
+    return f"an {noun}" if noun[:1].lower() in "aeiou" else f"a {noun}"
+
+
+def quantity(dimension: AnyDimension) -> str:
+    """`a length [m]`, `a number`, `a quantity in N.m3`."""
+    shown = dimension if dimension is not None else DIMENSIONLESS
+    words = describe(shown)
+    return words if shown.is_dimensionless or words.startswith("a quantity in") else f"{words} [{unit_text(shown)}]"
+
+
+def kind_of(value: Value) -> str:
+    """What sort of thing a value is, with its unit: `a scalar [m]`, `an array of 3 [rad]`, `a frame`."""
+    match value:
+        case Scalar(kind=kind) if kind not in NUMERIC:
+            return an(kind)
+        case Scalar():
+            return f"a scalar{_bracket(value.dimension)}"
+        case Vector():
+            return f"a vector{_bracket(value.dimension)}"
+        case Array():
+            size = " by ".join(str(extent) for extent in value.shape)
+            return f"an array of {size}{_bracket(value.dimension)}"
+        case FrameValue():
+            return "a frame"
+        case Text():
+            return "a String"
+        case Reaction():
+            return "a reaction: read its `.force` or `.torque`"
+        case Component():
+            return "a component"
+        case Poison():
+            return "nothing"
+
+
+def _bracket(dimension: AnyDimension) -> str:
+    return "" if dimension is None or dimension.is_dimensionless else f" [{unit_text(dimension)}]"
+
+
+def element_name(name: str, indices: tuple[int, ...]) -> str:
+    """`q[2,1]`; the name itself for a scalar."""
+    return f"{name}[{','.join(str(index) for index in indices)}]" if indices else name
+
+
+def name_span(argument: nodes.Named) -> Span:
+    """The name in `name = value`."""
+    return Span(argument.span.file, argument.span.start, argument.span.start + len(argument.name))
+
+
+def arguments_text(count: int | str) -> str:
+    """`1 argument`, `2 to 4 arguments`."""
+    return f"{count} argument" if str(count) == "1" else f"{count} arguments"

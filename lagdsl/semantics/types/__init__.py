@@ -1,0 +1,1 @@
+"""Types, dimensions, prefixes: what a declaration says of a quantity."""

@@ -1,0 +1,114 @@
+"""A value against a declaration: shape, kind, dimension."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from lagdsl.flat import expression as flat
+from lagdsl.record import record
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import an, kind_of
+from lagdsl.semantics.scope.prelude import BaseType
+from lagdsl.semantics.scope.scope import Scope
+from lagdsl.semantics.scope.values import (
+    POISON,
+    AnyDimension,
+    Array,
+    Poison,
+    Scalar,
+    Value,
+    Vector,
+    components,
+    is_zero,
+)
+from lagdsl.semantics.types.dimensions import fits, require
+from lagdsl.syntax import nodes
+
+
+@record()
+class Expected:
+    """What a declaration promises. `dimension` None: to be inferred. `unit`: as declared, to tell Hz from rad/s."""
+
+    what: str
+    dimension: AnyDimension
+    shape: tuple[int, ...] = ()
+    base: BaseType = "Real"
+    unit: str = "1"
+    code: str = "E0407"
+
+
+def conform(ctx: Context, scope: Scope, node: nodes.Node, value: Value, expected: Expected) -> Scalar | Array | None:
+    """The value in the declared shape, with the declared dimension; None after a diagnostic (or for poison)."""
+    if isinstance(value, Poison):
+        return None
+    shaped = _shaped(ctx, node, value, expected)
+    if shaped is None or not _kind_fits(ctx, node, shaped, expected):
+        return None
+    if expected.dimension is None:
+        return shaped
+    if expected.unit in ("rad/s", "rpm") and (literal := _in_hertz(node)) is not None:
+        ctx.sink.report("E0411", literal.span, what=expected.what)
+        return None
+    if not fits(shaped.dimension, expected.dimension):
+        require(ctx, scope, node, shaped.dimension, expected.dimension, expected.code, what=expected.what)
+        return None
+    return replace(shaped, dimension=expected.dimension)
+
+
+def _shaped(ctx: Context, node: nodes.Node, value: Value, expected: Expected) -> Scalar | Array | None:
+    if isinstance(value, Vector) and expected.shape == (3,):
+        value = components(value)
+    if isinstance(value, Scalar) and not expected.shape:
+        return value
+    if isinstance(value, Array) and value.shape == expected.shape:
+        return value
+    if is_zero(value):
+        count = 1
+        for extent in expected.shape:
+            count *= extent
+        return Array((flat.ZERO,) * count, expected.shape, None)
+    size = " by ".join(str(extent) for extent in expected.shape)
+    wanted = (
+        f"an array of {size}"
+        if expected.shape
+        else f"{an(expected.base)} scalar"
+        if expected.base != "Real"
+        else "a scalar"
+    )
+    hint = None
+    if isinstance(value, Scalar) and len(expected.shape) == 1:
+        hint = f"write `fill({node.span.text}, {expected.shape[0]})` to repeat it"
+    ctx.sink.report("E0334", node.span, what=expected.what, expected=wanted, found=kind_of(value), help=hint)
+    return None
+
+
+def _kind_fits(ctx: Context, node: nodes.Node, value: Scalar | Array, expected: Expected) -> bool:
+    fitting = value.kind == expected.base or (expected.base == "Real" and value.kind == "Integer")
+    if not fitting:
+        found = an(value.kind)
+        if expected.base == "Integer" and isinstance(node, nodes.Number | nodes.Quantity):
+            found = f"`{node.span.text}`"
+        ctx.sink.report("E0334", node.span, what=expected.what, expected=an(expected.base), found=found)
+    return fitting
+
+
+def _in_hertz(node: nodes.Node) -> nodes.Node | None:
+    """The literal in Hz that is the value or an element or branch of it: a frequency, not an angular velocity."""
+    match node:
+        case nodes.Quantity(unit=("Hz" | "kHz" | "MHz")):
+            return node
+        case nodes.Unary(operand=inner) | nodes.Parenthesized(inner=inner):
+            found = _in_hertz(inner)
+            return node if found is inner else found
+        case nodes.Array(elements=parts):
+            return next(filter(None, map(_in_hertz, parts)), None)
+        case nodes.Matrix(rows=rows):
+            return next(filter(None, (_in_hertz(part) for row in rows for part in row)), None)
+        case nodes.Conditional(branches=branches, otherwise=otherwise):
+            return next(filter(None, map(_in_hertz, [*(branch.value for branch in branches), otherwise])), None)
+    return None
+
+
+def bound(ctx: Context, scope: Scope, node: nodes.Expression, expected: Expected) -> Scalar | Array | Value:
+    """The elaborated binding in its declared shape, or poison."""
+    return conform(ctx, scope, node, ctx.elaborate(ctx, scope, node, True), expected) or POISON

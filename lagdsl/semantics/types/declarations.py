@@ -1,0 +1,168 @@
+"""Names enter scopes: quantities, points and frames become symbols."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import Label
+from lagdsl.semantics.scope import prelude
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import (
+    LABELS,
+    Binding,
+    ClassSymbol,
+    Entry,
+    FunctionSymbol,
+    Instance,
+    InstanceArray,
+    Scope,
+    Symbol,
+    SymbolKind,
+    TypeSymbol,
+)
+from lagdsl.semantics.scope.values import POISON
+from lagdsl.semantics.types import prefixes
+from lagdsl.semantics.types.types import resolve_type, with_unit
+from lagdsl.source import Span
+from lagdsl.syntax import nodes
+
+
+def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bool:
+    """Put a name into a scope; E0204 where it is taken, E0207 where it may not be hidden."""
+    if name in ("time", "world"):
+        ctx.sink.report("E0207", span, name=name)
+        scope.entries.setdefault(name, POISON)
+        return False
+    other = scope.entries.get(name)
+    if other is not None:
+        if not _same(other, entry):
+            _report_twice(ctx, name, other, entry, span)
+        return False
+    if span.file is ctx.home and (name in prelude.CONSTANTS or name in prelude.TYPES):
+        what = "constant" if name in prelude.CONSTANTS else "type"
+        ctx.sink.report("N0205", span, name=name, what=what)
+    scope.entries[name] = entry
+    return True
+
+
+def _same(one: Entry, two: Entry) -> bool:
+    """Whether two classes that meet by `extends` declare the name in the same words."""
+    match one, two:
+        case (Symbol(), Symbol()):
+            return one.scope is not two.scope and one.title == two.title and one.declarator == two.declarator
+        case (FunctionSymbol() | TypeSymbol() | ClassSymbol(), FunctionSymbol() | TypeSymbol() | ClassSymbol()):
+            return one.scope is not two.scope and one.node == two.node
+        case _:
+            return False
+
+
+def _report_twice(ctx: Context, name: str, other: Entry, entry: Entry, span: Span) -> None:
+    first, second, place = _title(other), _title(entry), _place(other)
+    if place is not None and place.file is span.file and place.start > span.start:
+        first, second, place, span = second, first, span, place
+    around = f" of {other.scope.title}" if isinstance(other, Symbol) and _inherited(other, entry) else ""
+    labels = (Label(place, f"first as {first}{around}"),) if place is not None else ()
+    ctx.sink.report("E0204", span, *labels, name=name, first=first, second=second)
+    label = isinstance(entry, Symbol) and entry.kind in LABELS
+    if isinstance(other, Symbol) and other.kind not in LABELS and not label and first != second:
+        other.kind = "unknown"  # which of the two a text means nobody knows
+
+
+def _inherited(one: Symbol, two: Entry) -> bool:
+    return isinstance(two, Symbol) and one.scope.owner is not two.scope.owner
+
+
+def _title(entry: Entry) -> str:
+    match entry:
+        case Symbol():
+            return entry.title
+        case FunctionSymbol():
+            return "function"
+        case TypeSymbol():
+            return "type"
+        case ClassSymbol():
+            return getattr(entry.node, "kind", "class")
+        case Instance():
+            return f"component of {entry.scope.title}"
+        case InstanceArray():
+            return "array of components"
+        case _:
+            return "name"
+
+
+def _place(entry: Entry) -> Span | None:
+    match entry:
+        case Symbol() | Instance() | InstanceArray():
+            return entry.span
+        case ClassSymbol(node=nodes.Class() as node):
+            return node.name_span
+        case FunctionSymbol() | TypeSymbol() | ClassSymbol():
+            return entry.node.span
+        case _:
+            return None
+
+
+def declared(ctx: Context, scope: Scope, item: nodes.Component | nodes.Coordinate | nodes.Geometry) -> list[Symbol]:
+    """The symbols of one declaration, entered into `scope`; what cannot be is reported and left out."""
+    found = [_declarator(ctx, scope, item, declarator) for declarator in item.declarators]
+    return [symbol for symbol in found if symbol is not None]
+
+
+def _declarator(
+    ctx: Context,
+    scope: Scope,
+    item: nodes.Component | nodes.Coordinate | nodes.Geometry,
+    declarator: nodes.Declarator,
+) -> Symbol | None:
+    match item:
+        case nodes.Component():
+            return _component(ctx, scope, item, declarator)
+        case nodes.Coordinate():
+            title = f"coordinate {type_text(item.type_name)}"
+            return _quantity(ctx, scope, "coordinate", title, item.type_name, declarator)
+        case nodes.Geometry():
+            return _symbol(ctx, scope, "point" if item.keyword == "point" else "frame", item.keyword, declarator)
+
+
+def _component(ctx: Context, scope: Scope, item: nodes.Component, declarator: nodes.Declarator) -> Symbol | None:
+    kind = prefixes.kind_of_component(ctx, item)
+    words = " ".join((*item.prefixes, type_text(item.type_name)))
+    if kind is None:
+        symbol = _symbol(ctx, scope, "unknown", words, declarator, checked=False)
+    else:
+        symbol = _quantity(ctx, scope, kind, words, item.type_name, declarator)
+    if symbol is not None:
+        symbol.final = "final" in item.prefixes
+        symbol.flow = "flow" in item.prefixes
+    return symbol
+
+
+def _quantity(
+    ctx: Context, scope: Scope, kind: SymbolKind, title: str, type_name: nodes.Name, declarator: nodes.Declarator
+) -> Symbol | None:
+    symbol = _symbol(ctx, scope, kind, title, declarator)
+    if symbol is None:
+        return None
+    symbol.info = resolve_type(ctx, type_name, scope)
+    if symbol.info is not None:
+        symbol.info = with_unit(ctx, symbol.info, declarator.modifiers)
+    if symbol.info is None or not prefixes.type_fits(ctx, kind, symbol.info, type_name.span):
+        symbol.kind = "unknown"
+    return symbol
+
+
+def _symbol(
+    ctx: Context, scope: Scope, kind: SymbolKind, title: str, declarator: nodes.Declarator, *, checked: bool = True
+) -> Symbol | None:
+    symbol = Symbol(scope.qualify(declarator.name), kind, declarator.name_span, scope, title, declarator)
+    if not enter(ctx, scope, declarator.name, symbol, declarator.name_span):
+        return None
+    ctx.names.add(symbol.name)
+    if declarator.condition is not None and checked:
+        ctx.sink.report("E0246", declarator.condition.span, name=declarator.name)
+    if declarator.value is not None:
+        key = None if declarator.subscripts or kind not in ("point", "frame") else ()
+        symbol.bindings[key] = Binding(declarator.value, scope, declarator.name_span)
+    return symbol
+
+
+def type_text(name: nodes.Name) -> str:
+    return ".".join(name.parts)

@@ -1,0 +1,56 @@
+"""What every flat quantity takes over from its declaration."""
+
+from __future__ import annotations
+
+from typing import TypedDict
+
+from lagdsl.flat.quantity import Base, Spans
+from lagdsl.semantics.scope.naming import element_name
+from lagdsl.semantics.scope.scope import Indices, Symbol, TypeInfo
+from lagdsl.semantics.scope.values import AnyDimension
+from lagdsl.units import Dimension
+from lagdsl.units.dimension import DIMENSIONLESS
+from lagdsl.units.naming import unit_text
+
+
+class QuantityFields(TypedDict):
+    spans: Spans
+    name: str
+    dimension: Dimension
+    unit: str
+    display_unit: str | None
+    doc: str | None
+    type_name: str
+    symbol: str | None
+    base: Base
+    literals: tuple[str, ...]
+
+
+def quantity_fields(
+    symbol: Symbol, indices: Indices, sign: str | None, inferred: AnyDimension = None
+) -> QuantityFields:
+    """Fields of one element. `sign` is the `symbol` attribute, `inferred` the dimension of a plain `Real`'s binding."""
+    info = symbol.info
+    assert info is not None
+    dimension = info.dimension if info.dimension is not None else inferred if inferred is not None else DIMENSIONLESS
+    return QuantityFields(
+        spans=(symbol.span, *symbol.scope.spans),
+        name=element_name(symbol.name, indices),
+        dimension=dimension,
+        unit=info.unit if info.dimension is not None else unit_text(dimension),
+        display_unit=info.display_unit,
+        doc=symbol.declarator.doc if symbol.declarator is not None else None,
+        type_name=info.name,
+        symbol=sign,
+        base=_base(info),
+        literals=info.literals,
+    )
+
+
+def _base(info: TypeInfo) -> Base:
+    """Types with literals are kinds of their own to the checks; to all others they are enumerations."""
+    match info.base:
+        case "Real" | "Integer" | "Boolean" | "String":
+            return info.base
+        case _:
+            return "Enumeration"

@@ -1,0 +1,241 @@
+"""Attributes in modifiers: which ones fit what, and their values."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from lagdsl.diagnostics import Label
+from lagdsl.diagnostics.suggest import nearest
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Variability
+from lagdsl.record import record
+from lagdsl.semantics.scope.constants import NoValue, evaluate
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.prelude import BaseType
+from lagdsl.semantics.scope.scope import Scope, Symbol
+from lagdsl.semantics.scope.values import AnyDimension, Array, Scalar, Text, is_structural, rank
+from lagdsl.semantics.types.bindings import Expected, conform
+from lagdsl.syntax import nodes
+
+_SHOWN = ("unit", "displayUnit", "symbol")
+_BOUNDS = ("min", "max")
+ALLOWED: dict[str, tuple[str, ...]] = {
+    "constant": (*_BOUNDS, *_SHOWN),
+    "structural": (*_BOUNDS, *_SHOWN),
+    "parameter": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN),
+    "input": ("start", "smooth", *_SHOWN),
+    "output": _SHOWN,
+    "algebraic": _SHOWN,
+    "state": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN),
+    "discrete": ("start", "fixed", *_BOUNDS, *_SHOWN),
+    "coordinate": ("start", "fixed", *_BOUNDS, "nominal", *_SHOWN, "der.start", "der.fixed", "prefer"),
+    "point": (),
+    "frame": (),
+}
+QUATERNION = ("start", "fixed", "symbol", "der.start", "der.fixed", "omega.start", "omega.fixed", "prefer")
+# Attributes of Modelica that exist but may not fit the thing they stand at.
+KNOWN = ("start", "fixed", "min", "max", "nominal", "unit", "displayUnit", "symbol", "smooth", "der", "omega")
+LATER = {"stateSelect": "joints whose coordinates are the unknowns are chosen by `prefer = always` or `prefer = never`"}
+
+
+@record()
+class Attribute:
+    node: nodes.Modifier
+    scope: Scope
+    value: nodes.Expression
+
+    @property
+    def each(self) -> bool:
+        return "each" in self.node.prefixes
+
+
+def attributes(ctx: Context, symbol: Symbol) -> dict[str, Attribute]:
+    """The attributes of a declared quantity by name (`der.start` for a nested one); what does not fit is reported."""
+    found: dict[str, Attribute] = {}
+    if symbol.kind == "unknown":
+        return found
+    if symbol.info is not None:
+        for modifier, scope in symbol.info.modifiers:
+            _read(ctx, symbol, modifier, scope, "", found, inherited=True)
+    own: dict[str, Attribute] = {}
+    for modifier in symbol.declarator.modifiers if symbol.declarator is not None else ():
+        _read(ctx, symbol, modifier, symbol.scope, "", own, inherited=False)
+    merged = {**found, **own}
+    for modifiers, scope in symbol.overrides:
+        outer: dict[str, Attribute] = {}
+        for modifier in modifiers:
+            _read(ctx, symbol, modifier, scope, "", outer, inherited=False)
+        for name, attribute in outer.items():
+            if name in merged and "final" in merged[name].node.prefixes:
+                label = Label(merged[name].node.span, "given as `final` here")
+                ctx.sink.report("E0224", attribute.node.span, label, name=f"{symbol.short}.{name}")
+            else:
+                merged[name] = attribute
+    return merged
+
+
+def _read(
+    ctx: Context,
+    symbol: Symbol,
+    modifier: nodes.AnyModifier,
+    scope: Scope,
+    prefix: str,
+    found: dict[str, Attribute],
+    *,
+    inherited: bool,
+) -> None:
+    if not isinstance(modifier, nodes.Modifier):
+        ctx.sink.report("E0240", modifier.span, what="a quantity")
+        return
+    name = prefix + ".".join(modifier.name.parts)
+    if not prefix and name in ("der", "omega") and modifier.modifiers and _fits(symbol, f"{name}.start"):
+        for nested in modifier.modifiers:
+            if isinstance(nested, nodes.Modifier) and "each" in modifier.prefixes and "each" not in nested.prefixes:
+                nested = replace(nested, prefixes=("each", *nested.prefixes))  # noqa: PLW2901 `each` is for all inside
+            _read(ctx, symbol, nested, scope, f"{name}.", found, inherited=inherited)
+        return
+    if not _fits(symbol, name):
+        if not (inherited and name in KNOWN):
+            _report_misfit(ctx, symbol, modifier, prefix)
+    elif modifier.modifiers or modifier.subscripts or modifier.value is None:
+        ctx.sink.report("E0220", modifier.span, name=name)
+    elif name in found:
+        ctx.sink.report("E0212", modifier.span, name=name)
+    else:
+        found[name] = Attribute(modifier, scope, modifier.value)
+
+
+def _fits(symbol: Symbol, name: str) -> bool:
+    quaternion = symbol.kind == "coordinate" and symbol.info is not None and symbol.info.quaternion
+    return name in (QUATERNION if quaternion else ALLOWED.get(symbol.kind, ()))
+
+
+def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefix: str) -> None:
+    name = ".".join(modifier.name.parts)
+    span = modifier.name.span
+    quaternion = symbol.kind == "coordinate" and symbol.info is not None and symbol.info.quaternion
+    allowed = QUATERNION if quaternion else ALLOWED.get(symbol.kind, ())
+    if prefix:
+        names = [each.removeprefix(prefix) for each in allowed if each.startswith(prefix)]
+    else:
+        names = list(dict.fromkeys(each.partition(".")[0] for each in allowed))
+    if name in LATER:
+        ctx.sink.report("E0311", span, what=f"`{name}`", hint=LATER[name])
+    elif name in KNOWN and not prefix:
+        ctx.sink.report("E0213", span, *_declared(symbol, modifier), name=name, what=symbol.title)
+    else:
+        meant = nearest(name, names)
+        type_name = symbol.info.name if symbol.info is not None else symbol.kind
+        hint = f"did you mean `{meant}`?" if meant is not None else None
+        listed = ", ".join(names) if names else "none"
+        place = _declared(symbol, modifier)
+        ctx.sink.report("E0202", span, *place, name=name, type=type_name, attributes=listed, help=hint)
+
+
+def _declared(symbol: Symbol, modifier: nodes.Modifier) -> tuple[Label, ...]:
+    """Where the quantity is declared, for a modifier that stands elsewhere."""
+    if symbol.declarator is None or modifier in symbol.declarator.modifiers:
+        return ()
+    return (Label(symbol.span, f"`{symbol.short}` is declared here as {symbol.title}"),)
+
+
+# ---- values of attributes --------------------------------------------------------------------------------------------
+
+
+def expressions(
+    ctx: Context,
+    attribute: Attribute,
+    what: str,
+    dimension: AnyDimension,
+    shape: tuple[int, ...],
+    *,
+    unit: str = "1",
+    base: BaseType = "Real",
+) -> list[FlatExpression] | None:
+    """One expression for each element, of parameters at most; None after a diagnostic."""
+    count = 1
+    for extent in shape:
+        count *= extent
+    value = ctx.elaborate(ctx, attribute.scope, attribute.value, True)
+    wanted = () if attribute.each else shape
+    _check_each(ctx, attribute, what, shape)
+    if shape and not attribute.each and isinstance(value, Scalar):
+        text = attribute.node.span.text
+        ctx.sink.report("E0335", attribute.node.span, text=text)
+        return None
+    expected = Expected(what, dimension, wanted, base, unit, "E0415")
+    found = conform(ctx, attribute.scope, attribute.value, value, expected)
+    if found is None:
+        return None
+    if rank(found.variability) > rank(Variability.PARAMETER):
+        ctx.sink.report("E0317", attribute.value.span, what=what, allowed="parameters and constants")
+        return None
+    return [found.expression] * count if isinstance(found, Scalar) else list(found.elements)
+
+
+def numbers(
+    ctx: Context, attribute: Attribute | None, what: str, dimension: AnyDimension, shape: tuple[int, ...]
+) -> list[float | None]:
+    """One number for each element, known while compiling; None where there is none."""
+    count = 1
+    for extent in shape:
+        count *= extent
+    if attribute is None:
+        return [None] * count
+    # A bound or nominal value is most often one number for the whole array.
+    _check_each(ctx, attribute, what, shape)
+    value = ctx.elaborate(ctx, attribute.scope, attribute.value, True)
+    wanted = () if attribute.each or isinstance(value, Scalar) else shape
+    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted, code="E0415"))
+    if found is None:
+        return [None] * count
+    if not is_structural(found):
+        ctx.sink.report("E0317", attribute.value.span, what=what, allowed="constants and structural parameters")
+        return [None] * count
+    parts = [found.expression] * count if isinstance(found, Scalar) else list(found.elements)
+    try:
+        return [evaluate(part) for part in parts]
+    except NoValue as fault:
+        ctx.sink.report("E0323", attribute.value.span, reason=str(fault))
+        return [None] * count
+
+
+def flags(ctx: Context, attribute: Attribute | None, what: str, shape: tuple[int, ...]) -> list[bool]:
+    """`fixed` for each element: known while compiling."""
+    count = 1
+    for extent in shape:
+        count *= extent
+    if attribute is None:
+        return [False] * count
+    _check_each(ctx, attribute, what, shape)
+    value = ctx.elaborate(ctx, attribute.scope, attribute.value, False)
+    wanted = () if attribute.each or isinstance(value, Scalar) else shape
+    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, None, wanted, "Boolean"))
+    if found is None:
+        return [False] * count
+    if not is_structural(found):
+        ctx.sink.report("E0317", attribute.value.span, what=what, allowed="constants and structural parameters")
+        return [False] * count
+    parts = found.elements if isinstance(found, Array) else (found.expression,) * count
+    return [evaluate(part) != 0.0 for part in parts]
+
+
+def _check_each(ctx: Context, attribute: Attribute, what: str, shape: tuple[int, ...]) -> None:
+    if attribute.each and not shape:
+        ctx.sink.report("E0344", attribute.node.span, what=what)
+
+
+def text(ctx: Context, attribute: Attribute | None) -> str | None:
+    """`symbol`: a text."""
+    if attribute is None:
+        return None
+    value = ctx.elaborate(ctx, attribute.scope, attribute.value, False)
+    if isinstance(value, Text):
+        return value.value
+    ctx.sink.report("E0312", attribute.value.span, expected="a text in quotes", found="something else")
+    return None
+
+
+def sign_of(ctx: Context, symbol: Symbol) -> str | None:
+    """The `symbol` attribute of a declared quantity."""
+    return text(ctx, attributes(ctx, symbol).get("symbol"))

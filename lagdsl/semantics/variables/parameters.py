@@ -1,0 +1,144 @@
+"""Parameters and constants: independent numbers, dependent definitions, structural values."""
+
+from __future__ import annotations
+
+from itertools import product as cartesian
+
+from lagdsl.flat import expression as flat
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.quantity import Variability
+from lagdsl.semantics.scope.constants import NoValue, evaluate
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.instance_diagnostics import report_missing
+from lagdsl.semantics.scope.naming import kind_of
+from lagdsl.semantics.scope.scope import Indices, Symbol
+from lagdsl.semantics.scope.values import POISON, Array, Order, Poison, Scalar, Text, is_structural, rank
+from lagdsl.semantics.types.bindings import Expected, bound
+from lagdsl.semantics.types.quantity_fields import QuantityFields, quantity_fields
+from lagdsl.semantics.variables import attributes, free_parameters
+from lagdsl.syntax import nodes
+from lagdsl.units.dimension import DIMENSIONLESS
+
+Bounds = tuple[float | None, float | None]
+
+_VARIABILITY = {
+    "constant": Variability.CONSTANT,
+    "structural": Variability.STRUCTURAL,
+    "parameter": Variability.PARAMETER,
+}
+
+
+def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | None) -> None:
+    """Fill the cells of a parameter or constant from its binding."""
+    info = symbol.info
+    if info is None:
+        return
+    binding = symbol.bindings.get(key) or symbol.bindings.get(None)
+    if free_parameters.is_free(ctx, symbol, shape):
+        free_parameters.make(ctx, symbol, shape, binding)
+        return
+    if info.base == "String":
+        _text(ctx, symbol)
+        return
+    if symbol.name in ctx.overrides and symbol.kind == "structural" and not shape:
+        number = flat.Number(float(ctx.overrides[symbol.name]))
+        given = Scalar(number, info.dimension or DIMENSIONLESS, kind=info.base)
+        symbol.cells[()] = _element(ctx, symbol, (), given, (None, None), quantity_fields(symbol, (), None))
+        return
+    if binding is None:
+        code = "E0303" if symbol.kind == "parameter" else "E0337"
+        report_missing(ctx, code, symbol, symbol.short)
+        return
+    what = f"`{symbol.short}`"
+    expected = Expected(what, info.dimension or DIMENSIONLESS, shape, info.base, info.unit)
+    value = bound(ctx, binding.scope, binding.node, expected)
+    if not isinstance(value, Scalar | Array) or not _steady(ctx, symbol, value, binding.node):
+        return
+    found = attributes.attributes(ctx, symbol)
+    least = attributes.numbers(ctx, found.get("min"), "`min`", expected.dimension, shape)
+    most = attributes.numbers(ctx, found.get("max"), "`max`", expected.dimension, shape)
+    sign = attributes.text(ctx, found.get("symbol"))
+    parts = (value.expression,) if isinstance(value, Scalar) else value.elements
+    places = list(cartesian(*(range(1, extent + 1) for extent in shape)))
+    lowest = [info.minimum if low is None else low for low in least]
+    for part, indices, low, high in zip(parts, places, lowest, most, strict=True):
+        cell = Scalar(part, expected.dimension, value.variability, value.order, value.kind)
+        symbol.cells[indices] = _element(
+            ctx, symbol, indices, cell, (low, high), quantity_fields(symbol, indices, sign)
+        )
+
+
+def _steady(ctx: Context, symbol: Symbol, value: Scalar | Array, node: nodes.Expression) -> bool:
+    """A binding must not vary more than what it defines."""
+    allowed = _VARIABILITY[symbol.kind]
+    if rank(value.variability) <= rank(allowed):
+        return True
+    words = {"constant": "constants", "structural": "constants and structural parameters"}
+    permitted = words.get(symbol.kind, "parameters and constants")
+    ctx.sink.report("E0317", node.span, what=f"`{symbol.short}`", allowed=permitted)
+    return False
+
+
+def _element(
+    ctx: Context, symbol: Symbol, indices: Indices, value: Scalar, bounds: Bounds, fields: QuantityFields
+) -> Scalar | Poison:
+    """One scalar: an independent parameter, a dependent one (a definition) or a number folded into expressions."""
+    name, dimension, variability = fields["name"], fields["dimension"], _VARIABILITY[symbol.kind]
+    assert symbol.info is not None
+    if not is_structural(value) or (symbol.final and symbol.kind == "parameter"):
+        definition = flat_model.Definition(**fields, value=value.expression, variability=variability)
+        ctx.named.append(definition)
+        return Scalar(flat.Variable(name), dimension, variability, Order.STILL, value.kind)
+    try:
+        number = evaluate(value.expression)
+    except NoValue as fault:
+        place = next(iter(symbol.bindings.values())).node.span if symbol.bindings else symbol.span
+        ctx.sink.report("E0323", place, reason=str(fault))
+        return POISON
+    _check_bounds(ctx, symbol, number, bounds)
+    folded = symbol.kind != "parameter"
+    parameter = flat_model.Parameter(
+        **fields,
+        value=number,
+        minimum=bounds[0],
+        maximum=bounds[1],
+        structural=folded,
+        kind="Boolean" if symbol.info.base == "Boolean" else "Real" if symbol.info.base == "Real" else "Integer",
+    )
+    ctx.parameters.append(parameter)
+    expression = flat.Number(number) if folded else flat.Variable(name)
+    return Scalar(expression, dimension, variability, Order.STILL, value.kind)
+
+
+def _check_bounds(ctx: Context, symbol: Symbol, number: float, bounds: Bounds) -> None:
+    low, high = bounds
+    assert symbol.info is not None
+    for bound_, outside, word in (
+        (low, low is not None and number < low, "min"),
+        (high, high is not None and number > high, "max"),
+    ):
+        if outside and bound_ is not None:
+            unit = symbol.info.unit
+            shown = f"{number:g}" if unit == "1" else f"{number:g} {unit}"
+            limit = f"{bound_:g}" if unit == "1" else f"{bound_:g} {unit}"
+            ctx.sink.report("W0328", symbol.span, name=symbol.short, value=shown, which=word, limit=limit)
+
+
+def _text(ctx: Context, symbol: Symbol) -> None:
+    """A String parameter."""
+    binding = symbol.bindings.get(None)
+    if binding is None:
+        report_missing(ctx, "E0303", symbol, symbol.short)
+        return
+    value = ctx.elaborate(ctx, binding.scope, binding.node, False)
+    if not isinstance(value, Text):
+        if not isinstance(value, Poison):
+            ctx.sink.report(
+                "E0334", binding.node.span, what=f"`{symbol.short}`", expected="a String", found=kind_of(value)
+            )
+        return
+    fields = quantity_fields(symbol, (), None)
+    folded = symbol.kind != "parameter"
+    parameter = flat_model.Parameter(**fields, value=0.0, structural=folded, kind="String", text=value.value)
+    ctx.parameters.append(parameter)
+    symbol.cells[()] = value

@@ -1,0 +1,108 @@
+"""Literals in a unit with an offset, such as `20 degC`: points on a scale, not amounts.
+
+`-5 degC` is 268.15 K. The sum of two points, or twice a point, means nothing that does not depend on the zero of the
+scale (JCGM 200:2012, 1.27, on values referred to a conventional reference scale), so only what does not is accepted: a
+point by itself, the difference of two points, and a point with a difference added to it, `20 degC + dT`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.scope import Symbol
+from lagdsl.semantics.variables.attributes import attributes
+from lagdsl.syntax import nodes
+from lagdsl.units.definition import UnitDefinition, si_value
+from lagdsl.units.parse import UnknownUnit, parse_unit
+
+_ADDING = ("sum", "product", "norm", "mod")
+
+
+def is_signed_point(node: nodes.Unary) -> bool:
+    """`-5 degC`, which is one literal."""
+    return node.operator in "+-" and isinstance(node.operand, nodes.Quantity) and _unit(node.operand) is not None
+
+
+def check_operator(ctx: Context, node: nodes.Binary | nodes.Unary) -> None:
+    """E0418 for a point where an amount is needed: in products, behind `+`, under a sign that is not its own."""
+    if not ctx.units:
+        return
+    match node:
+        case nodes.Unary(operator="-" | "+", operand=operand) if not is_signed_point(node):
+            _refuse(ctx, operand, f"`{node.operator}` before parentheses")
+        case nodes.Binary(operator="+", right=right):
+            _refuse(ctx, right, "the right side of `+`")
+        case nodes.Binary(operator="*" | "/" | ".*" | "./" | "^", left=left, right=right):
+            _refuse(ctx, left, f"`{node.operator}`")
+            _refuse(ctx, right, f"`{node.operator}`")
+        case _:
+            pass
+
+
+def check_call(ctx: Context, node: nodes.Call | nodes.Reduction) -> None:
+    """E0418 for points that a function adds up or multiplies."""
+    name = node.function.span.text
+    if ctx.units and name in _ADDING:
+        for part in (node.body,) if isinstance(node, nodes.Reduction) else node.arguments:
+            if not isinstance(part, nodes.Named):
+                _refuse(ctx, part, f"`{name}`")
+
+
+def check_difference(ctx: Context, symbol: Symbol) -> None:
+    """E0418 for points as values of a TemperatureDifference."""
+    if symbol.info is None or not symbol.info.is_difference or not ctx.units:
+        return
+    values = [binding.node for binding in symbol.bindings.values()]
+    values += [attribute.value for attribute in attributes(ctx, symbol).values()]
+    for value in values:
+        _refuse(ctx, value, f"`{symbol.info.name}`")
+
+
+def _refuse(ctx: Context, node: nodes.Node, where: str) -> None:
+    found = _point(node)
+    if found is None:
+        return
+    literal, sign = (found, "") if isinstance(found, nodes.Quantity) else (found.operand, found.operator)
+    assert isinstance(literal, nodes.Quantity)
+    number = f"{sign}{literal.number}"
+    kelvin = f"{si_value(number, parse_unit(literal.unit)):.15g}"
+    ctx.sink.report("E0418", found.span, literal=f"{number} {literal.unit}", where=where, number=number, kelvin=kelvin)
+
+
+def _point(node: nodes.Node) -> nodes.Quantity | nodes.Unary | None:
+    """The first point among what the value of `node` may be, with its sign."""
+    match node:
+        case nodes.Quantity():
+            return node if _unit(node) is not None else None
+        case nodes.Unary() if is_signed_point(node):
+            return node
+        case nodes.Unary(operator="-" | "+", operand=inner) | nodes.Parenthesized(inner=inner):
+            return _point(inner)
+        case nodes.Comprehension(body=inner):
+            return _point(inner)
+        case nodes.Array(elements=parts):
+            return _first(parts)
+        case nodes.Matrix(rows=rows):
+            return _first(part for row in rows for part in row)
+        case nodes.Conditional(branches=branches, otherwise=otherwise):
+            return _first([*(branch.value for branch in branches), otherwise])
+        case _:
+            return None
+
+
+def _first(parts: Iterable[nodes.Node]) -> nodes.Quantity | nodes.Unary | None:
+    for part in parts:
+        found = _point(part)
+        if found is not None:
+            return found
+    return None
+
+
+def _unit(node: nodes.Quantity) -> UnitDefinition | None:
+    """The unit if it has an offset."""
+    try:
+        unit = parse_unit(node.unit)
+    except UnknownUnit:
+        return None
+    return unit if unit.shift else None

@@ -1,0 +1,67 @@
+"""Is every coordinate given inertia, by the kinetic energy or by a constraint that ties it to one that has it?"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
+from lagdsl.flat.spans import around, place
+from lagdsl.numerics.rank import Floats
+from lagdsl.structure.points import Geometry, Probe, free_directions
+from lagdsl.units.dimension import CHARGE
+
+# Smallest inertia in a direction the constraints leave free, relative to the largest, that still counts as inertia.
+_TOLERANCE = 1e-12
+_MOST_SHOWN = 6
+_INDUCTANCE = (
+    "every closed path of charge needs an inductance: put an inductor into this loop, as its wire is one, with a time "
+    "L/R much shorter than what matters"
+)
+_FLANGE = "connect it to what moves with it and has a mass or an inertia, or prescribe its motion"
+
+
+def report_massless(flat: FlatModel, space: Geometry, points: list[Probe], sink: Sink) -> None:
+    """E0503 for each coordinate that moves in a direction without inertia at every probed state.
+
+    M itself may be singular (quaternions, massless links): what counts is M on the null space of J.
+    """
+    masses = [point.mass for point in points if point.mass is not None]
+    if len(masses) < max(len(points), 1) or not flat.coordinates:
+        return
+    projectors = [_massless(space, point, mass) for point, mass in zip(points, masses, strict=True)]
+    shares = np.min([np.sqrt(np.diag(each)) for each in projectors], axis=0)
+    if float(np.max(shares)) < 1e-3:
+        return
+    leading = int(np.argmax(shares))
+    for index in range(len(flat.coordinates)):
+        if shares[index] > 0.999 or (index == leading and not np.any(shares > 0.999)):
+            parts = np.abs(projectors[0][index])
+            _report(flat, index, [int(i) for i in np.flatnonzero(parts > 0.1 * parts[index])], sink)
+
+
+def _report(flat: FlatModel, index: int, together: list[int], sink: Sink) -> None:
+    """`together`: the coordinates that move along, this one included."""
+    coordinate = flat.coordinates[index]
+    rates = [f"der({flat.coordinates[i].name})" for i in together]
+    why = f"the mass matrix is singular in this direction and no constraint determines {rates[0]}"
+    if len(rates) > 1:
+        shown = rates if len(rates) <= _MOST_SHOWN else [*rates[:_MOST_SHOWN], "more"]
+        why = f"{', '.join(shown[:-1])} and {shown[-1]} can change together without kinetic energy"
+    labels = around(coordinate)
+    help = _INDUCTANCE if coordinate.dimension == CHARGE else _FLANGE if labels else None
+    sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help, name=coordinate.name)
+
+
+def _massless(space: Geometry, point: Probe, mass: Floats) -> Floats:
+    """The projector onto the directions without inertia; its diagonal has the squares of the coordinates' shares."""
+    diagonal = np.sqrt(np.abs(np.diag(mass)))
+    tied = np.max(
+        np.where(mass != 0.0, diagonal, 0.0), axis=1
+    )  # of the coordinates that M ties to each, itself included
+    scale = np.where(diagonal > 1e-9 * tied, 1.0 / np.where(diagonal > 0.0, diagonal, 1.0), space.sizes)
+    free = free_directions(point.rows * (scale / space.sizes), space.parts(list(range(len(point.rows)))))
+    values, directions = np.linalg.eigh(free.T @ ((mass * scale[:, None]) * scale) @ free)
+    top = float(np.max(np.abs(values), initial=0.0))
+    empty = free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free
+    return np.asarray(empty @ empty.T)

@@ -1,0 +1,115 @@
+"""Structure of a model: degrees of freedom, redundant and contradictory constraints, coordinates without inertia.
+
+Ranks are found numerically at three general points of the constraint set, the same ones in every run.
+"""
+
+from __future__ import annotations
+
+from dataclasses import field, replace
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
+from lagdsl.program.program import Program
+from lagdsl.record import record
+from lagdsl.structure.constraints import report_impossible, report_inconsistent_rates
+from lagdsl.structure.count import Count, count, count_text
+from lagdsl.structure.dependence import Dependence, dependence, report_dependence
+from lagdsl.structure.functions import ProgramFunctions
+from lagdsl.structure.inertia import report_massless
+from lagdsl.structure.names import contact_rows
+from lagdsl.structure.points import Functions, Geometry, Probe, geometry, probes
+from lagdsl.structure.rates import report_integrable, report_nonlinear
+
+
+@record(kw_only=True)
+class Structure:
+    """What the constraints leave free. `program` is the analyzed one with `Layout.redundant` filled.
+
+    `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
+    the latter those that hold identically; `contacts` are the rows that come and go. `points` lie on the constraints of
+    `space`.
+    """
+
+    program: Program
+    coordinates: int
+    position_rank: int
+    rank: int
+    redundant: tuple[bool, ...]
+    empty: tuple[bool, ...]
+    contacts: frozenset[int]
+    count: Count | None
+    space: Geometry = field(compare=False, repr=False)
+    points: tuple[Probe, ...] = field(compare=False, repr=False)
+
+    @property
+    def configuration_freedom(self) -> int:
+        return self.coordinates - self.position_rank
+
+    @property
+    def freedom(self) -> int:
+        """Degrees of freedom of the velocities."""
+        return self.coordinates - self.rank
+
+
+def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
+    """Ranks, redundancy and inertia of `program`; what is wrong goes to `sink`."""
+    found = examine(flat, ProgramFunctions(program), sink)
+    contacts = contact_rows(flat)
+    redundant = tuple(flag and row not in contacts for row, flag in enumerate(found.dependence.redundant))
+    return Structure(
+        program=replace(program, layout=replace(program.layout, redundant=redundant)),
+        coordinates=len(flat.coordinates),
+        position_rank=found.position_rank,
+        rank=found.rank,
+        redundant=redundant,
+        empty=found.dependence.empty,
+        contacts=contacts,
+        count=count(flat, len(flat.coordinates) - found.position_rank),
+        space=found.space,
+        points=tuple(found.points),
+    )
+
+
+@record()
+class Examination:
+    """The numeric findings."""
+
+    dependence: Dependence
+    position_rank: int
+    rank: int
+    space: Geometry
+    points: list[Probe]
+
+
+def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
+    """The same for any implementation of the program's functions."""
+    space = geometry(flat, functions)
+    impossible = bool(flat.constraints) and report_impossible(flat, space, sink)
+    points = [] if impossible else probes(flat, space, space.position_rows)
+    found = dependence(space, points)
+    if flat.constraints and points:
+        wrong = report_nonlinear(flat, space, points, sink) or report_inconsistent_rates(flat, space, points, sink)
+        if not wrong:
+            report_dependence(flat, space, points, found, sink)
+            report_integrable(flat, space, points, found.redundant, sink)
+    report_massless(flat, space, points, sink)
+    holonomic = set(space.position_rows)
+    kept = [row for row, redundant in enumerate(found.redundant) if not redundant]
+    return Examination(found, sum(row in holonomic for row in kept), len(kept), space, points)
+
+
+def structure_text(structure: Structure) -> str:
+    """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`"""
+    parts = [_counted(structure.coordinates, "coordinate")]
+    if len(structure.redundant) > len(structure.contacts):
+        parts.append(f"- {_counted(structure.rank, 'independent constraint')}")
+    parts.append(f"= {_counted(structure.freedom, 'degree')} of freedom")
+    if structure.configuration_freedom != structure.freedom:
+        parts.append(f"in the rates, {structure.configuration_freedom} in the configuration")
+    if structure.count is not None:
+        parts.append(f"({count_text(structure.count)})")
+    return " ".join(parts)
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
