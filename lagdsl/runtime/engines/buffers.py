@@ -24,5 +24,5 @@ class Buffers:
 
     def __init__(self, model: NativeModel) -> None:
         self.workspace = aligned(model.workspace + 1)
-        self.arena = aligned(model.memory + 1)
+        self.memory = aligned(model.memory + 1)
         self.lanes = aligned(model.lanes + 1)

@@ -81,7 +81,7 @@ class CEngine:
         self._state_jacobian: StateJacobian | None = None
         at, index = byref(self._arguments), byref(self._coordinate)
         self._prepare_call = (model.model, at)
-        memory = self._buffers.arena.ctypes.data
+        memory = self._buffers.memory.ctypes.data
         self._solve_call = (model.model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
         self._evaluate_call = (at, self._results.ctypes.data)
 
@@ -225,7 +225,7 @@ class CEngine:
     def _batch(self, many: Spread, own: Buffers) -> Batch:
         """The C view of `many`, which must outlive it; arrays that are not given are those of the single state."""
         batch = Batch(count=many.count)
-        for name in ("workspace", "arena", "lanes"):
+        for name in ("workspace", "memory", "lanes"):
             setattr(batch, name, getattr(own, name).ctypes.data)
         for group in VECTORS:
             name = ARGUMENT_NAMES[group]

@@ -30,7 +30,7 @@ class StateJacobian:
         self._prepared: bytes | None = None
         self._rates = np.zeros((size, size))
         self.coordinate = c_size_t(0)
-        at, memory = byref(self._arguments), self._buffers.arena.ctypes.data
+        at, memory = byref(self._arguments), self._buffers.memory.ctypes.data
         self._prepare_call = (model.model, at)
         rates, index = self._rates.ctypes.data, byref(self.coordinate)
         self._call = (model.model, model.part, at, Range(0, size), memory, rates, None, index)
