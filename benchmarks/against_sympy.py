@@ -8,7 +8,8 @@ import sympy as sm
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.derive import derive
+from lagdsl.mechanics.arrange import arrange
+from lagdsl.mechanics.equations import form_equations
 from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 from lagdsl.semantics.classes.library import read_source
 from lagdsl.semantics.flatten import flatten
@@ -27,7 +28,7 @@ def lagdsl_cart_double_pendulum() -> NumpyEngine:
     flat = flatten(unit, sink)
     sink.raise_if_errors()
     assert flat is not None
-    program = derive(flat)
+    program = arrange(form_equations(flat))
     engine = NumpyEngine(program)
     for function in program.functions:
         arguments = [np.zeros(program.layout.size(group)) for group in function.arguments[1:]]

@@ -14,7 +14,7 @@ from lagdsl.backends.c.emit import model_symbol, part_symbol, sources
 from lagdsl.diagnostics import Sink
 from lagdsl.eliminate.count import flops
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
-from lagdsl.pipeline import front, middle
+from lagdsl.pipeline import compile_flat, flatten_file
 from lagdsl.program.program import Program
 from lagdsl.runtime.building.build import build
 from lagdsl.semantics.classes.library import read_source
@@ -42,12 +42,12 @@ def program(name: str, n: int | None, *, fixed: bool = False) -> Program:
     sink = Sink()
     source = read_source(MODELS / f"{name}.lag", sink)
     assert source is not None
-    flat = front(source, sink, structural={} if n is None else {"N": float(n)})
+    flat = flatten_file(source, sink, structural={} if n is None else {"N": float(n)})
     sink.raise_if_errors()
     assert flat is not None
     if fixed:
         flat = fix_parameters(flat, matching_values(flat, ["*"]))
-    compilation = middle(flat, sink)
+    compilation = compile_flat(flat, sink)
     sink.raise_if_errors()
     assert compilation is not None
     return compilation.program

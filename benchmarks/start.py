@@ -11,7 +11,8 @@ from growth import exponent
 from measure import cpu_seconds, first_call_cpu_seconds, process_cpu_seconds
 
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.derive import derive
+from lagdsl.mechanics.arrange import arrange
+from lagdsl.mechanics.equations import form_equations
 from lagdsl.program.program import Program
 from lagdsl.semantics.classes.library import read_source
 from lagdsl.semantics.flatten import flatten
@@ -74,4 +75,4 @@ def _program(links: int) -> Program:
     flat = flatten(unit, sink, structural={"N": float(links)})
     sink.raise_if_errors()
     assert flat is not None
-    return derive(flat)
+    return arrange(form_equations(flat))

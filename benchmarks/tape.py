@@ -17,7 +17,7 @@ from lagdsl.backends.tape.emit import tape
 from lagdsl.backends.tape.listing import instructions
 from lagdsl.diagnostics import Sink
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.pipeline import front, middle, read
+from lagdsl.pipeline import compile_flat, flatten_file, read
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
 from lagdsl.runtime.engines.buffers import Buffers, aligned
@@ -94,8 +94,8 @@ def _program(name: str) -> Program:
     own = ours.MODELS / f"{name}.lag"
     sink = Sink()
     source = read(own if own.exists() else Path(__file__).parents[1] / "models" / own.name, sink)
-    flat = None if source is None else front(source, sink)
-    compilation = None if flat is None else middle(flat, sink)
+    flat = None if source is None else flatten_file(source, sink)
+    compilation = None if flat is None else compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
     return compilation.program
 

@@ -1,6 +1,10 @@
-"""The compiler on one screen: text, tree, flat model, program, structure, initial state.
+"""The compiler on one screen.
 
-Every stage reports into one sink and the next one runs only on sound input, so one wrong line is told once.
+    SourceFile -parse-> Unit -flatten-> FlatModel -form_equations-> Equations -arrange-> Program -analyze-> Structure,
+    and with it -solve-> Program -emit-> Artifact
+
+Each arrow is a function of the product before it, and each product is immutable to those who come after. Every stage
+reports into one sink and the next one runs only on sound input, so one wrong line is reported once.
 """
 
 from __future__ import annotations
@@ -9,13 +13,12 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import field, replace
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.record import record
-from lagdsl.runtime.engines.engine import ENGINES, EngineName
 from lagdsl.semantics.classes.library import read_source
 from lagdsl.semantics.classes.selection import complete_models
 from lagdsl.semantics.flatten import flatten
@@ -26,26 +29,27 @@ from lagdsl.syntax.parser import parse
 
 if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
-    from lagdsl.mechanics.derive import Derivation as GraphDerivation
-    from lagdsl.mechanics.derive import Derived
+    from lagdsl.mechanics.equations import Equations
     from lagdsl.program.program import Program
-    from lagdsl.runtime.engines.broadcast import BatchEngine
     from lagdsl.structure.structure import Structure
 
-Derivation: TypeAlias = Literal["graph", "textbook"]
+Route: TypeAlias = Literal["graph", "textbook"]
+"""How the functions are derived: on the graph, or literally as in a textbook, by SymPy."""
 
 _DEEPEST_RECURSION = 20_000
 
 
 @record(kw_only=True)
 class Compilation:
-    """A model that compiled: `diagnostics` are its warnings and notes, `derivation` what the graph route made it of."""
+    """A model that compiled, with the product of every stage; `diagnostics` are its warnings and notes. `program` comes
+    from `equations` where `route` is `graph`."""
 
     flat: FlatModel
-    program: Program
+    equations: Equations = field(compare=False, repr=False)
     structure: Structure
+    program: Program
     diagnostics: tuple[Diagnostic, ...]
-    derivation: GraphDerivation | None = field(default=None, compare=False, repr=False)
+    route: Route = "graph"
 
 
 def read(source: Path | str, sink: Sink) -> SourceFile | None:
@@ -62,25 +66,20 @@ def read(source: Path | str, sink: Sink) -> SourceFile | None:
     return read_source(Path(source), sink)
 
 
-def front(
-    file: SourceFile, sink: Sink, *, model: str | None = None, structural: Mapping[str, float] | None = None
-) -> FlatModel | None:
-    """Text to a flat model that passed every check made before deriving; None after errors."""
-    unit = tree(file, sink)
-    return None if unit is None else elaborate(unit, sink, model=model, structural=structural)
-
-
-def tree(file: SourceFile, sink: Sink) -> nodes.Unit | None:
-    """Text to tree; None after errors."""
+def parse_file(file: SourceFile, sink: Sink) -> nodes.Unit | None:
+    """None after errors."""
     with _deep_recursion():
         unit = parse(file, sink)
     return None if sink.has_errors else unit
 
 
-def elaborate(
+def flatten_unit(
     unit: nodes.Unit, sink: Sink, *, model: str | None = None, structural: Mapping[str, float] | None = None
 ) -> FlatModel | None:
-    """Tree to a flat model that passed every check made before deriving; None after errors."""
+    """The flat model of one class, which passed every check made before deriving; None after errors.
+
+    `model` names one of several classes; `structural` gives structural parameters other values, in SI units.
+    """
     with _deep_recursion():
         flat = flatten(unit, sink, model=model, structural=structural or {})
         if flat is None or sink.has_errors:
@@ -89,57 +88,64 @@ def elaborate(
     return None if sink.has_errors else flat
 
 
-def derive(flat: FlatModel, derivation: Derivation = "graph") -> Program:
-    """The equations of motion as a program, by the route of that name; as they are before ranks are known."""
-    program, _ = _derived(flat, derivation)
-    return program
+def flatten_file(
+    file: SourceFile, sink: Sink, *, model: str | None = None, structural: Mapping[str, float] | None = None
+) -> FlatModel | None:
+    """Both in one."""
+    unit = parse_file(file, sink)
+    return None if unit is None else flatten_unit(unit, sink, model=model, structural=structural)
 
 
-def _derived(flat: FlatModel, derivation: Derivation) -> tuple[Program, Derived | None]:
-    """With what the graph route made the program from."""
+def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compilation | None:
+    """The equations of `flat`, their ranks and their program; None after errors.
+
+    Raises CompilationFailed where the equations need a derivative that does not exist (E0304, E0308).
+    """
+    from lagdsl.mechanics.equations import form_equations
+    from lagdsl.mechanics.idle_loads import report_idle_loads
+    from lagdsl.mechanics.invariants import report_proofs
+    from lagdsl.mechanics.solve import solve
+    from lagdsl.structure.structure import analyze, flag_redundant
+
     with _deep_recursion():
-        match derivation:
-            case "graph":
-                from lagdsl.mechanics.derive import derived
-
-                found = derived(flat)
-                return found.program, found
-            case "textbook":
-                from lagdsl.textbook.derive import derive as derive_by_textbook
-                from lagdsl.textbook.lower import lower
-
-                return lower(derive_by_textbook(flat), flat), None
-            case _:
-                raise ValueError(f"there is no derivation `{derivation}`; there are graph, textbook")
-
-
-def middle(flat: FlatModel, sink: Sink, derivation: Derivation = "graph") -> Compilation | None:
-    """Flat model to program, with ranks, degrees of freedom and redundant rows; None after errors."""
-    from lagdsl.structure.structure import analyze
-
-    program, derived = _derived(flat, derivation)
+        equations = form_equations(flat)
+        program = _arrange(equations, route)
     structure = analyze(flat, program, sink)
     if sink.has_errors:
         return None
-    if derived is not None:
-        from lagdsl.mechanics.derive import solved
+    program = flag_redundant(program, structure)
+    if route == "graph" and flat.constraints:
+        program = solve(equations, program, structure)
+    if sys.flags.dev_mode:
+        from lagdsl.program.verify import verify
 
-        structure = replace(structure, program=solved(derived, structure))
-    if flat.invariants or flat.loads:
-        from lagdsl.mechanics.derive import form_equations
-        from lagdsl.mechanics.idle_loads import report_idle_loads
-        from lagdsl.mechanics.invariants import report_proofs
-
-        equations = form_equations(flat) if derived is None else derived.derivation
-        report_idle_loads(equations, sink)
-        report_proofs(equations, sink)
+        verify(program)
+    report_idle_loads(equations, sink)
+    report_proofs(equations, sink)
     return Compilation(
         flat=flat,
-        program=structure.program,
+        equations=equations,
         structure=structure,
+        program=program,
         diagnostics=sink.diagnostics,
-        derivation=None if derived is None else derived.derivation,
+        route=route,
     )
+
+
+def _arrange(equations: Equations, route: Route) -> Program:
+    """The functions of a model before its ranks are known."""
+    match route:
+        case "graph":
+            from lagdsl.mechanics.arrange import arrange
+
+            return arrange(equations)
+        case "textbook":
+            from lagdsl.textbook.derive import derive
+            from lagdsl.textbook.lower import lower
+
+            return lower(derive(equations.flat), equations.flat)
+        case _:
+            raise ValueError(f"there is no derivation `{route}`; there are graph, textbook")
 
 
 def with_names(compilation: Compilation) -> Program:
@@ -149,35 +155,8 @@ def with_names(compilation: Compilation) -> Program:
     """
     from lagdsl.mechanics.named import with_names as named
 
-    assert compilation.derivation is not None, "only the graph route has named values"
-    return named(compilation.derivation, compilation.program)
-
-
-def engine_of(program: Program, name: EngineName = "auto") -> BatchEngine:
-    """What computes the functions of `program`: `tape` at once and without a compiler, `c` compiled for this processor,
-    `auto` the tape, and C where that pays; `numpy` functions in Python, to compare with.
-
-    Raises CompilationFailed where `c` is asked for and no C compiler is found.
-    """
-    match name:
-        case "auto":
-            from lagdsl.runtime.engines.auto_engine import AutoEngine
-
-            return AutoEngine(program)
-        case "tape":
-            from lagdsl.runtime.engines.tape_engine import TapeEngine
-
-            return TapeEngine(program)
-        case "numpy":
-            from lagdsl.runtime.engines.numpy_engine import NumpyEngine
-
-            return NumpyEngine(program)
-        case "c":
-            from lagdsl.runtime.engines.c_engine import CEngine
-
-            return CEngine(program)
-        case _:
-            raise ValueError(f"there is no engine `{name}`; there are {', '.join(ENGINES)}")
+    assert compilation.route == "graph", "only the graph route has named values"
+    return named(compilation.equations, compilation.program)
 
 
 def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:
@@ -186,14 +165,15 @@ def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnost
     Without `model` the faults of the file's other models are told, too: those that show before deriving.
     """
     sink = Sink()
-    unit = tree(file, sink)
+    unit = parse_file(file, sink)
     if unit is None:
         return sink.diagnostics, None
     compilation = None
     try:
-        flat = elaborate(unit, sink, model=model)
-        compilation = middle(flat, sink) if flat is not None else None
+        flat = flatten_unit(unit, sink, model=model)
+        compilation = compile_flat(flat, sink) if flat is not None else None
         if compilation is not None:
+            from lagdsl.runtime.engines.selection import engine_of
             from lagdsl.simulate.first_instant import check_first_instant
             from lagdsl.simulate.initialize import initial_state
 
@@ -206,7 +186,7 @@ def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnost
         found = findings(sink, failure)
     for name in complete_models(unit)[:-1] if model is None else ():
         other = Sink()
-        elaborate(unit, other, model=name)
+        flatten_unit(unit, other, model=name)
         found = tuple(dict.fromkeys([*found, *other.diagnostics]))
     return found, None if any(d.severity is Severity.ERROR for d in found) else compilation
 

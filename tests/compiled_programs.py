@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import front, middle, read
+from lagdsl.pipeline import compile_flat, flatten_file, read
 from lagdsl.program.program import Program
 
 
@@ -15,8 +15,8 @@ def program_of(source: str | Path, structural: Mapping[str, float] | None = None
     sink = Sink()
     file = read(source, sink)
     assert file is not None, sink.diagnostics
-    flat = front(file, sink, structural=structural)
+    flat = flatten_file(file, sink, structural=structural)
     assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
+    compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
     return compilation.program

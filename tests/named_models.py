@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import Compilation, front, middle, read
+from lagdsl.pipeline import Compilation, compile_flat, flatten_file, read
 
 
 def compiled(source: str | Path) -> Compilation:
@@ -13,8 +13,8 @@ def compiled(source: str | Path) -> Compilation:
     sink = Sink()
     file = read(source, sink)
     assert file is not None
-    flat = front(file, sink)
+    flat = flatten_file(file, sink)
     assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
+    compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
     return compilation

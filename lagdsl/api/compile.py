@@ -11,8 +11,9 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import Derivation, engine_of, front, middle, read
+from lagdsl.pipeline import Route, compile_flat, flatten_file, read
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.runtime.engines.selection import engine_of
 
 
 def compile(
@@ -20,7 +21,7 @@ def compile(
     *,
     model: str | None = None,
     engine: EngineName = "auto",
-    derivation: Derivation = "graph",
+    derivation: Route = "graph",
     structural: Mapping[str, float] | None = None,
     fix: bool | Iterable[str] | Mapping[str, float] = False,
 ) -> Model:
@@ -35,10 +36,10 @@ def compile(
     so."""
     sink = Sink()
     file = read(source, sink)
-    flat = front(file, sink, model=model, structural=structural) if file is not None else None
+    flat = flatten_file(file, sink, model=model, structural=structural) if file is not None else None
     if flat is not None and fix:
         flat = _with_fixed(flat, fix, sink)
-    compilation = middle(flat, sink, derivation) if flat is not None else None
+    compilation = compile_flat(flat, sink, derivation) if flat is not None else None
     sink.raise_if_errors()
     assert compilation is not None, "internal error: a stage gave up without saying why"
     return Model(compilation, engine_of(compilation.program, engine), file)

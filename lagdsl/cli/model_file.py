@@ -54,11 +54,11 @@ def read_or_leave(file: Path, style: Format, *, to_output: bool = False) -> Sour
 
 def flat_or_leave(file: Path, model: str | None, style: Format) -> FlatModel:
     """The flat model of FILE, its warnings told; leaves where it is wrong."""
-    from lagdsl.pipeline import front
+    from lagdsl.pipeline import flatten_file
 
     source = read_or_leave(file, style)
     sink = Sink()
-    flat = front(source, sink, model=model)
+    flat = flatten_file(source, sink, model=model)
     if flat is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)

@@ -20,8 +20,9 @@ from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, take
 from lagdsl.cli.output import draft_of, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import engine_of, findings
+from lagdsl.pipeline import findings
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.runtime.engines.selection import engine_of
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 _Result = TypeVar("_Result")

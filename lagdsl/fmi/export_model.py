@@ -12,10 +12,11 @@ from lagdsl.backends.start import Start, start_of
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.limits import check_limits
 from lagdsl.fmi.variables.variables import Kind, Table, Version, table
-from lagdsl.pipeline import Compilation, engine_of, middle, with_names
+from lagdsl.pipeline import Compilation, compile_flat, with_names
 from lagdsl.program.program import Program
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.simulate.initialize import initial_state
 
 
@@ -72,9 +73,9 @@ def export_model(
 
 def _by_graph(compilation: Compilation) -> Compilation:
     """The same model by the route that knows named values and derivatives."""
-    if compilation.derivation is not None:
+    if compilation.route == "graph":
         return compilation
-    found = middle(compilation.flat, Sink())
+    found = compile_flat(compilation.flat, Sink())
     assert found is not None, "one route found the model sound and the other did not"
     return found
 

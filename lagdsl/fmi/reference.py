@@ -5,10 +5,10 @@ from __future__ import annotations
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.fmi.export_model import ExportModel
 from lagdsl.fmi.package.binary import Objects
-from lagdsl.pipeline import engine_of
 from lagdsl.record import record
 from lagdsl.runtime.engines.c_engine import CEngine
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.signals.table_io import csv_text, events_text
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed

@@ -10,11 +10,10 @@ from lagdsl.eliminate.count import flops
 from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.eliminate.rows import Row, Rows
 from lagdsl.eliminate.solve import Factor, Solution, solve
-from lagdsl.flat.model import FlatModel
 from lagdsl.graph.graph import Graph
+from lagdsl.mechanics.constraints import rows_of
+from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.lagrange.inertia import acceleration_form
-from lagdsl.mechanics.lagrange.lagrange import Dynamics
-from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.mechanics.lowering.symbols import Directions
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.passes.fuse import exact
@@ -39,25 +38,20 @@ class Eliminated:
     multipliers: Block
 
 
-def eliminated_equations(
-    lowering: Lowering,
-    flat: FlatModel,
-    found: Dynamics,
-    directions: Directions,
-    rows: Sequence[Row],
-    structure: Structure | None,
-    forming: int,
-) -> Eliminated | None:
+def eliminate(equations: Equations, structure: Structure | None, forming: int) -> Eliminated | None:
     """None where it costs more than `forming`, the operations for M, f, J and gamma, and solving at run time.
 
-    `structure` is needed where there are rows.
+    `structure` is needed where there are constraints.
     """
+    lowering, directions = equations.lowering, equations.symbols.directions
+    rows = rows_of(lowering, equations.rows, directions)
+    assert structure is not None or not rows, "ranks decide which multipliers are eliminated"
     graph, n, m = lowering.graph, len(directions.rates), len(rows)
     if not n:
         return None
     most = forming + _factorization(n, m)
     try:
-        form = acceleration_form(lowering, flat, found, directions)
+        form = acceleration_form(lowering, equations.flat, equations.dynamics, directions)
         if structure is None:
             solution = solve(form, directions.rates, most=most)
             pivot = solution.factor.pivot

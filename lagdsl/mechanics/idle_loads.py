@@ -7,7 +7,7 @@ coordinates do.
 from __future__ import annotations
 
 from lagdsl.diagnostics import Sink
-from lagdsl.mechanics.derive import Derivation
+from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.lagrange.loads import VirtualWork, add_load, generalized_forces
 from lagdsl.mechanics.zero_test import vanish
 
@@ -15,16 +15,16 @@ from lagdsl.mechanics.zero_test import vanish
 _MOST_LOADS = 32
 
 
-def report_idle_loads(derivation: Derivation, sink: Sink) -> None:
+def report_idle_loads(equations: Equations, sink: Sink) -> None:
     """A note for each load that enters no equation of motion and is not told by W0514; many loads are not looked at."""
-    loads = derivation.flat.loads
+    loads = equations.flat.loads
     if len(loads) > _MOST_LOADS:
         return
     told = [diagnostic.labels[0].span for diagnostic in sink.diagnostics if diagnostic.code == "W0514"]
     for load in loads:
         if not load.spans or load.spans[0] in told:
             continue
-        work = VirtualWork(derivation.graph)
-        add_load(derivation.lowering, load, work)
-        if vanish(derivation, generalized_forces(work, derivation.symbols.directions)):
+        work = VirtualWork(equations.graph)
+        add_load(equations.lowering, load, work)
+        if vanish(equations, generalized_forces(work, equations.symbols.directions)):
             sink.report("N0519", load.spans[0])

@@ -18,30 +18,30 @@ from lagdsl.flat.spans import around
 from lagdsl.graph.differentiate import adjoints
 from lagdsl.graph.operation import Group
 from lagdsl.mechanics.constraints import constraint_jacobian, velocity_residuals
-from lagdsl.mechanics.derive import Derivation
+from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.zero_test import vanish
 
 
-def report_proofs(derivation: Derivation, sink: Sink) -> None:
+def report_proofs(equations: Equations, sink: Sink) -> None:
     """A note for each invariant of the model that is proved to hold for every motion and all parameters."""
-    for invariant, proved in zip(derivation.flat.invariants, proved_invariants(derivation), strict=True):
+    for invariant, proved in zip(equations.flat.invariants, proved_invariants(equations), strict=True):
         if proved:
             sink.report("N0515", invariant.spans[0], *around(invariant), name=invariant.name)
 
 
-def proved_invariants(derivation: Derivation) -> tuple[bool, ...]:
+def proved_invariants(equations: Equations) -> tuple[bool, ...]:
     """For each invariant of the model whether it is an energy or a momentum that provably stays constant."""
-    flat = derivation.flat
-    if _jumps(derivation):
+    flat = equations.flat
+    if _jumps(equations):
         return (False,) * len(flat.invariants)
-    return tuple(_holds(derivation, _resolved(flat, invariant.value)) for invariant in flat.invariants)
+    return tuple(_holds(equations, _resolved(flat, invariant.value)) for invariant in flat.invariants)
 
 
-def _jumps(derivation: Derivation) -> bool:
+def _jumps(equations: Equations) -> bool:
     """Whether an event may change the state, or what the energies are."""
-    flat, energies = derivation.flat, derivation.dynamics.energies
+    flat, energies = equations.flat, equations.dynamics.energies
     acts = any(isinstance(action, Reset | Impact) for branch in branches(flat) for action in branch.actions)
-    return acts or bool(flat.events.contacts) or derivation.graph.depends(energies.lagrangian, Group.W)
+    return acts or bool(flat.events.contacts) or equations.graph.depends(energies.lagrangian, Group.W)
 
 
 def _resolved(flat: FlatModel, value: FlatExpression) -> FlatExpression:
@@ -52,42 +52,42 @@ def _resolved(flat: FlatModel, value: FlatExpression) -> FlatExpression:
     return value
 
 
-def _holds(derivation: Derivation, value: FlatExpression) -> bool:
+def _holds(equations: Equations, value: FlatExpression) -> bool:
     match value:
         case GeneralizedMomentum(coordinate):
-            index = derivation.symbols.coordinate_index[coordinate]
-            return vanish(derivation, _momentum_rate(derivation, index))
+            index = equations.symbols.coordinate_index[coordinate]
+            return vanish(equations, _momentum_rate(equations, index))
         case SystemEnergy("jacobi"):
-            return vanish(derivation, _jacobi_rate(derivation))
+            return vanish(equations, _jacobi_rate(equations))
         case SystemEnergy("total"):
-            return vanish(derivation, [*_excess_of_energy(derivation), *_jacobi_rate(derivation)])
+            return vanish(equations, [*_excess_of_energy(equations), *_jacobi_rate(equations)])
         case _:
             return False
 
 
-def _momentum_rate(derivation: Derivation, index: int) -> Iterator[int]:
+def _momentum_rate(equations: Equations, index: int) -> Iterator[int]:
     """What changes dL/dqd of one coordinate."""
-    graph, terms = derivation.graph, derivation.dynamics.terms
+    graph, terms = equations.graph, equations.dynamics.terms
     yield graph.add(graph.subtract(terms.load[index], terms.drag[index]), terms.push[index])
-    for row in constraint_jacobian(graph, derivation.rows, derivation.symbols.directions):
+    for row in constraint_jacobian(graph, equations.rows, equations.symbols.directions):
         yield row[index]
 
 
-def _excess_of_energy(derivation: Derivation) -> Iterator[int]:
+def _excess_of_energy(equations: Equations) -> Iterator[int]:
     """What makes T + V differ from Jacobi's integral: 2 T - qd.dT/dqd, and rates in V."""
-    graph, found = derivation.graph, derivation.dynamics.energies
+    graph, found = equations.graph, equations.dynamics.energies
     slopes = adjoints(graph, {found.kinetic: graph.one}, (Group.QD,))
     twice = graph.multiply(graph.constant(2.0), found.kinetic)
     yield graph.subtract(twice, graph.sum(graph.multiply(rate, slope) for rate, slope in slopes.items()))
     yield from adjoints(graph, {found.potential: graph.one}, (Group.QD,)).values()
 
 
-def _jacobi_rate(derivation: Derivation) -> Iterator[int]:
+def _jacobi_rate(equations: Equations) -> Iterator[int]:
     """What changes qd.dL/dqd - L."""
-    graph, symbols, found = derivation.graph, derivation.symbols, derivation.dynamics
+    graph, symbols, found = equations.graph, equations.symbols, equations.dynamics
     yield from adjoints(graph, {found.energies.lagrangian: graph.one}, (Group.TIME, Group.Z, Group.U)).values()
     forces = zip(found.terms.load, found.terms.drag, strict=True)
     yield graph.dot([graph.subtract(load, drag) for load, drag in forces], symbols.qd)
-    jacobian = constraint_jacobian(graph, derivation.rows, symbols.directions)
-    for residual, row in zip(velocity_residuals(derivation.lowering, derivation.rows), jacobian, strict=True):
+    jacobian = constraint_jacobian(graph, equations.rows, symbols.directions)
+    for residual, row in zip(velocity_residuals(equations.lowering, equations.rows), jacobian, strict=True):
         yield graph.subtract(residual, graph.dot(row, symbols.qd))

@@ -10,7 +10,7 @@ from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.flat.quantity import Variability
 from lagdsl.graph.differentiate import Tangent
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics.derive import Derivation
+from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.tangents import P_GROUPS, SOLVED_GROUPS, STATE_GROUPS, directional
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.layout import slots
@@ -26,13 +26,13 @@ def definitions(flat: FlatModel) -> tuple[Definition, ...]:
     return (*still, *(item for item in found if item.variability not in _STILL))
 
 
-def with_names(derivation: Derivation, program: Program) -> Program:
-    """`program`, which was made from `derivation`, with the functions of OPTIONAL from `definition` on.
+def with_names(equations: Equations, program: Program) -> Program:
+    """`program`, which was made from `equations`, with the functions of OPTIONAL from `definition` on.
 
     Raises CompilationFailed where a definition needs the derivative of an input that has none (E0304) or of an
     acceleration (E0308).
     """
-    graph, lowering, flat = derivation.graph, derivation.lowering, derivation.flat
+    graph, lowering, flat = equations.graph, equations.lowering, equations.flat
     named = definitions(flat)
     values = []
     for item in named:

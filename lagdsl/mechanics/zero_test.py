@@ -14,35 +14,35 @@ from lagdsl.flat.events import entries
 from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.graph.operation import STEPS, Group, Op
-from lagdsl.mechanics.derive import Derivation
+from lagdsl.mechanics.equations import Equations
 
 _POINTS = 12
 _ROUNDING = 1e-11
 _KINKS = STEPS | {Op.SELECT, Op.ABS, Op.MIN, Op.MAX, Op.MOD}
 
 
-def vanish(derivation: Derivation, nodes: Iterator[int] | Sequence[int]) -> bool:
+def vanish(equations: Equations, nodes: Iterator[int] | Sequence[int]) -> bool:
     """Whether all of `nodes` are identically zero: as they stand, or at random points where they are smooth."""
-    graph = derivation.graph
+    graph = equations.graph
     open_ = [node for node in nodes if node != graph.zero]
     if not open_:
         return True
     if any(graph.op[node] in _KINKS for node in graph.live(open_)):
         return False
-    symbols = _random_points(derivation)
+    symbols = _random_points(equations)
     return all(
         bool(np.all(np.isfinite(size)) and np.all(np.abs(value) <= _ROUNDING * size))
         for value, size in evaluate_with_size(graph, open_, symbols)
     )
 
 
-def _random_points(derivation: Derivation) -> dict[Group, np.ndarray]:
+def _random_points(equations: Equations) -> dict[Group, np.ndarray]:
     """Points near the starts, so that they lie where the model is meant; the same in every run."""
-    flat, graph, symbols = derivation.flat, derivation.graph, derivation.symbols
+    flat, graph, symbols = equations.flat, equations.graph, equations.symbols
     random = np.random.default_rng(20)
     independent = [parameter for parameter in flat.parameters if not parameter.structural]
     defaults = {Group.P: np.array([parameter.value for parameter in independent]), Group.TIME: 0.0}
-    starts = [derivation.lowering.scalar(coordinate.start) for coordinate in flat.coordinates]
+    starts = [equations.lowering.scalar(coordinate.start) for coordinate in flat.coordinates]
     centre = np.array([float(value) for value, _ in evaluate_with_size(graph, starts, defaults)])
 
     spread = random.uniform(-1.0, 1.0, (2, _POINTS, len(centre)))

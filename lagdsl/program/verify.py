@@ -1,42 +1,20 @@
-"""Is a program well formed? Run after every pass; what it finds is a mistake of ours, never of a model text."""
+"""Checks that a program is well formed. `python -X dev` runs it on every program that compiles.
+
+A fault that it finds is a mistake of the compiler, never of a model text.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 from lagdsl.graph.operation import Group, Op
-from lagdsl.program.functions import BY_NAME, COUNTED, OPTIONAL, SIGNATURES, WRITTEN_OUT
+from lagdsl.program.functions import BY_NAME, OPTIONAL, SIGNATURES, WRITTEN_OUT
+from lagdsl.program.lengths import counted, sizes
 from lagdsl.program.program import Function, Layout, Program
 
 
 class InvalidProgram(AssertionError):  # noqa: N818  it is an assertion
     """A program broke its own contract."""
-
-
-def sizes(layout: Layout) -> dict[str, int]:
-    """The lengths that shapes are written in."""
-    return {
-        "nq": len(layout.coordinates),
-        "nz": len(layout.states),
-        "nu": len(layout.inputs),
-        "nw": len(layout.discretes),
-        "np": len(layout.parameters),
-        "nc": len(layout.constraints),
-        "ny": len(layout.outputs),
-        "ni": len(layout.invariants),
-        "na": len(layout.assertions),
-        "nd": len(layout.definitions),
-    }
-
-
-def counted(program: Program) -> dict[str, int]:
-    """The lengths of COUNTED: those of the first results that have them, zero where there are none."""
-    found = dict.fromkeys(COUNTED, 0)
-    for function in reversed(program.functions):
-        for block, result in zip(function.results, BY_NAME[function.name].results, strict=False):
-            if result.shape and result.shape[0] in COUNTED:
-                found[result.shape[0]] = block.shape[0]
-    return found
 
 
 def verify(program: Program) -> None:

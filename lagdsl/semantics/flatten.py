@@ -26,7 +26,8 @@ from lagdsl.semantics.events.whens import check_targets
 from lagdsl.semantics.expressions.expressions import elaborate
 from lagdsl.semantics.expressions.inline import check_function
 from lagdsl.semantics.scope.contents import Contents
-from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.context import Context, Conventions
+from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.instance_diagnostics import InstanceSink
 from lagdsl.semantics.scope.limits import MAX_COMPONENTS
 from lagdsl.semantics.scope.usage import warn_unused, warn_unused_imports
@@ -50,10 +51,9 @@ def flatten(
 
     `structural` gives structural parameters other values, in SI units. None after errors, which are in `sink`.
     """
-    definitions = Definitions()
-    found = InstanceSink()
-    ctx = Context(found, definitions, elaborate, unit.span.file, overrides=structural or {})
-    definitions.ctx = found.ctx = ctx
+    current = Current()
+    found = InstanceSink(current)
+    ctx = Context(found, Definitions(), elaborate, Conventions(unit.span.file, structural or {}), current)
     flat = None
     with _deep_recursion():
         try:
@@ -96,12 +96,12 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     if "partial" in node.prefixes:
         ctx.sink.report("E0231", node.name_span, name=node.name, what="a model by itself")
         return None
-    ctx.units = not notes.without_units(ctx, notes.annotations_of(node))
+    ctx.conventions.units = not notes.without_units(ctx, notes.annotations_of(node))
     root = instance_of(symbol, "", node.name_span, None)
     contents = collect(ctx, root, modifiers)
     if any(diagnostic.code == "E0239" for diagnostic in ctx.sink.diagnostics):
         return None  # dimensions mean nothing then
-    if ctx.components > MAX_COMPONENTS:
+    if ctx.counts.components > MAX_COMPONENTS:
         return None  # what is there already is too much to be looked at
     check_switched(ctx, contents)
     assembly = assemble(ctx, root, contents)
@@ -109,8 +109,8 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     flat = replace(_model(ctx, node, contents, assembly), name=chosen.node.name, doc=chosen.node.doc or node.doc)
     for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)
-    if ctx.withheld is not None and not ctx.sink.has_errors:
-        ctx.sink.report("E0201", ctx.withheld, name=ctx.withheld.text, scope=root.scope.title)
+    if ctx.reports.withheld is not None and not ctx.sink.has_errors:
+        ctx.sink.report("E0201", ctx.reports.withheld, name=ctx.reports.withheld.text, scope=root.scope.title)
     if ctx.sink.has_errors:
         return None
     warn_unused_imports(ctx, outer, unit)
@@ -124,12 +124,12 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
     states: list[State] = []
     inputs: list[Input] = []
     for symbol in contents.symbols:
-        with ctx.inside(symbol.scope):
+        with ctx.current.inside(symbol.scope):
             attributes(ctx, symbol)
             check_difference(ctx, symbol)
-            for indices in every(ctx.resolver.shape(symbol) or ()):
+            for indices in every(ctx.resolver.shape(ctx, symbol) or ()):
                 if not assembly.is_open(symbol, indices):
-                    ctx.resolver.element(symbol, indices, symbol.span)
+                    ctx.resolver.element(ctx, symbol, indices, symbol.span)
             if symbol.kind == "coordinate" and not assembly.is_computed(symbol):
                 coordinates += quantities.coordinates(ctx, symbol)
             elif symbol.kind == "state":
@@ -137,19 +137,19 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
             elif symbol.kind == "input" and not symbol.is_name:
                 inputs += quantities.inputs(ctx, symbol)
             elif symbol.kind == "discrete":
-                ctx.occurrences.discretes += quantities.discretes(ctx, symbol)
+                ctx.product.occurrences.discretes += quantities.discretes(ctx, symbol)
     physics = Physics()
     for placed in contents.items:
-        with ctx.inside(placed.scope):
+        with ctx.current.inside(placed.scope):
             elaborate_item(ctx, physics, placed)
     assembly.close()
     for placed in contents.initial:
-        with ctx.inside(placed.scope):
+        with ctx.current.inside(placed.scope):
             initial_equation(ctx, physics, placed)
     outputs: list[Output] = []
     for symbol in contents.symbols:
         if symbol.kind == "output":
-            with ctx.inside(symbol.scope):
+            with ctx.current.inside(symbol.scope):
                 outputs += quantities.outputs(ctx, symbol)
     return FlatModel(
         name=node.name,
@@ -158,14 +158,14 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         coordinates=assembly.coordinates(coordinates),
         states=tuple(states),
         inputs=tuple(inputs),
-        named=tuple(ctx.named),
+        named=tuple(ctx.product.named),
         energies=tuple(physics.energies),
         masses=tuple(physics.masses),
         bodies=tuple(physics.bodies),
         gravity=physics.gravity,
         gravity_span=physics.gravity_node.span if physics.gravity_node is not None else None,
-        loads=(*physics.loads, *ctx.occurrences.forces),
-        constraints=tuple(ctx.constraints),
+        loads=(*physics.loads, *ctx.product.forces),
+        constraints=tuple(ctx.product.constraints),
         outputs=(*outputs, *assembly.outputs()),
         invariants=tuple(physics.invariants),
         assertions=tuple(physics.assertions),
@@ -173,15 +173,17 @@ def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assemb
         drawings=tuple(physics.drawings),
         experiment=notes.experiment(ctx, contents.annotations),
         joints=assembly.joints(),
-        events=ctx.occurrences.events(),
-        observed=tuple(ctx.observed),
+        events=ctx.product.occurrences.events(),
+        observed=tuple(ctx.product.observed),
     )
 
 
 def _in_order(ctx: Context, contents: Contents) -> tuple[Parameter, ...]:
     """The parameters, found in the order of need, in the order of the text; constants of the file where they stand."""
     places = {symbol.name: place for place, symbol in enumerate(contents.symbols)}
-    first = min((symbol.span.start for symbol in contents.symbols if symbol.span.file is ctx.home), default=0)
+    first = min(
+        (symbol.span.start for symbol in contents.symbols if symbol.span.file is ctx.conventions.home), default=0
+    )
 
     def place(parameter: Parameter) -> tuple[int, int]:
         span = parameter.spans[0]
@@ -189,9 +191,9 @@ def _in_order(ctx: Context, contents: Contents) -> tuple[Parameter, ...]:
         found = places.get(name, places.get(name[: name.rindex("[")] if name.endswith("]") else name))
         if found is not None:
             return 0, found
-        return (-1 if span.file is not ctx.home or span.start < first else 1), span.start
+        return (-1 if span.file is not ctx.conventions.home or span.start < first else 1), span.start
 
-    return tuple(sorted(ctx.parameters, key=place))
+    return tuple(sorted(ctx.product.parameters, key=place))
 
 
 def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | None:
@@ -203,18 +205,18 @@ def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | N
     warn_unused(ctx, contents.symbols)
     check_events(flat, dependence, ctx.sink)
     check_limits(flat, {}, ctx.sink)
-    check_corners(ctx.corners, flat, dependence, ctx.sink)
-    flat = replace(flat, events=replace(flat.events, corners=corners_of_motion(ctx.corners, flat)))
+    check_corners(ctx.product.corners, flat, dependence, ctx.sink)
+    flat = replace(flat, events=replace(flat.events, corners=corners_of_motion(ctx.product.corners, flat)))
     check_changing_inertia(flat, dependence, ctx.sink)
-    if ctx.jump is not None:
-        ctx.sink.report("N0309", ctx.jump.span, name=ctx.jump.function.span.text)
+    if ctx.reports.jump is not None:
+        ctx.sink.report("N0309", ctx.reports.jump.span, name=ctx.reports.jump.function.span.text)
     _check_overrides(ctx, contents)
     return None if ctx.sink.has_errors else flat
 
 
 def _check_overrides(ctx: Context, contents: Contents) -> None:
     names = [symbol.name for symbol in contents.symbols if symbol.kind == "structural"]
-    for name in ctx.overrides:
+    for name in ctx.conventions.overrides:
         if name not in names:
             meant = nearest(name, names)
             ctx.sink.report("E0222", None, name=name, help=f"did you mean `{meant}`?" if meant else None)

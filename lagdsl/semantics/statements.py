@@ -92,27 +92,27 @@ def _conditional_item(ctx: Context, physics: Physics, placed: Placed) -> None:
 
 def _constraint(ctx: Context, placed: Placed, node: nodes.Constraint) -> None:
     if placed.symbol is not None:
-        made = ctx.resolver.constraint(placed.symbol, placed.scope.path)
+        made = ctx.resolver.constraint(ctx, placed.symbol, placed.scope.path)
     else:
-        ctx.unlabelled += 1
-        made = constraints.make(ctx, placed.scope, node, f"constraint_{ctx.unlabelled}")
+        ctx.product.unlabelled += 1
+        made = constraints.make(ctx, placed.scope, node, f"constraint_{ctx.product.unlabelled}")
     if made is not None:
-        ctx.constraints.append(made)
+        ctx.product.constraints.append(made)
 
 
 def _contact(ctx: Context, placed: Placed, node: nodes.Contact) -> None:
     if placed.symbol is not None:
-        ctx.resolver.contact(placed.symbol, placed.scope.path)
+        ctx.resolver.contact(ctx, placed.symbol, placed.scope.path)
     else:
-        ctx.unlabelled_contacts += 1
-        contacts.make(ctx, placed.scope, node, f"contact_{ctx.unlabelled_contacts}")
+        ctx.product.unlabelled_contacts += 1
+        contacts.make(ctx, placed.scope, node, f"contact_{ctx.product.unlabelled_contacts}")
 
 
 def _energy(ctx: Context, physics: Physics, placed: Placed, node: nodes.Energy) -> None:
     scope = placed.scope
     if placed.symbol is not None:
-        value = ctx.resolver.element(placed.symbol, scope.path, node.span)
-        label: str | None = placed.symbol.labels[scope.path].name
+        value = ctx.resolver.element(ctx, placed.symbol, scope.path, node.span)
+        label: str | None = placed.symbol.made.labels[scope.path].name
         if isinstance(value, Scalar) and isinstance(value.expression, flat.Variable):
             value = Scalar(_definition(ctx, value.expression.name), value.dimension, value.variability, value.order)
     else:
@@ -134,7 +134,7 @@ _ENERGIES: dict[str, Literal["kinetic", "potential", "lagrangian", "dissipation"
 
 def _definition(ctx: Context, name: str) -> flat.FlatExpression:
     """What a label stands for: the energy keeps its expression, readers of the label share it."""
-    for item in reversed(ctx.named):
+    for item in reversed(ctx.product.named):
         if isinstance(item, flat_model.Definition) and item.name == name:
             return item.value
     return flat.Variable(name)
@@ -230,7 +230,7 @@ def _call(ctx: Context, physics: Physics, scope: Scope, node: nodes.CallEquation
     if len(arguments) != 2 or len(call.arguments) != 2:
         ctx.sink.report("E0315", call.span, function="assert", expected=arguments_text(2), found=len(call.arguments))
         return
-    with ctx.without_relations():
+    with ctx.current.without_relations():
         condition = boolean(ctx, Operand(arguments[0], ctx.elaborate(ctx, scope, arguments[0], False)))
     message = ctx.elaborate(ctx, scope, arguments[1], False)
     if not isinstance(message, Text):

@@ -1,4 +1,4 @@
-"""A consistent state to start from (language reference, section 5 and rulings 26 and 27): found in C, told here."""
+"""A consistent state to start from ("Starting values" in docs/reference/language.md): found in C, reported here."""
 
 from __future__ import annotations
 

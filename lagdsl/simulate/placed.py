@@ -16,9 +16,9 @@ from lagdsl.runtime.run_options import RunSettings
 from lagdsl.simulate.scales import scales_of
 from lagdsl.structure.names import contact_rows
 
-# Language reference, section 6.4: residuals below this part of the tolerance need no projection.
+# Residuals below this part of the tolerance need no projection.
 PROJECTION_PART = 1e-3
-# Ruling 32: the default tolerance of an invariant in integration tolerances.
+# The default tolerance of an invariant in integration tolerances.
 _INVARIANT_FACTOR = 1e3
 
 

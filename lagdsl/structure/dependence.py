@@ -29,7 +29,7 @@ class Dependence:
 
 def dependence(space: Geometry, points: list[Probe]) -> Dependence:
     """Rows that add nothing at the probed points; holonomic rows come first, so a velocity row that repeats the
-    derivative of one is the redundant one (ruling 22).
+    derivative of one is the redundant one.
 
     Each independent part is judged at the point where its rank is largest: that is its rank in general.
     """

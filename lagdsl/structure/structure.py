@@ -23,14 +23,13 @@ from lagdsl.structure.rates import report_integrable, report_nonlinear
 
 @record(kw_only=True)
 class Structure:
-    """What the constraints leave free. `program` is the analyzed one with `Layout.redundant` filled.
+    """What the constraints leave free.
 
     `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
     the latter those that hold identically; `contacts` are the rows that come and go. `points` lie on the constraints of
     `space`.
     """
 
-    program: Program
     coordinates: int
     position_rank: int
     rank: int
@@ -57,7 +56,6 @@ def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
     contacts = contact_rows(flat)
     redundant = tuple(flag and row not in contacts for row, flag in enumerate(found.dependence.redundant))
     return Structure(
-        program=replace(program, layout=replace(program.layout, redundant=redundant)),
         coordinates=len(flat.coordinates),
         position_rank=found.position_rank,
         rank=found.rank,
@@ -68,6 +66,11 @@ def analyze(flat: FlatModel, program: Program, sink: Sink) -> Structure:
         space=found.space,
         points=tuple(found.points),
     )
+
+
+def flag_redundant(program: Program, structure: Structure) -> Program:
+    """`program` with `Layout.redundant` filled."""
+    return replace(program, layout=replace(program.layout, redundant=structure.redundant))
 
 
 @record()

@@ -11,7 +11,7 @@ import time
 from collections.abc import Sequence
 
 from lagdsl.diagnostics import CompilationFailed
-from lagdsl.pipeline import engine_of
+from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.runtime.ensemble import Bench, Stop
 from lagdsl.sweep.ensemble import Ensemble
 from lagdsl.sweep.plan import Task

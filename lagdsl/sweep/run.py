@@ -13,9 +13,9 @@ from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
-from lagdsl.pipeline import engine_of
 from lagdsl.program.program import Layout, Program
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.signals.inputs import Signal
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed

@@ -12,6 +12,7 @@ from sympy import Expr, Float, Integer, Rational, Symbol
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.model import Definition, FlatModel, Frame, Point
+from lagdsl.record import record
 from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.differentiate import along
 from lagdsl.textbook.geometry import Vector
@@ -96,9 +97,18 @@ class _NotDerivedYetError(Exception):
     """A multiplier, reaction or energy is read before the derivation has it; such a definition is made later."""
 
 
+@record(kw_only=True)
+class Style:
+    """How expressions are written: `opaque` names definitions that are to stay symbols."""
+
+    number: Callable[[float], Expr] = plain_number
+    tidy: Callable[[Expr], Expr] = as_it_is
+    opaque: Mapping[str, Symbol] = field(default_factory=dict)
+
+
 @dataclass
 class Converter:
-    """Converts expressions of one flat model. `opaque` names definitions that are to stay symbols.
+    """Converts expressions of one flat model.
 
     `mechanical` evaluates what only the derivation knows (multipliers, reactions, energies) and is set by it.
     """
@@ -106,9 +116,7 @@ class Converter:
     model: FlatModel
     symbols: Symbols
     release: Release | None = None
-    number: Callable[[float], Expr] = plain_number
-    tidy: Callable[[Expr], Expr] = as_it_is
-    opaque: Mapping[str, Symbol] = field(default_factory=dict)
+    style: Style = field(default_factory=Style)
     mechanical: Callable[[Mechanical], Expr | Vector] | None = None
     rates: dict[Symbol, Expr] = field(init=False)
     kinematics: Kinematics = field(init=False)
@@ -121,14 +129,14 @@ class Converter:
         if self.release is not None:
             self.rates[RELEASE] = RELEASE_RATE
         self.kinematics = Kinematics(
-            scalar=self.scalar, vector=self.vector, rate=self.rate, tidy=self.tidy, release=self.release
+            scalar=self.scalar, vector=self.vector, rate=self.rate, tidy=self.style.tidy, release=self.release
         )
         s = self.symbols
         known = (s.time, *s.q, *s.z, *s.u, *s.w, *s.p)
         self._values = {symbol.name: symbol for symbol in known}
         for parameter in self.model.parameters:
             if parameter.structural:
-                self._values[parameter.name] = self.number(parameter.value)
+                self._values[parameter.name] = self.style.number(parameter.value)
         self._items = {item.name: item for item in self.model.named}
         for item in self.model.named:
             try:
@@ -140,7 +148,7 @@ class Converter:
         """Make a definition, point or frame, once; order and need both lead here."""
         match self._items.pop(name, None):
             case Definition(value=value):
-                self._values[name] = self.opaque[name] if name in self.opaque else self.scalar(value)
+                self._values[name] = self.style.opaque[name] if name in self.style.opaque else self.scalar(value)
             case Point() as point:
                 self.kinematics.place_point(point)
             case Frame() as frame:
@@ -160,7 +168,7 @@ class Converter:
         rates = self.rates
         if bias:
             rates = {symbol: rate for symbol, rate in rates.items() if symbol not in self.symbols.qd}
-        return self.tidy(along(expression, rates))
+        return self.style.tidy(along(expression, rates))
 
     # ---- scalars -----------------------------------------------------------------------------------------------------
 
@@ -190,7 +198,7 @@ class Converter:
     def _make(self, node: flat.FlatExpression) -> Expr | Vector:
         match node:
             case flat.Number(value):
-                return self.number(value)
+                return self.style.number(value)
             case flat.Variable(name):
                 self._define(name)
                 return self._values[name]
@@ -208,7 +216,7 @@ class Converter:
             case flat.Dot(left, right):
                 return geometry.dot(self.vector(left), self.vector(right))
             case flat.Norm(vector, _):
-                return self.tidy(geometry.norm(self.vector(vector)))
+                return self.style.tidy(geometry.norm(self.vector(vector)))
             case _:
                 return self._make_vector(node)
 

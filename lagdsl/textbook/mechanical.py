@@ -12,7 +12,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat.model import FlatModel
 from lagdsl.textbook import geometry
 from lagdsl.textbook.contributions import Contributions, Inertial, contributions, generalized_force
-from lagdsl.textbook.convert import Converter, Mechanical
+from lagdsl.textbook.convert import Converter, Mechanical, Style
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.equations import Energies
 from lagdsl.textbook.geometry import Vector
@@ -94,9 +94,8 @@ class MechanicalValues:
     def _reaction(self, release: Release) -> Expr:
         """The equation of the released coordinate s, solved for the force that keeps s at 0."""
         unreleased = self.parts.converter
-        converter = Converter(
-            model=self.model, symbols=self.symbols, release=release, number=unreleased.number, tidy=unreleased.tidy
-        )
+        style = Style(number=unreleased.style.number, tidy=unreleased.style.tidy)
+        converter = Converter(model=self.model, symbols=self.symbols, release=release, style=style)
         parts = contributions(self.model, converter)
         lagrangian = parts.lagrangian
         levels = [constraint.level for constraint in self.model.constraints for _ in constraint.rows]
@@ -111,7 +110,7 @@ class MechanicalValues:
             - Add(*upheld)
         )
         momentum = _unreleased(partial(lagrangian, RELEASE_RATE))
-        return unreleased.rate(unreleased.tidy(momentum)) + _unreleased(others)
+        return unreleased.rate(unreleased.style.tidy(momentum)) + _unreleased(others)
 
 
 def _unreleased(expression: Expr) -> Expr:

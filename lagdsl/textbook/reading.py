@@ -15,7 +15,7 @@ from sympy import Expr, Float, Rational, Symbol
 from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.flat.quantity import Variability
 from lagdsl.textbook.contributions import Contributions, contributions
-from lagdsl.textbook.convert import Converter
+from lagdsl.textbook.convert import Converter, Style
 from lagdsl.textbook.symbols import Symbols, symbols
 from lagdsl.textbook.tidy import Tidy
 
@@ -68,8 +68,9 @@ def read(flat: FlatModel) -> Reading:
     abbreviations = {d.name: Symbol(d.name) for d in definitions if d.variability is Variability.CONTINUOUS}
     positive = {symbol for symbol, value in _parameter_values(flat, table) if value > 0}
     tidy = Tidy(frozenset({*table.p, *constants.values(), STANDARD_GRAVITY}), frozenset({*positive, STANDARD_GRAVITY}))
-    places = Converter(model=flat, symbols=table, number=readable_number, tidy=tidy, opaque=constants)
-    values = Converter(model=flat, symbols=table, number=readable_number, tidy=tidy, opaque=constants | abbreviations)
+    places = Converter(model=flat, symbols=table, style=Style(number=readable_number, tidy=tidy, opaque=constants))
+    style = Style(number=readable_number, tidy=tidy, opaque=constants | abbreviations)
+    values = Converter(model=flat, symbols=table, style=style)
     for name, symbol in abbreviations.items():
         values.rates[symbol] = Symbol(f"der({name})")
     return Reading(flat, table, tidy, contributions(flat, places, values), values, constants, abbreviations)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.pipeline import engine_of
+from lagdsl.runtime.engines.selection import engine_of
 
 MODELS = Path(__file__).parents[2] / "models"
 

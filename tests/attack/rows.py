@@ -17,7 +17,7 @@ import pytest
 from attack.awaited import AWAITED
 
 import lagdsl
-from lagdsl.pipeline import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 
 KNOWN: tuple[str, ...] = get_args(EngineName)
 EXPLORE = bool(os.environ.get("LAGDSL_EXPLORE"))

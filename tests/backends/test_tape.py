@@ -22,7 +22,7 @@ from lagdsl.backends.tape.listing import instructions
 from lagdsl.diagnostics import Sink
 from lagdsl.graph import Graph, Group, Op
 from lagdsl.graph.evaluate import evaluate_with_size
-from lagdsl.pipeline import front, middle, read, with_names
+from lagdsl.pipeline import compile_flat, flatten_file, read, with_names
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
@@ -95,9 +95,9 @@ def _program(path: Path) -> Program:
     sink = Sink()
     source = read(ROOT / path, sink)
     assert source is not None
-    flat = front(source, sink)
+    flat = flatten_file(source, sink)
     assert flat is not None
-    compilation = middle(flat, sink)
+    compilation = compile_flat(flat, sink)
     assert compilation is not None
     return with_names(compilation)
 

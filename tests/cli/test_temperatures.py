@@ -10,7 +10,7 @@ from lagdsl.cli.assignments import constants, settings, split
 from lagdsl.cli.sweep_values import plan
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import front
+from lagdsl.pipeline import flatten_file
 from lagdsl.source import SourceFile
 
 TEXT = """
@@ -32,7 +32,7 @@ end Oven;
 @pytest.fixture(scope="module")
 def oven() -> FlatModel:
     sink = Sink()
-    flat = front(SourceFile("oven.lag", TEXT), sink)
+    flat = flatten_file(SourceFile("oven.lag", TEXT), sink)
     assert flat is not None, sink.diagnostics
     return flat
 

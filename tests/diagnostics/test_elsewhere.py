@@ -6,7 +6,7 @@ import pytest
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import check, front
+from lagdsl.pipeline import check, flatten_file
 from lagdsl.semantics.flatten import flatten
 from lagdsl.signals.table_io import write_table
 from lagdsl.source import SourceFile
@@ -22,7 +22,7 @@ end One;
 
 def test_asked_for_a_model_that_is_not_there():
     sink = Sink()
-    assert front(SourceFile("a.lag", TWO), sink, model="Once") is None
+    assert flatten_file(SourceFile("a.lag", TWO), sink, model="Once") is None
     (diagnostic,) = sink.diagnostics
     assert (diagnostic.code, diagnostic.help) == ("E0217", "did you mean `One`?")
 

@@ -13,7 +13,8 @@ from lagdsl.diagnostics import Sink
 from lagdsl.fmi.description.fmi2_description import fmi2_description
 from lagdsl.fmi.description.fmi3_description import fmi3_description
 from lagdsl.fmi.variables.variables import KINDS, Kind, Table, Version, table
-from lagdsl.pipeline import Compilation, engine_of, front, middle, with_names
+from lagdsl.pipeline import Compilation, compile_flat, flatten_file, with_names
+from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.simulate.initialize import initial_state
 from lagdsl.source import SourceFile
 
@@ -22,9 +23,9 @@ TOKEN = "{0123}"
 
 def of_text(text: str) -> Compilation:
     sink = Sink()
-    flat = front(SourceFile("text.lag", text), sink)
+    flat = flatten_file(SourceFile("text.lag", text), sink)
     assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
+    compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
     return compilation
 

@@ -14,7 +14,7 @@ from lagdsl.fmi.export_model import export_model
 from lagdsl.fmi.extra import extra_files
 from lagdsl.fmi.package.binary import Objects, objects_of
 from lagdsl.fmi.reference import reference
-from lagdsl.pipeline import front, middle
+from lagdsl.pipeline import compile_flat, flatten_file
 from lagdsl.plot.icon import icon
 from lagdsl.runtime.building.platforms import platform_of, this_machine
 from lagdsl.runtime.engines import c_engine
@@ -37,8 +37,8 @@ end Fall;
 
 def made(text, **start):
     sink = Sink()
-    flat = front(SourceFile("text.lag", text), sink)
-    compilation = middle(flat, sink)
+    flat = flatten_file(SourceFile("text.lag", text), sink)
+    compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
     return export_model(compilation, 2, ("cs",), {}, start, sink)
 

@@ -25,7 +25,7 @@ from lagdsl.fmi.package import sources as source_texts
 from lagdsl.fmi.package import toolchain as toolchains
 from lagdsl.fmi.package import trial as trials
 from lagdsl.fmi.package.archive import write_archive
-from lagdsl.pipeline import front, middle, read
+from lagdsl.pipeline import compile_flat, flatten_file, read
 from lagdsl.runtime.building.platforms import PLATFORMS
 from lagdsl.source import SourceFile
 
@@ -45,9 +45,9 @@ ROOT = Path(__file__).parents[2]
 
 def compiled(text, name="spring.lag"):
     sink = Sink()
-    flat = front(SourceFile(name, text), sink)
+    flat = flatten_file(SourceFile(name, text), sink)
     assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
+    compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
     return compilation
 
@@ -180,9 +180,9 @@ def test_the_same_model_gives_the_same_bytes_in_another_process(whole, tmp_path)
     script = (
         "import sys\nfrom pathlib import Path\n"
         "from lagdsl.diagnostics import Sink\nfrom lagdsl.fmi.export import export\n"
-        "from lagdsl.pipeline import front, middle\nfrom lagdsl.source import SourceFile\n"
+        "from lagdsl.pipeline import compile_flat, flatten_file\nfrom lagdsl.source import SourceFile\n"
         "text = SourceFile('spring.lag', sys.argv[1])\n"
-        "export(middle(front(text, Sink()), Sink()), Path(sys.argv[2]), version=3, source=text)\n"
+        "export(compile_flat(flatten_file(text, Sink()), Sink()), Path(sys.argv[2]), version=3, source=text)\n"
     )
     again = tmp_path / "again.fmu"
     subprocess.run(
@@ -247,7 +247,7 @@ def test_packages_beside_the_model_go_along(tmp_path):
     model.write_text("model Mine\n  import Springs.Soft;\n  extends Soft;\nend Mine;\n")
     sink = Sink()
     source = read(model, sink)
-    compilation = middle(front(source, sink), sink)
+    compilation = compile_flat(flatten_file(source, sink), sink)
     assert compilation is not None, sink.diagnostics
     path = tmp_path / "mine.fmu"
     export(compilation, path, documented=False, source=source)
@@ -259,7 +259,7 @@ def test_packages_beside_the_model_go_along(tmp_path):
         (unpacked / name).parent.mkdir(parents=True, exist_ok=True)
         (unpacked / name).write_bytes(text)
     again = Sink()
-    assert front(read(unpacked / "mine.lag", again), again) == compilation.flat
+    assert flatten_file(read(unpacked / "mine.lag", again), again) == compilation.flat
 
 
 def test_progress_ends_with_all(spring, tmp_path):

@@ -7,7 +7,7 @@ import pytest
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.capability_checks import refuse
-from lagdsl.pipeline import front
+from lagdsl.pipeline import flatten_file
 from lagdsl.source import SourceFile
 
 SLIDER = """model Slider
@@ -25,7 +25,7 @@ FORCE = "-1 N*n*x/(1 m)"
 
 def flat_of(items: str, force: str = FORCE) -> FlatModel:
     sink = Sink()
-    flat = front(SourceFile("slider.lag", SLIDER.format(items=items, force=force)), sink)
+    flat = flatten_file(SourceFile("slider.lag", SLIDER.format(items=items, force=force)), sink)
     assert flat is not None, sink.diagnostics
     return flat
 

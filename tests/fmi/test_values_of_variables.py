@@ -16,8 +16,9 @@ from fmi.importing import exchanged
 from fmi.test_descriptions import EVERYTHING
 from fmi.texts import exported_text
 from lagdsl.fmi.variables.names import belonging, named
-from lagdsl.pipeline import Compilation, engine_of, with_names
+from lagdsl.pipeline import Compilation, with_names
 from lagdsl.program.program import Slot
+from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.simulate.initialize import initial_state
 from lagdsl.structure.functions import ProgramFunctions
 

@@ -9,16 +9,16 @@ import fmpy
 from fmi.exported import Exported, place
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.export import export
-from lagdsl.pipeline import front, middle
+from lagdsl.pipeline import compile_flat, flatten_file
 from lagdsl.source import SourceFile
 
 
 @cache
 def exported_text(text: str, version: int) -> Exported:
     sink = Sink()
-    flat = front(SourceFile("text.lag", text), sink)
+    flat = flatten_file(SourceFile("text.lag", text), sink)
     assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
+    compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
     folder = place() / f"{flat.name}-{version}"
     path = folder.with_suffix(".fmu")

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lagdsl
-from lagdsl.pipeline import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from stepping.motion import Motion, motion
 
 import lagdsl
-from lagdsl.pipeline import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 
 Floats = NDArray[np.float64]
 Kind = Literal["impact", "closed", "opened", "tick"]

@@ -11,10 +11,10 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.graph.operation import Group
 from lagdsl.graph.tape import Tape
 from lagdsl.mechanics.constraints import constraint_jacobian, rows_of
-from lagdsl.mechanics.derive import Derivation, form_equations
+from lagdsl.mechanics.equations import Equations, form_equations
 from lagdsl.mechanics.lagrange.inertia import acceleration_form
 from lagdsl.mechanics.lagrange.lagrange import forcing, mass_matrix
-from lagdsl.pipeline import front
+from lagdsl.pipeline import flatten_file
 from lagdsl.source import SourceFile
 
 PLANAR = """model Chain
@@ -66,28 +66,28 @@ end Chain;
 
 def flat_model(text: str) -> FlatModel:
     sink = Sink()
-    flat = front(SourceFile("model.lag", text), sink)
+    flat = flatten_file(SourceFile("model.lag", text), sink)
     assert flat is not None, sink.diagnostics
     return flat
 
 
-def eliminated(flat: FlatModel) -> tuple[Derivation, Solution]:
+def eliminated(flat: FlatModel) -> tuple[Equations, Solution]:
     """Accelerations, and the responses to every row of the constraints."""
-    derivation = form_equations(flat)
-    directions = derivation.symbols.directions
-    form = acceleration_form(derivation.lowering, flat, derivation.dynamics, directions)
-    rows = rows_of(derivation.lowering, derivation.rows, directions)
-    return derivation, solve(form, directions.rates, Rows(kept=tuple(rows)))
+    equations = form_equations(flat)
+    directions = equations.symbols.directions
+    form = acceleration_form(equations.lowering, flat, equations.dynamics, directions)
+    rows = rows_of(equations.lowering, equations.rows, directions)
+    return equations, solve(form, directions.rates, Rows(kept=tuple(rows)))
 
 
 def largest_residual(flat: FlatModel, states: int = 20) -> float:
     """What the accelerations and responses leave in M a = f and M Y' = J', relative to the terms; worst of `states`."""
-    derivation, solution = eliminated(flat)
-    graph, directions = derivation.graph, derivation.symbols.directions
-    mass = mass_matrix(graph, derivation.dynamics.terms, directions)
+    equations, solution = eliminated(flat)
+    graph, directions = equations.graph, equations.symbols.directions
+    mass = mass_matrix(graph, equations.dynamics.terms, directions)
     sides = [
-        forcing(derivation.lowering, derivation.dynamics.terms),
-        *constraint_jacobian(graph, derivation.rows, directions),
+        forcing(equations.lowering, equations.dynamics.terms),
+        *constraint_jacobian(graph, equations.rows, directions),
     ]
     found = [response.accelerations for response in (solution.own, *solution.along)]
     roots = [node for rows in (mass, sides, found) for row in rows for node in row]

@@ -6,6 +6,7 @@ import ast
 from typing import Any
 
 import numpy as np
+from derived_programs import derive
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
@@ -35,7 +36,6 @@ from lagdsl.flat.model import (
 from lagdsl.flat.quantity import Variability
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics.derive import derive
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.program import Program
 from lagdsl.source import SourceFile, Span

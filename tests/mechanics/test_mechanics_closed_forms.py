@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from derived_programs import derive
 from mechanics_models import (
     accelerations,
     body,
@@ -20,7 +21,6 @@ from mechanics_models import (
 
 from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import Rotate
-from lagdsl.mechanics.derive import derive
 
 G = 9.81
 

@@ -5,6 +5,7 @@ from functools import cache
 import mpmath
 import numpy as np
 import pytest
+from derived_programs import derive
 from mechanics_models import (
     body,
     constraint,
@@ -28,7 +29,6 @@ from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics.derive import derive
 from lagdsl.program.program import Program
 
 QUATERNION = ("e0", "e1", "e2", "e3")

@@ -20,7 +20,7 @@ from mechanics_models import (
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import Rotate
-from lagdsl.mechanics.derive import form_equations
+from lagdsl.mechanics.equations import form_equations
 from lagdsl.mechanics.invariants import proved_invariants, report_proofs
 
 CLAIMS = {"E": "energy()", "h": "energy(jacobi)", "p": "momentum(a)", "pb": "momentum(b)"}

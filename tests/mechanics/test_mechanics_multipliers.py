@@ -7,7 +7,9 @@ from elimination_models import flat_model
 from lagdsl.diagnostics import Sink
 from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics.derive import derived, solved
+from lagdsl.mechanics.arrange import arrange
+from lagdsl.mechanics.equations import form_equations
+from lagdsl.mechanics.solve import solve
 from lagdsl.program.program import Program
 from lagdsl.structure import redundant_multipliers
 from lagdsl.structure.points import probes
@@ -50,10 +52,11 @@ end Tumbling;
 def compiled(text: str) -> tuple[Program, Structure]:
     flat = flat_model(text)
     sink = Sink()
-    found = derived(flat, dense=True)
-    structure = analyze(flat, found.program, sink)
+    equations = form_equations(flat)
+    program = arrange(equations, dense=True)
+    structure = analyze(flat, program, sink)
     assert not sink.has_errors, sink.diagnostics
-    return solved(found, structure), structure
+    return solve(equations, program, structure), structure
 
 
 def four_bars(n: int, *, coupler: str = COUPLER, rows: str = "", **sizes: float) -> str:

@@ -4,6 +4,7 @@ import time
 
 import numpy as np
 import pytest
+from derived_programs import derive
 from mechanics_models import (
     SPANS,
     accelerations,
@@ -30,7 +31,6 @@ from lagdsl.flat.expression import Binary, Number, Variable
 from lagdsl.flat.model import FlatModel, Move, Parameter, Rotate, SetAxes
 from lagdsl.graph import Graph, Group, Op
 from lagdsl.graph.evaluate import evaluate
-from lagdsl.mechanics.derive import derive
 from lagdsl.mechanics.monitor import largest_term
 from lagdsl.program.functions import SIGNATURES
 from lagdsl.program.program import Program

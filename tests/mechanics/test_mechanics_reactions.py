@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from derived_programs import derive
 from mechanics_models import (
     accelerations,
     body,
@@ -25,7 +26,6 @@ from mechanics_models import (
 
 from lagdsl.flat.expression import Variable
 from lagdsl.flat.model import Move, Rotate
-from lagdsl.mechanics.derive import derive
 
 G = 9.81
 

@@ -14,10 +14,12 @@ from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.graph.evaluate import evaluate_with_size
 from lagdsl.graph.operation import Group
-from lagdsl.pipeline import Compilation, derive, front, middle, read
+from lagdsl.pipeline import Compilation, compile_flat, flatten_file, read
 from lagdsl.program.program import Program
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.source import SourceFile
+from lagdsl.textbook.derive import derive
+from lagdsl.textbook.lower import lower
 
 ROOT = Path(__file__).parents[2]
 MODELS = sorted(
@@ -56,16 +58,17 @@ def compiled(name: str) -> Compiled:
     sink = Sink()
     source = read(path_of(name), sink)
     assert source is not None
-    flat = front(source, sink)
+    flat = flatten_file(source, sink)
     assert flat is not None, sink.diagnostics
-    compilation = middle(flat, sink)
+    compilation = compile_flat(flat, sink)
     assert compilation is not None, sink.diagnostics
     return Compiled(source, flat, compilation, sink.diagnostics)
 
 
 @cache
 def textbook(name: str) -> Program:
-    return derive(compiled(name).flat, "textbook")
+    flat = compiled(name).flat
+    return lower(derive(flat), flat)
 
 
 @cache

@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 import lagdsl
 from lagdsl.cli.main import lag
-from lagdsl.pipeline import engine_of
+from lagdsl.runtime.engines.selection import engine_of
 from models.corpus import compiled, expectations, path_of
 from models.kinds import EVERY, SOME
 from models.references import REFERENCES, pendulums

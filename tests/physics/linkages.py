@@ -11,7 +11,7 @@ from math import asin, atan, degrees, radians, sin, tan
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import Closure, FlatModel
-from lagdsl.pipeline import Compilation, elaborate, middle, tree
+from lagdsl.pipeline import Compilation, compile_flat, flatten_unit, parse_file
 from lagdsl.source import SourceFile, Span
 
 BENNETT_TWIST = radians(30.0), asin(2.0 * sin(radians(30.0)) * 0.45)
@@ -122,9 +122,9 @@ end ThreeBars;
 def flat_model(text: str, *, loops: dict[str, tuple[str, tuple[str, ...]]] | None = None) -> FlatModel:
     """Checked and expanded; the constraints named in `loops` close the loop of these joints, cut at the first."""
     sink = Sink()
-    unit = tree(SourceFile("linkage.lag", text), sink)
+    unit = parse_file(SourceFile("linkage.lag", text), sink)
     assert unit is not None
-    flat = elaborate(unit, sink)
+    flat = flatten_unit(unit, sink)
     assert flat is not None, [d.message for d in sink.diagnostics]
     if loops is None:
         return flat
@@ -141,4 +141,4 @@ def _closure(loop: tuple[str, tuple[str, ...]], span: Span) -> Closure:
 
 def compiled(flat: FlatModel) -> tuple[Compilation | None, Sink]:
     sink = Sink()
-    return middle(flat, sink), sink
+    return compile_flat(flat, sink), sink

@@ -14,8 +14,9 @@ from compiled_programs import program_of
 from models.many_states import onto_constraints
 
 from lagdsl.graph.operation import Group
-from lagdsl.pipeline import EngineName, engine_of
 from lagdsl.program.functions import STATE
+from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.runtime.engines.selection import engine_of
 
 Extended = np.longdouble
 STATES = 20

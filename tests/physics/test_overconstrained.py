@@ -5,10 +5,10 @@ from __future__ import annotations
 import linkages
 import numpy as np
 import pytest
+from derived_programs import derive
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import derive
 from lagdsl.structure.structure import analyze
 
 AROUND = ("A", "B", "C", "D")

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from derived_programs import derive
 
 from lagdsl import pipeline
 from lagdsl.backends.python.emit import module
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.derive import derive
 from lagdsl.program.functions import WRITTEN_OUT
 from lagdsl.program.program import Layout
 from lagdsl.program.verify import verify
@@ -26,7 +26,7 @@ def _flat(path: Path, **structural: float) -> FlatModel:
     sink = Sink()
     file = pipeline.read(path, sink)
     assert file is not None
-    flat = pipeline.front(file, sink, structural=structural)
+    flat = pipeline.flatten_file(file, sink, structural=structural)
     assert flat is not None
     return flat
 

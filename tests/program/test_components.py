@@ -9,7 +9,7 @@ import pytest
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import derive, front
+from lagdsl.pipeline import derive, flatten_file
 from lagdsl.program.program import Program
 from lagdsl.source import SourceFile
 
@@ -24,7 +24,7 @@ def program(text: str, derivation: str = "graph") -> Program:
     items, _, equations = text.partition(header)
     section = f"{header}\n  {equations}\n" if equations else ""
     whole = f'model M\n  {items}\n  annotation(units = "none");\n{section}end M;\n'
-    flat = front(SourceFile("<text>", whole), sink)
+    flat = flatten_file(SourceFile("<text>", whole), sink)
     assert flat is not None, sink.diagnostics
     return derive(flat, derivation)  # type: ignore[arg-type]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import front
+from lagdsl.pipeline import flatten_file
 from lagdsl.report.derivation import FORMATS, render
 from lagdsl.source import SourceFile
 from lagdsl.textbook.recipe import Recipe, recipe
@@ -39,7 +39,7 @@ end Free;
 
 
 def derived(text: str) -> Recipe:
-    flat = front(SourceFile("<text>", text), Sink())
+    flat = flatten_file(SourceFile("<text>", text), Sink())
     assert flat is not None
     return recipe(flat)
 

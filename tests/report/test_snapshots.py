@@ -8,7 +8,7 @@ import pytest
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import front, read
+from lagdsl.pipeline import flatten_file, read
 from lagdsl.report.derivation import FORMATS, render
 from lagdsl.textbook.recipe import recipe
 
@@ -20,7 +20,7 @@ def flat_model(path: Path) -> FlatModel:
     sink = Sink()
     file = read(path, sink)
     assert file is not None
-    flat = front(file, sink)
+    flat = flatten_file(file, sink)
     assert flat is not None, sink.diagnostics
     return flat
 

@@ -178,7 +178,7 @@ end M;
 
 
 def test_inputs_of_components() -> None:
-    """Unbound: an input of the model where there is no default, else the default (ruling 35)."""
+    """Unbound: an input of the model where there is no default, else the default."""
     flat = flat_of(
         LIBRARY
         + """

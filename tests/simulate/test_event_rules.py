@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.pipeline import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.simulate.failure import SimulationFailed
 
 ENGINES: tuple[EngineName, ...] = ("numpy", "c")

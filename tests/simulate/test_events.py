@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.pipeline import EngineName
+from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.simulate.failure import SimulationFailed
 
 G = 9.80665

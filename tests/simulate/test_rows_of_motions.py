@@ -7,8 +7,8 @@ import pytest
 
 import lagdsl
 from lagdsl.cli.summary import summary
-from lagdsl.pipeline import EngineName
 from lagdsl.plot.terminal import sketch
+from lagdsl.runtime.engines.engine import EngineName
 
 FAST = """
 model Fast "100 Hz, and half a kilohertz of current"

@@ -1,4 +1,4 @@
-"""Tokens: rulings 1 and 2 of the language on words and units."""
+"""Tokens: words, numbers and units ("Text, numbers and units" in docs/reference/language.md)."""
 
 import pytest
 from texts_of_syntax import parsed

@@ -145,7 +145,7 @@ def charge_model() -> FlatModel:
 
 
 def test_velocity_linear_terms_add_no_energy() -> None:
-    """Ruling 30: torque and back-emf with matching signs, energy T + V only."""
+    """Torque and back-emf with matching signs, energy T + V only."""
     equations = derive(charge_model())
     L, J, k, i, w = symbols("L J k der(q) der(theta)")
     assert same(equations.forcing[0], -k * w)

@@ -12,7 +12,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel, Rotate
 from lagdsl.graph.evaluate import evaluate, evaluate_with_size
 from lagdsl.graph.graph import Graph
-from lagdsl.pipeline import front
+from lagdsl.pipeline import flatten_file
 from lagdsl.report.derivation import FORMATS, render
 from lagdsl.source import SourceFile
 from lagdsl.textbook.derive import derive
@@ -203,6 +203,6 @@ def test_dependent_parameters_and_the_standard_gravity_may_stand_in_constraints(
           constraint wire: x^2 + a*y = b^2 + g_n*(1 s)^2*l;
         end Wire;
         """
-    flat = front(SourceFile("wire.lag", text), Sink())
+    flat = flatten_file(SourceFile("wire.lag", text), Sink())
     assert flat is not None
     assert derivation_of(flat).count.position_rank == 1

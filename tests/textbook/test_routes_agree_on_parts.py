@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from derived_programs import derive as derive_on_graph
 
 from lagdsl.flat.model import FlatModel
-from lagdsl.mechanics.derive import derive as derive_on_graph
 from lagdsl.program.verify import verify
 from lagdsl.textbook.derive import derive
 from lagdsl.textbook.lower import lower

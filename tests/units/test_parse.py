@@ -1,4 +1,4 @@
-"""Unit texts: rulings 2, 3 and 38, and the way out of mistakes."""
+"""Unit texts, and the way out of mistakes."""
 
 from fractions import Fraction
 

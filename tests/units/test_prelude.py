@@ -12,7 +12,7 @@ from lagdsl.units.naming import unit_text
 from lagdsl.units.parse import parse_unit
 from lagdsl.units.vocabulary import UNITS
 
-RULING_14 = [
+QUANTITIES = [
     "Velocity",
     "Acceleration",
     "AngularVelocity",
@@ -59,7 +59,7 @@ RULING_14 = [
 ]
 
 
-@pytest.mark.parametrize("name", RULING_14)
+@pytest.mark.parametrize("name", QUANTITIES)
 def test_named_by_the_language(name):
     assert TYPES[name].name == name
 

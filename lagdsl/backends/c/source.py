@@ -12,10 +12,10 @@ from lagdsl.backends.c.statement import Store
 from lagdsl.backends.identifier import comment_text
 from lagdsl.flat.events import INITIAL
 from lagdsl.program.functions import ALONG_MANY, WRITTEN_OUT
+from lagdsl.program.lengths import counted, sizes
 from lagdsl.program.passes.hoist import hoisted
 from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Function, Layout, Program, Slot
-from lagdsl.program.verify import counted, sizes
 
 
 def source(program: Program, stem: str) -> str:

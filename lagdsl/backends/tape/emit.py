@@ -15,10 +15,10 @@ from lagdsl.backends.tape.nodes import Ints, Nodes, distinct, live_sets, nodes_o
 from lagdsl.backends.tape.settled import Settled, settle
 from lagdsl.flat.events import INITIAL
 from lagdsl.program import functions as known
+from lagdsl.program.lengths import counted, sizes
 from lagdsl.program.passes.along import Along, along, elements, shared
 from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Layout, Program, Slot
-from lagdsl.program.verify import counted, sizes
 
 VERSION: Final = 2
 _MAGIC: Final = b"lagtape\n"

@@ -12,7 +12,8 @@ from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, take
 from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
-from lagdsl.pipeline import Compilation, Derivation, engine_of, front, middle
+from lagdsl.pipeline import Compilation, Route, compile_flat, flatten_file
+from lagdsl.runtime.engines.selection import engine_of
 
 if TYPE_CHECKING:
     from lagdsl.backends.start import Start
@@ -45,7 +46,7 @@ def command(
     style: Format,
     target: str,
     folder: Path,
-    derivation: Derivation,
+    derivation: Route,
     fixed: tuple[str, ...],
     batch: bool,
 ) -> None:
@@ -54,10 +55,10 @@ def command(
         raise click.UsageError("--batch is for --target c: the NumPy module takes many states at once in every case")
     source = read_or_leave(file, style)
     sink = Sink()
-    flat = front(source, sink, model=model)
+    flat = flatten_file(source, sink, model=model)
     if flat is not None and fixed:
         flat = _with_fixed(flat, fixed)
-    compilation = middle(flat, sink, derivation) if flat is not None else None
+    compilation = compile_flat(flat, sink, derivation) if flat is not None else None
     if compilation is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)

@@ -17,8 +17,9 @@ from lagdsl.cli.output import draft_of, require_figure, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.pipeline import Derivation, engine_of, findings
+from lagdsl.pipeline import Route, findings
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.signals.table_io import Tables, has_writer, read_inputs, write_events, write_table
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
@@ -65,7 +66,7 @@ def command(
     engine: EngineName,
     solver: str,
     step: str | None,
-    derivation: Derivation,
+    derivation: Route,
     output: Path | None,
     events: Path | None,
     picture: Path | None,

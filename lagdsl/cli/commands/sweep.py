@@ -17,7 +17,7 @@ from lagdsl.cli.status import FAILED_RUN, INTERRUPTED, USAGE
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.model import FlatModel
-from lagdsl.pipeline import Compilation, front, middle
+from lagdsl.pipeline import Compilation, compile_flat, flatten_file
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.signals.table_io import Tables, read_inputs
 from lagdsl.source import SourceFile
@@ -171,7 +171,7 @@ def _plan(flat: FlatModel, assignments: tuple[str, ...], random: int | None, see
 def _front(source: SourceFile, style: Format, model: str | None, structural: dict[str, float]) -> FlatModel:
     """The flat model, its warnings told; leaves where it is wrong."""
     sink = Sink()
-    flat = front(source, sink, model=model, structural=structural)
+    flat = flatten_file(source, sink, model=model, structural=structural)
     if flat is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)
@@ -204,8 +204,8 @@ def _subjects(
 
 def _compiled(source: SourceFile, model: str | None, structural: dict[str, float], sink: Sink) -> Compilation | None:
     try:
-        flat = front(source, sink, model=model, structural=structural)
-        return None if flat is None else middle(flat, sink)
+        flat = flatten_file(source, sink, model=model, structural=structural)
+        return None if flat is None else compile_flat(flat, sink)
     except CompilationFailed as failure:
         for diagnostic in failure.diagnostics:
             sink.add(diagnostic)

@@ -15,8 +15,8 @@ from lagdsl.backends.python.support.derivatives import variables
 from lagdsl.backends.python.support.vectorize import split
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import BY_NAME, FUNCTIONS, STATE, WRITTEN_OUT
+from lagdsl.program.lengths import sizes
 from lagdsl.program.program import Program
-from lagdsl.program.verify import sizes
 from lagdsl.runtime.engines.broadcast import Spread, spread
 from lagdsl.runtime.engines.buffers import Buffers
 from lagdsl.runtime.engines.cores import Part, cores, share_out

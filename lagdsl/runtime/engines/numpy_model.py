@@ -14,8 +14,8 @@ import numpy as np
 from lagdsl.backends.tape.emit import kind_number
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES, WRITTEN_OUT
+from lagdsl.program.lengths import counted, sizes
 from lagdsl.program.program import Program, Slot
-from lagdsl.program.verify import counted, sizes
 from lagdsl.runtime.engines.engine import Engine, Floats
 from lagdsl.runtime.engines.native_model import NativeModel, native_model
 from lagdsl.runtime.structures import VERSION, Model, Status

@@ -30,14 +30,14 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
     """
     net = Net(ctx, Dependencies(ctx))
     for placed in contents.kinematics:
-        with ctx.inside(placed.scope):
+        with ctx.current.inside(placed.scope):
             kinematics.link(ctx, net, placed)
     merges = Merges(ctx, contents.symbols)
     networks = Networks(ctx, net, merges, contents.instances)
     connections = Connections(ctx, Chains(ctx, net), merges, networks)
     for placed in contents.connects:
         assert isinstance(placed.node, nodes.Connect)
-        with ctx.inside(placed.scope):
+        with ctx.current.inside(placed.scope):
             connections.connect(placed.scope, placed.node)
     whole = not ctx.sink.has_errors  # else what hangs loose may be held by what was not understood
     merges.settle()

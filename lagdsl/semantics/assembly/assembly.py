@@ -54,7 +54,7 @@ class Assembly:
         if symbol.kind != "frame" or symbol.scope.prefix not in self._instances:
             return False
         number = self._net.find(symbol, indices)
-        bound = indices in symbol.bindings or indices in symbol.cells
+        bound = indices in symbol.given.bindings or indices in symbol.made.cells
         return not bound and (number is None or not self._routes.reached(number))
 
     def frame(self, symbol: Symbol, indices: Indices) -> Value | None:
@@ -103,7 +103,7 @@ class Assembly:
         names = [
             self._merges.name_of(element_name(symbol.name, indices))
             for symbol in link.own
-            for indices in every(self._ctx.resolver.shape(symbol) or ())
+            for indices in every(self._ctx.resolver.shape(self._ctx, symbol) or ())
         ]
         return Joint(
             spans=(link.instance.span, *link.instance.scope.spans),
@@ -142,5 +142,5 @@ class Assembly:
         return Reaction(self._net.ports[link.child].name)
 
     def _of_port(self, instance: Instance, symbol: Symbol) -> Reaction | Poison:
-        value = self._ctx.resolver.element(symbol, (), instance.span)
+        value = self._ctx.resolver.element(self._ctx, symbol, (), instance.span)
         return POISON if isinstance(value, Poison) else Reaction(element_name(symbol.name, ()))

@@ -1,4 +1,4 @@
-"""`connect` of frames: a list is a chain through components with two ports (ruling 24)."""
+"""`connect` of frames: a list is a chain through components with two ports (docs/reference/assembly.md)."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ class Chains:
         found: list[int] = []
         for port_name in wanted:
             symbol = ports.get(port_name)
-            if symbol is None or self._ctx.resolver.shape(symbol):
+            if symbol is None or self._ctx.resolver.shape(self._ctx, symbol):
                 listed = ", ".join(f"`{name}.{each}`" for each in ports)
                 self._ctx.sink.report("E0704", item.span, name=name, port=port_name, ports=listed)
                 return None

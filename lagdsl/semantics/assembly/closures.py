@@ -60,9 +60,9 @@ class Closures:
         if not isinstance(end, FrameValue) or not isinstance(base, FrameValue):
             cut.computed = False
             return
-        mark = len(self._ctx.named)
+        mark = len(self._ctx.product.named)
         value = self._ctx.elaborate(self._ctx, cut.link.binding.scope, cut.link.binding.node, False)
-        behind = self._ctx.named[mark:]
+        behind = self._ctx.product.named[mark:]
         if not isinstance(value, FrameValue):
             cut.computed = False
             return
@@ -90,11 +90,11 @@ class Closures:
             element_name(symbol.name, indices)
             for symbol in cut.link.own
             if symbol in self._values
-            for indices in every(ctx.resolver.shape(symbol) or ())
+            for indices in every(ctx.resolver.shape(ctx, symbol) or ())
         }
         by_name = {item.name: item for item in known}
         behind = [item for item in made if not isinstance(item, Definition) or _needs(item, starts)]
-        mark = len(ctx.named)
+        mark = len(ctx.product.named)
 
         def frame(parent: str, steps: tuple[FrameStep, ...]) -> str:
             return self._frame(cut.place, parent, steps, "frame") if steps else parent
@@ -104,7 +104,7 @@ class Closures:
                 raise NoFormulaError
             item = by_name[formula.name]
             fields = _fields(item)
-            ctx.named.append(Definition(**fields, value=formula.value, variability=Variability.CONTINUOUS))
+            ctx.product.named.append(Definition(**fields, value=formula.value, variability=Variability.CONTINUOUS))
             joint = cut.link.instance.name
             value = flat.Variable(item.name)
             cut.outputs.append(Output(**fields, value=value, joint=joint, turning=formula.turning))
@@ -114,7 +114,7 @@ class Closures:
                 raise NoFormulaError
             Solver(cut.start, cut.hidden, starts, frame, found).solve(cut.steps)
         except NoFormulaError:
-            del ctx.named[mark:]
+            del ctx.product.named[mark:]
             cut.outputs.clear()
             cut.computed = False
         else:
@@ -131,9 +131,9 @@ class Closures:
 
     def _coordinates(self, cut: Cut) -> list[flat_model.Coordinate]:
         """As they would be listed; the constraints that come with them (unit quaternions) are not wanted here."""
-        mark = len(self._ctx.constraints)
+        mark = len(self._ctx.product.constraints)
         found = [item for symbol in cut.link.own for item in quantities.coordinates(self._ctx, symbol)]
-        del self._ctx.constraints[mark:]
+        del self._ctx.product.constraints[mark:]
         return found
 
     # ---- constraints -------------------------------------------------------------------------------------------------
@@ -168,7 +168,7 @@ class Closures:
         self._pose(cut.place, self._frame(cut.place, cut.start, cut.steps, "start"), cut.hidden)
 
     def _pose(self, place: Place, start: str, end: str) -> None:
-        self._rows(place, displacement(start, end), self._ctx.dimension(LENGTH), 0)
+        self._rows(place, displacement(start, end), self._ctx.conventions.dimension(LENGTH), 0)
         self._rows(place, misalignment(start, end), DIMENSIONLESS, 3)
 
     def _own(self, cut: Cut) -> None:
@@ -191,7 +191,7 @@ class Closures:
 
     def _rows(self, place: Place, residuals: tuple[FlatExpression, ...], dimension: Dimension, before: int) -> None:
         rows = tuple(f"{place.name}[{before + k}]" for k in range(1, len(residuals) + 1))
-        self._ctx.constraints.append(
+        self._ctx.product.constraints.append(
             Constraint(
                 spans=place.spans,
                 name=place.name,
@@ -206,8 +206,8 @@ class Closures:
     def _frame(
         self, place: Place, parent: str, steps: tuple[FrameStep, ...], what: str, image: Image | None = None
     ) -> str:
-        name = self._ctx.unique(f"{place.name}.{what}")
-        self._ctx.named.append(Frame(spans=place.spans, name=name, parent=parent, steps=steps, image=image))
+        name = self._ctx.product.unique(f"{place.name}.{what}")
+        self._ctx.product.named.append(Frame(spans=place.spans, name=name, parent=parent, steps=steps, image=image))
         return name
 
 

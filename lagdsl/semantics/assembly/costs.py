@@ -50,7 +50,7 @@ def preference(ctx: Context, link: Link, *, solvable: bool) -> Preference:
 
 def is_fixed(ctx: Context, symbol: Symbol) -> bool:
     found = attributes(ctx, symbol)
-    shape = ctx.resolver.shape(symbol) or ()
+    shape = ctx.resolver.shape(ctx, symbol) or ()
     return any(any(flags(ctx, found.get(name), "`fixed`", shape)) for name in _FIXED)
 
 

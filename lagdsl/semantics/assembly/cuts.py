@@ -64,10 +64,10 @@ class ReadAs:
     def __enter__(self) -> None:
         if self._port.symbol is None:
             return
-        self._before = self._port.symbol.cells[self._port.indices]
-        self._port.symbol.cells[self._port.indices] = FrameValue(self._name)
+        self._before = self._port.symbol.made.cells[self._port.indices]
+        self._port.symbol.made.cells[self._port.indices] = FrameValue(self._name)
 
     def __exit__(self, *_: object) -> None:
         if self._port.symbol is None:
             return
-        self._port.symbol.cells[self._port.indices] = self._before
+        self._port.symbol.made.cells[self._port.indices] = self._before

@@ -47,8 +47,12 @@ class Dependencies:
             coordinates[symbol] = None
             return
         if symbol.kind == "frame":
-            wanted = [target.indices] if target.indices is not None else every(self._ctx.resolver.shape(symbol) or ())
-            frames.update({(symbol, each): None for each in wanted if each not in symbol.bindings})
+            wanted = (
+                [target.indices]
+                if target.indices is not None
+                else every(self._ctx.resolver.shape(self._ctx, symbol) or ())
+            )
+            frames.update({(symbol, each): None for each in wanted if each not in symbol.given.bindings})
         if symbol.kind in ("frame", "point", "algebraic", "output", "input"):
             further = self._behind(symbol)
             frames.update(further[0])
@@ -59,7 +63,7 @@ class Dependencies:
         if symbol not in self._of:
             found: Needs = ({}, {})
             self._of[symbol] = found
-            for binding in symbol.bindings.values():
+            for binding in symbol.given.bindings.values():
                 frames, coordinates = self.of_binding(binding)
                 found[0].update(frames)
                 found[1].update(coordinates)

@@ -29,8 +29,8 @@ def report_islands(ctx: Context, net: Net, routes: Routes, instances: Sequence[I
             report(ctx, list(found))
         for number in ports:
             port = net.ports[number]
-            if port.symbol is not None and port.indices not in port.symbol.bindings:
-                port.symbol.cells[port.indices] = POISON
+            if port.symbol is not None and port.indices not in port.symbol.given.bindings:
+                port.symbol.made.cells[port.indices] = POISON
 
 
 def report(ctx: Context, found: list[Instance]) -> None:

@@ -40,16 +40,19 @@ class Merges:
         if not self._entered:
             self._entered = True
             for symbol in self._symbols:
-                for indices in every(self._ctx.resolver.shape(symbol) or ()):
+                for indices in every(self._ctx.resolver.shape(self._ctx, symbol) or ()):
                     self._sets.enter((symbol, indices))
 
     def unite(self, one: Symbol, first: Indices | None, two: Symbol, second: Indices | None, span: Span) -> bool | None:
         """Make coordinates one, whole (indices None) or by element; None after a diagnostic, False if they were."""
         self._enter()
-        one.used = two.used = True
+        one.made.used = two.made.used = True
         if one.info is None or two.info is None or "unknown" in (one.kind, two.kind):
             return None
-        shapes = [() if at is not None else self._ctx.resolver.shape(who) for who, at in ((one, first), (two, second))]
+        shapes = [
+            () if at is not None else self._ctx.resolver.shape(self._ctx, who)
+            for who, at in ((one, first), (two, second))
+        ]
         if shapes[0] is None or shapes[1] is None:
             return None
         here, there = Label(one.span, _title(one, shapes[0])), Label(two.span, _title(two, shapes[1]))
@@ -71,7 +74,7 @@ class Merges:
             dimension = symbol.info.dimension or DIMENSIONLESS if symbol.info is not None else DIMENSIONLESS
             value = Scalar(flat.Variable(name), dimension, Variability.CONTINUOUS, Order.CONFIGURATION)
             for other, at in cells[1:]:
-                other.cells[at] = value
+                other.made.cells[at] = value
                 self._names[element_name(other.name, at)] = name
 
     def name_of(self, name: str) -> str:

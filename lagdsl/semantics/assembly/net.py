@@ -78,10 +78,10 @@ class Net:
         known = self._numbers.get((symbol, indices))
         if known is not None:
             return known
-        symbol.used = True
+        symbol.made.used = True
         number = self._new(Port(len(self.ports), symbol, indices))
         self._numbers[symbol, indices] = number
-        binding = symbol.bindings.get(indices)
+        binding = symbol.given.bindings.get(indices)
         if binding is not None:
             self._place(number, binding)
         return number

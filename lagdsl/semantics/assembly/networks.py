@@ -39,7 +39,7 @@ class Networks:
             self._sets.enter(instance)
             self._members[instance.scope.prefix] = instance
             for _, symbol in quantities_of(instance):
-                symbol.used = True
+                symbol.made.used = True
 
     def unite(self, one: Instance, two: Instance, span: Span) -> bool | None:
         """Join two connectors, member by member; None after a diagnostic, False if they were one."""
@@ -80,7 +80,9 @@ class Networks:
         """E0319 where two of the connected components say what a signal is."""
         givers = [giver for each in node if (giver := self._bound(each, name)) is not None]
         if len(givers) > 1:
-            given = [Label(b.span, f"`{each.name}` is given here") for each in givers for b in each.bindings.values()]
+            given = [
+                Label(b.span, f"`{each.name}` is given here") for each in givers for b in each.given.bindings.values()
+            ]
             span = self._joined.get(node[0], node[0].span)
             self._ctx.sink.report("E0319", span, *given[:2], name=givers[0].name)
 
@@ -88,7 +90,7 @@ class Networks:
         flows = [flow for instance in node if (flow := self._bound(instance, name)) is not None]
         terms: list[Scalar] = []
         for flow in flows:
-            value = self._ctx.resolver.element(flow, (), flow.span)
+            value = self._ctx.resolver.element(self._ctx, flow, (), flow.span)
             if isinstance(value, Poison) or not isinstance(value, Scalar):
                 return
             terms.append(value)
@@ -98,14 +100,14 @@ class Networks:
             self._unbound(node, name)
             return
         if max(term.order for term in terms) != Order.RATE:
-            given = [Label(binding.span, "a flow") for flow in flows[:3] for binding in flow.bindings.values()]
+            given = [Label(binding.span, "a flow") for flow in flows[:3] for binding in flow.given.bindings.values()]
             self._ctx.sink.report("E0715", span, *given, name=first.name)
             return
         if len(node) == 1:
             labels = [Label(place, f"`{first.name}`") for place in first.scope.spans[:1]]
             self._ctx.sink.report("W0716", first.span, *labels, name=first.name)
         row = self.row_of(first, name)
-        self._ctx.constraints.append(
+        self._ctx.product.constraints.append(
             Constraint(
                 spans=(span, *first.scope.spans),
                 name=row,
@@ -124,7 +126,7 @@ class Networks:
 
     def _bound(self, instance: Instance, name: str) -> Symbol | None:
         symbol = instance.scope.entries.get(name)
-        return symbol if isinstance(symbol, Symbol) and symbol.bindings else None
+        return symbol if isinstance(symbol, Symbol) and symbol.given.bindings else None
 
     def _unbound(self, node: list[Instance], name: str) -> None:
         """A node where no flow is given: nothing can be said of it."""
@@ -136,7 +138,7 @@ class Networks:
 
     def is_member(self, symbol: Symbol) -> bool:
         """Whether the quantity belongs to a connector and gets its value from the node."""
-        return symbol.kind == "algebraic" and not symbol.bindings and symbol.scope.prefix in self._members
+        return symbol.kind == "algebraic" and not symbol.given.bindings and symbol.scope.prefix in self._members
 
     def value(self, symbol: Symbol, indices: Indices) -> Value | None:
         """A potential: the multiplier of the node. A flow without a binding: what flows to the inside."""
@@ -161,11 +163,11 @@ class Networks:
         """Of a connector without flows: what the one of the node that is given says, be it a number or a truth."""
         givers = (self._bound(each, symbol.short) for each in node)
         giver = next((each for each in givers if each is not None), None)
-        return None if giver is None else self._ctx.resolver.element(giver, (), giver.span)
+        return None if giver is None else self._ctx.resolver.element(self._ctx, giver, (), giver.span)
 
     def _total(self, inside: list[Instance], name: str) -> Value | None:
         flows = [flow for each in inside if (flow := self._bound(each, name)) is not None]
-        values = [self._ctx.resolver.element(flow, (), flow.span) for flow in flows]
+        values = [self._ctx.resolver.element(self._ctx, flow, (), flow.span) for flow in flows]
         scalars = [value for value in values if isinstance(value, Scalar)]
         if not scalars or len(scalars) < len(values):
             return None

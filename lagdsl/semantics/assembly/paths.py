@@ -61,7 +61,7 @@ def target_of(ctx: Context, scope: Scope, node: nodes.Expression) -> Target | No
 def _target(ctx: Context, entry: Entry | None) -> Target | None:
     match entry:
         case Symbol():
-            scalar = entry.declarator is not None and not ctx.resolver.shape(entry)
+            scalar = entry.declarator is not None and not ctx.resolver.shape(ctx, entry)
             return Element(entry, () if scalar else None)
         case Instance() if not entry.present:
             return Absent()
@@ -79,7 +79,7 @@ def _indexed(ctx: Context, scope: Scope, node: nodes.Index) -> Target | None:
         indices = _indices(ctx, scope, node, around.shape)
         return _target(ctx, around.elements.get(indices)) if indices is not None else None
     if isinstance(around, Element) and around.indices is None:
-        shape = ctx.resolver.shape(around.symbol)
+        shape = ctx.resolver.shape(ctx, around.symbol)
         indices = _indices(ctx, scope, node, shape) if shape else None
         return Element(around.symbol, indices)
     return None
@@ -102,21 +102,21 @@ class _Quiet(Sink):
 
     def __init__(self, ctx: Context, kept: Sink) -> None:
         super().__init__()
-        self._ctx, self._kept, self._depth = ctx, kept, len(ctx.active)
+        self._ctx, self._kept, self._depth = ctx, kept, len(ctx.current.active)
 
     def add(self, diagnostic: Diagnostic) -> None:
-        if len(self._ctx.active) > self._depth:
+        if len(self._ctx.current.active) > self._depth:
             self._kept.add(diagnostic)
 
 
 @contextmanager
 def _quietly(ctx: Context) -> Iterator[None]:
-    sink, reported, turns = ctx.sink, set(ctx.reported), ctx.turns
+    sink, reported, turns = ctx.sink, set(ctx.reports.reported), ctx.counts.turns
     ctx.sink = _Quiet(ctx, sink)
     try:
         yield
     finally:
-        ctx.sink, ctx.reported, ctx.turns = sink, reported, turns
+        ctx.sink, ctx.reports.reported, ctx.counts.turns = sink, reported, turns
 
 
 def inner_texts(ctx: Context, scope: Scope, node: nodes.Node) -> Iterator[tuple[Scope, nodes.Node]]:

@@ -64,11 +64,11 @@ class Ancestry:
         return names[0], names[1], ancestor
 
     def _update(self) -> None:
-        for item in self._ctx.named[self._seen :]:
+        for item in self._ctx.product.named[self._seen :]:
             if isinstance(item, Frame):
                 self._frames[item.name] = item
                 self._depths[item.name] = self._depths[item.parent] + 1
-        self._seen = len(self._ctx.named)
+        self._seen = len(self._ctx.product.named)
 
 
 def is_relative(steps: Iterable[FrameStep]) -> bool:

@@ -55,7 +55,7 @@ class Routes:
         if number == WORLD:
             return WORLD_FRAME
         if port.symbol is not None:
-            return self._ctx.resolver.element(port.symbol, port.indices, port.symbol.span)
+            return self._ctx.resolver.element(self._ctx, port.symbol, port.indices, port.symbol.span)
         assert port.binding is not None
         return self._ctx.elaborate(self._ctx, port.binding.scope, port.binding.node, False)
 
@@ -81,7 +81,7 @@ class Routes:
         doc = symbol.declarator.doc if symbol.declarator is not None else None
         spans = (span, *symbol.scope.spans)
         frame = Frame(spans=spans, name=port.name, parent=value.name, steps=value.steps, doc=doc)
-        self._ctx.named.append(frame)
+        self._ctx.product.named.append(frame)
         return FrameValue(port.name, (), value.variability, value.order)
 
     def _backward(self, link: Link, base: Port) -> Value:
@@ -101,15 +101,15 @@ class Routes:
         """The steps of a link, its base taken as known while they are read."""
         symbol = base.symbol
         assert symbol is not None
-        mark = len(self._ctx.named)
+        mark = len(self._ctx.product.named)
         # steps that mention the base are refused, so only what they themselves depend on counts
-        symbol.cells[base.indices] = FrameValue(base.name, (), WORLD_FRAME.variability, WORLD_FRAME.order)
+        symbol.made.cells[base.indices] = FrameValue(base.name, (), WORLD_FRAME.variability, WORLD_FRAME.order)
         binding = link.binding
         try:
             value = self._ctx.elaborate(self._ctx, binding.scope, binding.node, False)
         finally:
-            del symbol.cells[base.indices]
-        if any(_item_mentions(item, base.name) for item in self._ctx.named[mark:]):
+            del symbol.made.cells[base.indices]
+        if any(_item_mentions(item, base.name) for item in self._ctx.product.named[mark:]):
             self._ctx.sink.report("E0706", binding.node.span, Label(link.instance.span, "entered from behind"))
             return None
         return value if isinstance(value, FrameValue) else None

@@ -32,9 +32,9 @@ class Uses:
                 self._item(placed.scope, placed.node)
             self._momenta(placed.scope, placed.node)
         for symbol in contents.symbols:
-            for binding in symbol.derivatives.values():
+            for binding in symbol.given.derivatives.values():
                 self._walk(binding.scope, binding.node)
-            for binding in symbol.bindings.values():
+            for binding in symbol.given.bindings.values():
                 self._momenta(binding.scope, binding.node)
 
     def _momenta(self, scope: Scope, node: nodes.Node) -> None:
@@ -90,9 +90,9 @@ class Uses:
         if symbol.kind not in _READ or (symbol, displaced) in self._seen:
             return
         self._seen.add((symbol, displaced))
-        for binding in symbol.bindings.values():
+        for binding in symbol.given.bindings.values():
             self._behind(binding, displaced=displaced)
-        for label in symbol.labels.values():
+        for label in symbol.made.labels.values():
             self._item(label.scope, label.node)
 
     def _behind(self, binding: Binding, *, displaced: bool) -> None:

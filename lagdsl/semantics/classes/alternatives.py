@@ -102,7 +102,7 @@ def _silence(scope: Scope, read: list[list[_Said] | None]) -> None:
         for _, side, _, _ in equations or ():
             target = derivative_of(side) or side
             found = _entry(scope, target.target if isinstance(target, nodes.Index) else target)
-            if isinstance(found, Symbol) and not found.bindings and not found.derivatives:
+            if isinstance(found, Symbol) and not found.given.bindings and not found.given.derivatives:
                 found.kind = "unknown"
 
 

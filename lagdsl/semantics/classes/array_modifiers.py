@@ -68,7 +68,7 @@ class Splits:
         for nested in modifier.modifiers:
             self._note(nested, scope)
         if isinstance(modifier, nodes.Modifier) and modifier.value is not None:
-            self.ctx.splits.append((modifier, self.shape, scope))
+            self.ctx.splits.modifiers.append((modifier, self.shape, scope))
 
 
 def _split(modifier: nodes.AnyModifier, indices: Indices) -> nodes.AnyModifier:
@@ -98,14 +98,14 @@ def check_splits(ctx: Context) -> None:
 
     Their elements are not looked at again.
     """
-    for modifier, shape, scope in ctx.splits:
+    for modifier, shape, scope in ctx.splits.modifiers:
         assert modifier.value is not None
         name = modifier.name.span.text
-        with ctx.inside(scope):
+        with ctx.current.inside(scope):
             found = _leading(ctx, scope, modifier.value, len(shape))
             if found is None or found == shape:
                 continue
-            ctx.split_values[scope, id(modifier.value)] = POISON
+            ctx.splits.values[scope, id(modifier.value)] = POISON
             if found == ():
                 text = modifier.span.text
                 inner = text.removeprefix("each ")
@@ -124,10 +124,10 @@ def _leading(ctx: Context, scope: Scope, value: nodes.Expression, rank: int) -> 
     found = ctx.elaborate(ctx, scope, value, True)
     match found:
         case Poison():
-            ctx.split_values[scope, id(value)] = POISON
+            ctx.splits.values[scope, id(value)] = POISON
             return None
         case Array():
-            ctx.split_values[scope, id(value)] = found  # else every component would make the whole of it
+            ctx.splits.values[scope, id(value)] = found  # else every component would make the whole of it
             return found.shape[:rank]
         case Vector():
             return (3,)

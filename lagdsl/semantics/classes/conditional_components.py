@@ -42,5 +42,5 @@ def check_switched(ctx: Context, contents: Contents) -> None:
 
 def _report(ctx: Context, instance: Instance, what: str) -> None:
     if instance.around is not None:
-        with ctx.inside(instance.around):
+        with ctx.current.inside(instance.around):
             ctx.sink.report("E0330", instance.conditions[-1][1], what=f"a component with {what}")

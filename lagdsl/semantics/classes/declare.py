@@ -49,7 +49,7 @@ class Declarer:
         self.instance = instance
         self.scope = instance.scope
         self.changes = Changes()
-        with ctx.inside(self.scope):
+        with ctx.current.inside(self.scope):
             self.body: Body = body_of(ctx, node, self.scope, given)
         self.changes.add(self.body.given)
         self._know_classes(self.body.parts)
@@ -58,12 +58,12 @@ class Declarer:
         self.children: dict[str, list[Declarer]] = {}
         self.texts: dict[str, tuple[nodes.Component, nodes.Declarator]] = {}
         self._components: set[int] = set()
-        with ctx.inside(self.scope):
+        with ctx.current.inside(self.scope):
             self.declare(self.body.parts)
 
     def _check_units(self) -> None:
         """E0239 for a class without units in a model with them."""
-        for node in self.body.line if self.ctx.units else ():
+        for node in self.body.line if self.ctx.conventions.units else ():
             if node is not self.body.line[0] or self.instance.around is not None:
                 annotations = annotations_of(node)
                 if without_units(self.ctx, annotations):
@@ -218,7 +218,7 @@ class Declarer:
         return made
 
     def _fill(self, declarator: nodes.Declarator, made: Instance, given: list[Given]) -> None:
-        self.ctx.names.add(made.name)
+        self.ctx.product.names.add(made.name)
         if not made.present:
             self._check_absent(made, given)
             return
@@ -250,7 +250,7 @@ def instance_of(symbol: ClassSymbol, name: str, span: Span, around: Scope | None
     node = symbol.node
     prefix, spans = (f"{name}.", (span, *around.spans)) if around is not None else ("", ())
     scope = Scope("class", f"`{node.name}`", symbol.scope, prefix, spans, text=node.span)
-    made = Instance(name, span, symbol, scope, node.kind, around=around)
+    made = Instance(name, span, symbol, scope, around=around)
     scope.instance = made
     return made
 

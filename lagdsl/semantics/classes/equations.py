@@ -27,10 +27,10 @@ def attach(ctx: Context, scope: Scope, item: nodes.Equation) -> None:
             return
     defined = [(side, other, symbol) for side, other in sides if (symbol := _symbol(ctx, scope, side)) is not None]
     fitting = [entry for entry in defined if entry[2].kind in _DEFINED or _is_port(entry[2])]
-    free = [entry for entry in fitting if not entry[2].bindings or isinstance(entry[0], nodes.Index)]
+    free = [entry for entry in fitting if not entry[2].given.bindings or isinstance(entry[0], nodes.Index)]
     for side, other, symbol in free[:1] or fitting[:1]:
-        if _is_port(symbol) and all(binding.scope is symbol.scope for binding in symbol.bindings.values()):
-            symbol.bindings.clear()  # the equation stands in the place of the default
+        if _is_port(symbol) and all(binding.scope is symbol.scope for binding in symbol.given.bindings.values()):
+            symbol.given.bindings.clear()  # the equation stands in the place of the default
         _bind(ctx, scope, symbol, side, Binding(other, scope, item.span), derivative=False)
         return
     _report(ctx, scope, item, defined[0][2] if defined else None)
@@ -62,7 +62,7 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
     found = _symbol(ctx, scope, target) if target is not None else None
     if target is not None and found is not None and found.kind != "unknown":
         ctx.sink.report("E0321", target.span, Label(found.span, f"{found.title}"), name=found.short, kind=found.title)
-        if found.kind in _DEFINED and not found.bindings:
+        if found.kind in _DEFINED and not found.given.bindings:
             found.kind = "unknown"
         return
     if symbol is not None and symbol.kind == "unknown":
@@ -71,9 +71,9 @@ def _report(ctx: Context, scope: Scope, item: nodes.Equation, symbol: Symbol | N
         unsolved = _symbol(ctx, scope, node) if isinstance(node, nodes.Reference) else None
         rate = derivative_of(node)
         state = _symbol(ctx, scope, rate) if rate is not None else None
-        if state is not None and state.kind == "state" and not state.derivatives:
+        if state is not None and state.kind == "state" and not state.given.derivatives:
             state.kind = "unknown"
-        if unsolved is not None and unsolved.kind in _DEFINED and not unsolved.bindings:
+        if unsolved is not None and unsolved.kind in _DEFINED and not unsolved.given.bindings:
             # It was meant to get its value here: nothing more is said about it.
             unsolved.kind = "unknown"
     hint = None
@@ -109,9 +109,9 @@ def bind(ctx: Context, symbol: Symbol, indices: Indices | None, binding: Binding
     """Record what gives the element (indices None: the whole) its value; E0319 where something did already."""
     if symbol.kind in ("point", "frame") and indices is None and not _subscripted(symbol):
         indices = ()
-    table = symbol.derivatives if derivative else symbol.bindings
+    table = symbol.given.derivatives if derivative else symbol.given.bindings
     taken = table.get(indices) or table.get(None) or (next(iter(table.values()), None) if indices is None else None)
-    taken = taken or _overlapping(table, indices or (), len(symbol.shape or ()))
+    taken = taken or _overlapping(table, indices or (), len(symbol.made.shape or ()))
     if taken is not None:
         name = element_name(symbol.short, indices or ())
         shown = f"der({name})" if derivative else name
@@ -136,7 +136,7 @@ def element_indices(
     ctx: Context, scope: Scope, symbol: Symbol, subscripts: tuple[nodes.Subscript, ...], span: Span
 ) -> Indices | None:
     """The indices of one element, or the leading ones of a row, that is being defined; None after a diagnostic."""
-    shape = ctx.resolver.shape(symbol)
+    shape = ctx.resolver.shape(ctx, symbol)
     if shape is None:
         return None
     rows = symbol.kind in ("algebraic", "output")

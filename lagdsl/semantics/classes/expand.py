@@ -60,7 +60,7 @@ class Expander:
 
     def expand(self, parts: list[Part]) -> None:
         """All items of the instance, then what is left of its modifiers."""
-        with self.ctx.inside(self.instance.scope):
+        with self.ctx.current.inside(self.instance.scope):
             for part in parts:
                 self._item(part)
             self.declarer.finish()
@@ -204,14 +204,14 @@ class Expander:
             self.contents.items.append(Placed(item, scope, self.instance))
             return
         symbol = entry if isinstance(entry, Symbol) and entry.kind == kind else None
-        if symbol is None or scope.path in symbol.labels or not scope.path:
+        if symbol is None or scope.path in symbol.made.labels or not scope.path:
             title = f"{_keyword(item)} {item.label}" if kind != "energy" else f"{_keyword(item)} energy"
             symbol = Symbol(owner.qualify(item.label), kind, label_span(item), owner, title)
             if not enter(self.ctx, owner, item.label, symbol, symbol.span):
                 return
-            self.ctx.names.add(symbol.name)
+            self.ctx.product.names.add(symbol.name)
         name = element_name(symbol.name, scope.path)
-        symbol.labels[scope.path] = LabelInstance(item, scope, name)
+        symbol.made.labels[scope.path] = LabelInstance(item, scope, name)
         self.contents.items.append(Placed(item, scope, self.instance, symbol))
 
 

@@ -106,7 +106,7 @@ def _collect(
     body.line.append(node)
     own = [Part(item, scope, keyword, protected or keyword == "protected") for item, keyword in items_of(node)]
     declare_imports(ctx.sink, scope, [part.item for part in own])
-    if node.span.file is ctx.home:
+    if node.span.file is ctx.conventions.home:
         check_imports(scope)
     for part in own:
         enter_class(ctx, part, given)
@@ -196,7 +196,7 @@ def _extend(
     symbol = class_at(ctx, part.scope, item.base)
     expanded = expand_short(ctx, symbol) if symbol is not None else None
     if expanded is None:
-        ctx.incomplete = True
+        ctx.reports.incomplete = True
         return frozenset()
     base, short = expanded
     assert isinstance(base.node, nodes.Class)
@@ -216,7 +216,7 @@ def _extend(
     for modifier, scope in own:
         if target(modifier) in known.names:
             body.given.append((modifier, scope))
-        elif not ctx.incomplete:
+        elif not ctx.reports.incomplete:
             report_no_such(ctx, modifier, target(modifier), base.node, sorted(known.names))
     return known.names
 

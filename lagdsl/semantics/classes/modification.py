@@ -110,19 +110,19 @@ def modify(ctx: Context, symbol: Symbol, given: Iterable[Given]) -> None:
             label = Label(symbol.span, "declared here")
             ctx.sink.report("E0241", modifier.span, label, name=symbol.short)
             continue
-        if symbol.sealed is not None:
-            label = Label(symbol.sealed, "given as `final` here")
+        if symbol.given.sealed is not None:
+            label = Label(symbol.given.sealed, "given as `final` here")
             ctx.sink.report("E0224", modifier.span, label, name=symbol.short)
             continue
         if "each" in modifier.prefixes and not _is_array(symbol):
             ctx.sink.report("E0344", modifier.span, what=f"`{symbol.short}`")
         if modifier.modifiers:
-            symbol.overrides.append((modifier.modifiers, outer))
+            symbol.given.overrides.append((modifier.modifiers, outer))
         if modifier.value is not None:
             _rebind(ctx, symbol, modifier, modifier.value, outer)
         if "final" in modifier.prefixes:
-            symbol.sealed = modifier.name.span
-            symbol.final = True
+            symbol.given.sealed = modifier.name.span
+            symbol.given.final = True
 
 
 def _is_array(symbol: Symbol) -> bool:
@@ -133,12 +133,12 @@ def _is_array(symbol: Symbol) -> bool:
 def _rebind(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, value: nodes.Expression, outer: Scope) -> None:
     if symbol.kind == "unknown":
         return
-    if (symbol.final and symbol.sealed is None) or symbol.kind not in _REBOUND:
+    if (symbol.given.final and symbol.given.sealed is None) or symbol.kind not in _REBOUND:
         label = Label(symbol.span, f"declared as {symbol.title}")
         ctx.sink.report("E0224", modifier.span, label, name=symbol.short)
         return
     key = () if symbol.kind in ("point", "frame") and not _is_array(symbol) else None
-    symbol.bindings = {key: Binding(value, outer, modifier.span)}
+    symbol.given.bindings = {key: Binding(value, outer, modifier.span)}
 
 
 def report_unknown(ctx: Context, changes: Changes, instance: Instance) -> None:

@@ -18,7 +18,7 @@ from lagdsl.diagnostics import Sink
 from lagdsl.record import mutable_record, record
 from lagdsl.semantics.classes.library import item_of
 from lagdsl.semantics.scope import prelude
-from lagdsl.semantics.scope.scope import ClassSymbol, Entry, FunctionSymbol, Scope, TypeSymbol
+from lagdsl.semantics.scope.scope import ClassSymbol, Entry, FunctionSymbol, Outside, Scope, TypeSymbol
 from lagdsl.semantics.scope.values import POISON
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
@@ -101,7 +101,7 @@ class Folder:
             )
             if is_folder:
                 inside = Place(path.parent, self.place.words, _joined(self.place.shown, name))
-                symbol.inner.files = Folder(self.library, inside, (*self.within, name), symbol.inner)
+                symbol.inner.outside.files = Folder(self.library, inside, (*self.within, name), symbol.inner)
             self.library.fill(symbol.inner, item)
         return symbol
 
@@ -176,8 +176,8 @@ class Library:
         folder = self.tops.get(place.folder)
         if folder is None:
             folder = self.tops[place.folder] = Folder(self, place, (), Scope("file", "the library"))
-            folder.scope.root = roots = self.roots(folder)
-            folder.scope.files = Packages(roots)
+            folder.scope.outside.root = roots = self.roots(folder)
+            folder.scope.outside.files = Packages(roots)
         return folder
 
     def roots(self, own: Folder | None) -> Roots:
@@ -192,9 +192,9 @@ class Library:
         """
         if unit.within is None:
             roots = self.roots(None)
-            scope.parent = Scope("file", "the library", files=Packages(roots))
+            scope.parent = Scope("file", "the library", outside=Outside(files=Packages(roots)))
             own = beside(unit.span.file)
-            scope.root = FileRoot(scope, self.roots(self.top(own) if own is not None else None))
+            scope.outside.root = FileRoot(scope, self.roots(self.top(own) if own is not None else None))
             return
         parts = unit.within.parts
         own = beside(unit.span.file, len(parts))
@@ -210,7 +210,9 @@ class Library:
         else:
             if entry is None:
                 self.sink.report("E0255", unit.within.span, name=".".join(parts))
-            scope.parent = Scope("file", "the library", files=Packages(self.roots(None)), root=self.roots(None))
+            scope.parent = Scope(
+                "file", "the library", outside=Outside(files=Packages(self.roots(None)), root=self.roots(None))
+            )
 
 
 def _installed() -> tuple[Place, ...]:

@@ -37,7 +37,7 @@ def file_scope(ctx: Context, unit: nodes.Unit) -> Scope:
 def _fill(ctx: Context, scope: Scope, package: nodes.Class) -> None:
     """Declare what a package holds; a name that stands in a file, too, is E0259."""
     _declare_all(ctx, scope, [*package.items, *(item for section in package.sections for item in section.items)])
-    files = set(scope.files.names()) if scope.files is not None else set()
+    files = set(scope.outside.files.names()) if scope.outside.files is not None else set()
     for item in package.items:
         name = getattr(item, "name", None)
         if isinstance(name, str) and name in files:

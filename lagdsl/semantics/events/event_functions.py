@@ -48,7 +48,7 @@ def _previous(ctx: Context, scope: Scope, node: nodes.Expression, value: Scalar)
         return flat.Previous(value.expression.name)
     if value.kind == "Boolean" and value.variability == Variability.DISCRETE:
         spans = (node.span, *scope.spans)
-        return flat.Previous(ctx.occurrences.remembered(node.span.text, spans, value.expression))
+        return flat.Previous(ctx.product.occurrences.remembered(node.span.text, spans, value.expression))
     ctx.sink.report("E0376", node.span, name=node.span.text)
     return None
 
@@ -87,7 +87,7 @@ def sample(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     parts: list[flat.FlatExpression] = []
     for what, argument in zip(("the first tick", "the period"), arguments, strict=True):
         value = ctx.elaborate(ctx, scope, argument, True)
-        found = conform(ctx, scope, argument, value, Expected(what, ctx.dimension(TIME), (), code="E0415"))
+        found = conform(ctx, scope, argument, value, Expected(what, ctx.conventions.dimension(TIME), (), code="E0415"))
         if not isinstance(found, Scalar):
             return POISON
         if rank(found.variability) > rank(Variability.PARAMETER):
@@ -97,7 +97,7 @@ def sample(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
             return POISON
         parts.append(found.expression)
     spans = (node.span, *scope.spans)
-    name = ctx.occurrences.clock(scope.owner.prefix + node.span.text, spans, parts[0], parts[1])
+    name = ctx.product.occurrences.clock(scope.owner.prefix + node.span.text, spans, parts[0], parts[1])
     return _truth(name)
 
 
@@ -106,7 +106,7 @@ def instant(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if positional(ctx, node, 0, 0) is None or not _at_an_event(ctx, node):
         return POISON
     name = INITIAL if node.function.span.text == "initial" else TERMINAL
-    ctx.occurrences.instants.add(name)
+    ctx.product.occurrences.instants.add(name)
     return _truth(name)
 
 
@@ -119,7 +119,7 @@ def of_contact(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if found is None:
         return POISON
     symbol, indices = found
-    contact = ctx.resolver.contact(symbol, indices)
+    contact = ctx.resolver.contact(ctx, symbol, indices)
     if contact is None:
         return POISON
     function = node.function.span.text
@@ -158,7 +158,7 @@ def _truth(name: str) -> Scalar:
 
 def _at_an_event(ctx: Context, node: nodes.Call) -> bool:
     """E0375 outside of `when`."""
-    if ctx.mode is not Mode.ALWAYS:
+    if ctx.current.mode is not Mode.ALWAYS:
         return True
     ctx.sink.report("E0375", node.span, name=node.function.span.text)
     return False

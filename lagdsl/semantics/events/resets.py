@@ -37,7 +37,7 @@ def resets(
         return []
     parts = (whole.expression,) if isinstance(whole, Scalar) else whole.elements
     known = [_set(ctx, part) for part in parts]
-    with ctx.without_relations():
+    with ctx.current.without_relations():
         value = ctx.elaborate(ctx, scope, value_node, True)
     shape = () if isinstance(whole, Scalar) else whole.shape
     expected = Expected(f"`{target.span.text}`", whole.dimension or DIMENSIONLESS, shape)
@@ -73,7 +73,9 @@ def _set(ctx: Context, expression: FlatExpression) -> tuple[str, bool] | None:
         case flat.Derivative(flat.Variable(name)):
             return name, True
         case flat.Variable(name):
-            named = (item for item in ctx.named if isinstance(item, flat_model.Definition) and item.name == name)
+            named = (
+                item for item in ctx.product.named if isinstance(item, flat_model.Definition) and item.name == name
+            )
             definition = next(named, None)
             return (name, False) if definition is None else _set(ctx, definition.value)
         case _:

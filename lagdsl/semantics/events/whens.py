@@ -35,7 +35,7 @@ def check_targets(ctx: Context, items: Iterable[Placed]) -> None:
             if isinstance(node, nodes.Equation):
                 side = node.left.target if isinstance(node.left, nodes.Index) else node.left
                 found = named_element(ctx, placed.scope, side) if isinstance(side, _NAMES) else None
-                if found is not None and found[0].kind in ("algebraic", "output") and not found[0].bindings:
+                if found is not None and found[0].kind in ("algebraic", "output") and not found[0].given.bindings:
                     ctx.sink.report("E0373", side.span, *what_it_is(ctx, placed.scope, side), name=side.span.text)
                     found[0].kind = "unknown"
 
@@ -51,15 +51,15 @@ def elaborate_when(ctx: Context, placed: Placed) -> None:
     for branch in node.branches:
         conditions = _conditions(ctx, placed.scope, branch.condition)
         body = _Body(ctx)
-        with ctx.standing(Mode.EVENT):
+        with ctx.current.standing(Mode.EVENT):
             body.read(branch.body, placed.scope, None)
-        memories = tuple(ctx.occurrences.memory(_text(branch.condition)) for _ in conditions)
+        memories = tuple(ctx.product.occurrences.memory(_text(branch.condition)) for _ in conditions)
         spans = (branch.condition.span, *placed.scope.spans)
         branches.append(
             events.Branch(spans=spans, conditions=conditions, memories=memories, actions=tuple(body.actions))
         )
     spans = (node.span, *placed.scope.spans)
-    ctx.occurrences.whens.append(events.When(spans=spans, branches=tuple(branches)))
+    ctx.product.occurrences.whens.append(events.When(spans=spans, branches=tuple(branches)))
 
 
 def _text(condition: nodes.Expression) -> str:
@@ -68,7 +68,7 @@ def _text(condition: nodes.Expression) -> str:
 
 def _conditions(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[FlatExpression, ...]:
     """One condition, or several in braces; each of them may become true by itself."""
-    with ctx.standing(Mode.CONDITION):
+    with ctx.current.standing(Mode.CONDITION):
         parts = node.elements if isinstance(node, nodes.Array) else (node,)
         found = [(part, each) for part in parts for each in _truths(ctx, scope, part)]
     for part, condition in found:
@@ -116,7 +116,7 @@ class _Body:
     def _if(self, item: nodes.If, scope: Scope, guard: FlatExpression | None) -> None:
         """What holds of the conditions before is false in the branches after."""
         for branch in item.branches:
-            with self.ctx.without_relations():
+            with self.ctx.current.without_relations():
                 condition = boolean(
                     self.ctx, Operand(branch.condition, self.ctx.elaborate(self.ctx, scope, branch.condition, False))
                 )
@@ -141,11 +141,11 @@ class _Body:
         side, other = (item.left, item.right)
         if _target(ctx, scope, item.left) is None:
             side, other = other, side
-        shape = ctx.resolver.shape(symbol)
+        shape = ctx.resolver.shape(ctx, symbol)
         if shape is None or symbol.info is None:
             return
         shape = shape[len(indices) :]
-        with ctx.without_relations():
+        with ctx.current.without_relations():
             value = ctx.elaborate(ctx, scope, other, True)
         expected = Expected(
             f"`{symbol.short}`", symbol.info.dimension or DIMENSIONLESS, shape, symbol.info.base, symbol.info.unit
@@ -201,7 +201,7 @@ class _Body:
         assert isinstance(call, nodes.Call)
         if message is None or isinstance(call.arguments[0], nodes.Named):
             return
-        with self.ctx.without_relations():
+        with self.ctx.current.without_relations():
             condition = boolean(
                 self.ctx, Operand(call.arguments[0], self.ctx.elaborate(self.ctx, scope, call.arguments[0], False))
             )
@@ -215,7 +215,7 @@ class _Body:
         arguments = positional(ctx, call, 2, 2)
         if arguments is None:
             return
-        with ctx.without_relations():
+        with ctx.current.without_relations():
             gap, restitution = (ctx.elaborate(ctx, scope, argument, False) for argument in arguments)
         if not isinstance(gap, Scalar):
             if not isinstance(gap, Poison):

@@ -81,10 +81,10 @@ def _no_function(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.R
     entry = lookup(scope, name)
     if isinstance(entry, Symbol | Scalar | Vector | Array):
         if isinstance(entry, Symbol):
-            entry.used = True
+            entry.made.used = True
         inside = node.span.text[len(name) :].strip()
         ctx.sink.report("E0327", function.span, name=name, what=_what(entry), arguments=inside)
-    elif not ctx.incomplete:
+    elif not ctx.reports.incomplete:
         functions = [found for found, each in visible(scope) if isinstance(each, FunctionSymbol)]
         meant = builtin.meant_function(name, [*functions, *SPECIALS, *OF_EVENTS])
         ctx.sink.report("E0209", function.span, name=name, help=f"did you mean `{meant}`?" if meant else None)

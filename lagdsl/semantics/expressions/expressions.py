@@ -26,7 +26,7 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
     """The typed value of `node`.
 
     `adopt`: the expression is a whole binding, modifier or array element of a declared quantity, so that a bare number
-    takes the declared unit (ruling 11).
+    takes the declared unit.
     """
     match node:
         case nodes.Number():
@@ -91,7 +91,7 @@ def _number(ctx: Context, node: nodes.Number, adopt: bool) -> Value:
 
 def _quantity(ctx: Context, node: nodes.Quantity, sign: str = "") -> Value:
     """`sign` is part of a literal in a unit with an offset."""
-    if not ctx.units:
+    if not ctx.conventions.units:
         ctx.sink.report("E0409", node.span)
         return POISON
     try:

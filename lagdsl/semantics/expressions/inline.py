@@ -21,19 +21,19 @@ from lagdsl.units.dimension import DIMENSIONLESS
 def inlined(ctx: Context, scope: Scope, node: nodes.Call, symbol: FunctionSymbol, arguments: list[Operand]) -> Value:
     """The body of the function with the arguments in place of its parameters."""
     function = symbol.node
-    if any(active is function for active in ctx.functions):
-        if not any(f"{active.name}()" in ctx.reported for active in ctx.functions):
+    if any(active is function for active in ctx.current.functions):
+        if not any(f"{active.name}()" in ctx.reports.reported for active in ctx.current.functions):
             ctx.sink.report("E0314", node.span, name=function.name)
-        ctx.reported.update(f"{active.name}()" for active in ctx.functions)
+        ctx.reports.reported.update(f"{active.name}()" for active in ctx.current.functions)
         return POISON
     bound = _bind(ctx, symbol, node, arguments)
     if bound is None or not another_call(ctx, node.span):
         return POISON
-    ctx.functions.append(function)
+    ctx.current.functions.append(function)
     try:
         value = ctx.elaborate(ctx, symbol.scope.of_function(bound), function.value, True)
     finally:
-        ctx.functions.pop()
+        ctx.current.functions.pop()
     return _result(ctx, symbol, bound, value)
 
 
@@ -144,8 +144,8 @@ def check_function(ctx: Context, symbol: FunctionSymbol) -> None:
         if info is not None and info.base == "Real" and not subscripts:
             dimension = info.dimension or DIMENSIONLESS
             bound[parameter.name] = Scalar(flat.Variable(parameter.name), dimension, Variability.CONTINUOUS)
-    with ctx.without_relations():
-        ctx.functions.append(symbol.node)
+    with ctx.current.without_relations():
+        ctx.current.functions.append(symbol.node)
         value = ctx.elaborate(ctx, symbol.scope.of_function(bound), symbol.node.value, True)
-        ctx.functions.pop()
+        ctx.current.functions.pop()
     _result(ctx, symbol, bound, value)

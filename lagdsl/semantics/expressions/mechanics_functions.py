@@ -71,7 +71,7 @@ def _unlocated(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         order = structural_integer(ctx, ctx.elaborate(ctx, scope, arguments[0], False), arguments[0], "E0333")
         if order is None:
             return POISON
-    with ctx.without_relations():
+    with ctx.current.without_relations():
         return ctx.elaborate(ctx, scope, arguments[-1], False)
 
 
@@ -82,7 +82,7 @@ def _omega(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     frame = as_frame(ctx, arguments[0], ctx.elaborate(ctx, scope, arguments[0], False))
     if frame is None:
         return POISON
-    dimension = DIMENSIONLESS / ctx.dimension(TIME)
+    dimension = DIMENSIONLESS / ctx.conventions.dimension(TIME)
     if frame.name == "world":
         return Vector(flat.ZERO_VECTOR, dimension, Variability.CONSTANT, Order.STILL)
     order = Order.RATE if frame.order > Order.GIVEN else frame.order
@@ -106,15 +106,17 @@ def _vel(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     order = Order.RATE if known > Order.GIVEN else known
     velocity = flat.MaterialVelocity(point.expression, frame.name)
     if frame.name == "world":
-        return Vector(flat.ZERO_VECTOR, ctx.dimension(VELOCITY), Variability.CONSTANT, Order.STILL)
-    return Vector(velocity, ctx.dimension(VELOCITY), Variability.CONTINUOUS, order)
+        return Vector(flat.ZERO_VECTOR, ctx.conventions.dimension(VELOCITY), Variability.CONSTANT, Order.STILL)
+    return Vector(velocity, ctx.conventions.dimension(VELOCITY), Variability.CONTINUOUS, order)
 
 
 def _energy(kind: Literal["total", "kinetic", "potential", "jacobi"]) -> Special:
     def energy(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         if positional(ctx, node, 0, 0) is None:
             return POISON
-        return Scalar(flat.SystemEnergy(kind), ctx.dimension(ENERGY), Variability.CONTINUOUS, Order.SOLUTION)
+        return Scalar(
+            flat.SystemEnergy(kind), ctx.conventions.dimension(ENERGY), Variability.CONTINUOUS, Order.SOLUTION
+        )
 
     return energy
 
@@ -131,7 +133,7 @@ def _momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if not coordinate or not isinstance(value, Scalar) or not isinstance(value.expression, flat.Variable):
         ctx.sink.report("E0312", arguments[0].span, expected="a coordinate", found=_what(found, value))
         return POISON
-    dimension = ctx.dimension(ENERGY) * ctx.dimension(TIME) / (value.dimension or DIMENSIONLESS)
+    dimension = ctx.conventions.dimension(ENERGY) * ctx.conventions.dimension(TIME) / (value.dimension or DIMENSIONLESS)
     momentum = flat.GeneralizedMomentum(value.expression.name)
     return Scalar(momentum, dimension, Variability.CONTINUOUS, Order.SOLUTION)
 
@@ -168,7 +170,7 @@ def _reaction(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
             ctx.sink.report("E0312", target.span, expected="the name of a point", found=kind_of(value), help=hint)
         return POISON
     reaction = flat.ReactionAlong(vector.expression.name, direction.expression)
-    return Scalar(reaction, ctx.dimension(FORCE), Variability.CONTINUOUS, Order.SOLUTION)
+    return Scalar(reaction, ctx.conventions.dimension(FORCE), Variability.CONTINUOUS, Order.SOLUTION)
 
 
 def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
@@ -202,7 +204,7 @@ def _rows_apart(
     symbol = designated(ctx, scope, node.target)
     if not isinstance(symbol, Symbol) or symbol.kind != "constraint":
         return node, ()
-    rank = len(ctx.resolver.shape(symbol) or ())
+    rank = len(ctx.resolver.shape(ctx, symbol) or ())
     if len(node.subscripts) <= rank:
         return node, ()
     label = replace(node, subscripts=node.subscripts[:rank]) if rank else node.target
@@ -211,12 +213,12 @@ def _rows_apart(
 
 def _multiplier_of(ctx: Context, symbol: Symbol, indices: Indices, node: nodes.Node) -> Value:
     if symbol.kind == "contact":
-        contact = ctx.resolver.contact(symbol, indices)
+        contact = ctx.resolver.contact(ctx, symbol, indices)
         return contact.multiplier if contact is not None else POISON
-    places = [indices] if indices in symbol.labels else list(symbol.labels)
+    places = [indices] if indices in symbol.made.labels else list(symbol.made.labels)
     if not all(_present(ctx, symbol, each, node) for each in places):
         return POISON
-    rows = [ctx.resolver.constraint(symbol, each) for each in places]
+    rows = [ctx.resolver.constraint(ctx, symbol, each) for each in places]
     known = [constraint for constraint in rows if constraint is not None]
     if not known or len(known) < len(rows):
         return POISON
@@ -230,7 +232,7 @@ def _multiplier_of(ctx: Context, symbol: Symbol, indices: Indices, node: nodes.N
 
 def _present(ctx: Context, symbol: Symbol, indices: Indices, node: nodes.Node) -> bool:
     """E0343 where the condition of the labelled item leaves it out."""
-    instance = symbol.labels[indices]
+    instance = symbol.made.labels[indices]
     if condition_of(ctx, instance.scope, instance.node.condition) is not False:
         return True
     ctx.sink.report("E0343", node.span, Label(symbol.span, "its condition is false"), name=instance.name)
@@ -238,14 +240,14 @@ def _present(ctx: Context, symbol: Symbol, indices: Indices, node: nodes.Node) -
 
 
 def _multiplier_dimension(ctx: Context, row: Dimension, level: str) -> Dimension:
-    dimension = ctx.dimension(ENERGY) / row
-    return dimension if level == "position" else dimension / ctx.dimension(TIME)
+    dimension = ctx.conventions.dimension(ENERGY) / row
+    return dimension if level == "position" else dimension / ctx.conventions.dimension(TIME)
 
 
 def _linear_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     if positional(ctx, node, 0, 0) is None:
         return POISON
-    return Vector(flat.LinearMomentum(), ctx.dimension(MOMENTUM), Variability.CONTINUOUS, Order.SOLUTION)
+    return Vector(flat.LinearMomentum(), ctx.conventions.dimension(MOMENTUM), Variability.CONTINUOUS, Order.SOLUTION)
 
 
 def _angular_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
@@ -259,12 +261,12 @@ def _angular_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         if found is None:
             return POISON
         symbol, indices = found
-        if indices not in symbol.labels:
+        if indices not in symbol.made.labels:
             ctx.sink.report("E0312", arguments[0].span, expected="one body", found=f"all bodies `{symbol.name}`")
             return POISON
         if not _present(ctx, symbol, indices, arguments[0]):
             return POISON
-        body = symbol.labels[indices].name
+        body = symbol.made.labels[indices].name
     about = named(node, "about")
     point = Vector(flat.ZERO_VECTOR, None)
     if about is not None:
@@ -273,7 +275,7 @@ def _angular_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
             return POISON
         point = position
     momentum = flat.AngularMomentum(body, point.expression)
-    return Vector(momentum, ctx.dimension(ANGULAR_MOMENTUM), Variability.CONTINUOUS, Order.SOLUTION)
+    return Vector(momentum, ctx.conventions.dimension(ANGULAR_MOMENTUM), Variability.CONTINUOUS, Order.SOLUTION)
 
 
 SPECIALS: dict[str, Special] = {

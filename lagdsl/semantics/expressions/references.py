@@ -50,8 +50,8 @@ def reference(ctx: Context, scope: Scope, node: nodes.Reference) -> Value:
 def _value(ctx: Context, entry: Entry, node: nodes.Expression) -> Value:
     match entry:
         case Symbol():
-            entry.used = True
-            return ctx.resolver.whole(entry, node.span)
+            entry.made.used = True
+            return ctx.resolver.whole(ctx, entry, node.span)
         case FunctionSymbol():
             ctx.sink.report("E0219", node.span, name=node.span.text, what="a function", help="call it: `f(...)`")
             return POISON
@@ -73,29 +73,29 @@ def _value(ctx: Context, entry: Entry, node: nodes.Expression) -> Value:
 
 def _prelude(ctx: Context, name: str) -> Value | None:
     if name == "time":
-        return Scalar(flat.TIME, ctx.dimension(TIME), Variability.CONTINUOUS, Order.STILL)
+        return Scalar(flat.TIME, ctx.conventions.dimension(TIME), Variability.CONTINUOUS, Order.STILL)
     if name == "world":
         return geometry.WORLD
     constant = prelude.CONSTANTS.get(name)
     if constant is None:
         return None
-    dimension = None if name == "inf" else ctx.dimension(constant.dimension)
+    dimension = None if name == "inf" else ctx.conventions.dimension(constant.dimension)
     return Scalar(flat.Number(constant.value), dimension)
 
 
 def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     """E0201, once for each name, with the nearest declared one."""
     key = f"{scope.title}.{node.name}"
-    if key in ctx.reported or ctx.incomplete or is_guess(scope):
-        ctx.withheld = node.span
+    if key in ctx.reports.reported or ctx.reports.incomplete or is_guess(scope):
+        ctx.reports.withheld = node.span
         return
-    ctx.reported.add(key)
+    ctx.reports.reported.add(key)
     if node.name in BUILTINS or node.name == "der":
         ctx.sink.report("E0219", node.span, name=node.name, what="a function", help=f"call it: `{node.name}(...)`")
         return
     outside = next((found for step in scope.chain() if isinstance(found := step.entries.get(node.name), Symbol)), None)
     if outside is not None:
-        outside.used = True
+        outside.made.used = True
         label = Label(outside.span, f"{an(outside.word)}, declared here")
         function = scope.owner.text is None
         way = f"a function knows its arguments and constants only: give it `{node.name}` as an argument"
@@ -109,7 +109,7 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     entry = names.get(meant) if meant is not None else None
     labels: tuple[Label, ...] = ()
     if isinstance(entry, Symbol):
-        entry.used = True
+        entry.made.used = True
         labels = (Label(entry.span, f"{an(entry.word)} with a similar name is declared here"),)
     hint = f"did you mean `{meant}`?" if meant is not None else import_hint(scope, node.name)
     if hint is None and _after_unit(node):
@@ -175,7 +175,7 @@ def not_in_package(ctx: Context, scope: Scope, node: nodes.Member) -> bool:
 
 def index(ctx: Context, scope: Scope, node: nodes.Index) -> Value:
     """`a[i]`, `a[2:3]`, `P[k]`: one element of a declared array is read without its neighbours."""
-    split = ctx.split_values.get((scope, id(node.target)))
+    split = ctx.splits.values.get((scope, id(node.target)))
     if split is not None:
         return _indexed(ctx, scope, node, split)
     entry = designated(ctx, scope, node)
@@ -185,8 +185,8 @@ def index(ctx: Context, scope: Scope, node: nodes.Index) -> Value:
     if isinstance(symbol, Poison):
         return POISON
     if isinstance(symbol, Symbol):
-        symbol.used = True
-        shape = ctx.resolver.shape(symbol)
+        symbol.made.used = True
+        shape = ctx.resolver.shape(ctx, symbol)
         if shape is None:
             return POISON
         if shape:
@@ -201,8 +201,8 @@ def _element(ctx: Context, scope: Scope, node: nodes.Index, symbol: Symbol, shap
         return POISON
     indices = tuple(item for item in found if isinstance(item, int))
     if len(indices) < len(shape):
-        return ctx.resolver.part(symbol, found, node.span)
-    value = ctx.resolver.element(symbol, indices, node.span)
+        return ctx.resolver.part(ctx, symbol, found, node.span)
+    value = ctx.resolver.element(ctx, symbol, indices, node.span)
     if not rest:
         return value
     if isinstance(value, Scalar):

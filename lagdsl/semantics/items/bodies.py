@@ -33,7 +33,7 @@ def rigid_body(ctx: Context, scope: Scope, node: nodes.RigidBody, symbol: Symbol
     switch = [_switched(ctx, scope, node, part) for part in (*mass, *inertia)]
     return flat_model.RigidBody(
         spans=(node.span, *scope.spans),
-        label=symbol.labels[scope.path].name if symbol is not None else None,
+        label=symbol.made.labels[scope.path].name if symbol is not None else None,
         frame=frame.name,
         mass=switch[0],
         com=(com[0], com[1], com[2]),
@@ -83,7 +83,11 @@ def _property(
         return [flat.ZERO] * count
     value = ctx.elaborate(ctx, scope, node, True)
     found = conform(
-        ctx, scope, node, value, Expected(f"`{name}` of a body", ctx.dimension(dimension), shape, code="E0415")
+        ctx,
+        scope,
+        node,
+        value,
+        Expected(f"`{name}` of a body", ctx.conventions.dimension(dimension), shape, code="E0415"),
     )
     if found is None:
         return None
@@ -102,7 +106,9 @@ def _center(
         return None
     value = components(value) if isinstance(value, Vector) else value
     size = 2 if isinstance(value, Array) and value.shape == (2,) else 3
-    found = conform(ctx, scope, node, value, Expected("`com` of a body", ctx.dimension(LENGTH), (size,), code="E0415"))
+    found = conform(
+        ctx, scope, node, value, Expected("`com` of a body", ctx.conventions.dimension(LENGTH), (size,), code="E0415")
+    )
     if not isinstance(found, Array):
         return None
     return [*found.elements, flat.ZERO][:3]
@@ -126,7 +132,11 @@ def _inertia(ctx: Context, scope: Scope, given: dict[str, nodes.Expression]) -> 
             value = Array(picked, (6,), value.dimension, value.variability, value.order)
         size = 6 if isinstance(value, Array) and value.shape == (6,) else 3
         found = conform(
-            ctx, scope, whole, value, Expected("`I` of a body", ctx.dimension(INERTIA), (size,), code="E0415")
+            ctx,
+            scope,
+            whole,
+            value,
+            Expected("`I` of a body", ctx.conventions.dimension(INERTIA), (size,), code="E0415"),
         )
         ok = isinstance(found, Array)
         if isinstance(found, Array):

@@ -134,8 +134,10 @@ def _rigid(
     dimension = gap.dimension or DIMENSIONLESS
     known = Variability.PARAMETER
     restitution = _option(ctx, scope, options["restitution"], "the restitution", DIMENSIONLESS, known, most=1.0)
-    capture_speed = _option(ctx, scope, options.get("v_stick"), "`v_stick`", dimension / ctx.dimension(TIME), known)
-    zeno_time = _option(ctx, scope, options.get("t_eps"), "`t_eps`", ctx.dimension(TIME), known)
+    capture_speed = _option(
+        ctx, scope, options.get("v_stick"), "`v_stick`", dimension / ctx.conventions.dimension(TIME), known
+    )
+    zeno_time = _option(ctx, scope, options.get("t_eps"), "`t_eps`", ctx.conventions.dimension(TIME), known)
     if (
         restitution is None
         or (capture_speed is None) != ("v_stick" not in options)
@@ -152,9 +154,9 @@ def _rigid(
         capture_speed=capture_speed,
         zeno_time=zeno_time,
     )
-    ctx.occurrences.contacts.append(contact)
+    ctx.product.occurrences.contacts.append(contact)
     residual = flat.Binary("*", flat.Variable(contact.closed), gap.expression)
-    ctx.constraints.append(
+    ctx.product.constraints.append(
         flat_model.Constraint(
             spans=spans,
             name=name,
@@ -170,7 +172,7 @@ def _rigid(
 
 
 def _force(ctx: Context, gap: Dimension) -> Dimension:
-    return ctx.dimension(ENERGY) / gap
+    return ctx.conventions.dimension(ENERGY) / gap
 
 
 # ---- compliant -------------------------------------------------------------------------------------------------------
@@ -188,13 +190,13 @@ def _compliant(
     stiffness = _option(
         ctx, scope, options["compliance"], "the stiffness", stiffness_dimension, continuous, strict=True
     )
-    slow = ctx.dimension(TIME) / dimension
+    slow = ctx.conventions.dimension(TIME) / dimension
     damping = _option(ctx, scope, options.get("damping"), "the damping", slow, continuous)
     if stiffness is None or (damping is None) != ("damping" not in options):
         return None
     spans = (node.span, *scope.spans)
     depth: FlatExpression = flat.Unary("-", gap.expression)
-    touching = flat.Variable(ctx.occurrences.relation(f"closed({name})", spans, depth, dimension, strict=True))
+    touching = flat.Variable(ctx.product.occurrences.relation(f"closed({name})", spans, depth, dimension, strict=True))
     force: FlatExpression = depth
     if power != 1.0:  # where the event is located the penetration may be a negative round-off, which has no such power
         force = flat.Binary("^", flat.Function("max", (depth, flat.ZERO)), flat.Number(power))
@@ -208,7 +210,7 @@ def _compliant(
     load = flat_model.GeneralizedForce(
         spans=spans, label=name, keyword="force", value=force, target=gap.expression, origin=None
     )
-    ctx.occurrences.forces.append(load)
+    ctx.product.forces.append(load)
     pressing = Scalar(force, _force(ctx, dimension), continuous, Order.RATE)
     return ContactValue(name, touching.name, None, pressing)
 

@@ -21,7 +21,7 @@ MOMENT = FORCE * LENGTH
 
 def value(ctx: Context, symbol: Symbol, indices: Indices) -> Value:
     """The value behind a label; a scalar energy or load becomes a definition of that name."""
-    instance = symbol.labels.get(indices)
+    instance = symbol.made.labels.get(indices)
     if instance is None:
         return POISON
     node = instance.node
@@ -53,7 +53,7 @@ def _definition(ctx: Context, instance: LabelInstance, node: nodes.Energy | node
         value=found.expression,
         variability=variability,
     )
-    ctx.named.append(definition)
+    ctx.product.named.append(definition)
     return Scalar(flat.Variable(instance.name), dimension, variability, found.order)
 
 

@@ -76,14 +76,14 @@ def _load(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -
 
 
 def _label(scope: Scope, symbol: Symbol | None) -> str | None:
-    return symbol.labels[scope.path].name if symbol is not None else None
+    return symbol.made.labels[scope.path].name if symbol is not None else None
 
 
 def _value(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> Scalar | Vector | None:
     """The value of the load; one with a label is made once, for its readers too."""
     if symbol is None:
         return labels.load_value(ctx, scope, node)
-    value: Value = ctx.resolver.element(symbol, scope.path, node.span)
+    value: Value = ctx.resolver.element(ctx, symbol, scope.path, node.span)
     return value if isinstance(value, Scalar | Vector) else None
 
 
@@ -194,7 +194,7 @@ def _origin(ctx: Context, scope: Scope, node: nodes.Load, target: Scalar) -> fla
 
 def _noun_fits(ctx: Context, scope: Scope, node: nodes.Load, value: Scalar, target: Scalar) -> bool:
     """E0403: dimension of the value against that of the target, and the noun against both."""
-    if not ctx.units:
+    if not ctx.conventions.units:
         return True
     assert node.on is not None
     shown = target.dimension or DIMENSIONLESS

@@ -59,11 +59,11 @@ def named_element(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[S
         return None
     if not isinstance(node, nodes.Index):
         return symbol, ()
-    shape = ctx.resolver.shape(symbol)
+    shape = ctx.resolver.shape(ctx, symbol)
     found = subscript_indices(ctx, scope, node.subscripts, shape, node) if shape is not None else None
     if found is None or not all(isinstance(index, int) for index in found):
         return None
-    symbol.used = True
+    symbol.made.used = True
     return symbol, tuple(index for index in found if isinstance(index, int))
 
 
@@ -74,7 +74,7 @@ def labelled(
     target = node.target if isinstance(node, nodes.Index) else node
     entry = designated(ctx, scope, target) if isinstance(target, nodes.Reference | nodes.Member) else None
     if isinstance(entry, Symbol) and entry.kind in kinds:
-        entry.used = True
+        entry.made.used = True
         if not isinstance(node, nodes.Index):
             return entry, ()
         return named_element(ctx, scope, node)

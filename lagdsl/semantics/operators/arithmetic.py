@@ -311,7 +311,7 @@ def _relation(ctx: Context, scope: Scope, node: nodes.Binary, left: Operand, rig
     if not fits(one.dimension, two.dimension):
         report_unequal(ctx, "compare", scope, (left.node, one.dimension), (right.node, two.dimension))
         return POISON
-    if latest(one, two) == Variability.CONTINUOUS and not ctx.quiet:
+    if latest(one, two) == Variability.CONTINUOUS and not ctx.current.quiet:
         return _located(ctx, scope, node, one, two)
     relation = flat.Binary(_OPERATORS[node.operator], one.expression, two.expression)
     return Scalar(relation, DIMENSIONLESS, latest(one, two), highest(one, two), "Boolean")
@@ -346,7 +346,7 @@ class Located:
         """Of `difference > 0` or, where it is not `strict`, of `difference >= 0`; `timed`: of time alone."""
         if timed:
             return corners.truth(self.ctx, text, self.spans, difference, strict=strict, told=True)
-        found = self.ctx.occurrences.relation(text, self.spans, difference, self.dimension, strict=strict)
+        found = self.ctx.product.occurrences.relation(text, self.spans, difference, self.dimension, strict=strict)
         return flat.Variable(found)
 
 
@@ -355,7 +355,7 @@ def _same_number(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, tw
     apart = flat.Function("abs", (flat.Binary("-", one.expression, two.expression),))
     difference = flat.Binary("-", flat.Number(0.5), apart)
     text = f"{scope.owner.prefix}{node.left.span.text} == {node.right.span.text}"
-    name = ctx.occurrences.relation(text, (node.span, *scope.spans), difference, DIMENSIONLESS, strict=True)
+    name = ctx.product.occurrences.relation(text, (node.span, *scope.spans), difference, DIMENSIONLESS, strict=True)
     truth: FlatExpression = flat.Variable(name)
     if node.operator == "<>":
         truth = flat.Unary("not", truth)

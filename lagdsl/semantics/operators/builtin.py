@@ -74,8 +74,13 @@ def _with_corner(call: Application, value: Scalar, distance: FlatExpression) -> 
 def _note_jumps(call: Application) -> None:
     """The first function whose jumps are met as they come."""
     moving = any(value.variability == Variability.CONTINUOUS for value in call.numeric)
-    if moving and call.name in ("floor", "ceil", "mod") and not call.ctx.quiet and call.ctx.jump is None:
-        call.ctx.jump = call.node
+    if (
+        moving
+        and call.name in ("floor", "ceil", "mod")
+        and not call.ctx.current.quiet
+        and call.ctx.reports.jump is None
+    ):
+        call.ctx.reports.jump = call.node
 
 
 def _function(
@@ -116,7 +121,7 @@ def _sign(call: Application) -> Value:
     values = scalars(call)
     if values is None:
         return POISON
-    if call.ctx.quiet or values[0].variability != Variability.CONTINUOUS:
+    if call.ctx.current.quiet or values[0].variability != Variability.CONTINUOUS:
         return _function(call, "sign", (values[0].expression,), DIMENSIONLESS, "Integer")
     text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", values[0].expression
     place = Located(call.ctx, (call.node.span, *call.scope.spans), values[0].dimension or DIMENSIONLESS)
@@ -205,7 +210,7 @@ def _value(call: Application) -> Value:
     unit = _unit(call, text.value)
     if unit is None:
         return POISON
-    if not fits(x.dimension, call.ctx.dimension(unit.dimension)):
+    if not fits(x.dimension, call.ctx.conventions.dimension(unit.dimension)):
         words = quantity(unit.dimension)
         call.ctx.sink.report(
             "E0415", call.arguments[0].node.span, what="the value", expected=words, found=quantity(x.dimension)

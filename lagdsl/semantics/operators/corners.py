@@ -17,8 +17,9 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat.events import Timed
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Spans, Variability
-from lagdsl.semantics.scope.context import Context, Met
+from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.occurrences import Mode
+from lagdsl.semantics.scope.product import Met
 from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.values import Numeric, Order, highest, latest
 from lagdsl.syntax import nodes
@@ -27,12 +28,12 @@ from lagdsl.syntax import nodes
 def is_timed(ctx: Context, *values: Numeric) -> bool:
     """Whether relations between these are of time alone, and are to be located."""
     moving = latest(*values) == Variability.CONTINUOUS and highest(*values) == Order.STILL
-    return moving and not ctx.quiet
+    return moving and not ctx.current.quiet
 
 
 def has_corner(ctx: Context, *values: Numeric) -> bool:
     """Whether a corner of a function of these is a time event. At an event functions are taken as they stand."""
-    return is_timed(ctx, *values) and ctx.mode is not Mode.EVENT
+    return is_timed(ctx, *values) and ctx.current.mode is not Mode.EVENT
 
 
 def met(
@@ -47,9 +48,9 @@ def met(
     """The same expression, remembered as one with a corner where the motion or an input can meet it. Not `sharp`: its
     slope is continuous."""
     moving = latest(*values) == Variability.CONTINUOUS and highest(*values) > Order.STILL
-    if moving and not ctx.quiet and ctx.mode is Mode.ALWAYS:
+    if moving and not ctx.current.quiet and ctx.current.mode is Mode.ALWAYS:
         spans = (node.span, *scope.spans)
-        ctx.corners.append(Met(expression, distance, spans, highest(*values), sharp))
+        ctx.product.corners.append(Met(expression, distance, spans, highest(*values), sharp))
     return expression
 
 
@@ -92,7 +93,7 @@ def truth(
             changes=(0,),
         )
 
-    return flat.Variable(ctx.occurrences.entry(text, stands, make))
+    return flat.Variable(ctx.product.occurrences.entry(text, stands, make))
 
 
 def of_call(ctx: Context, scope: Scope, node: nodes.Node, difference: FlatExpression) -> flat.Variable:
@@ -117,7 +118,7 @@ def whole(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression) -> fl
             changes=(-1, 1),
         )
 
-    return flat.Variable(ctx.occurrences.entry(text, stands, make))
+    return flat.Variable(ctx.product.occurrences.entry(text, stands, make))
 
 
 def piece(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression, borders: Sequence[float]) -> flat.Variable:
@@ -139,7 +140,7 @@ def piece(ctx: Context, scope: Scope, node: nodes.Node, x: FlatExpression, borde
             changes=(-1, 1),
         )
 
-    return flat.Variable(ctx.occurrences.entry(text, stands, make))
+    return flat.Variable(ctx.product.occurrences.entry(text, stands, make))
 
 
 def chosen(x: FlatExpression, borders: Sequence[float], pieces: Sequence[FlatExpression]) -> FlatExpression:

@@ -34,5 +34,5 @@ def require(
         if wrong is not None:
             ctx.sink.report("E0334", node.span, what=what, expected=wrong, found=node.span.text)
             return False
-    ctx.occurrences.limits.append(limit)
+    ctx.product.occurrences.limits.append(limit)
     return True

@@ -54,7 +54,7 @@ def member(ctx: Context, node: nodes.Member, target: Value) -> Value:
         case FrameValue() if node.name in FRAME_MEMBERS:
             return frame_member(ctx, target, node.name, node.span)
         case Reaction() if node.name in ("force", "torque"):
-            dimension = ctx.dimension(FORCE if node.name == "force" else FORCE * LENGTH)
+            dimension = ctx.conventions.dimension(FORCE if node.name == "force" else FORCE * LENGTH)
             return Vector(_wrench(target, node.name), dimension, Variability.CONTINUOUS, Order.SOLUTION)
         case Vector() | Array(shape=(2 | 3,)) if node.name in AXES:
             vector = as_vector(target)
@@ -106,7 +106,7 @@ def frame_member(ctx: Context, frame: FrameValue, name: str, span: Span) -> Vect
     if name == "origin":
         origin = as_vector(base)
         assert origin is not None
-        return Vector(origin.expression, ctx.dimension(LENGTH), base.variability, base.order)
+        return Vector(origin.expression, ctx.conventions.dimension(LENGTH), base.variability, base.order)
     return Vector(_axis(base.name, AXES.index(name)), DIMENSIONLESS, base.variability, base.order)
 
 
@@ -122,8 +122,8 @@ def anchored(ctx: Context, frame: FrameValue, span: Span) -> FrameValue:
     """The frame under a name of its own: one made on the spot gets one."""
     if not frame.steps:
         return frame
-    name = ctx.unique("frame")
-    ctx.named.append(flat_model.Frame(spans=(span,), name=name, parent=frame.name, steps=frame.steps))
+    name = ctx.product.unique("frame")
+    ctx.product.named.append(flat_model.Frame(spans=(span,), name=name, parent=frame.name, steps=frame.steps))
     return FrameValue(name, (), frame.variability, frame.order)
 
 
@@ -142,7 +142,7 @@ def as_point(ctx: Context, scope: Scope, node: nodes.Expression, value: Value) -
     vector = as_vector(operand(ctx, value, node.span))
     if vector is None:
         hint = None
-        if isinstance(value, Scalar) and fits(value.dimension, ctx.dimension(LENGTH)):
+        if isinstance(value, Scalar) and fits(value.dimension, ctx.conventions.dimension(LENGTH)):
             hint = f"did you mean `{{{node.span.text}, 0}}`?"
         ctx.sink.report("E0306", node.span, found=kind_of(value), help=hint)
         return None
@@ -160,7 +160,7 @@ def as_direction(
     vector = as_vector(value) if not isinstance(value, FrameValue) else None
     if vector is None:
         hint = None
-        if isinstance(value, Scalar) and fits(value.dimension, ctx.dimension(dimension)):
+        if isinstance(value, Scalar) and fits(value.dimension, ctx.conventions.dimension(dimension)):
             text = node.span.text if not isinstance(node, nodes.Binary) else f"({node.span.text})"
             hint = f"give it a direction: `{text}*world.x`"
         ctx.sink.report("E0312", node.span, expected=f"a vector for {what}", found=kind_of(value), help=hint)
@@ -263,7 +263,7 @@ def _in_axes(ctx: Context, frame: FrameValue, name: nodes.Member, arguments: _Ar
     assert origin is not None
     start = origin.expression if name.name == "point" else None
     expression = along_axes(base.name, offsets, start)
-    shown = ctx.dimension(LENGTH) if name.name == "point" else value.dimension
+    shown = ctx.conventions.dimension(LENGTH) if name.name == "point" else value.dimension
     return Vector(expression, shown, latest(base, value), highest(base, value))
 
 
@@ -350,7 +350,7 @@ _STEPS: dict[str, Callable[[Context, _Arguments, str], tuple[FrameStep, ...] | N
 
 def time_derivative(ctx: Context, value: Numeric) -> Numeric:
     """d/dt: zero for what does not change, one order higher for what moves."""
-    dimension = ctx.rate(value.dimension)
+    dimension = ctx.conventions.rate(value.dimension)
     still = rank(value.variability) <= rank(Variability.PARAMETER)
     order = Order(min(value.order + 1, Order.SOLUTION)) if value.order > Order.GIVEN else value.order
     match value:

@@ -1,51 +1,38 @@
-"""What one run of the semantics shares: the sink, the flat elements made so far, the conventions of the class."""
+"""State of one run of the semantics, in parts by what writes them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from typing import Protocol
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as flat_model
-from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.quantity import Spans
-from lagdsl.record import mutable_record, record
-from lagdsl.semantics.scope.occurrences import Mode, Occurrences
+from lagdsl.record import mutable_record
+from lagdsl.semantics.scope.current import Current
+from lagdsl.semantics.scope.product import Product
 from lagdsl.semantics.scope.scope import Indices, Instance, Scope, Symbol
-from lagdsl.semantics.scope.values import AnyDimension, ContactValue, Order, Value
+from lagdsl.semantics.scope.values import AnyDimension, ContactValue, Value
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
 
 
-@record()
-class Met:
-    """An expression with a corner where `distance` passes zero; not `sharp`: its slope is continuous there."""
-
-    expression: FlatExpression
-    distance: FlatExpression
-    spans: Spans
-    order: Order
-    sharp: bool
-
-
 class Resolver(Protocol):
     """Gives symbols their values; made by the floor's upper half, used by the elaboration of expressions."""
 
-    def shape(self, symbol: Symbol) -> tuple[int, ...] | None: ...
+    def shape(self, ctx: Context, symbol: Symbol) -> tuple[int, ...] | None: ...
 
-    def whole(self, symbol: Symbol, span: Span) -> Value: ...
+    def whole(self, ctx: Context, symbol: Symbol, span: Span) -> Value: ...
 
-    def part(self, symbol: Symbol, chosen: Sequence[int | tuple[int, ...]], span: Span) -> Value: ...
+    def part(self, ctx: Context, symbol: Symbol, chosen: Sequence[int | tuple[int, ...]], span: Span) -> Value: ...
 
-    def element(self, symbol: Symbol, indices: Indices, span: Span) -> Value: ...
+    def element(self, ctx: Context, symbol: Symbol, indices: Indices, span: Span) -> Value: ...
 
-    def constraint(self, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None: ...
+    def constraint(self, ctx: Context, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None: ...
 
-    def contact(self, symbol: Symbol, indices: Indices) -> ContactValue | None: ...
+    def contact(self, ctx: Context, symbol: Symbol, indices: Indices) -> ContactValue | None: ...
 
 
 class Places(Protocol):
@@ -63,88 +50,71 @@ class Places(Protocol):
 
 
 @mutable_record()
-class Context:
-    """Mutable state of one flattening; every product is collected here in the order in which it is complete.
+class Conventions:
+    """What the caller and the class decide for the whole model.
 
-    `home` is the file of the model: advice is not given about texts of libraries.
-    `splits` are modifiers whose values are split over an array of components, `split_values` what they are worth: by
-    the scope in which they stand, as every instance of a class has its own, and the identity of their node.
-    `corners` are what has one along the motion.
-    `incomplete`: names may come from what is not supported yet, so unknown ones are not reported.
-    `withheld` is an unknown name about which nothing was said, as something before must have been.
-    `named` is therefore sorted: what a definition uses was complete before it.
+    `home` is the file of the model: advice is not given about texts of libraries. `units` is False under
+    `annotation(units = "none")`. `overrides` are values of structural parameters, in SI units.
     """
 
-    sink: Sink
-    resolver: Resolver
-    elaborate: Callable[[Context, Scope, nodes.Expression, bool], Value]
-    home: SourceFile | None = None
+    home: SourceFile
+    overrides: Mapping[str, float]
     units: bool = True
-    overrides: Mapping[str, float] = field(default_factory=dict)
-    parameters: list[flat_model.Parameter] = field(default_factory=list)
-    named: list[flat_model.Named] = field(default_factory=list)
-    observed: list[flat_model.Definition] = field(default_factory=list)
-    constraints: list[flat_model.Constraint] = field(default_factory=list)
-    names: set[str] = field(default_factory=set)
-    active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
-    scopes: list[Scope] = field(default_factory=list)
-    splits: list[tuple[nodes.Modifier, Indices, Scope]] = field(default_factory=list)
-    split_values: dict[tuple[Scope, int], Value] = field(default_factory=dict)
-    jump: nodes.Call | None = None
-    corners: list[Met] = field(default_factory=list)
-    quiet: bool = False
-    mode: Mode = Mode.ALWAYS
-    occurrences: Occurrences = field(default_factory=Occurrences)
-    unlabelled: int = 0
-    unlabelled_contacts: int = 0
-    incomplete: bool = False
-    functions: list[nodes.Function] = field(default_factory=list)
-    turns: int = 0
-    calls: int = 0
-    components: int = 0
-    exceeded: set[str] = field(default_factory=set)
-    reported: set[str] = field(default_factory=set)
-    withheld: Span | None = None
-    assembly: Places | None = None
 
     def dimension(self, dimension: Dimension) -> Dimension:
-        """The dimension as the class counts: 1 for all under `annotation(units = "none")`."""
+        """The dimension as the class counts: 1 for all without units."""
         return dimension if self.units else DIMENSIONLESS
 
     def rate(self, dimension: AnyDimension) -> AnyDimension:
         return dimension / self.dimension(TIME) if dimension is not None else None
 
-    @contextmanager
-    def inside(self, scope: Scope) -> Iterator[None]:
-        """What is reported meanwhile about the text of a class belongs to this instance of it."""
-        self.scopes.append(scope)
-        try:
-            yield
-        finally:
-            self.scopes.pop()
 
-    @contextmanager
-    def without_relations(self) -> Iterator[None]:
-        """Relations inside are taken as they stand, not located as events."""
-        before, self.quiet = self.quiet, True
-        try:
-            yield
-        finally:
-            self.quiet = before
+@mutable_record()
+class Counts:
+    """How much is expanded so far; `limits` has the bounds. `exceeded` are those that were reported."""
 
-    @contextmanager
-    def standing(self, mode: Mode) -> Iterator[None]:
-        """What is elaborated meanwhile stands there: a definition, which holds always, a `when` or its condition."""
-        before, self.quiet, self.mode = (self.quiet, self.mode), False, mode
-        try:
-            yield
-        finally:
-            self.quiet, self.mode = before
+    turns: int = 0
+    calls: int = 0
+    components: int = 0
+    exceeded: set[str] = field(default_factory=set)
 
-    def unique(self, name: str) -> str:
-        """A name for something the user did not name."""
-        count = 1
-        while f"{name}_{count}" in self.names:
-            count += 1
-        self.names.add(f"{name}_{count}")
-        return f"{name}_{count}"
+
+@mutable_record()
+class Reports:
+    """What later reports depend on.
+
+    `reported` are keys of faults that are told once. `incomplete`: names may come from what is not supported yet, so
+    unknown ones are not reported. `withheld` is an unknown name about which nothing was said, as something before must
+    have been. `jump` is the first call that jumps without an event being located.
+    """
+
+    reported: set[str] = field(default_factory=set)
+    incomplete: bool = False
+    withheld: Span | None = None
+    jump: nodes.Call | None = None
+
+
+@mutable_record()
+class Splits:
+    """Modifiers whose values are split over an array of components, and what the values are worth: by the scope in
+    which a modifier stands, as every instance of a class has its own, and the identity of its node."""
+
+    modifiers: list[tuple[nodes.Modifier, Indices, Scope]] = field(default_factory=list)
+    values: dict[tuple[Scope, int], Value] = field(default_factory=dict)
+
+
+@mutable_record()
+class Context:
+    """One flattening. `resolver` and `elaborate` lie above most of the modules that need them; `assembly` is there from
+    the end of the kinematic assembly on."""
+
+    sink: Sink
+    resolver: Resolver
+    elaborate: Callable[[Context, Scope, nodes.Expression, bool], Value]
+    conventions: Conventions
+    current: Current
+    product: Product = field(default_factory=Product)
+    counts: Counts = field(default_factory=Counts)
+    reports: Reports = field(default_factory=Reports)
+    splits: Splits = field(default_factory=Splits)
+    assembly: Places | None = None

@@ -81,19 +81,19 @@ def declare_imports(sink: Sink, scope: Scope, items: Iterable[nodes.Item]) -> No
     """Note the imports among `items` in `scope`; nothing is read, so their order does not matter."""
     for item in items:
         if isinstance(item, nodes.Import):
-            if scope.imports is None:
-                scope.imports = ImportList(sink, root_of(scope))
-            assert isinstance(scope.imports, ImportList)
+            if scope.outside.imports is None:
+                scope.outside.imports = ImportList(sink, root_of(scope))
+            assert isinstance(scope.outside.imports, ImportList)
             for name, target in imported(item):
                 if name is None:
-                    scope.imports.wildcards.append(target)
+                    scope.outside.imports.wildcards.append(target)
                 else:
-                    _name(scope.imports, name, target)
+                    _name(scope.outside.imports, name, target)
 
 
 def check_imports(scope: Scope) -> None:
     """Follow every import of a scope, so that a wrong one is told even where no name needs it."""
-    imports = scope.imports
+    imports = scope.outside.imports
     if isinstance(imports, ImportList):
         for target in imports.targets.values():
             follow(imports.sink, imports.root, target)
@@ -129,7 +129,7 @@ def _within(item: nodes.Import, name: str) -> Span:
 
 def root_of(scope: Scope) -> Root:
     """Where the names of imports begin."""
-    return next(step.root for step in scope.chain() if step.root is not None)
+    return next(step.outside.root for step in scope.chain() if step.outside.root is not None)
 
 
 def import_hint(scope: Scope, name: str) -> str | None:

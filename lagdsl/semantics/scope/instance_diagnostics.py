@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from lagdsl.diagnostics import Diagnostic, Label, Sink
 from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.current import Current
 from lagdsl.semantics.scope.scope import Instance, Scope, Symbol
 from lagdsl.source import Span
 
@@ -17,36 +18,34 @@ _NUMBER = re.compile(r"\b\d+\b")  # turns of one loop, elements of one array: th
 class InstanceSink(Sink):
     """Adds the declarations of the components, innermost first, to what is said about the text of their class."""
 
-    def __init__(self) -> None:
+    def __init__(self, current: Current) -> None:
         super().__init__()
-        self.ctx: Context | None = None
+        self._current = current
         self._told: set[tuple[str, str, int, int]] = set()
 
     def add(self, diagnostic: Diagnostic) -> None:
         """The same code at the same place of a class is kept for the first instance only; nothing is told twice."""
         if diagnostic.labels:
-            first = diagnostic.labels[0].span
-            said = (diagnostic.code + _NUMBER.sub("", diagnostic.message), first.file.name, first.start, first.end)
+            span = diagnostic.labels[0].span
+            said = (diagnostic.code + _NUMBER.sub("", diagnostic.message), span.file.name, span.start, span.end)
             if said in self._told:
                 return
             self._told.add(said)
-        if self.ctx is not None and diagnostic.labels:
-            span = diagnostic.labels[0].span
-            places = list(_places(_instance_at(self.ctx, span)))
+            places = list(_places(_instance_at(self._current, span)))
             if places:
                 key = (diagnostic.code, span.file.name, span.start, span.end)
                 if key in self._told:
                     return
                 self._told.add(key)
             known = [label.span for label in diagnostic.labels]
-            new = tuple(label for label in (*_modified(self.ctx, span), *places) if label.span not in known)
+            new = tuple(label for label in (*_modified(self._current, span), *places) if label.span not in known)
             diagnostic = replace(diagnostic, labels=(*diagnostic.labels, *new)) if new else diagnostic
         super().add(diagnostic)
 
 
-def _instance_at(ctx: Context, span: Span) -> Instance | None:
+def _instance_at(current: Current, span: Span) -> Instance | None:
     """The instance being worked on whose text holds the place."""
-    for scope in (*(symbol.scope for symbol, _ in reversed(ctx.active)), *reversed(ctx.scopes)):
+    for scope in (*(symbol.scope for symbol, _ in reversed(current.active)), *reversed(current.scopes)):
         step: Scope | None = scope
         while step is not None:
             owner = next((each for each in step.chain() if each.instance is not None), None)
@@ -58,11 +57,11 @@ def _instance_at(ctx: Context, span: Span) -> Instance | None:
     return None
 
 
-def _modified(ctx: Context, span: Span) -> tuple[Label, ...]:
+def _modified(current: Current, span: Span) -> tuple[Label, ...]:
     """What gets its value where the fault is, if it is declared in another class."""
-    if not ctx.active:
+    if not current.active:
         return ()
-    symbol = ctx.active[-1][0]
+    symbol = current.active[-1][0]
     owner = symbol.scope.owner
     if owner.text is None or _holds(owner.text, span) or owner.instance is None or owner.instance.around is None:
         return ()

@@ -31,24 +31,24 @@ def range_fits(ctx: Context, span: Span, count: int) -> bool:
 
 def another_turn(ctx: Context, span: Span) -> bool:
     """Count a turn of a loop."""
-    ctx.turns += 1
-    return _fits(ctx, span, "the number of loop turns", ctx.turns, MAX_TURNS)
+    ctx.counts.turns += 1
+    return _fits(ctx, span, "the number of loop turns", ctx.counts.turns, MAX_TURNS)
 
 
 def another_component(ctx: Context, span: Span) -> bool:
     """Count a component."""
-    ctx.components += 1
-    return _fits(ctx, span, "the number of components", ctx.components, MAX_COMPONENTS)
+    ctx.counts.components += 1
+    return _fits(ctx, span, "the number of components", ctx.counts.components, MAX_COMPONENTS)
 
 
 def another_call(ctx: Context, span: Span) -> bool:
     """Count a function that is expanded."""
-    ctx.calls += 1
-    return _fits(ctx, span, "the number of expanded function calls", ctx.calls, MAX_CALLS)
+    ctx.counts.calls += 1
+    return _fits(ctx, span, "the number of expanded function calls", ctx.counts.calls, MAX_CALLS)
 
 
 def _fits(ctx: Context, span: Span, what: str, count: int, most: int) -> bool:
-    if count > most and what not in ctx.exceeded:
-        ctx.exceeded.add(what)
+    if count > most and what not in ctx.counts.exceeded:
+        ctx.counts.exceeded.add(what)
         ctx.sink.report("E0326", span, what=what, most=most)
     return count <= most

@@ -9,7 +9,6 @@ from itertools import count
 
 from lagdsl.flat.events import INITIAL, TERMINAL, Branch, Clock, Contact, Discrete, Events, Limit, Relation, Timed, When
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.flat.model import GeneralizedForce
 from lagdsl.flat.quantity import Spans
 from lagdsl.record import mutable_record
 from lagdsl.units import Dimension
@@ -28,14 +27,10 @@ class Mode(Enum):
 
 @mutable_record()
 class Occurrences:
-    """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier.
-
-    `forces` are those of compliant contacts.
-    """
+    """Collected in the order in which they are met, which is that of the text as far as nothing is needed earlier."""
 
     discretes: list[Discrete] = field(default_factory=list)
     contacts: list[Contact] = field(default_factory=list)
-    forces: list[GeneralizedForce] = field(default_factory=list)
     relations: dict[str, Relation] = field(default_factory=dict)
     timed: dict[str, tuple[FlatExpression, Timed]] = field(default_factory=dict)
     whens: list[When] = field(default_factory=list)

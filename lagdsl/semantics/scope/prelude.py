@@ -212,7 +212,7 @@ TYPES: dict[str, PreludeType] = {
     "Integer": PreludeType("Integer", "Integer"),
     "Boolean": PreludeType("Boolean", "Boolean"),
     "String": PreludeType("String", "String"),
-    # Scalar first; as a coordinate it brings its unit-length constraint along (ruling 17).
+    # Scalar first; as a coordinate it brings its unit-length constraint along.
     "Quaternion": PreludeType("Quaternion", "Real", shape=(4,)),
     **_rows(_SPACE_AND_TIME),
     **_rows(_MECHANICS),

@@ -82,12 +82,33 @@ class LabelInstance:
 
 
 @mutable_record()
-class Symbol:
-    """A declared name, before and while it gets its value.
+class Given:
+    """The texts that give a symbol its values, by index; None stands for all of an array.
 
-    `cells` are the values made so far, by index. `overrides` are modifiers from outside, outer ones last; `sealed` is
-    the place of the `final` one, after which none is allowed. `flow`: the values of connected ones sum up to zero.
+    `overrides` are modifiers from outside, outer ones last; `sealed` is the place of the `final` one, after which none
+    is allowed, and `final` the word at the declaration.
     """
+
+    bindings: dict[Indices | None, Binding] = field(default_factory=dict)
+    derivatives: dict[Indices | None, Binding] = field(default_factory=dict)
+    overrides: list[tuple[tuple[nodes.AnyModifier, ...], Scope]] = field(default_factory=list)
+    final: bool = False
+    sealed: Span | None = None
+
+
+@mutable_record()
+class Made:
+    """What is known of a symbol so far: its shape, its values and labelled items by index, whether it is read."""
+
+    shape: tuple[int, ...] | None = None
+    cells: dict[Indices, Value] = field(default_factory=dict)
+    labels: dict[Indices, LabelInstance] = field(default_factory=dict)
+    used: bool = False
+
+
+@mutable_record()
+class Symbol:
+    """A declared name, before and while it gets its value. `flow`: the values of connected ones sum up to zero."""
 
     name: str
     kind: SymbolKind
@@ -96,16 +117,9 @@ class Symbol:
     title: str
     declarator: nodes.Declarator | None = None
     info: TypeInfo | None = None
-    final: bool = False
     flow: bool = False
-    sealed: Span | None = None
-    bindings: dict[Indices | None, Binding] = field(default_factory=dict)
-    derivatives: dict[Indices | None, Binding] = field(default_factory=dict)
-    overrides: list[tuple[tuple[nodes.AnyModifier, ...], Scope]] = field(default_factory=list)
-    labels: dict[Indices, LabelInstance] = field(default_factory=dict)
-    shape: tuple[int, ...] | None = None
-    cells: dict[Indices, Value] = field(default_factory=dict)
-    used: bool = False
+    given: Given = field(default_factory=Given)
+    made: Made = field(default_factory=Made)
 
     @property
     def word(self) -> str:
@@ -118,7 +132,7 @@ class Symbol:
     def is_name(self) -> bool:
         """Whether it stands for its binding: a variable, or an input of a component that is bound or has a default."""
         return self.kind in ("algebraic", "output") or (
-            self.kind == "input" and bool(self.scope.spans) and bool(self.bindings)
+            self.kind == "input" and bool(self.scope.spans) and bool(self.given.bindings)
         )
 
     @property
@@ -155,7 +169,7 @@ class ClassSymbol:
 class Instance:
     """A component: one instance of a class, with its names in a scope of its own (prefix `arm.`, `wheel[2].`).
 
-    `kind` is the keyword of its class; `protected` are the names that may not be reached from outside. `members` are
+    `protected` are the names that may not be reached from outside. `members` are
     its quantities and components in the order of the text. A component whose condition is false is not `present`;
     `conditions` of parameters, its own and those of the components around, switch what it contributes. `around` is the
     scope in which it is declared, None for the model itself. `misfit`: a modifier of it was wrong, so that what has no
@@ -166,13 +180,17 @@ class Instance:
     span: Span
     definition: ClassSymbol
     scope: Scope
-    kind: str
     protected: set[str] = field(default_factory=set)
     members: list[Symbol | Instance | InstanceArray] = field(default_factory=list)
     present: bool = True
     conditions: tuple[tuple[Scalar, Span], ...] = ()
     around: Scope | None = None
     misfit: bool = False
+
+    @property
+    def kind(self) -> str:
+        """The keyword of its class."""
+        return self.definition.node.kind
 
 
 @mutable_record()
@@ -217,10 +235,19 @@ class Imports(Protocol):
 
 
 @mutable_record()
+class Outside:
+    """Where a scope gets names that its text does not declare: imports, the files of a package, and `root`, the names
+    that an import may begin with."""
+
+    imports: Imports | None = None
+    files: Files | None = None
+    root: Root | None = None
+
+
+@mutable_record()
 class Scope:
     """`path` are the indices of the loops around, for labels; `title` names the scope in diagnostics.
 
-    `files` are the names of a package that stand in files, `root` those that an import in this scope may begin with.
     The scope of a class knows the place of its `text` and the `instance` that it is of.
     """
 
@@ -231,24 +258,22 @@ class Scope:
     spans: tuple[Span, ...] = ()
     path: Indices = ()
     entries: dict[str, Entry] = field(default_factory=dict)
-    imports: Imports | None = None
-    files: Files | None = None
-    root: Root | None = None
+    outside: Outside = field(default_factory=Outside)
     text: Span | None = None
     instance: Instance | None = None
 
     def find(self, name: str, span: Span | None = None) -> Entry | None:
         """The entry of this scope itself: declared, or in a file of the package."""
         entry = self.entries.get(name)
-        if entry is None and self.files is not None:
-            entry = self.files.find(name, span)
+        if entry is None and self.outside.files is not None:
+            entry = self.outside.files.find(name, span)
         return entry
 
     def names(self) -> Iterator[str]:
         """The names that `find` knows, without reading their files."""
         yield from self.entries
-        if self.files is not None:
-            yield from self.files.names()
+        if self.outside.files is not None:
+            yield from self.outside.files.names()
 
     def qualify(self, name: str) -> str:
         return f"{self.prefix}{name}"
@@ -302,7 +327,7 @@ def lookup_path(scope: Scope, parts: tuple[str, ...], span: Span | None = None) 
 
 
 def _imported(scope: Scope, name: str, span: Span | None) -> Entry | None:
-    around = [step.imports for step in scope.chain() if step.imports is not None]
+    around = [step.outside.imports for step in scope.chain() if step.outside.imports is not None]
     for imports in around:
         if (entry := imports.named(name, span)) is not None:
             return entry
@@ -314,7 +339,7 @@ def _imported(scope: Scope, name: str, span: Span | None) -> Entry | None:
 
 def is_guess(scope: Scope) -> bool:
     """Whether a name could have come from an import that leads nowhere."""
-    return any(step.imports is not None and step.imports.is_broken() for step in scope.chain())
+    return any(step.outside.imports is not None and step.outside.imports.is_broken() for step in scope.chain())
 
 
 def visible(scope: Scope) -> Iterator[tuple[str, Entry]]:
@@ -332,7 +357,7 @@ def visible(scope: Scope) -> Iterator[tuple[str, Entry]]:
 def reachable(scope: Scope) -> Iterator[str]:
     """Names of packages and classes that a text in `scope` could mean and that may stand in files not read yet."""
     for step in scope.chain():
-        if step.files is not None:
-            yield from step.files.names()
-        if step.imports is not None:
-            yield from step.imports.names()
+        if step.outside.files is not None:
+            yield from step.outside.files.names()
+        if step.outside.imports is not None:
+            yield from step.outside.imports.names()

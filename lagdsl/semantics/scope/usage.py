@@ -24,8 +24,8 @@ _WARNED = {
 
 def warn_unused(ctx: Context, symbols: Iterable[Symbol]) -> None:
     """W0206 for each declared name of the model's file that nothing reads in any instance of its class."""
-    own = [symbol for symbol in symbols if symbol.span.file is ctx.home]
-    done = {symbol.span.start for symbol in own if symbol.used}
+    own = [symbol for symbol in symbols if symbol.span.file is ctx.conventions.home]
+    done = {symbol.span.start for symbol in own if symbol.made.used}
     for symbol in own:
         kind = _WARNED.get(symbol.kind)
         if kind is not None and symbol.span.start not in done and not _is_offered(symbol):

@@ -36,7 +36,7 @@ def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bo
         if not _same(other, entry):
             _report_twice(ctx, name, other, entry, span)
         return False
-    if span.file is ctx.home and (name in prelude.CONSTANTS or name in prelude.TYPES):
+    if span.file is ctx.conventions.home and (name in prelude.CONSTANTS or name in prelude.TYPES):
         what = "constant" if name in prelude.CONSTANTS else "type"
         ctx.sink.report("N0205", span, name=name, what=what)
     scope.entries[name] = entry
@@ -130,7 +130,7 @@ def _component(ctx: Context, scope: Scope, item: nodes.Component, declarator: no
     else:
         symbol = _quantity(ctx, scope, kind, words, item.type_name, declarator)
     if symbol is not None:
-        symbol.final = "final" in item.prefixes
+        symbol.given.final = "final" in item.prefixes
         symbol.flow = "flow" in item.prefixes
     return symbol
 
@@ -155,12 +155,12 @@ def _symbol(
     symbol = Symbol(scope.qualify(declarator.name), kind, declarator.name_span, scope, title, declarator)
     if not enter(ctx, scope, declarator.name, symbol, declarator.name_span):
         return None
-    ctx.names.add(symbol.name)
+    ctx.product.names.add(symbol.name)
     if declarator.condition is not None and checked:
         ctx.sink.report("E0246", declarator.condition.span, name=declarator.name)
     if declarator.value is not None:
         key = None if declarator.subscripts or kind not in ("point", "frame") else ()
-        symbol.bindings[key] = Binding(declarator.value, scope, declarator.name_span)
+        symbol.given.bindings[key] = Binding(declarator.value, scope, declarator.name_span)
     return symbol
 
 

@@ -136,7 +136,7 @@ def require(
     **words: str,
 ) -> bool:
     """Report `code` (with `expected` and `found` in words) unless the dimension is the expected one."""
-    wanted = ctx.dimension(expected)
+    wanted = ctx.conventions.dimension(expected)
     if fits(found, wanted):
         return True
     if isinstance(node, nodes.Array):

@@ -73,9 +73,9 @@ def resolve_type(ctx: Context, name: nodes.Name, scope: Scope, depth: int = 0) -
 
 def _prelude(ctx: Context, row: prelude.PreludeType) -> TypeInfo:
     plain = row.base == "Real" and row.unit == "1" and row.name == "Real"
-    dimension = None if plain else ctx.dimension(row.dimension)
-    unit = row.unit if ctx.units else "1"
-    display = row.display_unit if ctx.units else None
+    dimension = None if plain else ctx.conventions.dimension(row.dimension)
+    unit = row.unit if ctx.conventions.units else "1"
+    display = row.display_unit if ctx.conventions.units else None
     return TypeInfo(
         row.name,
         row.base,
@@ -120,7 +120,7 @@ def with_unit(ctx: Context, base: TypeInfo, modifiers: tuple[nodes.AnyModifier, 
 
 
 def _unit(ctx: Context, base: TypeInfo, text: str, span: Span) -> TypeInfo:
-    if not ctx.units:
+    if not ctx.conventions.units:
         ctx.sink.report("E0409", span)
         return base
     try:
@@ -146,7 +146,7 @@ def _display(ctx: Context, base: TypeInfo, text: str, span: Span) -> TypeInfo:
     except UnknownUnit as fault:
         _unknown_unit(ctx, fault, span)
         return base
-    if ctx.units and unit.dimension != (base.dimension or DIMENSIONLESS):
+    if ctx.conventions.units and unit.dimension != (base.dimension or DIMENSIONLESS):
         words = describe(base.dimension or DIMENSIONLESS)
         ctx.sink.report("E0410", span, unit=text, type=base.name, words=words, own=base.unit)
         return base
@@ -160,7 +160,7 @@ def _unknown_unit(ctx: Context, fault: UnknownUnit, span: Span) -> None:
 
 def report_unknown_type(ctx: Context, name: nodes.Name, scope: Scope) -> None:
     text = ".".join(name.parts)
-    if ctx.incomplete or is_guess(scope):
+    if ctx.reports.incomplete or is_guess(scope):
         return
     if name.parts[0] in ("Modelica", "SI"):
         known = f"quantities are known by their plain name: `{name.parts[-1]}`"

@@ -61,7 +61,7 @@ def attributes(ctx: Context, symbol: Symbol) -> dict[str, Attribute]:
     for modifier in symbol.declarator.modifiers if symbol.declarator is not None else ():
         _read(ctx, symbol, modifier, symbol.scope, "", own, inherited=False)
     merged = {**found, **own}
-    for modifiers, scope in symbol.overrides:
+    for modifiers, scope in symbol.given.overrides:
         outer: dict[str, Attribute] = {}
         for modifier in modifiers:
             _read(ctx, symbol, modifier, scope, "", outer, inherited=False)

@@ -41,8 +41,8 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], binding: Binding 
     found, info = attributes.attributes(ctx, symbol), symbol.info
     assert info is not None
     fixed = found["fixed"]
-    if info.base != "Real" or symbol.final:
-        reason = "a `final` one keeps its value" if symbol.final else f"this one is of type {info.base}"
+    if info.base != "Real" or symbol.given.final:
+        reason = "a `final` one keeps its value" if symbol.given.final else f"this one is of type {info.base}"
         _refuse(ctx, symbol, fixed, reason)
         return
     freed_from_outside = fixed.scope is not symbol.scope
@@ -71,9 +71,9 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], binding: Binding 
             minimum=info.minimum if low is None else low,
             maximum=high,
         )
-        ctx.parameters.append(parameter)
+        ctx.product.parameters.append(parameter)
         variable = flat.Variable(parameter.name)
-        symbol.cells[indices] = Scalar(variable, dimension, Variability.PARAMETER, Order.STILL, "Real")
+        symbol.made.cells[indices] = Scalar(variable, dimension, Variability.PARAMETER, Order.STILL, "Real")
 
 
 def _refuse(ctx: Context, symbol: Symbol, fixed: Attribute, reason: str) -> None:

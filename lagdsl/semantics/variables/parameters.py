@@ -33,17 +33,17 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
     info = symbol.info
     if info is None:
         return
-    binding = symbol.bindings.get(key) or symbol.bindings.get(None)
+    binding = symbol.given.bindings.get(key) or symbol.given.bindings.get(None)
     if free_parameters.is_free(ctx, symbol, shape):
         free_parameters.make(ctx, symbol, shape, binding)
         return
     if info.base == "String":
         _text(ctx, symbol)
         return
-    if symbol.name in ctx.overrides and symbol.kind == "structural" and not shape:
-        number = flat.Number(float(ctx.overrides[symbol.name]))
+    if symbol.name in ctx.conventions.overrides and symbol.kind == "structural" and not shape:
+        number = flat.Number(float(ctx.conventions.overrides[symbol.name]))
         given = Scalar(number, info.dimension or DIMENSIONLESS, kind=info.base)
-        symbol.cells[()] = _element(ctx, symbol, (), given, (None, None), quantity_fields(symbol, (), None))
+        symbol.made.cells[()] = _element(ctx, symbol, (), given, (None, None), quantity_fields(symbol, (), None))
         return
     if binding is None:
         code = "E0303" if symbol.kind == "parameter" else "E0337"
@@ -63,7 +63,7 @@ def make(ctx: Context, symbol: Symbol, shape: tuple[int, ...], key: Indices | No
     lowest = [info.minimum if low is None else low for low in least]
     for part, indices, low, high in zip(parts, places, lowest, most, strict=True):
         cell = Scalar(part, expected.dimension, value.variability, value.order, value.kind)
-        symbol.cells[indices] = _element(
+        symbol.made.cells[indices] = _element(
             ctx, symbol, indices, cell, (low, high), quantity_fields(symbol, indices, sign)
         )
 
@@ -85,14 +85,14 @@ def _element(
     """One scalar: an independent parameter, a dependent one (a definition) or a number folded into expressions."""
     name, dimension, variability = fields["name"], fields["dimension"], _VARIABILITY[symbol.kind]
     assert symbol.info is not None
-    if not is_structural(value) or (symbol.final and symbol.kind == "parameter"):
+    if not is_structural(value) or (symbol.given.final and symbol.kind == "parameter"):
         definition = flat_model.Definition(**fields, value=value.expression, variability=variability)
-        ctx.named.append(definition)
+        ctx.product.named.append(definition)
         return Scalar(flat.Variable(name), dimension, variability, Order.STILL, value.kind)
     try:
         number = evaluate(value.expression)
     except NoValue as fault:
-        place = next(iter(symbol.bindings.values())).node.span if symbol.bindings else symbol.span
+        place = next(iter(symbol.given.bindings.values())).node.span if symbol.given.bindings else symbol.span
         ctx.sink.report("E0323", place, reason=str(fault))
         return POISON
     _check_bounds(ctx, symbol, number, bounds)
@@ -105,7 +105,7 @@ def _element(
         structural=folded,
         kind="Boolean" if symbol.info.base == "Boolean" else "Real" if symbol.info.base == "Real" else "Integer",
     )
-    ctx.parameters.append(parameter)
+    ctx.product.parameters.append(parameter)
     expression = flat.Number(number) if folded else flat.Variable(name)
     return Scalar(expression, dimension, variability, Order.STILL, value.kind)
 
@@ -126,7 +126,7 @@ def _check_bounds(ctx: Context, symbol: Symbol, number: float, bounds: Bounds) -
 
 def _text(ctx: Context, symbol: Symbol) -> None:
     """A String parameter."""
-    binding = symbol.bindings.get(None)
+    binding = symbol.given.bindings.get(None)
     if binding is None:
         report_missing(ctx, "E0303", symbol, symbol.short)
         return
@@ -140,5 +140,5 @@ def _text(ctx: Context, symbol: Symbol) -> None:
     fields = quantity_fields(symbol, (), None)
     folded = symbol.kind != "parameter"
     parameter = flat_model.Parameter(**fields, value=0.0, structural=folded, kind="String", text=value.value)
-    ctx.parameters.append(parameter)
-    symbol.cells[()] = value
+    ctx.product.parameters.append(parameter)
+    symbol.made.cells[()] = value

@@ -29,7 +29,7 @@ from lagdsl.units.naming import unit_text
 
 
 def _extent(ctx: Context, symbol: Symbol) -> tuple[int, ...] | None:
-    shape = ctx.resolver.shape(symbol)
+    shape = ctx.resolver.shape(ctx, symbol)
     return shape if symbol.info is not None else None
 
 
@@ -57,12 +57,12 @@ def coordinates(ctx: Context, symbol: Symbol) -> list[flat_model.Coordinate]:
     shape = _extent(ctx, symbol)
     if shape is None or symbol.info is None:
         return []
-    if symbol.bindings:
-        binding = next(iter(symbol.bindings.values()))
+    if symbol.given.bindings:
+        binding = next(iter(symbol.given.bindings.values()))
         ctx.sink.report("E0302", binding.node.span, name=symbol.short)
         return []
     dimension = _dimension(symbol)
-    rate_dimension = dimension / ctx.dimension(TIME)
+    rate_dimension = dimension / ctx.conventions.dimension(TIME)
     found = attributes.attributes(ctx, symbol)
     start = found.get("start")
     starts = _start(ctx, symbol, start, "the start", dimension, shape, symbol.info.unit)
@@ -79,7 +79,7 @@ def coordinates(ctx: Context, symbol: Symbol) -> list[flat_model.Coordinate]:
         if omega is not None:
             rates, rate = rate_starts(ctx, symbol, omega, starts_known, shape), omega
             rate_fixed = attributes.flags(ctx, found.get("omega.fixed"), "`fixed`", shape)
-        ctx.constraints.extend(normalisation(symbol, shape))
+        ctx.product.constraints.extend(normalisation(symbol, shape))
     else:
         starts_known = starts or [flat.ZERO] * math.prod(shape)
     rates_known = rates or [flat.ZERO] * math.prod(shape)
@@ -123,8 +123,8 @@ def states(ctx: Context, symbol: Symbol) -> list[flat_model.State]:
     shape = _extent(ctx, symbol)
     if shape is None or symbol.info is None:
         return []
-    if symbol.bindings:
-        binding = next(iter(symbol.bindings.values()))
+    if symbol.given.bindings:
+        binding = next(iter(symbol.given.bindings.values()))
         ctx.sink.report("E0338", binding.node.span, name=symbol.short)
         return []
     found = attributes.attributes(ctx, symbol)
@@ -136,12 +136,12 @@ def states(ctx: Context, symbol: Symbol) -> list[flat_model.State]:
     most = attributes.numbers(ctx, found.get("max"), "`max`", dimension, shape)
     sign = attributes.text(ctx, found.get("symbol"))
     result = []
-    whole = _derivative(ctx, symbol, None, shape) if None in symbol.derivatives else None
+    whole = _derivative(ctx, symbol, None, shape) if None in symbol.given.derivatives else None
     for k, indices in enumerate(every(shape)):
         if whole is not None:
             derivative: FlatExpression | None = whole.elements[k] if isinstance(whole, Array) else whole.expression
         else:
-            single = _derivative(ctx, symbol, indices, ()) if None not in symbol.derivatives else None
+            single = _derivative(ctx, symbol, indices, ()) if None not in symbol.given.derivatives else None
             derivative = single.expression if isinstance(single, Scalar) else None
         if derivative is not None:
             state = flat_model.State(
@@ -163,8 +163,8 @@ def discretes(ctx: Context, symbol: Symbol) -> list[Discrete]:
     shape = _extent(ctx, symbol)
     if shape is None or symbol.info is None:
         return []
-    if symbol.bindings:
-        binding = next(iter(symbol.bindings.values()))
+    if symbol.given.bindings:
+        binding = next(iter(symbol.given.bindings.values()))
         ctx.sink.report("E0370", binding.node.span, name=symbol.short)
         return []
     found = attributes.attributes(ctx, symbol)
@@ -194,14 +194,14 @@ def discretes(ctx: Context, symbol: Symbol) -> list[Discrete]:
 
 
 def _derivative(ctx: Context, symbol: Symbol, indices: Indices | None, shape: tuple[int, ...]) -> Scalar | Array | None:
-    binding = symbol.derivatives.get(indices) or symbol.derivatives.get(None)
+    binding = symbol.given.derivatives.get(indices) or symbol.given.derivatives.get(None)
     if binding is None:
         ctx.sink.report("E0320", symbol.span, name=element_name(symbol.short, indices or ()))
         return None
     value = ctx.elaborate(ctx, binding.scope, binding.node, True)
     if isinstance(value, Poison):
         return None
-    dimension = _dimension(symbol) / ctx.dimension(TIME)
+    dimension = _dimension(symbol) / ctx.conventions.dimension(TIME)
     expected = Expected(f"`der({symbol.short})`", dimension, shape, code="E0415")
     found = conform(ctx, binding.scope, binding.node, value, expected)
     if found is not None and found.order >= Order.ACCELERATION:
@@ -234,7 +234,7 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
             rate = quantity_fields(symbol, indices, None)
             base = rate["name"]
             rate["name"] = "der(" * level + base + ")" * level
-            rate["dimension"] = fields["dimension"] / ctx.dimension(TIME) ** level
+            rate["dimension"] = fields["dimension"] / ctx.conventions.dimension(TIME) ** level
             rate["unit"], rate["display_unit"] = unit_of_rate(fields["unit"], rate["dimension"], level), None
             integral = "der(" * (level - 1) + base + ")" * (level - 1)
             result.append(flat_model.Input(**rate, default=flat.ZERO, derivative_of=integral))
@@ -262,7 +262,7 @@ def smoothness(ctx: Context, symbol: Symbol) -> int:
 
 
 def _default(ctx: Context, symbol: Symbol, dimension: Dimension, shape: tuple[int, ...]) -> list[FlatExpression] | None:
-    binding = symbol.bindings.get(None)
+    binding = symbol.given.bindings.get(None)
     if binding is None or symbol.info is None:
         return None
     value = ctx.elaborate(ctx, binding.scope, binding.node, True)
@@ -284,7 +284,7 @@ def outputs(ctx: Context, symbol: Symbol) -> list[flat_model.Output]:
     result = []
     sign = attributes.sign_of(ctx, symbol)
     for indices in every(shape):
-        value = ctx.resolver.element(symbol, indices, symbol.span)
+        value = ctx.resolver.element(ctx, symbol, indices, symbol.span)
         if isinstance(value, Scalar):
             fields = quantity_fields(symbol, indices, sign, value.dimension)
             result.append(flat_model.Output(**fields, value=value.expression))

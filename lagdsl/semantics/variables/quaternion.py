@@ -1,4 +1,4 @@
-"""Quaternion coordinates (ruling 17): unit length, and rates from an angular velocity."""
+"""Quaternion coordinates: unit length, and rates from an angular velocity."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def rate_starts(
     ctx: Context, symbol: Symbol, omega: Attribute, starts: list[FlatExpression], shape: tuple[int, ...]
 ) -> list[FlatExpression] | None:
     """de/dt = 1/2 e o (0, omega) with omega in the frame's own axes; scalar first (Hamilton's product)."""
-    dimension = DIMENSIONLESS / ctx.dimension(TIME)
+    dimension = DIMENSIONLESS / ctx.conventions.dimension(TIME)
     what = f"the start of omega of `{symbol.short}`"
     values = attributes.expressions(ctx, omega, what, dimension, (*shape[:-1], 3), unit="rad/s")
     if values is None:

@@ -55,26 +55,25 @@ class Definitions:
     """The resolver: shapes and values of symbols, each made once."""
 
     def __init__(self) -> None:
-        self.ctx: Context
         self._constraints: dict[tuple[Symbol, Indices], flat_model.Constraint | None] = {}
         self._contacts: dict[tuple[Symbol, Indices], ContactValue | None] = {}
 
     # ---- shapes ------------------------------------------------------------------------------------------------------
 
-    def shape(self, symbol: Symbol) -> tuple[int, ...] | None:
+    def shape(self, ctx: Context, symbol: Symbol) -> tuple[int, ...] | None:
         """The extents of a declared array, () for a scalar; None after a diagnostic."""
         if symbol.kind == "unknown":
             return None
         if symbol.kind in LABELS:
-            ranks = list(symbol.labels)
+            ranks = list(symbol.made.labels)
             return tuple(max(indices[k] for indices in ranks) for k in range(len(ranks[0]))) if ranks else None
-        if symbol.shape is None:
-            with self._entered(symbol, None, symbol.span) as free:
+        if symbol.made.shape is None:
+            with self._entered(ctx, symbol, None, symbol.span) as free:
                 if free:
-                    symbol.shape = self._declared_shape(symbol)
-        return symbol.shape
+                    symbol.made.shape = self._declared_shape(ctx, symbol)
+        return symbol.made.shape
 
-    def _declared_shape(self, symbol: Symbol) -> tuple[int, ...] | None:
+    def _declared_shape(self, ctx: Context, symbol: Symbol) -> tuple[int, ...] | None:
         own = [(subscript, symbol.scope) for subscript in symbol.declarator.subscripts] if symbol.declarator else []
         extents: list[int] = []
         for position, part in enumerate([*own, *(symbol.info.shape if symbol.info is not None else ())]):
@@ -83,67 +82,67 @@ class Definitions:
                 continue
             subscript, scope = part
             if isinstance(subscript, nodes.All):
-                extent = self._bound_extent(symbol, position, subscript)
+                extent = self._bound_extent(ctx, symbol, position, subscript)
             elif isinstance(subscript, nodes.Range):
-                self.ctx.sink.report("E0312", subscript.span, expected="an array size", found="a range")
+                ctx.sink.report("E0312", subscript.span, expected="an array size", found="a range")
                 extent = None
             else:
-                value = self.ctx.elaborate(self.ctx, scope, subscript, False)
+                value = ctx.elaborate(ctx, scope, subscript, False)
                 name = subscript.span.text
-                extent = structural_integer(self.ctx, value, subscript, "E0301", name=name)
+                extent = structural_integer(ctx, value, subscript, "E0301", name=name)
                 if extent is not None and extent < 1:
                     what = f"the size of `{symbol.short}`"
-                    self.ctx.sink.report("E0334", subscript.span, what=what, expected="positive", found=str(extent))
+                    ctx.sink.report("E0334", subscript.span, what=what, expected="positive", found=str(extent))
                     extent = None
             if extent is None:
                 self._poison(symbol)
                 return None
             extents.append(extent)
-        if not array_fits(self.ctx, symbol.span, tuple(extents)):
+        if not array_fits(ctx, symbol.span, tuple(extents)):
             self._poison(symbol)
             return None
         return tuple(extents)
 
-    def _bound_extent(self, symbol: Symbol, position: int, subscript: nodes.All) -> int | None:
-        binding = symbol.bindings.get(None)
+    def _bound_extent(self, ctx: Context, symbol: Symbol, position: int, subscript: nodes.All) -> int | None:
+        binding = symbol.given.bindings.get(None)
         if binding is None:
-            self.ctx.sink.report("E0336", subscript.span, name=symbol.short)
+            ctx.sink.report("E0336", subscript.span, name=symbol.short)
             return None
-        value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, True)
+        value = ctx.elaborate(ctx, binding.scope, binding.node, True)
         found = value.shape if isinstance(value, Array) else (3,) if isinstance(value, Vector) else ()
         if position < len(found):
             return found[position]
         if not isinstance(value, Poison):
-            self.ctx.sink.report("E0312", binding.node.span, expected="an array", found=kind_of(value))
+            ctx.sink.report("E0312", binding.node.span, expected="an array", found=kind_of(value))
         return None
 
     # ---- values ------------------------------------------------------------------------------------------------------
 
-    def whole(self, symbol: Symbol, span: Span) -> Value:
+    def whole(self, ctx: Context, symbol: Symbol, span: Span) -> Value:
         """The value of the plain name."""
         if symbol.kind in ("constraint", "contact", "body"):
             hint = _BODY if symbol.kind == "body" else f"its force is `multiplier({span.text})`"
-            self.ctx.sink.report("E0219", span, name=symbol.short, what=f"the name of a {symbol.kind}", help=hint)
+            ctx.sink.report("E0219", span, name=symbol.short, what=f"the name of a {symbol.kind}", help=hint)
             return POISON
-        shape = self.shape(symbol)
+        shape = self.shape(ctx, symbol)
         if shape is None:
             return POISON
         if not shape:
-            return self.element(symbol, (), span)
-        return self.part(symbol, (), span)
+            return self.element(ctx, symbol, (), span)
+        return self.part(ctx, symbol, (), span)
 
-    def part(self, symbol: Symbol, chosen: Sequence[int | tuple[int, ...]], span: Span) -> Value:
+    def part(self, ctx: Context, symbol: Symbol, chosen: Sequence[int | tuple[int, ...]], span: Span) -> Value:
         """A slice, one number or several for each leading subscript; no other element is made.
 
         So a row may be defined by the row before.
         """
-        shape = self.shape(symbol) or ()
+        shape = self.shape(ctx, symbol) or ()
         full = [*chosen, *(tuple(range(1, extent + 1)) for extent in shape[len(chosen) :])]
         ways = [(found,) if isinstance(found, int) else found for found in full]
-        cells = [self.element(symbol, indices, span) for indices in cartesian(*ways)]
-        return self._array(symbol, cells, tuple(len(found) for found in full if not isinstance(found, int)), span)
+        cells = [self.element(ctx, symbol, indices, span) for indices in cartesian(*ways)]
+        return self._array(ctx, symbol, cells, tuple(len(found) for found in full if not isinstance(found, int)), span)
 
-    def _array(self, symbol: Symbol, cells: list[Value], shape: tuple[int, ...], span: Span) -> Value:
+    def _array(self, ctx: Context, symbol: Symbol, cells: list[Value], shape: tuple[int, ...], span: Span) -> Value:
         scalars: list[Scalar] = []
         width: tuple[int, ...] = ()
         for cell in cells:
@@ -155,46 +154,46 @@ class Definitions:
             elif isinstance(cell, Poison):
                 return POISON
             else:
-                self.ctx.sink.report("E0312", span, expected="one element", found=f"all of `{symbol.short}`")
+                ctx.sink.report("E0312", span, expected="one element", found=f"all of `{symbol.short}`")
                 return POISON
         kinds = {cell.kind for cell in scalars}
         elements = tuple(cell.expression for cell in scalars)
         kind = kinds.pop() if len(kinds) == 1 else "Real"
         return Array(elements, (*shape, *width), scalars[0].dimension, latest(*scalars), highest(*scalars), kind)
 
-    def element(self, symbol: Symbol, indices: Indices, span: Span) -> Value:
+    def element(self, ctx: Context, symbol: Symbol, indices: Indices, span: Span) -> Value:
         """The value of one element (indices () for a scalar), made when first asked for."""
-        found = symbol.cells.get(indices)
+        found = symbol.made.cells.get(indices)
         if found is not None:
             return found
         if symbol.kind in ("coordinate", "state", "input", "discrete") and not symbol.is_name:
-            value: Value = self._variable(symbol, indices)
-            symbol.cells[indices] = value
-            if symbol.kind == "coordinate" and self.ctx.assembly is not None:
-                self.ctx.assembly.is_computed(symbol)  # its definition comes before what reads it
+            value: Value = self._variable(ctx, symbol, indices)
+            symbol.made.cells[indices] = value
+            if symbol.kind == "coordinate" and ctx.assembly is not None:
+                ctx.assembly.is_computed(symbol)  # its definition comes before what reads it
             return value
         key = self._key(symbol, indices)
-        with self._entered(symbol, key, span) as free:
+        with self._entered(ctx, symbol, key, span) as free:
             if not free:
                 return POISON
-            with self.ctx.standing(Mode.ALWAYS):
-                self._make(symbol, indices, key)
-        if indices not in symbol.cells:
+            with ctx.current.standing(Mode.ALWAYS):
+                self._make(ctx, symbol, indices, key)
+        if indices not in symbol.made.cells:
             if key is None:
                 self._poison(symbol)
             else:
-                for rest in every((self.shape(symbol) or ())[len(key) :]):
-                    symbol.cells.setdefault((*key, *rest), POISON)
-        return symbol.cells.setdefault(indices, POISON)
+                for rest in every((self.shape(ctx, symbol) or ())[len(key) :]):
+                    symbol.made.cells.setdefault((*key, *rest), POISON)
+        return symbol.made.cells.setdefault(indices, POISON)
 
     def _key(self, symbol: Symbol, indices: Indices) -> Indices | None:
         """What is made at once: the element, the row that one binding gives, or (None) the whole array from its one."""
         if not indices or symbol.kind in LABELS:
             return indices
         leading = (indices[:length] for length in range(len(indices), 0, -1))
-        return next((key for key in leading if key in symbol.bindings), None)
+        return next((key for key in leading if key in symbol.given.bindings), None)
 
-    def _variable(self, symbol: Symbol, indices: Indices) -> Value:
+    def _variable(self, ctx: Context, symbol: Symbol, indices: Indices) -> Value:
         if symbol.kind == "unknown" or symbol.info is None:
             return POISON
         dimension = symbol.info.dimension or DIMENSIONLESS
@@ -202,14 +201,14 @@ class Definitions:
         if symbol.kind == "discrete":
             return Scalar(variable, dimension, Variability.DISCRETE, Order.STILL, symbol.info.base)
         if symbol.kind == "input" and symbol.info.base == "Boolean":
-            return _truth_of_input(self.ctx, symbol, variable)
+            return _truth_of_input(ctx, symbol, variable)
         order = Order.GIVEN if symbol.kind == "input" else Order.CONFIGURATION
         return Scalar(variable, dimension, Variability.CONTINUOUS, order, symbol.info.base)
 
     @contextmanager
-    def _entered(self, symbol: Symbol, key: Indices | None, span: Span) -> Iterator[bool]:
+    def _entered(self, ctx: Context, symbol: Symbol, key: Indices | None, span: Span) -> Iterator[bool]:
         """Guards against definitions that need themselves: yields False after E0305."""
-        active = self.ctx.active
+        active = ctx.current.active
         if (symbol, key) in active:
             circle = active[active.index((symbol, key)) :]
             names = [element_name(member.name, indices or ()) for member, indices in circle]
@@ -217,7 +216,7 @@ class Definitions:
             links = [f"`{a}` on `{b}`" for a, b in pairwise(names)]
             path = ", ".join([links[0].replace(" on ", " depends on ", 1), *links[1:]])
             places = [Label(member.span, f"`{member.name}` is defined here") for member, _ in circle]
-            self.ctx.sink.report("E0305", span, *places, path=path)
+            ctx.sink.report("E0305", span, *places, path=path)
             for member, indices in circle:
                 self._poison(member, indices)
             yield False
@@ -230,48 +229,48 @@ class Definitions:
 
     def _poison(self, symbol: Symbol, indices: Indices | None = None) -> None:
         if indices is not None:
-            symbol.cells[indices] = POISON
+            symbol.made.cells[indices] = POISON
         else:
             symbol.kind = "unknown"
 
     # ---- one symbol --------------------------------------------------------------------------------------------------
 
-    def _make(self, symbol: Symbol, indices: Indices, key: Indices | None) -> None:
+    def _make(self, ctx: Context, symbol: Symbol, indices: Indices, key: Indices | None) -> None:
         match symbol.kind:
             case "constant" | "structural" | "parameter":
-                parameters.make(self.ctx, symbol, self.shape(symbol) or (), key)
+                parameters.make(ctx, symbol, self.shape(ctx, symbol) or (), key)
             case "algebraic" | "output" | "input":
-                self._define(symbol, indices, key)
+                self._define(ctx, symbol, indices, key)
             case "point":
-                symbol.cells[indices] = self._point(symbol, indices)
+                symbol.made.cells[indices] = self._point(ctx, symbol, indices)
             case "frame":
-                symbol.cells[indices] = self._frame(symbol, indices)
+                symbol.made.cells[indices] = self._frame(ctx, symbol, indices)
             case "energy" | "load" | "invariant":
-                symbol.cells[indices] = labels.value(self.ctx, symbol, indices)
+                symbol.made.cells[indices] = labels.value(ctx, symbol, indices)
             case _:
-                symbol.cells[indices] = POISON
+                symbol.made.cells[indices] = POISON
 
-    def _missing(self, symbol: Symbol, indices: Indices) -> None:
+    def _missing(self, ctx: Context, symbol: Symbol, indices: Indices) -> None:
         """E0318 for the element or, where no element has a value, once for all."""
-        if symbol.bindings:
-            report_missing(self.ctx, "E0318", symbol, element_name(symbol.short, indices))
+        if symbol.given.bindings:
+            report_missing(ctx, "E0318", symbol, element_name(symbol.short, indices))
         else:
-            report_missing(self.ctx, "E0318", symbol, symbol.short)
+            report_missing(ctx, "E0318", symbol, symbol.short)
             self._poison(symbol)
 
     def _binding(self, symbol: Symbol, key: Indices | None) -> Binding | None:
-        return symbol.bindings.get(key) or (symbol.bindings.get(None) if not key else None)
+        return symbol.given.bindings.get(key) or (symbol.given.bindings.get(None) if not key else None)
 
-    def _define(self, symbol: Symbol, indices: Indices, key: Indices | None) -> None:
+    def _define(self, ctx: Context, symbol: Symbol, indices: Indices, key: Indices | None) -> None:
         """An algebraic variable or an output."""
         binding = self._binding(symbol, key)
-        shape = self.shape(symbol)
+        shape = self.shape(ctx, symbol)
         if binding is None:
-            given = self.ctx.assembly.quantity(symbol, indices) if self.ctx.assembly is not None else None
+            given = ctx.assembly.quantity(symbol, indices) if ctx.assembly is not None else None
             if given is not None:
-                symbol.cells[indices] = given
+                symbol.made.cells[indices] = given
             else:
-                self._missing(symbol, indices)
+                self._missing(ctx, symbol, indices)
         if binding is None or shape is None or symbol.info is None:
             return
         part = shape[len(key or ()) :]
@@ -279,112 +278,112 @@ class Definitions:
         dimension = DIMENSIONLESS if symbol.kind == "input" else None
         dimension = symbol.info.dimension or dimension
         expected = Expected(f"`{symbol.short}`", dimension, part, symbol.info.base, symbol.info.unit)
-        value = bound(self.ctx, binding.scope, binding.node, expected)
+        value = bound(ctx, binding.scope, binding.node, expected)
         if isinstance(value, Scalar):
-            symbol.cells[indices] = self._named(symbol, indices, value)
+            symbol.made.cells[indices] = self._named(ctx, symbol, indices, value)
         elif isinstance(value, Array):
             for position, rest in enumerate(every(part)):
                 cell = Scalar(value.elements[position], value.dimension, value.variability, value.order, value.kind)
                 each = (*(key or ()), *rest)
-                symbol.cells[each] = self._named(symbol, each, cell)
+                symbol.made.cells[each] = self._named(ctx, symbol, each, cell)
 
-    def _named(self, symbol: Symbol, indices: Indices, value: Scalar) -> Scalar:
+    def _named(self, ctx: Context, symbol: Symbol, indices: Indices, value: Scalar) -> Scalar:
         """The reference to a definition; outputs and what needs the solved motion are read as their expression."""
         dimension = value.dimension if value.dimension is not None else DIMENSIONLESS
         value = replace(value, dimension=dimension)
         unused_port = symbol.kind == "input" and value.expression == flat.ZERO
         if symbol.kind == "output" or unused_port:
             return value
-        fields = quantity_fields(symbol, indices, sign_of(self.ctx, symbol), dimension)
+        fields = quantity_fields(symbol, indices, sign_of(ctx, symbol), dimension)
         variability = max(value.variability, Variability.PARAMETER, key=rank)
         definition = flat_model.Definition(**fields, value=value.expression, variability=variability)
         if value.order >= Order.ACCELERATION:
-            self.ctx.observed.append(definition)
+            ctx.product.observed.append(definition)
             return value
-        self.ctx.named.append(definition)
+        ctx.product.named.append(definition)
         return replace(value, expression=flat.Variable(fields["name"]), variability=variability)
 
-    def _point(self, symbol: Symbol, indices: Indices) -> Value:
-        binding = symbol.bindings.get(indices)
+    def _point(self, ctx: Context, symbol: Symbol, indices: Indices) -> Value:
+        binding = symbol.given.bindings.get(indices)
         name = element_name(symbol.name, indices)
         if binding is None:
-            position = self._row(symbol, indices)
+            position = self._row(ctx, symbol, indices)
         else:
-            value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, True)
-            position = as_point(self.ctx, binding.scope, binding.node, value)
+            value = ctx.elaborate(ctx, binding.scope, binding.node, True)
+            position = as_point(ctx, binding.scope, binding.node, value)
         if position is None:
             return POISON
         spans = (symbol.span if binding is None else binding.span, *symbol.scope.spans)
         doc = symbol.declarator.doc if symbol.declarator is not None else None
-        self.ctx.named.append(flat_model.Point(spans=spans, name=name, position=position.expression, doc=doc))
-        dimension = self.ctx.dimension(LENGTH)
+        ctx.product.named.append(flat_model.Point(spans=spans, name=name, position=position.expression, doc=doc))
+        dimension = ctx.conventions.dimension(LENGTH)
         return Vector(flat.PointReference(name), dimension, position.variability, position.order)
 
-    def _row(self, symbol: Symbol, indices: Indices) -> Vector | None:
+    def _row(self, ctx: Context, symbol: Symbol, indices: Indices) -> Vector | None:
         """One point of an array of points with one binding for all: `point P[2] = {{0, 0}, {l, 0}}`."""
-        binding = symbol.bindings.get(None)
+        binding = symbol.given.bindings.get(None)
         if binding is None:
-            self._missing(symbol, indices)
+            self._missing(ctx, symbol, indices)
             return None
-        value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, True)
-        if not isinstance(value, Array) or len(value.shape) != 2 or value.shape[:1] != symbol.shape:
+        value = ctx.elaborate(ctx, binding.scope, binding.node, True)
+        if not isinstance(value, Array) or len(value.shape) != 2 or value.shape[:1] != symbol.made.shape:
             if not isinstance(value, Poison):
-                count = " by ".join(str(extent) for extent in symbol.shape or ())
+                count = " by ".join(str(extent) for extent in symbol.made.shape or ())
                 wanted, found = f"an array of {count} points", kind_of(value)
                 what = f"`{symbol.short}`"
-                self.ctx.sink.report("E0334", binding.node.span, what=what, expected=wanted, found=found)
+                ctx.sink.report("E0334", binding.node.span, what=what, expected=wanted, found=found)
             self._poison(symbol)
             return None
         part = element_at(value, indices[0] - 1)
-        return as_point(self.ctx, binding.scope, binding.node, part)
+        return as_point(ctx, binding.scope, binding.node, part)
 
-    def _frame(self, symbol: Symbol, indices: Indices) -> Value:
-        binding = symbol.bindings.get(indices)
+    def _frame(self, ctx: Context, symbol: Symbol, indices: Indices) -> Value:
+        binding = symbol.given.bindings.get(indices)
         name = element_name(symbol.name, indices)
         if binding is None:
-            placed = self.ctx.assembly.frame(symbol, indices) if self.ctx.assembly is not None else None
+            placed = ctx.assembly.frame(symbol, indices) if ctx.assembly is not None else None
             if placed is None:
-                self._missing(symbol, indices)
+                self._missing(ctx, symbol, indices)
             return placed if placed is not None else POISON
-        value = self.ctx.elaborate(self.ctx, binding.scope, binding.node, False)
+        value = ctx.elaborate(ctx, binding.scope, binding.node, False)
         if not isinstance(value, FrameValue):
             if not isinstance(value, Poison):
-                self.ctx.sink.report("E0312", binding.node.span, expected="a frame", found=kind_of(value))
+                ctx.sink.report("E0312", binding.node.span, expected="a frame", found=kind_of(value))
             return POISON
         spans = (binding.span, *symbol.scope.spans)
         doc = symbol.declarator.doc if symbol.declarator is not None else None
         frame = flat_model.Frame(spans=spans, name=name, parent=value.name, steps=value.steps, doc=doc)
-        self.ctx.named.append(frame)
+        ctx.product.named.append(frame)
         return FrameValue(name, (), value.variability, value.order)
 
-    def constraint(self, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None:
+    def constraint(self, ctx: Context, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None:
         """The rows behind the label of a constraint."""
         key = (symbol, indices)
         if key not in self._constraints:
             self._constraints[key] = None
-            instance = symbol.labels[indices]
+            instance = symbol.made.labels[indices]
             assert isinstance(instance.node, nodes.Constraint)
-            with self.ctx.standing(Mode.ALWAYS):
-                self._constraints[key] = constraints.make(self.ctx, instance.scope, instance.node, instance.name)
+            with ctx.current.standing(Mode.ALWAYS):
+                self._constraints[key] = constraints.make(ctx, instance.scope, instance.node, instance.name)
         return self._constraints[key]
 
-    def contact(self, symbol: Symbol, indices: Indices) -> ContactValue | None:
+    def contact(self, ctx: Context, symbol: Symbol, indices: Indices) -> ContactValue | None:
         """What the label of a contact gives."""
         key = (symbol, indices)
         if key not in self._contacts:
             self._contacts[key] = None
-            instance = symbol.labels.get(indices)
+            instance = symbol.made.labels.get(indices)
             if instance is not None:
                 assert isinstance(instance.node, nodes.Contact)
-                with self.ctx.standing(Mode.ALWAYS):
-                    self._contacts[key] = contacts.make(self.ctx, instance.scope, instance.node, instance.name)
+                with ctx.current.standing(Mode.ALWAYS):
+                    self._contacts[key] = contacts.make(ctx, instance.scope, instance.node, instance.name)
         return self._contacts[key]
 
 
 def _truth_of_input(ctx: Context, symbol: Symbol, variable: flat.Variable) -> Scalar:
     """A Boolean input is a number, 0 or 1, to those who give it; where it changes is an event."""
     difference = flat.Binary("-", variable, flat.Number(0.5))
-    name = ctx.occurrences.relation(
+    name = ctx.product.occurrences.relation(
         f"input {variable.name}", (symbol.span, *symbol.scope.spans), difference, DIMENSIONLESS, strict=False
     )
     return Scalar(flat.Variable(name), DIMENSIONLESS, Variability.DISCRETE, Order.STILL, "Boolean")

@@ -26,7 +26,7 @@ def is_signed_point(node: nodes.Unary) -> bool:
 
 def check_operator(ctx: Context, node: nodes.Binary | nodes.Unary) -> None:
     """E0418 for a point where an amount is needed: in products, behind `+`, under a sign that is not its own."""
-    if not ctx.units:
+    if not ctx.conventions.units:
         return
     match node:
         case nodes.Unary(operator="-" | "+", operand=operand) if not is_signed_point(node):
@@ -43,7 +43,7 @@ def check_operator(ctx: Context, node: nodes.Binary | nodes.Unary) -> None:
 def check_call(ctx: Context, node: nodes.Call | nodes.Reduction) -> None:
     """E0418 for points that a function adds up or multiplies."""
     name = node.function.span.text
-    if ctx.units and name in _ADDING:
+    if ctx.conventions.units and name in _ADDING:
         for part in (node.body,) if isinstance(node, nodes.Reduction) else node.arguments:
             if not isinstance(part, nodes.Named):
                 _refuse(ctx, part, f"`{name}`")
@@ -51,9 +51,9 @@ def check_call(ctx: Context, node: nodes.Call | nodes.Reduction) -> None:
 
 def check_difference(ctx: Context, symbol: Symbol) -> None:
     """E0418 for points as values of a TemperatureDifference."""
-    if symbol.info is None or not symbol.info.is_difference or not ctx.units:
+    if symbol.info is None or not symbol.info.is_difference or not ctx.conventions.units:
         return
-    values = [binding.node for binding in symbol.bindings.values()]
+    values = [binding.node for binding in symbol.given.bindings.values()]
     values += [attribute.value for attribute in attributes(ctx, symbol).values()]
     for value in values:
         _refuse(ctx, value, f"`{symbol.info.name}`")

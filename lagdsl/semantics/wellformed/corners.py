@@ -16,7 +16,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.events import Corner, Relation
 from lagdsl.flat.traversal import operands, step_expressions
-from lagdsl.semantics.scope.context import Met
+from lagdsl.semantics.scope.product import Met
 from lagdsl.semantics.scope.values import Order
 from lagdsl.source import Span
 

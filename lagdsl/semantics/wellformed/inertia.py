@@ -50,7 +50,7 @@ class _Checks:
                 self._triangle(body)
 
     def constant(self, item: Item, what: str, value: fx.FlatExpression) -> bool:
-        """E0505 unless the value is built from parameters (ruling 13)."""
+        """E0505 unless the value is built from parameters."""
         changing = [name for name in self.dependence.of(value) if name not in self.parameters]
         if changing:
             self.sink.report("E0505", place(item), *around(item), what=what, name=changing[0])
@@ -65,7 +65,7 @@ class _Checks:
     def _triangle(self, body: fm.RigidBody) -> None:
         """E0509 for the three moments as given, else for the principal ones.
 
-        Entries that are not given are unstated (ruling 18): nothing is checked unless all three moments are.
+        Entries that are not given are unstated: nothing is checked unless all three moments are.
         """
         numbers = [self.moment.scalar(value) for value in body.inertia]
         if any(moment == fx.ZERO for moment in body.inertia[:3]) or not np.all(np.isfinite(numbers)):

@@ -1,4 +1,7 @@
-/* Arrays of doubles in memory of the caller: laid out, filled, looked through. */
+/*
+ * Arrays of doubles in memory of the caller: laid out, filled, looked through. Indices and flags in it are doubles, too, exact up to
+ * 2^53: a caller may declare the memory as an array of doubles, and C (6.5, effective types) lets nothing else lie in such an array.
+ */
 #ifndef LAG_MEMORY_H
 #define LAG_MEMORY_H
 

@@ -1,0 +1,167 @@
+"""From the equations of motion to a program: the functions that simulation, analysis and export call."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Item
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics import constraints
+from lagdsl.mechanics.equations import Equations
+from lagdsl.mechanics.events import corner_functions, event_functions
+from lagdsl.mechanics.lagrange import energies, lagrange
+from lagdsl.mechanics.lagrange.inverse import inverse_dynamics
+from lagdsl.mechanics.lowering.acceleration import refuse_accelerations
+from lagdsl.mechanics.monitor import largest_term
+from lagdsl.mechanics.solve import solve
+from lagdsl.mechanics.tangents import SOLVED_GROUPS, STATE_GROUPS, directional
+from lagdsl.program.functions import OPTIONAL, SIGNATURES
+from lagdsl.program.layout import layout
+from lagdsl.program.passes.components import with_components
+from lagdsl.program.program import Block, Function, Program
+
+# From so many coordinates on, M is not written out.
+_MANY = 40
+
+
+def arrange(equations: Equations, *, dense: bool | None = None) -> Program:
+    """All functions of `lagdsl.program.functions`. `dense` chooses those that write out M, else the one that forms it
+    by columns; by default the number of coordinates decides. Equations without constraints are solved at once: no rank
+    decides how.
+
+    Raises CompilationFailed where a load or an energy needs accelerations (E0308) or the derivative of an input that
+    has none (E0304).
+    """
+    flat = equations.flat
+    blocks = {
+        **_dynamics(equations, len(flat.coordinates) < _MANY if dense is None else dense),
+        **_energies(equations),
+        **_observed(equations),
+        **_start(equations),
+    }
+    functions = tuple(
+        Function(name=name, arguments=arguments, results=tuple(blocks[name]))
+        for name, arguments in {**SIGNATURES, **OPTIONAL}.items()
+        if name in blocks
+    )
+    functions += event_functions(equations.lowering, flat) + corner_functions(equations.lowering, flat)
+    program = with_components(Program(name=flat.name, layout=layout(flat), graph=equations.graph, functions=functions))
+    return program if flat.constraints else solve(equations, program)
+
+
+def _dynamics(equations: Equations, dense: bool) -> dict[str, list[Block]]:
+    graph, symbols, lowering = equations.graph, equations.symbols, equations.lowering
+    directions, rows, terms = symbols.directions, equations.rows, equations.dynamics.terms
+    phi = [
+        residual if position_level else graph.zero
+        for residual, position_level in zip(rows.residuals, rows.position_level, strict=True)
+    ]
+    velocity = constraints.velocity_residuals(lowering, rows)
+    jacobian = _matrix("J", constraints.constraint_jacobian(graph, rows, directions), len(symbols.q))
+    gamma = constraints.bias(lowering, rows)
+    f = lagrange.forcing(lowering, terms) if dense or equations.flat.states else []
+    _refuse_accelerating_states(equations, [*f, *gamma])
+    tau = inverse_dynamics(lowering, equations.flat, equations.dynamics, directions)
+    pulled = constraints.constraint_forces(graph, rows, list(symbols.lam), directions)
+    r = [graph.subtract(force, pull) for force, pull in zip(tau, pulled, strict=True)]
+    s = [lowering.rate.of(residual) for residual in velocity]
+    if dense:
+        mass = _matrix("M", lagrange.mass_matrix(graph, terms, directions), len(symbols.q))
+        formed = {"mass_matrix": [mass], "dynamics": [mass, _vector("f", f), jacobian, _vector("gamma", gamma)]}
+    else:
+        formed = {"momentum_tangent": [_vector("momenta", directional(graph, terms.momentum, (Group.QD,)))]}
+    return {
+        **formed,
+        "position_constraint": [_vector("phi", phi), jacobian],
+        "velocity_constraint": [_vector("residual", velocity), jacobian],
+        "constraint_tangent": [
+            _vector("dphi", directional(graph, phi, STATE_GROUPS)),
+            _vector("drate", directional(graph, velocity, STATE_GROUPS)),
+        ],
+        "inverse_dynamics": [_vector("tau", tau)],
+        "residual": [_vector("r", r), _vector("s", s)],
+        "residual_tangent": [
+            _vector("dr", directional(graph, r, STATE_GROUPS)),
+            _vector("ds", directional(graph, s, STATE_GROUPS)),
+        ],
+    }
+
+
+def _refuse_accelerating_states(equations: Equations, forces: Sequence[int]) -> None:
+    """E0308 at a state whose equation needs accelerations, where its rate enters the equations of motion."""
+    for state in equations.flat.states:
+        rate = equations.lowering.scalar(state.derivative)
+        if equations.graph.depends(rate, Group.QDD, Group.LAMBDA):
+            refuse_accelerations(equations.graph, forces, state.spans, f"`der({state.name})`")
+
+
+def _energies(equations: Equations) -> dict[str, list[Block]]:
+    graph, directions = equations.graph, equations.symbols.directions
+    found, totals = equations.dynamics, equations.energies
+    return {
+        "energies": [
+            _number("total", totals.total),
+            _number("kinetic", totals.kinetic),
+            _number("potential", totals.potential),
+            _number("jacobi", totals.jacobi),
+        ],
+        "momenta": [_vector("momenta", found.terms.momentum)],
+        "power": [
+            _vector("load", energies.load_power(graph, found, directions)),
+            _vector("dissipated", energies.dissipated_power(graph, found, directions)),
+        ],
+    }
+
+
+def _observed(equations: Equations) -> dict[str, list[Block]]:
+    graph, flat = equations.graph, equations.flat
+    rates = _scalars(equations, flat.states, [state.derivative for state in flat.states])
+    outputs = _scalars(equations, flat.outputs, [output.value for output in flat.outputs])
+    invariants = _scalars(equations, flat.invariants, [invariant.value for invariant in flat.invariants])
+    conditions = _scalars(equations, flat.assertions, [assertion.condition for assertion in flat.assertions])
+    initial = _scalars(equations, flat.initial_equations, [item.residual for item in flat.initial_equations])
+    return {
+        "state_derivative": [_vector("zd", rates)],
+        "state_derivative_tangent": [_vector("dzd", directional(graph, rates, SOLVED_GROUPS))],
+        "output": [_vector("y", outputs)],
+        "output_tangent": [_vector("dy", directional(graph, outputs, SOLVED_GROUPS))],
+        "monitor": [
+            _vector("invariant", invariants),
+            _vector("scale", [largest_term(graph, invariant) for invariant in invariants]),
+            _vector("assertion", conditions),
+        ],
+        "initial_equation": [_vector("residual", initial)],
+    }
+
+
+def _scalars(equations: Equations, items: Sequence[Item], values: Sequence[FlatExpression]) -> list[int]:
+    nodes = []
+    for item, value in zip(items, values, strict=True):
+        equations.lowering.place = item.spans
+        nodes.append(equations.lowering.scalar(value))
+    return nodes
+
+
+def _start(equations: Equations) -> dict[str, list[Block]]:
+    flat, scalar = equations.flat, equations.lowering.scalar
+    return {
+        "start": [
+            _vector("q", [scalar(coordinate.start) for coordinate in flat.coordinates]),
+            _vector("qd", [scalar(coordinate.rate_start) for coordinate in flat.coordinates]),
+            _vector("z", [scalar(state.start) for state in flat.states]),
+            _vector("u", [scalar(item.default) for item in flat.inputs]),
+        ]
+    }
+
+
+def _number(name: str, node: int) -> Block:
+    return Block(name=name, shape=(), elements=(node,))
+
+
+def _vector(name: str, nodes: Sequence[int]) -> Block:
+    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
+
+
+def _matrix(name: str, rows: Sequence[Sequence[int]], columns: int) -> Block:
+    return Block(name=name, shape=(len(rows), columns), elements=tuple(node for row in rows for node in row))

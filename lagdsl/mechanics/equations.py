@@ -1,0 +1,41 @@
+"""From the flat model to its equations of motion, by the scalable route: everything on one graph, nothing expanded."""
+
+from __future__ import annotations
+
+from lagdsl.flat.model import FlatModel
+from lagdsl.graph.graph import Graph
+from lagdsl.mechanics import constraints
+from lagdsl.mechanics.builtin_quantities import Provider
+from lagdsl.mechanics.lagrange import energies, lagrange
+from lagdsl.mechanics.lowering.lowering import Lowering
+from lagdsl.mechanics.lowering.symbols import Symbols
+from lagdsl.mechanics.shared_position_sums import share_positions
+from lagdsl.record import record
+
+
+@record(kw_only=True)
+class Equations:
+    """Lagrange's equations of a model, its energies and its constraints as nodes of one graph."""
+
+    flat: FlatModel
+    graph: Graph
+    symbols: Symbols
+    lowering: Lowering
+    dynamics: lagrange.Dynamics
+    energies: energies.SystemEnergies
+    rows: constraints.Rows
+
+
+def form_equations(flat: FlatModel) -> Equations:
+    """Energies, loads and constraints of `flat` on a new graph, with what outputs may ask of them."""
+    graph = Graph()
+    symbols = Symbols(graph, flat)
+    lowering = Lowering(graph, flat, symbols)
+    share_positions(lowering, flat)
+    found = lagrange.dynamics(lowering, flat, symbols.directions)
+    totals = energies.system_energies(graph, found, symbols.directions)
+    lowering.provide = Provider(lowering, flat, symbols, found, totals)
+    rows = constraints.constraint_rows(lowering, flat)
+    return Equations(
+        flat=flat, graph=graph, symbols=symbols, lowering=lowering, dynamics=found, energies=totals, rows=rows
+    )

@@ -1,0 +1,51 @@
+"""What is being elaborated: the stack of symbols, instances and functions, and how relations are taken."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import field
+
+from lagdsl.record import mutable_record
+from lagdsl.semantics.scope.occurrences import Mode
+from lagdsl.semantics.scope.scope import Indices, Scope, Symbol
+from lagdsl.syntax import nodes
+
+
+@mutable_record()
+class Current:
+    """`active` are the symbols that get their values, `scopes` the instances whose items are elaborated, `functions`
+    those that are expanded, outermost first. Relations are not located while `quiet`."""
+
+    active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
+    scopes: list[Scope] = field(default_factory=list)
+    functions: list[nodes.Function] = field(default_factory=list)
+    quiet: bool = False
+    mode: Mode = Mode.ALWAYS
+
+    @contextmanager
+    def inside(self, scope: Scope) -> Iterator[None]:
+        """What is reported meanwhile about the text of a class belongs to this instance of it."""
+        self.scopes.append(scope)
+        try:
+            yield
+        finally:
+            self.scopes.pop()
+
+    @contextmanager
+    def without_relations(self) -> Iterator[None]:
+        """Relations inside are taken as they stand, not located as events."""
+        before, self.quiet = self.quiet, True
+        try:
+            yield
+        finally:
+            self.quiet = before
+
+    @contextmanager
+    def standing(self, mode: Mode) -> Iterator[None]:
+        """What is elaborated meanwhile stands there: a definition, which holds always, a `when` or its condition."""
+        before, self.quiet, self.mode = (self.quiet, self.mode), False, mode
+        try:
+            yield
+        finally:
+            self.quiet, self.mode = before

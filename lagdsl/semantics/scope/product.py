@@ -1,0 +1,52 @@
+"""Elements of the flat model, collected in the order in which they are complete."""
+
+from __future__ import annotations
+
+from dataclasses import field
+
+from lagdsl.flat import model as flat_model
+from lagdsl.flat.expression import FlatExpression
+from lagdsl.flat.quantity import Spans
+from lagdsl.record import mutable_record, record
+from lagdsl.semantics.scope.occurrences import Occurrences
+from lagdsl.semantics.scope.values import Order
+
+
+@record()
+class Met:
+    """An expression with a corner where `distance` passes zero; not `sharp`: its slope is continuous there."""
+
+    expression: FlatExpression
+    distance: FlatExpression
+    spans: Spans
+    order: Order
+    sharp: bool
+
+
+@mutable_record()
+class Product:
+    """`named` is sorted by its order of completion: what a definition uses was complete before it.
+
+    `forces` are those of compliant contacts. `corners` are the expressions that have one along the
+    motion. `names` are taken; `unlabelled` and `unlabelled_contacts` count the constraints and contacts that get a
+    number for a name.
+    """
+
+    parameters: list[flat_model.Parameter] = field(default_factory=list)
+    named: list[flat_model.Named] = field(default_factory=list)
+    observed: list[flat_model.Definition] = field(default_factory=list)
+    constraints: list[flat_model.Constraint] = field(default_factory=list)
+    forces: list[flat_model.GeneralizedForce] = field(default_factory=list)
+    occurrences: Occurrences = field(default_factory=Occurrences)
+    corners: list[Met] = field(default_factory=list)
+    names: set[str] = field(default_factory=set)
+    unlabelled: int = 0
+    unlabelled_contacts: int = 0
+
+    def unique(self, name: str) -> str:
+        """A name for something the user did not name."""
+        count = 1
+        while f"{name}_{count}" in self.names:
+            count += 1
+        self.names.add(f"{name}_{count}")
+        return f"{name}_{count}"
