@@ -7,6 +7,8 @@ lists what is wrong with a text. Names are loaded when they are first used, so t
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from lagdsl.version import __version__ as __version__
+
 if TYPE_CHECKING:
     from lagdsl.api.check import check
     from lagdsl.api.compile import compile
@@ -15,8 +17,6 @@ if TYPE_CHECKING:
     from lagdsl.diagnostics import CompilationFailed, Diagnostic
     from lagdsl.signals.trajectory import Event
     from lagdsl.simulate.failure import SimulationFailed
-
-__version__ = "0.1.0"
 
 _HOMES = {
     "CompilationFailed": "lagdsl.diagnostics",

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.api.names import known
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
+from lagdsl.flat.admissible import require_value
 
 if TYPE_CHECKING:
     from lagdsl.pipeline import Compilation
@@ -25,6 +27,9 @@ class Described(Interface):
         super().__init__(*functions)
         self._compilation = compilation
         self._layout = compilation.program.layout
+
+    def __repr__(self) -> str:
+        return f"<Model {self.name}: {', '.join(self.coordinates + self.states)}>"
 
     @property
     def name(self) -> str:
@@ -76,6 +81,18 @@ class Described(Interface):
     def defaults(self) -> Floats:
         """Values of the independent parameters, shape (np,)."""
         return np.array(self._layout.defaults, dtype=np.float64)
+
+    def _parameter_vector(self, given: Mapping[str, float] | None) -> Floats:
+        """The defaults with some replaced by name. Raises KeyError and ValueError for what does not fit."""
+        values = dict(zip(self.parameters, self._layout.defaults, strict=True))
+        chosen = known("parameter", given, self.parameters)
+        for parameter in self._compilation.flat.parameters:
+            if parameter.name in chosen:
+                require_value(parameter, chosen[parameter.name])
+        return np.array(list({**values, **chosen}.values()), dtype=np.float64)
+
+    def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
+        return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:

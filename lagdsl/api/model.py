@@ -16,7 +16,6 @@ from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.diagnostics import Sink
-from lagdsl.flat.admissible import require_value
 
 if TYPE_CHECKING:
     import xarray
@@ -63,9 +62,6 @@ class Model(Described):
         self._compilation = compilation
         self._engine = engine
         self._source = source
-
-    def __repr__(self) -> str:
-        return f"<Model {self.name}: {', '.join(self.coordinates + self.states)}>"
 
     @cached_property
     def equations(self) -> EquationsOfMotion:
@@ -402,15 +398,3 @@ class Model(Described):
         start |= entries("z", z, self.states)
         parameters = self._parameter_vector(entries("p", p, self.parameters))
         return Where(p=parameters, t=t, start=start, inputs=entries("u", u, self.inputs))
-
-    def _parameter_vector(self, given: Mapping[str, float] | None) -> Floats:
-        """The defaults with some replaced by name. Raises KeyError and ValueError for what does not fit."""
-        values = dict(zip(self.parameters, self._layout.defaults, strict=True))
-        chosen = known("parameter", given, self.parameters)
-        for parameter in self._compilation.flat.parameters:
-            if parameter.name in chosen:
-                require_value(parameter, chosen[parameter.name])
-        return np.array(list({**values, **chosen}.values()), dtype=np.float64)
-
-    def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
-        return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])

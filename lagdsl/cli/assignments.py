@@ -111,17 +111,16 @@ def literal(name: str, text: str) -> _Literal:
     while isinstance(expression, nodes.Unary) and expression.operator in "+-":
         sign = ("" if sign else "-") if expression.operator == "-" else sign
         expression = expression.operand
-    match expression:
-        case nodes.Number(text=digits):
-            return _Literal(text, float(sign + digits), None)
-        case nodes.Quantity(number=digits, unit=unit):
-            definition = parse_unit(unit)
-            counts_turns = unit in ("Hz", "kHz", "MHz")
-            value = si_value(sign + digits, definition)
-            is_point = definition.shift != 0
-            return _Literal(text, value, definition.dimension, counts_turns=counts_turns, is_point=is_point)
-        case nodes.Boolean(value=truth):
-            return _Literal(text, float(truth), DIMENSIONLESS, boolean=True)
+    if isinstance(expression, nodes.Number):
+        return _Literal(text, float(sign + expression.text), None)
+    if isinstance(expression, nodes.Quantity):
+        definition = parse_unit(expression.unit)
+        counts_turns = expression.unit in ("Hz", "kHz", "MHz")
+        value = si_value(sign + expression.number, definition)
+        is_point = definition.shift != 0
+        return _Literal(text, value, definition.dimension, counts_turns=counts_turns, is_point=is_point)
+    if isinstance(expression, nodes.Boolean):
+        return _Literal(text, float(expression.value), DIMENSIONLESS, boolean=True)
     for fault in sink.diagnostics:
         if fault.code in ("E0105", "E0116"):  # no unit, no number of double precision
             raise click.UsageError(f"{where}: {fault.message}; {fault.help}")

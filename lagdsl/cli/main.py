@@ -13,8 +13,8 @@ from typing import NoReturn
 
 import click
 
-import lagdsl
 from lagdsl.cli.status import INTERNAL, INTERRUPTED, SUCCESS, USAGE
+from lagdsl.version import __version__
 
 # Commands by name and what `lag --help` says of each; the module is loaded when the command is used.
 _COMMANDS = {
@@ -63,7 +63,7 @@ class Commands(click.Group):
 
 
 @click.command(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(lagdsl.__version__, prog_name="lag")
+@click.version_option(__version__, prog_name="lag")
 def lag() -> None:
     """Mechanics from a page of text to motion: the compiler of `.lag` models."""
 

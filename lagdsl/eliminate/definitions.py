@@ -51,27 +51,23 @@ def _terms(graph: Graph, node: int) -> dict[int, int]:
         if graph.depends(argument, Group.QD) and coefficient != graph.zero:
             terms[argument] = graph.add(terms.get(argument, graph.zero), coefficient)
 
-    match op:
-        case Op.NEGATE:
-            add(a, graph.negate(graph.one))
-        case Op.ADD:
-            add(a, graph.one)
-            add(b, graph.one)
-        case Op.SUBTRACT:
-            add(a, graph.one)
-            add(b, graph.negate(graph.one))
-        case Op.MULTIPLY:
-            moving = graph.depends(a, Group.QD)
-            add(a if moving else b, b if moving else a)
-        case Op.DIVIDE:
-            add(a, graph.divide(graph.one, b))
-            if graph.depends(b, Group.QD):
-                raise NotApplicable
-        case Op.SELECT if not graph.depends(a, Group.QD):
-            add(b, graph.select(a, graph.one, graph.zero))
-            add(graph.c[node], graph.select(a, graph.zero, graph.one))
-        case _:
+    if op is Op.NEGATE:
+        add(a, graph.negate(graph.one))
+    elif op in (Op.ADD, Op.SUBTRACT):
+        add(a, graph.one)
+        add(b, graph.one if op is Op.ADD else graph.negate(graph.one))
+    elif op is Op.MULTIPLY:
+        moving = graph.depends(a, Group.QD)
+        add(a if moving else b, b if moving else a)
+    elif op is Op.DIVIDE:
+        add(a, graph.divide(graph.one, b))
+        if graph.depends(b, Group.QD):
             raise NotApplicable
+    elif op is Op.SELECT and not graph.depends(a, Group.QD):
+        add(b, graph.select(a, graph.one, graph.zero))
+        add(graph.c[node], graph.select(a, graph.zero, graph.one))
+    else:
+        raise NotApplicable
     return terms
 
 

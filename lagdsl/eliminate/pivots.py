@@ -47,13 +47,11 @@ class References:
 
     def _parts(self, node: int) -> tuple[int, ...]:
         graph = self._graph
-        match graph.op[node]:
-            case Op.SUBTRACT:
-                return (graph.a[node],)
-            case Op.ADD if self._of_sums:
-                return (graph.a[node], graph.b[node])
-            case _:
-                return ()
+        if graph.op[node] is Op.SUBTRACT:
+            return (graph.a[node],)
+        if graph.op[node] is Op.ADD and self._of_sums:
+            return (graph.a[node], graph.b[node])
+        return ()
 
 
 def least(graph: Graph, pivots: Iterable[tuple[int, int]]) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import assert_never
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
@@ -51,10 +52,12 @@ class RateDegree:
                 return self.of(left) + self.of(right)
             case fx.Vector(x, y, z):
                 return max(self.of(x), self.of(y), self.of(z))
-            case _:
+            case fx.Number() | fx.Previous() | fx.PointReference() | fx.OfFrame() | fx.Operation() | fx.Mechanical():
                 return INFINITE
+            case _:
+                assert_never(expression)
 
-    def _binary(self, operator: str, left: fx.FlatExpression, right: fx.FlatExpression) -> float:
+    def _binary(self, operator: fx.BinaryOperator, left: fx.FlatExpression, right: fx.FlatExpression) -> float:
         match operator:
             case "+" | "-":
                 return max(self.of(left), self.of(right))
@@ -64,19 +67,18 @@ class RateDegree:
                 return INFINITE if self.of(right) else self.of(left)
             case "^":
                 return self._power(left, right)
-            case _:
+            case "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
                 return INFINITE
+            case _:
+                assert_never(operator)
 
     def _power(self, base: fx.FlatExpression, exponent: fx.FlatExpression) -> float:
         if not isinstance(exponent, fx.Number) or exponent.value < 0 or exponent.value % 1:
             return INFINITE
         even = exponent.value % 2 == 0
-        match base:
-            case fx.Norm(vector) if even:
-                return self.of(vector) * exponent.value
-            case fx.Function("abs", (operand,)) if even:
-                return self.of(operand) * exponent.value
-            case fx.Function("sqrt", (operand,)) if even:
-                return self.of(operand) * exponent.value / 2
-            case _:
-                return self.of(base) * exponent.value
+        if even and isinstance(base, fx.Norm):
+            return self.of(base.vector) * exponent.value
+        if even and isinstance(base, fx.Function) and base.name in ("abs", "sqrt"):
+            degree = self.of(base.arguments[0]) * exponent.value
+            return degree if base.name == "abs" else degree / 2
+        return self.of(base) * exponent.value

@@ -7,6 +7,7 @@ from dataclasses import field
 from functools import reduce
 from itertools import zip_longest
 from operator import or_
+from typing import assert_never
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
@@ -132,8 +133,10 @@ class Dependence:
                 return self.of_frame(frame, turning_only=True).raised()
             case fx.MaterialVelocity(point_expression, frame):
                 return self.of(point_expression).merged(self.of_frame(frame).raised())
-            case _:
+            case fx.Number() | fx.Previous() | fx.Operation() | fx.Mechanical():
                 return self.of_all(operands(expression))
+            case _:
+                assert_never(expression)
 
     def _variable(self, name: str) -> Orders:
         item = self._named.get(name)

@@ -10,7 +10,7 @@ import cmath
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import field
-from typing import TypeAlias
+from typing import TypeAlias, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
@@ -161,8 +161,10 @@ class _Moment:
                 arm = self.vector(point_expression) - self.frame(frame)[0]
                 origin_velocity = self._rate(lambda moment: moment.frame(frame)[0])
                 return origin_velocity + np.cross(self._angular_velocity(frame), arm)
-            case _:
+            case fx.Previous() | fx.Mechanical():
                 raise NotEvaluable(type(expression).__name__)
+            case _:
+                assert_never(expression)
 
     def _variable(self, name: str) -> complex:
         item = self.named.get(name)
@@ -176,16 +178,13 @@ class _Moment:
         """Relations as they stand, variables at their starts, contacts open, no clock ticking."""
         for entry in entries(self.flat.events):
             if entry.name == name:
-                match entry.item:
-                    case Relation(difference=difference, strict=strict):
-                        value = self.scalar(difference).real
-                        return _truth(value > 0.0 or (value == 0.0 and not strict))
-                    case Timed(value=now):
-                        return self.scalar(now)
-                    case Discrete(start=start):
-                        return self.scalar(start)
-                    case _:
-                        return 0j
+                item = entry.item
+                if isinstance(item, Relation):
+                    value = self.scalar(item.difference).real
+                    return _truth(value > 0.0 or (value == 0.0 and not item.strict))
+                if isinstance(item, Timed):
+                    return self.scalar(item.value)
+                return self.scalar(item.start) if isinstance(item, Discrete) else 0j
         raise NotEvaluable(name)
 
     def _binary(self, expression: fx.Binary) -> _Value:
@@ -200,9 +199,11 @@ class _Moment:
                 return left * right
             case "/":
                 return left / right if right != 0 else left * _NAN
-            case _:
+            case "^" | "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
                 assert isinstance(left, complex) and isinstance(right, complex)
                 return _power(left, right) if operator == "^" else _truth(_RELATIONS[operator](left.real, right.real))
+            case _:
+                assert_never(operator)
 
     # ---- frames ------------------------------------------------------------------------------------------------------
 
@@ -238,13 +239,13 @@ class _Moment:
     # ---- time derivatives --------------------------------------------------------------------------------------------
 
     def _derivative(self, operand: fx.FlatExpression) -> _Value:
-        match operand:
-            case fx.Variable(name) if name in self.rates:
-                return complex(self.rates[name])
-            case fx.Derivative(fx.Variable(name)) if self.accelerations is not None and name in self.accelerations:
+        if isinstance(operand, fx.Variable) and operand.name in self.rates:
+            return complex(self.rates[operand.name])
+        if isinstance(operand, fx.Derivative) and isinstance(operand.operand, fx.Variable):
+            name = operand.operand.name
+            if self.accelerations is not None and name in self.accelerations:
                 return self.accelerations[name]
-            case _:
-                return self._rate(lambda moment: moment._value(operand))
+        return self._rate(lambda moment: moment._value(operand))
 
     def _rate(self, quantity: Callable[[_Moment], _Value]) -> _Value:
         later = quantity(self._shifted())

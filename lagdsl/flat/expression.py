@@ -11,6 +11,27 @@ from typing import Literal, TypeAlias
 
 from lagdsl.record import record
 
+# ---- groups: a case over all nodes names the nodes it treats alike by these ------------------------------------------
+
+
+class Operation:
+    """A node with the value that its operands have now."""
+
+    __slots__ = ()
+
+
+class OfFrame:
+    """A node about one frame, named by its field `frame`."""
+
+    __slots__ = ()
+
+
+class Mechanical:
+    """A node that the derivation evaluates; in outputs, invariants and assertions only."""
+
+    __slots__ = ()
+
+
 # ---- scalars ---------------------------------------------------------------------------------------------------------
 
 UnaryOperator: TypeAlias = Literal["-", "not"]
@@ -74,7 +95,7 @@ class Derivative:
 
 
 @record()
-class Unary:
+class Unary(Operation):
     """`-` also negates vectors."""
 
     operator: UnaryOperator
@@ -82,7 +103,7 @@ class Unary:
 
 
 @record()
-class Binary:
+class Binary(Operation):
     """On scalars every operator; on vectors `+` and `-`; `*` of a scalar (left) and a vector (right); `/` of a vector
     by a scalar. Exponents of `^` are scalars. The scalar product of vectors is `Dot`."""
 
@@ -92,7 +113,7 @@ class Binary:
 
 
 @record()
-class Function:
+class Function(Operation):
     """One of FUNCTIONS."""
 
     name: str
@@ -100,7 +121,7 @@ class Function:
 
 
 @record()
-class Conditional:
+class Conditional(Operation):
     """`if condition then value else otherwise`, of scalars or of vectors."""
 
     condition: FlatExpression
@@ -109,7 +130,7 @@ class Conditional:
 
 
 @record()
-class Component:
+class Component(Operation):
     """World component 0, 1 or 2 of a vector."""
 
     vector: FlatExpression
@@ -117,13 +138,13 @@ class Component:
 
 
 @record()
-class Dot:
+class Dot(Operation):
     left: FlatExpression
     right: FlatExpression
 
 
 @record()
-class Norm:
+class Norm(Operation):
     """Euclidean length; its derivative does not exist at zero (a run-time diagnostic names `element`)."""
 
     vector: FlatExpression
@@ -134,7 +155,7 @@ class Norm:
 
 
 @record()
-class Vector:
+class Vector(Operation):
     """Three world components."""
 
     x: FlatExpression
@@ -150,14 +171,14 @@ class PointReference:
 
 
 @record()
-class FrameOrigin:
+class FrameOrigin(OfFrame):
     """Position of the origin of the named frame (`world` included)."""
 
     frame: str
 
 
 @record()
-class FrameAxis:
+class FrameAxis(OfFrame):
     """Unit vector x, y or z (0, 1, 2) of the named frame."""
 
     frame: str
@@ -165,14 +186,14 @@ class FrameAxis:
 
 
 @record()
-class AngularVelocity:
+class AngularVelocity(OfFrame):
     """omega of the named frame relative to the world."""
 
     frame: str
 
 
 @record()
-class MaterialVelocity:
+class MaterialVelocity(OfFrame):
     """Velocity of the material point of `frame` that is at `point` now."""
 
     point: FlatExpression
@@ -180,23 +201,23 @@ class MaterialVelocity:
 
 
 @record()
-class Cross:
+class Cross(Operation):
     left: FlatExpression
     right: FlatExpression
 
 
-# ---- what the mechanics provides: allowed in outputs, invariants and assertions only --------------------------------
+# ---- what the mechanics provides -------------------------------------------------------------------------------------
 
 
 @record()
-class Multiplier:
+class Multiplier(Mechanical):
     """Multiplier of one constraint row, by the row's name (`wire`, `pin[2]`)."""
 
     row: str
 
 
 @record()
-class FrameReaction:
+class FrameReaction(Mechanical):
     """Force or torque (vector) that the side of the parent of `frame` exerts on all it carries, at its origin."""
 
     frame: str
@@ -204,7 +225,7 @@ class FrameReaction:
 
 
 @record()
-class ReactionAlong:
+class ReactionAlong(Mechanical):
     """d'Alembert value (scalar) of the non-contributing force on the named point along `direction`: the point is
     released by s*direction, and the equation of s is evaluated at s = 0 (direction is not normalised and is held as if
     unreleased)."""
@@ -214,26 +235,26 @@ class ReactionAlong:
 
 
 @record()
-class SystemEnergy:
+class SystemEnergy(Mechanical):
     """`total` is energy(): T + V and, for each lagrangian term Lx, qd.dLx/dqd - Lx; `jacobi` is qd.dL/dqd - L."""
 
     kind: Literal["total", "kinetic", "potential", "jacobi"]
 
 
 @record()
-class GeneralizedMomentum:
+class GeneralizedMomentum(Mechanical):
     """dL/dqd of the named coordinate."""
 
     coordinate: str
 
 
 @record()
-class LinearMomentum:
+class LinearMomentum(Mechanical):
     """Vector: sum of m v over all masses and bodies."""
 
 
 @record()
-class AngularMomentum:
+class AngularMomentum(Mechanical):
     """Vector: of the named body (None: of all masses and bodies) about a point."""
 
     body: str | None

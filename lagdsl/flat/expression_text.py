@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import assert_never
+from typing import TypeAlias, assert_never
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat.traversal import operands, postorder
@@ -17,6 +17,23 @@ _AXES = "xyz"
 _LONGEST = 20_000  # characters: expressions may share subexpressions, and then their text grows out of all proportion
 
 _Text = tuple[str, int]
+
+_Called: TypeAlias = (
+    fx.Previous
+    | fx.Derivative
+    | fx.Function
+    | fx.Norm
+    | fx.Cross
+    | fx.AngularVelocity
+    | fx.MaterialVelocity
+    | fx.Multiplier
+    | fx.FrameReaction
+    | fx.ReactionAlong
+    | fx.SystemEnergy
+    | fx.GeneralizedMomentum
+    | fx.LinearMomentum
+    | fx.AngularMomentum
+)
 
 
 def flat_expression_text(expression: fx.FlatExpression) -> str:
@@ -57,11 +74,22 @@ def _text(node: fx.FlatExpression, parts: list[_Text]) -> _Text:
             return f"{frame}.origin", _ATOM
         case fx.FrameAxis(frame, axis):
             return f"{frame}.{_AXES[axis]}", _ATOM
-        case _:
+        case (
+            fx.Previous()
+            | fx.Derivative()
+            | fx.Function()
+            | fx.Norm()
+            | fx.Cross()
+            | fx.AngularVelocity()
+            | fx.MaterialVelocity()
+            | fx.Mechanical()
+        ):
             return _call(node, _list(parts)), _ATOM
+        case _:
+            assert_never(node)
 
 
-def _call(node: fx.FlatExpression, arguments: str) -> str:  # noqa: C901, PLR0912 one case per node
+def _call(node: _Called, arguments: str) -> str:  # noqa: C901, PLR0912 one case per node
     match node:
         case fx.Derivative():
             return f"der({arguments})"
@@ -91,17 +119,6 @@ def _call(node: fx.FlatExpression, arguments: str) -> str:  # noqa: C901, PLR091
             return "linear_momentum()"
         case fx.AngularMomentum(body, _):
             return f"angular_momentum({f'{body}, ' if body is not None else ''}about = {arguments})"
-        case (
-            fx.Number()
-            | fx.Variable()
-            | fx.Previous()
-            | fx.PointReference()
-            | fx.Unary()
-            | fx.Binary()
-            | fx.Dot()
-            | fx.Conditional()
-        ) | (fx.Component() | fx.Vector() | fx.FrameOrigin() | fx.FrameAxis()):
-            raise AssertionError("not a call")
         case _:
             assert_never(node)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from importlib.util import find_spec
 
-import lagdsl
 from lagdsl.fmi.export_model import ExportModel
 from lagdsl.fmi.reference import Reference
 from lagdsl.report.derivation import document
@@ -13,6 +12,7 @@ from lagdsl.report.document import Block, Bullets, Code, Heading, Inline, Text
 from lagdsl.report.html import html
 from lagdsl.resources import license_file
 from lagdsl.textbook.recipe import recipe
+from lagdsl.version import __version__
 
 _INDEX = "documentation/index.html"
 _LICENSE = "documentation/licenses/license.txt"
@@ -39,7 +39,7 @@ def documentation_files(export_model: ExportModel, known: Reference | None, head
 def _about(export_model: ExportModel, known: Reference | None) -> tuple[Block, ...]:
     table = export_model.table
     kinds = " and ".join(_KINDS[kind] for kind in table.kinds)
-    by = f"made by lagdsl {lagdsl.__version__}"
+    by = f"made by lagdsl {__version__}"
     items: list[Inline] = [
         (Text(f"FMI {table.version}.0, {kinds}, {len(table.variables)} variables; {by}."),),
         (

@@ -8,7 +8,7 @@ graph is one loop over lists.
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Hashable, Iterable, Sequence
+from collections.abc import Callable, Container, Hashable, Iterable, Sequence
 
 from lagdsl.graph.fold import fold
 from lagdsl.graph.operation import FIRST_BINARY, FIRST_TERNARY, FIRST_UNARY, Group, Op
@@ -213,21 +213,12 @@ class Graph:
     def binary(self, op: Op, x: int, y: int) -> int:
         """Any function of two arguments."""
         assert FIRST_BINARY <= op < FIRST_TERNARY
-        match op:
-            case Op.ADD:
-                return self.add(x, y)
-            case Op.SUBTRACT:
-                return self.subtract(x, y)
-            case Op.MULTIPLY:
-                return self.multiply(x, y)
-            case Op.DIVIDE:
-                return self.divide(x, y)
-            case Op.POWER:
-                return self.power(x, y)
-            case _:
-                both = self.op[x] is _CONSTANT and self.op[y] is _CONSTANT
-                folded = self._fold(op, x, y) if both else None
-                return self._make_binary(op, x, y) if folded is None else folded
+        own = _ARITHMETIC.get(op)
+        if own is not None:
+            return own(self, x, y)
+        both = self.op[x] is _CONSTANT and self.op[y] is _CONSTANT
+        folded = self._fold(op, x, y) if both else None
+        return self._make_binary(op, x, y) if folded is None else folded
 
     def select(self, condition: int, value: int, otherwise: int) -> int:
         """`value` where `condition` is not 0, else `otherwise`."""
@@ -330,3 +321,12 @@ class Graph:
         self.operands.append(operands)
         self.groups.append(groups)
         return len(self.op) - 1
+
+
+_ARITHMETIC: dict[Op, Callable[[Graph, int, int], int]] = {
+    Op.ADD: Graph.add,
+    Op.SUBTRACT: Graph.subtract,
+    Op.MULTIPLY: Graph.multiply,
+    Op.DIVIDE: Graph.divide,
+    Op.POWER: Graph.power,
+}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from lagdsl.graph.graph import Graph
-from lagdsl.graph.operation import Op
+from lagdsl.graph.operation import STEPS, Op
 
 
 def unary_partial(graph: Graph, node: int) -> int:
@@ -40,22 +40,20 @@ def _root_of_one_minus_square(graph: Graph, x: int) -> int:
 def binary_partial(graph: Graph, node: int, position: int) -> int:
     """d(node)/d(argument 0 or 1) of an operation other than + - * /. Comparisons and logic have derivative 0."""
     x, y = graph.a[node], graph.b[node]
-    match graph.op[node]:
-        case Op.POWER:
-            return _power_exponent(graph, node) if position else _power_base(graph, x, y)
-        case Op.ATAN2:
-            square = graph.add(graph.multiply(x, x), graph.multiply(y, y))
-            return graph.negate(graph.divide(x, square)) if position else graph.divide(y, square)
-        case Op.MOD:
-            return graph.negate(graph.unary(Op.FLOOR, graph.divide(x, y))) if position else graph.one
-        case Op.MIN:
-            return _indicator(graph, graph.binary(Op.LESS_EQUAL, x, y), position)
-        case Op.MAX:
-            return _indicator(graph, graph.binary(Op.LESS_EQUAL, y, x), position)
-        case Op.LESS | Op.LESS_EQUAL | Op.EQUAL | Op.AND | Op.OR:
-            return graph.zero
-        case op:
-            raise AssertionError(op)
+    op = graph.op[node]
+    if op is Op.POWER:
+        return _power_exponent(graph, node) if position else _power_base(graph, x, y)
+    if op is Op.ATAN2:
+        square = graph.add(graph.multiply(x, x), graph.multiply(y, y))
+        return graph.negate(graph.divide(x, square)) if position else graph.divide(y, square)
+    if op is Op.MOD:
+        return graph.negate(graph.unary(Op.FLOOR, graph.divide(x, y))) if position else graph.one
+    if op is Op.MIN:
+        return _indicator(graph, graph.binary(Op.LESS_EQUAL, x, y), position)
+    if op is Op.MAX:
+        return _indicator(graph, graph.binary(Op.LESS_EQUAL, y, x), position)
+    assert op in STEPS, op
+    return graph.zero
 
 
 def _power_base(graph: Graph, x: int, y: int) -> int:

@@ -32,14 +32,10 @@ class TimeDerivative(Tangent):
         graph = self._graph_of_rates
         assert graph.op[symbol] is Op.SYMBOL
         index = graph.b[symbol]
-        match graph.group(symbol):
-            case Group.TIME:
-                return graph.one
-            case Group.Q:
-                return graph.symbol(Group.QD, index)
-            case Group.QD:
-                return graph.zero if self._bias else graph.symbol(Group.QDD, index)
-            case Group.RELEASE:
-                return graph.symbol(Group.RELEASE_RATE, index)
-            case _:
-                return self._rate(symbol)
+        group = graph.group(symbol)
+        if group is Group.TIME:
+            return graph.one
+        if group is Group.QD:
+            return graph.zero if self._bias else graph.symbol(Group.QDD, index)
+        moved = {Group.Q: Group.QD, Group.RELEASE: Group.RELEASE_RATE}.get(group)
+        return self._rate(symbol) if moved is None else graph.symbol(moved, index)

@@ -72,14 +72,11 @@ def _rows(found: LibraryClass, modifiers: tuple[nodes.AnyModifier, ...]) -> Iter
     given = {".".join(m.name.parts): m.value for m in modifiers if isinstance(m, nodes.Modifier)}
     public = [section.items for section in found.node.sections if section.keyword == "public"]
     for item in (*found.node.items, *(item for items in public for item in items)):
-        match item:
-            case nodes.Component() | nodes.Coordinate() | nodes.Geometry():
-                kind = item.keyword if isinstance(item, nodes.Geometry) else ".".join(item.type_name.parts)
-                docs = _docs(item.declarators)
-                for declarator, doc in zip(item.declarators, docs, strict=True):
-                    yield _row(item, kind, declarator, doc, given.get(declarator.name))
-            case _:
-                pass
+        if isinstance(item, nodes.Component | nodes.Coordinate | nodes.Geometry):
+            kind = item.keyword if isinstance(item, nodes.Geometry) else ".".join(item.type_name.parts)
+            docs = _docs(item.declarators)
+            for declarator, doc in zip(item.declarators, docs, strict=True):
+                yield _row(item, kind, declarator, doc, given.get(declarator.name))
 
 
 def _docs(declarators: tuple[nodes.Declarator, ...]) -> list[str]:

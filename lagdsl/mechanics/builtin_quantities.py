@@ -8,12 +8,12 @@ from typing import assert_never
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Definition, FlatModel
+from lagdsl.flat.traversal import operands
 from lagdsl.mechanics.kinematics.vectors import Vector
 from lagdsl.mechanics.lagrange.energies import SystemEnergies
 from lagdsl.mechanics.lagrange.inertial_elements import angular_momentum, linear_momentum
 from lagdsl.mechanics.lagrange.lagrange import Dynamics
 from lagdsl.mechanics.lowering.lowering import Lowering, Provided, Value
-from lagdsl.mechanics.lowering.operands import operands
 from lagdsl.mechanics.lowering.symbols import Symbols
 from lagdsl.mechanics.reactions import Releases, plan_releases, reactions
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from copy import copy
 from graphlib import TopologicalSorter
+from typing import assert_never
 
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.event_flow import assignments, branches, needs
@@ -204,8 +205,10 @@ class Pass:
                 return self._symbols.by_name[entry.name]
             case "condition":
                 return self._memories[entry.name]
-            case _:
+            case "contact" | "impacts" | "relation" | "timed" | "clock" | "instant":
                 return self._symbols.previous[entry.name]
+            case _:
+                assert_never(entry.kind)
 
     def _fire(self, when: When) -> None:
         """The conditions of a clause, once the variables that they read have their new values."""

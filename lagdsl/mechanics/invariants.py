@@ -53,16 +53,15 @@ def _resolved(flat: FlatModel, value: FlatExpression) -> FlatExpression:
 
 
 def _holds(equations: Equations, value: FlatExpression) -> bool:
-    match value:
-        case GeneralizedMomentum(coordinate):
-            index = equations.symbols.coordinate_index[coordinate]
-            return vanish(equations, _momentum_rate(equations, index))
-        case SystemEnergy("jacobi"):
-            return vanish(equations, _jacobi_rate(equations))
-        case SystemEnergy("total"):
-            return vanish(equations, [*_excess_of_energy(equations), *_jacobi_rate(equations)])
-        case _:
-            return False
+    if isinstance(value, GeneralizedMomentum):
+        index = equations.symbols.coordinate_index[value.coordinate]
+        return vanish(equations, _momentum_rate(equations, index))
+    kind = value.kind if isinstance(value, SystemEnergy) else None
+    if kind == "jacobi":
+        return vanish(equations, _jacobi_rate(equations))
+    if kind == "total":
+        return vanish(equations, [*_excess_of_energy(equations), *_jacobi_rate(equations)])
+    return False
 
 
 def _momentum_rate(equations: Equations, index: int) -> Iterator[int]:

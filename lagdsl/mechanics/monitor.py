@@ -28,13 +28,12 @@ def largest_term(graph: Graph, root: int) -> int:
 
 
 def _summands(graph: Graph, node: int) -> tuple[int, ...]:
-    match graph.op[node]:
-        case Op.ADD | Op.SUBTRACT | Op.NEGATE:
-            return graph.arguments(node)
-        case Op.MULTIPLY | Op.DIVIDE:
-            return tuple(x for x in graph.arguments(node) if not _is_still(graph, x)) if _factor(graph, node) else ()
-        case _:
-            return ()
+    op = graph.op[node]
+    if op in (Op.ADD, Op.SUBTRACT, Op.NEGATE):
+        return graph.arguments(node)
+    if op in (Op.MULTIPLY, Op.DIVIDE) and _factor(graph, node):
+        return tuple(x for x in graph.arguments(node) if not _is_still(graph, x))
+    return ()
 
 
 def _factor(graph: Graph, node: int) -> bool:

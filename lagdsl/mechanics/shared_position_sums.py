@@ -5,6 +5,8 @@ Only scalars that depend on coordinates, parameters and time, without conditions
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from lagdsl.flat import expression as fx
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Definition, FlatModel, Point
@@ -80,4 +82,7 @@ class _Plain:
                 return operator in _ARITHMETIC
             case fx.Function(name):
                 return name in _SMOOTH
-        return False
+            case fx.Previous() | fx.Derivative() | fx.Operation() | fx.OfFrame() | fx.Mechanical():
+                return False
+            case _:
+                assert_never(node)

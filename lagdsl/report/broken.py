@@ -37,14 +37,13 @@ def lines(equation: Equation, width: int) -> list[Line]:
 
 def sign_and_rest(box: Box) -> tuple[Sign, Box]:
     """The sign a continued line starts with, and the line without it."""
-    match box:
-        case Sum(((sign, first), *others)):
-            return sign, Sum((("+", first), *others))
-        case Row((first, *others)):
-            sign, rest = sign_and_rest(first)
-            return sign, Row((rest, *others))
-        case _:
-            return "+", box
+    if isinstance(box, Sum) and box.terms:
+        (sign, first), *others = box.terms
+        return sign, Sum((("+", first), *others))
+    if isinstance(box, Row) and box.items:
+        sign, rest = sign_and_rest(box.items[0])
+        return sign, Row((rest, *box.items[1:]))
+    return "+", box
 
 
 def _broken(box: Box, width: int) -> list[Box]:

@@ -31,11 +31,10 @@ def carrier_labels(flat: FlatModel) -> list[Box]:
 
 
 def _point_name(mass: PointMass) -> str | None:
-    match mass.position:
-        case PointReference(name) | FrameOrigin(name):
-            return name
-        case _:
-            return None
+    place = mass.position
+    if isinstance(place, PointReference):
+        return place.name
+    return place.frame if isinstance(place, FrameOrigin) else None
 
 
 def indexed(letter: str, index: Box) -> Box:

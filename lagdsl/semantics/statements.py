@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import field
-from typing import Literal
+from typing import Literal, assert_never
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
@@ -86,8 +86,20 @@ def _conditional_item(ctx: Context, physics: Physics, placed: Placed) -> None:
             drawing = drawings.drawing(ctx, scope, node)
             if drawing is not None:
                 physics.drawings.append(drawing)
-        case _:
+        case nodes.Gravity() | nodes.Constraint() | nodes.Contact():
+            raise AssertionError(f"{placed.node!r} has no condition")
+        case (
+            nodes.Import()
+            | nodes.Definition()
+            | nodes.Declaration()
+            | nodes.Relation()
+            | nodes.Block()
+            | nodes.Extends()
+            | nodes.Annotation()
+        ):
             raise AssertionError(f"no physics item: {placed.node!r}")
+        case _:
+            assert_never(placed.node)
 
 
 def _constraint(ctx: Context, placed: Placed, node: nodes.Constraint) -> None:

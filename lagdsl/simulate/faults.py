@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal, TypeAlias, assert_never
 
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.event_flow import branches
@@ -19,6 +19,14 @@ from lagdsl.structure.names import located, place
 
 # Steps are at least so many units in the last place of time.
 _LEAST_STEP = 16.0 * 2.0**-52
+_EventStatus: TypeAlias = Literal[
+    Status.EVENT_ITERATION_FAILED,
+    Status.CHATTER,
+    Status.PENETRATION,
+    Status.CONFLICT,
+    Status.ASSERTION_FAILED,
+    Status.POSITION_JUMP,
+]
 _BLAMED = {Status.EVENT_ITERATION_FAILED: "E0804", Status.CHATTER: "E0833", Status.PENETRATION: "E0834"}
 
 
@@ -59,9 +67,28 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             return name
         case Status.VIOLATED:
             return _report_violated(course, fault, sink)
-        case _:
+        case (
+            Status.EVENT_ITERATION_FAILED
+            | Status.CHATTER
+            | Status.PENETRATION
+            | Status.CONFLICT
+            | Status.ASSERTION_FAILED
+            | Status.POSITION_JUMP
+        ):
             code, item, text = _of_event(course, status, fault)
             return _told(course, code, fault, item, sink, text=text)
+        case (
+            Status.OK
+            | Status.MISSING
+            | Status.ATTENTION
+            | Status.STOPPED
+            | Status.EVENT_PENDING
+            | Status.BAD_STATE_DATA
+            | Status.BAD_CLOCK
+        ):
+            raise AssertionError(f"the runtime ended a run with {status.name}")
+        case _:
+            assert_never(status)
 
 
 def _told(course: Course, code: str, fault: Fault, item: Item | None, sink: Sink, **arguments: Any) -> str | None:
@@ -130,7 +157,7 @@ def _power_note(course: Course, fault: Fault) -> str:
     return f"largest power: {value:.3g} W by the {kind} along `{name}`"
 
 
-def _of_event(course: Course, status: Status, fault: Fault) -> tuple[str, Item, str]:
+def _of_event(course: Course, status: _EventStatus, fault: Fault) -> tuple[str, Item, str]:
     """Code, place and name of what came to no good end at an instant."""
     flat = course.flat
     actions = [action for branch in branches(flat) for action in branch.actions]
@@ -151,4 +178,4 @@ def _of_event(course: Course, status: Status, fault: Fault) -> tuple[str, Item, 
         case Status.POSITION_JUMP:
             return "E0835", _row(flat, fault.which), f"`{course.layout.constraints[fault.which].name}`"
         case _:
-            raise AssertionError(f"the runtime ended a run with {status.name}")
+            assert_never(status)

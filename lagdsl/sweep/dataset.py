@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-import lagdsl
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.source.whole_file import whole_file
 from lagdsl.sweep.plan import Axis, Plan
 from lagdsl.sweep.run import Outcome
+from lagdsl.version import __version__
 
 if TYPE_CHECKING:
     import xarray
@@ -51,7 +51,7 @@ def dataset(plan: Plan, times: Floats, outcomes: Iterable[Outcome], *, model: st
     coordinates[time] = ((time,), times, {"units": "s"})
     if plan.samples:
         coordinates[sample] = ((sample,), np.arange(shape[-1]))
-    return xarray.Dataset(data, coordinates, {"model": model, "lagdsl": lagdsl.__version__})
+    return xarray.Dataset(data, coordinates, {"model": model, "lagdsl": __version__})
 
 
 def about_runs(data: xarray.Dataset, long_name: str) -> list[str]:

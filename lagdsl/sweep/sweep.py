@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import lagdsl
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.text import flat_text
 from lagdsl.numerics.rank import Floats
@@ -20,6 +19,7 @@ from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes, require_idle
 from lagdsl.sweep.plan import Plan, fingerprint, require_sound, tasks_of
 from lagdsl.sweep.run import Options, Outcome, Subject
 from lagdsl.sweep.threads import in_threads
+from lagdsl.version import __version__
 
 if TYPE_CHECKING:
     import xarray
@@ -154,7 +154,7 @@ def times_of(subjects: Sequence[Subject], options: Options) -> Floats:
 def _identity(subjects: Sequence[Subject], options: Options) -> list[str]:
     """What must not change between an interruption and going on."""
     models = [subject.fault if subject.flat is None else flat_text(subject.flat) for subject in subjects]
-    return [lagdsl.__version__, repr(options), *models]
+    return [__version__, repr(options), *models]
 
 
 def options_of(flat: FlatModel, *, stop: float | None, interval: float | None) -> tuple[float, float]:

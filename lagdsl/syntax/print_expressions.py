@@ -88,8 +88,10 @@ class ExpressionWriter:
                     if position:
                         self.text(":")
                     self.expression(part, tight=True)
-            case _:
+            case nodes.Literal() | nodes.Designator() | nodes.Compound() | nodes.Parenthesized():
                 self.expression(item, tight=True)
+            case _:
+                assert_never(item)
 
     def iterators(self, items: Iterable[nodes.Iterator]) -> None:
         for position, item in enumerate(items):

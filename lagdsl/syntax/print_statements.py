@@ -44,8 +44,10 @@ def statement(node: Leaf) -> list[Piece]:
             writer.declaration(node)
         case nodes.Equation() | nodes.CallEquation() | nodes.Connect():
             writer.equation(node)
-        case _:
+        case nodes.Physics():
             writer.physics(node)
+        case _:
+            assert_never(node)
     writer.text(";")
     return writer.pieces
 

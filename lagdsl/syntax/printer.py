@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from itertools import takewhile
+from typing import assert_never
 
 from lark import Token
 
@@ -79,10 +80,21 @@ class _Formatter:
                     self._if(item, indent)
                 case nodes.When():
                     self._when(item, indent)
-                case _ if self._holds_comment(item):
-                    self._as_written(item, indent)
+                case (
+                    nodes.Import()
+                    | nodes.Definition()
+                    | nodes.Declaration()
+                    | nodes.Physics()
+                    | nodes.Relation()
+                    | nodes.Extends()
+                    | nodes.Annotation()
+                ):
+                    if self._holds_comment(item):
+                        self._as_written(item, indent)
+                    else:
+                        self.lines += fill(statement(item), indent)
                 case _:
-                    self.lines += fill(statement(item), indent)
+                    assert_never(item)
             self.end = item.span.end
 
     def _class(self, node: nodes.Class, indent: int) -> None:

@@ -160,6 +160,8 @@ class Session:
                 self.fault_at = start_of(token)
                 self.sink.report("E0126", Span(self.file, self.fault_at, self.fault_at + 1))
                 return as_text(token)
+            case _:
+                pass
         return token
 
     def _check_division(self, token: Token) -> None:

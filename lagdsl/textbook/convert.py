@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TypeAlias
+from typing import TypeAlias, assert_never
 
 import sympy
 from sympy import Expr, Float, Integer, Rational, Symbol
@@ -28,14 +28,14 @@ Mechanical: TypeAlias = (
     | flat.LinearMomentum
     | flat.AngularMomentum
 )
-MECHANICAL = (
-    flat.Multiplier,
-    flat.FrameReaction,
-    flat.ReactionAlong,
-    flat.SystemEnergy,
-    flat.GeneralizedMomentum,
-    flat.LinearMomentum,
-    flat.AngularMomentum,
+_Geometric: TypeAlias = (
+    flat.Vector
+    | flat.Cross
+    | flat.PointReference
+    | flat.FrameOrigin
+    | flat.FrameAxis
+    | flat.AngularVelocity
+    | flat.MaterialVelocity
 )
 
 _FUNCTIONS: dict[str, Callable[..., Expr]] = {
@@ -195,7 +195,7 @@ class Converter:
             self._memo[id(binary)] = (binary, value)
         return value
 
-    def _make(self, node: flat.FlatExpression) -> Expr | Vector:
+    def _make(self, node: flat.FlatExpression) -> Expr | Vector:  # noqa: C901, PLR0912 one case for each node
         match node:
             case flat.Number(value):
                 return self.style.number(value)
@@ -217,12 +217,20 @@ class Converter:
                 return geometry.dot(self.vector(left), self.vector(right))
             case flat.Norm(vector, _):
                 return self.style.tidy(geometry.norm(self.vector(vector)))
-            case _:
+            case flat.Vector() | flat.Cross() | flat.PointReference() | flat.OfFrame():
                 return self._make_vector(node)
+            case flat.Mechanical():
+                if self.mechanical is None:
+                    raise _NotDerivedYetError(type(node).__name__)
+                return self.mechanical(node)
+            case flat.Binary() | flat.Previous():
+                raise AssertionError(node)
+            case _:
+                assert_never(node)
 
-    def _make_vector(self, node: flat.FlatExpression) -> Expr | Vector:
+    def _make_vector(self, node: _Geometric) -> Vector:
         kinematics = self.kinematics
-        if isinstance(node, flat.FrameOrigin | flat.FrameAxis | flat.AngularVelocity | flat.MaterialVelocity):
+        if isinstance(node, flat.OfFrame):
             self._define(node.frame)
         match node:
             case flat.Vector(x, y, z):
@@ -241,10 +249,7 @@ class Converter:
             case flat.Cross(left, right):
                 return geometry.cross(self.vector(left), self.vector(right))
             case _:
-                assert isinstance(node, MECHANICAL), node
-                if self.mechanical is None:
-                    raise _NotDerivedYetError(type(node).__name__)
-                return self.mechanical(node)
+                assert_never(node)
 
     def _unary(self, operator: flat.UnaryOperator, value: Expr | Vector) -> Expr | Vector:
         if operator == "not":
@@ -275,8 +280,10 @@ class Converter:
                 return left / right
             case "^":
                 return left**right
-            case _:
+            case "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
                 return _RELATIONS[operator](left, right)
+            case _:
+                assert_never(operator)
 
     def _vector_binary(self, operator: flat.BinaryOperator, left: Expr | Vector, right: Vector) -> Vector:
         if not isinstance(left, tuple):

@@ -97,15 +97,13 @@ def system_energies(table: Symbols, parts: Contributions, momenta: Sequence[Expr
 
 def _terms(converter: Converter, parts: Contributions, value: FlatExpression) -> tuple[Expr, ...]:
     """The summands whose largest size is the scale of an invariant; an energy counts by its kinds."""
-    match value:
-        case Binary("+" | "-", left, right):
-            return (*_terms(converter, parts, left), *_terms(converter, parts, right))
-        case Unary("-", operand):
-            return _terms(converter, parts, operand)
-        case SystemEnergy("total" | "jacobi"):
-            return (parts.kinetic, parts.potential, converter.scalar(value))
-        case _:
-            return (converter.scalar(value),)
+    if isinstance(value, Binary) and value.operator in ("+", "-"):
+        return (*_terms(converter, parts, value.left), *_terms(converter, parts, value.right))
+    if isinstance(value, Unary) and value.operator == "-":
+        return _terms(converter, parts, value.operand)
+    if isinstance(value, SystemEnergy) and value.kind in ("total", "jacobi"):
+        return (parts.kinetic, parts.potential, converter.scalar(value))
+    return (converter.scalar(value),)
 
 
 def _symmetric(lower: Sequence[Sequence[Expr]]) -> list[list[Expr]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import assert_never
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat.model import (
@@ -87,12 +88,14 @@ def _longest(flat: FlatModel) -> int:
 
 def _name(node: fx.FlatExpression) -> str:
     match node:
-        case fx.Variable(name) | fx.PointReference(name) | fx.FrameOrigin(name) | fx.FrameAxis(name, _):
+        case fx.Variable(name) | fx.PointReference(name):
             return name
-        case fx.AngularVelocity(name) | fx.MaterialVelocity(_, name):
-            return name
-        case _:
+        case fx.OfFrame():
+            return node.frame
+        case fx.Number() | fx.Previous() | fx.Derivative() | fx.Operation() | fx.Mechanical():
             return ""
+        case _:
+            assert_never(node)
 
 
 def _declared(flat: FlatModel) -> Iterator[fx.FlatExpression]:

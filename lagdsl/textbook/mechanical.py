@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import assert_never
+from typing import Literal, assert_never
 
 from sympy import Add, Expr, Integer
 
@@ -64,7 +64,7 @@ class MechanicalValues:
             case _:
                 assert_never(node)
 
-    def _energy(self, kind: str) -> Expr:
+    def _energy(self, kind: Literal["total", "kinetic", "potential", "jacobi"]) -> Expr:
         match kind:
             case "total":
                 return self.energies.total
@@ -72,8 +72,10 @@ class MechanicalValues:
                 return self.energies.kinetic
             case "potential":
                 return self.energies.potential
-            case _:
+            case "jacobi":
                 return self.energies.jacobi
+            case _:
+                assert_never(kind)
 
     def _angular_momentum(self, body: str | None, about: Vector) -> Vector:
         items = self.parts.inertials

@@ -52,14 +52,12 @@ class Shapes:
         if place is not None:
             return self._numbered("place", place.array), (place,)
         graph = self._graph
-        match graph.op[node]:
-            case Op.SYMBOL:
-                place = Place(ARGUMENT_NAMES[graph.group(node)], graph.b[node])
-                return self._entry[place.array], (place,)
-            case Op.CONSTANT:
-                return self._constant, (graph.value[node],)
-            case _:
-                return self._operation(node)
+        if graph.op[node] is Op.SYMBOL:
+            place = Place(ARGUMENT_NAMES[graph.group(node)], graph.b[node])
+            return self._entry[place.array], (place,)
+        if graph.op[node] is Op.CONSTANT:
+            return self._constant, (graph.value[node],)
+        return self._operation(node)
 
     def _operation(self, node: int) -> tuple[int, tuple[Leaf, ...]]:
         """Arguments of sums and products stand in the order of their shapes: both orders give the same bits."""

@@ -43,14 +43,12 @@ def body(program: Program, function: Function) -> str:
     variable = {node: f"v{index}" for index, node in enumerate(plan.named)}
 
     def leaf(node: int) -> str | None:
-        match graph.op[node]:
-            case Op.CONSTANT:
-                return number(graph.value[node])
-            case Op.SYMBOL:
-                array = ARGUMENT_NAMES[graph.group(node)]
-                return array if array == "t" else f"{array}[{graph.b[node]}]"
-            case _:
-                return variable.get(node)
+        if graph.op[node] is Op.CONSTANT:
+            return number(graph.value[node])
+        if graph.op[node] is Op.SYMBOL:
+            array = ARGUMENT_NAMES[graph.group(node)]
+            return array if array == "t" else f"{array}[{graph.b[node]}]"
+        return variable.get(node)
 
     printer = ExpressionPrinter(graph, leaf, ELEMENTARY, divide="divide")
     statements = [f"{variable[node]} = {printer.definition(node)}" for node in plan.named]

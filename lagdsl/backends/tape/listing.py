@@ -63,5 +63,6 @@ def _width(code: int, own: memoryview) -> int:
             return 4 + 2 * own[2]
         case "SINCOS":
             return 2 + 3 * own[0]
-    each = {TWO_PRODUCTS: 6, THREE_PRODUCTS: 8, CODE["SELECT"]: 4}.get(code, 3 if code >= _FIRST_BINARY else 2)
-    return 2 + own[0] * each
+        case _:
+            each = {TWO_PRODUCTS: 6, THREE_PRODUCTS: 8, CODE["SELECT"]: 4}.get(code, 3 if code >= _FIRST_BINARY else 2)
+            return 2 + own[0] * each

@@ -151,6 +151,8 @@ def unexpected_help(after: str, found: str, expected: str) -> str | None:
             return "digits stand before the decimal point: `0.5`"
         case (_, ",") if after.isdigit():
             return "a number has a decimal point, not a comma: `0.5`"
+        case _:
+            pass
     if "operator" in expected and (found[:1].isalnum() or found[:1] == '"'):
         return "an operator may be missing: a product is written with `*`"
     return None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import lagdsl
 from lagdsl.fmi.description.description import (
     LOG_CATEGORIES,
     NamedType,
@@ -22,6 +21,7 @@ from lagdsl.fmi.variables.builtin_variables import indicator_count
 from lagdsl.fmi.variables.scalar import Variable
 from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
+from lagdsl.version import __version__
 
 _TAGS = {"REAL": "Real", "INTEGER": "Integer", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
 
@@ -34,7 +34,7 @@ def fmi2_description(table: Table, *, identifier: str, source_files: Sequence[st
         modelName=one_line(table.flat.name),
         guid=token,
         description=table.flat.doc,
-        generationTool=f"lagdsl {lagdsl.__version__}",
+        generationTool=f"lagdsl {__version__}",
         variableNamingConvention="structured",
         numberOfEventIndicators=indicator_count(table.flat),
     )

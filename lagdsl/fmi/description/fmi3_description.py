@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import lagdsl
 from lagdsl.fmi.description.description import (
     LOG_CATEGORIES,
     NamedType,
@@ -22,6 +21,7 @@ from lagdsl.fmi.description.xml import Element, document, element, one_line, sta
 from lagdsl.fmi.variables.scalar import Role, Variable
 from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
+from lagdsl.version import __version__
 
 _TAGS = {"REAL": "Float64", "INTEGER": "Int32", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
 # What can be read in the middle of a communication step.
@@ -36,7 +36,7 @@ def fmi3_description(table: Table, *, identifier: str, token: str) -> str:
         modelName=one_line(table.flat.name),
         instantiationToken=token,
         description=table.flat.doc,
-        generationTool=f"lagdsl {lagdsl.__version__}",
+        generationTool=f"lagdsl {__version__}",
         variableNamingConvention="structured",
     )
     _interfaces(root, table, identifier)

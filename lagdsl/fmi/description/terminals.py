@@ -126,12 +126,11 @@ def _plain(expression: fx.FlatExpression, definitions: dict[str, Definition]) ->
     """The variable that it only renames, and how many time derivatives of it are meant; an empty name for all else."""
     order = 0
     while True:
-        match expression:
-            case fx.Variable(name) if name in definitions:
-                expression = definitions[name].value
-            case fx.Variable(name):
-                return name, order
-            case fx.Derivative(operand):
-                expression, order = operand, order + 1
-            case _:
-                return "", 0
+        if isinstance(expression, fx.Derivative):
+            expression, order = expression.operand, order + 1
+        elif not isinstance(expression, fx.Variable):
+            return "", 0
+        elif expression.name in definitions:
+            expression = definitions[expression.name].value
+        else:
+            return expression.name, order

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from typing import assert_never
 from xml.etree import ElementTree
 
 from lagdsl.fmi.variables.scalar import Type
@@ -31,8 +32,10 @@ def text(value: str | float | bool) -> str:
             return str(value)
         case float():
             return number(value)
-        case _:
+        case str():
             return _IMPOSSIBLE.sub("\N{REPLACEMENT CHARACTER}", value)
+        case _:
+            assert_never(value)
 
 
 def number(value: float) -> str:

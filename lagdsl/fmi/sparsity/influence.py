@@ -95,19 +95,17 @@ class Influences:
         if op in STEPS or op < FIRST_BINARY:
             return self._bent(node)
         b = graph.b[node]
-        match op:
-            case Op.ADD | Op.SUBTRACT:
-                return union(known[a], known[b])
-            case Op.MULTIPLY:
-                return union(raised(known[a], self._factor(b)), raised(known[b], self._factor(a)))
-            case Op.DIVIDE:
-                divisor = raised(known[b], max(self._factor(a), self._factor(b)))
-                return union(raised(known[a], self._factor(b)), divisor)
-            case Op.SELECT:
-                branches = union(known[b], known[graph.c[node]])
-                return union(raised(branches, self._factor(a)), raised(known[a], Kind.DEPENDENT))
-            case _:
-                return self._bent(node)
+        if op in (Op.ADD, Op.SUBTRACT):
+            return union(known[a], known[b])
+        if op is Op.MULTIPLY:
+            return union(raised(known[a], self._factor(b)), raised(known[b], self._factor(a)))
+        if op is Op.DIVIDE:
+            divisor = raised(known[b], max(self._factor(a), self._factor(b)))
+            return union(raised(known[a], self._factor(b)), divisor)
+        if op is Op.SELECT:
+            branches = union(known[b], known[graph.c[node]])
+            return union(raised(branches, self._factor(a)), raised(known[a], Kind.DEPENDENT))
+        return self._bent(node)
 
     def _bent(self, node: int) -> Influence:
         """A function of its arguments, whose slope varies as they do."""

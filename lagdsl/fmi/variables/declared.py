@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import assert_never
 
 from lagdsl.flat import quantity as fq
 from lagdsl.flat.events import Contact, Discrete, entries
@@ -87,9 +88,11 @@ def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
             case fq.Variability.CONTINUOUS | fq.Variability.DISCRETE:
                 variability: Variability = "discrete" if item.variability is fq.Variability.DISCRETE else "continuous"
                 yield _computed(item, Role.LOCAL, index, "local", variability)
-            case _:
+            case fq.Variability.CONSTANT | fq.Variability.STRUCTURAL | fq.Variability.PARAMETER:
                 moved = bool(parameters_of(program, [node]) & changeable)
                 yield _computed(item, Role.LOCAL, index, "calculatedParameter", "tunable" if moved else "fixed")
+            case _:
+                assert_never(item.variability)
 
 
 def discretes(flat: FlatModel) -> Iterator[Scalar]:

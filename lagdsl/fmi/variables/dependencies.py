@@ -8,7 +8,7 @@ constraints, everything else follows from the accelerations of the model. Discre
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TypeAlias
+from typing import TypeAlias, assert_never
 
 from lagdsl.fmi.sparsity.accelerations import Accelerations, bits_of
 from lagdsl.fmi.sparsity.dependency_pruning import pruned_dependencies
@@ -80,8 +80,22 @@ class _Search:
                 return Role.DERIVATIVE, n + index
             case Group.LAMBDA:
                 return Role.MULTIPLIER, index
-            case _:
+            case Group.TIME:
                 return Role.TIME, index
+            case (
+                Group.DIRECTION_Q
+                | Group.DIRECTION_QD
+                | Group.DIRECTION_Z
+                | Group.DIRECTION_U
+                | Group.DIRECTION_QDD
+                | Group.DIRECTION_LAMBDA
+                | Group.DIRECTION_P
+                | Group.RELEASE
+                | Group.RELEASE_RATE
+            ):
+                raise AssertionError(f"{group.name} is an argument of no function of an FMU")
+            case _:
+                assert_never(group)
 
     def found(self) -> Dependencies:
         moving = self._unknowns()

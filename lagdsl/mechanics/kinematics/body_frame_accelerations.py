@@ -6,9 +6,21 @@ a + (alpha x + omega x omega x) r for the place r of a body (Goldstein, *Classic
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from lagdsl.graph.graph import Graph
 from lagdsl.mechanics.kinematics import velocities
-from lagdsl.mechanics.kinematics.frames import Motion, Put, SetTo, Shift, Turn, TurnAbout, TurnQuaternion
+from lagdsl.mechanics.kinematics.frames import (
+    Loosened,
+    Motion,
+    Put,
+    Released,
+    SetTo,
+    Shift,
+    Turn,
+    TurnAbout,
+    TurnQuaternion,
+)
 from lagdsl.mechanics.kinematics.poses import Poses
 from lagdsl.mechanics.kinematics.vectors import Axes, Vector, add, cross, scale, subtract, to_own
 from lagdsl.mechanics.kinematics.velocities import Rates, derivative
@@ -66,8 +78,10 @@ class Accelerations:
                     alpha=derivative(omega, bias),
                     origin=velocities.turned(graph, motion, before.origin),
                 )
-            case _:
+            case Released() | Loosened():
                 raise AssertionError(motion)
+            case _:
+                assert_never(motion)
 
     def _turned(self, before: Moving, motion: Turn | TurnAbout, omega: Vector) -> Moving:
         """alpha + phi'' n + (omega x n) phi'."""

@@ -8,7 +8,7 @@ not depend on the axes, so they are taken there.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TypeAlias, cast
+from typing import TypeAlias, assert_never, cast
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
@@ -129,7 +129,13 @@ class OwnVectors:
                 a, b = self._values_of(left), self._values_of(right)
                 if len(a) == len(b) == 1 and a.keys() == b.keys():
                     return {frame: cross(self._graph, own, b[frame]) for frame, own in a.items()}
-        return None
+                return None
+            case flat.Number() | flat.Variable() | flat.Previous() | flat.Operation():
+                return None
+            case flat.PointReference() | flat.OfFrame() | flat.Mechanical():
+                return None
+            case _:
+                assert_never(expression)
 
     def _sum(self, left: Parts, right: Parts, sign: str) -> Parts:
         graph = self._graph
@@ -163,17 +169,16 @@ class OwnVectors:
         frame: str | None = None
         current: FlatExpression | None = point
         while current is not None:
-            match current:
-                case flat.PointReference(name):
-                    current = self._points[name].position
-                    continue
-                case flat.FrameOrigin(name):
-                    frame, current = name, None
-                    continue
-                case flat.Binary("+", base, arm):
-                    current = base
-                case arm:
-                    current = None
+            if isinstance(current, flat.PointReference):
+                current = self._points[current.name].position
+                continue
+            if isinstance(current, flat.FrameOrigin):
+                frame, current = current.frame, None
+                continue
+            if isinstance(current, flat.Binary) and current.operator == "+":
+                arm, current = current.right, current.left
+            else:
+                arm, current = current, None
             for along, own in self._values_of(arm).items():
                 offset = add(self._graph, offset, own)
                 axes[along] = None
@@ -209,7 +214,12 @@ class OwnVectors:
                 growth = self._rates.of(cast(int, self._lowered(factor)))
                 grown = {frame: scale(self._graph, growth, own) for frame, own in self._values_of(vector).items()}
                 return self._sum(self._scaled(factor, self._velocity_of(vector)), grown, "+")
-        return None
+            case flat.Number() | flat.Variable() | flat.Previous() | flat.Derivative() | flat.Operation():
+                return None
+            case flat.OfFrame() | flat.Mechanical():
+                return None
+            case _:
+                assert_never(expression)
 
     def _carried(self, parts: Parts) -> Parts:
         """omega x r."""
@@ -231,4 +241,9 @@ def _operands(
             return [(vector, False), (vector, moving)]
         case flat.Binary("+" | "-", left, right) | flat.Cross(left, right):
             return [(left, moving), (right, moving)]
-    return []
+        case flat.Number() | flat.Variable() | flat.Previous() | flat.Derivative() | flat.Operation():
+            return []
+        case flat.PointReference() | flat.OfFrame() | flat.Mechanical():
+            return []
+        case _:
+            assert_never(expression)

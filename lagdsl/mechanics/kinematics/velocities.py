@@ -82,8 +82,10 @@ def own_twist(graph: Graph, before: Twist, motion: Motion, rates: Rates) -> Twis
             return turning, to_own(graph, axes, derivative(origin, rates))
         case Loosened(rate, axes):
             return turning, add(graph, velocity, to_own(graph, axes, rate))
-        case _:
+        case Turn() | TurnAbout() | TurnQuaternion() | SetTo() | Released():
             return own_velocity(graph, turning, motion, rates), turned(graph, motion, velocity)
+        case _:
+            assert_never(motion)
 
 
 def turned(graph: Graph, motion: Turn | TurnAbout | TurnQuaternion | SetTo | Released, before: Vector) -> Vector:

@@ -150,16 +150,13 @@ def quotient(graph: Graph, product: int, factor: int) -> int | None:
     a, b = graph.a[product], graph.b[product]
     if graph.is_constant(factor) and graph.is_constant(product):
         return None if factor == graph.zero else graph.divide(product, factor)
-    match graph.op[product]:
-        case Op.NEGATE:
-            left = quotient(graph, a, factor)
-            return None if left is None else graph.negate(left)
-        case Op.DIVIDE:
-            left = quotient(graph, a, factor)
-            return None if left is None else graph.divide(left, b)
-        case Op.MULTIPLY:
-            left, right = quotient(graph, a, factor), quotient(graph, b, factor)
-            if left is not None:
-                return graph.multiply(left, b)
-            return None if right is None else graph.multiply(a, right)
-    return None
+    op = graph.op[product]
+    if op is Op.MULTIPLY:
+        left, right = quotient(graph, a, factor), quotient(graph, b, factor)
+        if left is not None:
+            return graph.multiply(left, b)
+        return None if right is None else graph.multiply(a, right)
+    left = quotient(graph, a, factor) if op in (Op.NEGATE, Op.DIVIDE) else None
+    if left is None:
+        return None
+    return graph.negate(left) if op is Op.NEGATE else graph.divide(left, b)

@@ -25,19 +25,19 @@ def terms_of(graph: Graph, total: int) -> list[Term]:
     while stack:
         term = stack.pop()
         a, b, weight = graph.a[term.node], graph.b[term.node], term.weight
-        match graph.op[term.node]:
-            case Op.ADD:
-                stack += (Term(b, weight), Term(a, weight))
-            case Op.SUBTRACT:
-                stack += (Term(b, graph.negate(weight)), Term(a, weight))
-            case Op.NEGATE:
-                stack.append(Term(a, graph.negate(weight)))
-            case Op.MULTIPLY if not graph.groups[a] & ~_HELD:
-                stack.append(Term(b, graph.multiply(weight, a)))
-            case Op.MULTIPLY if not graph.groups[b] & ~_HELD:
-                stack.append(Term(a, graph.multiply(weight, b)))
-            case Op.DIVIDE if not graph.groups[b] & ~_HELD:
-                stack.append(Term(a, graph.divide(weight, b)))
-            case _:
-                found.append(term)
+        op = graph.op[term.node]
+        if op is Op.ADD:
+            stack += (Term(b, weight), Term(a, weight))
+        elif op is Op.SUBTRACT:
+            stack += (Term(b, graph.negate(weight)), Term(a, weight))
+        elif op is Op.NEGATE:
+            stack.append(Term(a, graph.negate(weight)))
+        elif op is Op.MULTIPLY and not graph.groups[a] & ~_HELD:
+            stack.append(Term(b, graph.multiply(weight, a)))
+        elif op is Op.MULTIPLY and not graph.groups[b] & ~_HELD:
+            stack.append(Term(a, graph.multiply(weight, b)))
+        elif op is Op.DIVIDE and not graph.groups[b] & ~_HELD:
+            stack.append(Term(a, graph.divide(weight, b)))
+        else:
+            found.append(term)
     return found

@@ -13,6 +13,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Definition, FlatModel, Frame, Point
 from lagdsl.flat.quantity import Spans
+from lagdsl.flat.traversal import operands, step_expressions
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 from lagdsl.graph.taylor import TimeDerivative
@@ -21,7 +22,6 @@ from lagdsl.mechanics.kinematics.body_frame_vectors import OwnVectors
 from lagdsl.mechanics.kinematics.poses import Poses, Release
 from lagdsl.mechanics.kinematics.vectors import Vector
 from lagdsl.mechanics.lowering.acceleration import needs_accelerations
-from lagdsl.mechanics.lowering.operands import operands, step_expressions
 from lagdsl.mechanics.lowering.operations import binary, function
 from lagdsl.mechanics.lowering.symbols import Symbols, input_rates
 
@@ -129,8 +129,10 @@ class Lowering:
                 return [self._origins[frame]] if frame in self._origins else []
             case flat.MaterialVelocity(point, frame):
                 return [point, *([self._origins[frame]] if frame in self._origins else [])]
+            case flat.Number() | flat.Previous() | flat.Derivative() | flat.Operation() | flat.Mechanical():
+                return list(operands(expression))
             case _:
-                return operands(expression)
+                assert_never(expression)
 
     def _needed_for_frame(self, name: str) -> list[FlatExpression]:
         if name in self._poses or name not in self._frames:
@@ -158,17 +160,13 @@ class Lowering:
                 return self._operator(expression)
             case flat.Dot() | flat.Norm() | flat.Vector() | flat.Cross():
                 return self._product(expression)
-            case (
-                flat.PointReference()
-                | flat.FrameOrigin()
-                | flat.FrameAxis()
-                | flat.AngularVelocity()
-                | flat.MaterialVelocity()
-            ):
+            case flat.PointReference() | flat.OfFrame():
                 return self._geometry(expression)
-            case _:
+            case flat.Mechanical():
                 assert self.provide is not None, expression
                 return self.provide(expression)
+            case _:
+                assert_never(expression)
 
     def _known(self, expression: FlatExpression) -> Value:
         return self._values[id(expression)]
@@ -280,12 +278,10 @@ class Lowering:
     def _rate_of_symbol(self, symbol: int) -> int:
         """States by their equations, inputs by the inputs that are their derivatives; accelerations have none here."""
         index = self.graph.b[symbol]
-        match self.graph.group(symbol):
-            case Group.Z:
-                return self.scalar(self.model.states[index].derivative)
-            case Group.U:
-                return self._input_rate(index)
-            case Group.QDD | Group.LAMBDA:
-                raise needs_accelerations(self.place, "this expression")
-            case group:
-                raise AssertionError(group)
+        group = self.graph.group(symbol)
+        if group is Group.Z:
+            return self.scalar(self.model.states[index].derivative)
+        if group is Group.U:
+            return self._input_rate(index)
+        assert group in (Group.QDD, Group.LAMBDA), group
+        raise needs_accelerations(self.place, "this expression")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from lagdsl.flat.expression import BinaryOperator
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
@@ -52,8 +54,10 @@ def binary(graph: Graph, operator: BinaryOperator, left: int, right: int) -> int
             return graph.binary(Op.LESS_EQUAL, right, left)
         case "<>":
             return graph.unary(Op.NOT, graph.binary(Op.EQUAL, left, right))
-        case _:
+        case "+" | "-" | "*" | "/" | "^" | "<" | "<=" | "==" | "and" | "or":
             return graph.binary(_BINARY[operator], left, right)
+        case _:
+            assert_never(operator)
 
 
 def function(graph: Graph, name: str, arguments: list[int]) -> int:

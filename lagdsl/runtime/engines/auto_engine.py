@@ -12,7 +12,6 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import lagdsl
 from lagdsl.backends.tape.emit import PARTS, tape
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.program.program import Program
@@ -22,6 +21,7 @@ from lagdsl.runtime.engines.c_engine import opened
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.engines.tape_engine import TapeEngine
+from lagdsl.version import __version__
 
 if TYPE_CHECKING:
     from lagdsl.runtime.building.background_build import BackgroundBuild
@@ -149,8 +149,8 @@ def _loaded(library: Path, program: Program) -> NativeModel | None:
 @cache
 def _writers() -> str:
     """What writes C, and what the C is compiled against: a change of them is another library of the same tape."""
-    digest = hashlib.sha256(lagdsl.__version__.encode())
-    emitter = Path(lagdsl.__file__).parent / "backends"
+    digest = hashlib.sha256(__version__.encode())
+    emitter = Path(__file__).resolve().parents[2] / "backends"
     for path in sorted([*emitter.rglob("*.py"), *(c_folder() / "lag").rglob("*.h")]):
         digest.update(f"{path.name}:".encode() + path.read_bytes())
     return digest.hexdigest()

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.assembly.net import WORLD, Net
 from lagdsl.semantics.assembly.paths import Absent, Element, World, base_of, target_of
 from lagdsl.semantics.scope.context import Context
-from lagdsl.semantics.scope.scope import Binding, Entry, Instance, Scope, Symbol
+from lagdsl.semantics.scope.scope import Binding, Entry, Instance, InstanceArray, Scope, Symbol
 from lagdsl.semantics.scope.values import Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -56,12 +58,14 @@ class Chains:
                 if symbol.scope.prefix != scope.prefix:  # the class's own ports are joined from inside here
                     taken.append((port, item.span))
                 return port, port
-            case _ if target is None and base_of(self._ctx, scope, item) is not None:
+            case None if base_of(self._ctx, scope, item) is not None:
                 port = self._net.written(Binding(item, scope, item.span))
                 return port, port
-            case _:
+            case Element() | InstanceArray() | Absent() | None:
                 refuse(self._ctx, scope, item)
                 return None
+            case _:
+                assert_never(target)
 
     def _through(
         self, instance: Instance, item: nodes.Expression, place: str, taken: list[tuple[int, Span]]

@@ -32,10 +32,9 @@ def link(ctx: Context, net: Net, placed: Placed) -> None:
 
 def port_of(ctx: Context, net: Net, scope: Scope, node: nodes.Expression) -> int | None:
     """The port that a plain name stands for."""
-    match target_of(ctx, scope, node):
-        case World():
-            return WORLD
-        case Element(symbol=symbol, indices=indices) if symbol.kind == "frame" and indices is not None:
-            return net.port(symbol, indices)
-        case _:
-            return None
+    target = target_of(ctx, scope, node)
+    if isinstance(target, World):
+        return WORLD
+    if isinstance(target, Element) and target.symbol.kind == "frame" and target.indices is not None:
+        return net.port(target.symbol, target.indices)
+    return None

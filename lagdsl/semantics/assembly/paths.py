@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TypeAlias
+from typing import TypeAlias, assert_never
 
 from lagdsl.diagnostics import Diagnostic, Sink
 from lagdsl.record import record
@@ -12,8 +12,19 @@ from lagdsl.semantics.operators.arrays import subscript_indices, turns
 from lagdsl.semantics.operators.conditions import condition_of
 from lagdsl.semantics.operators.geometry import METHODS
 from lagdsl.semantics.scope.context import Context
-from lagdsl.semantics.scope.scope import Entry, Indices, Instance, InstanceArray, Scope, Symbol, lookup
-from lagdsl.semantics.scope.values import POISON, FrameValue
+from lagdsl.semantics.scope.scope import (
+    ClassSymbol,
+    Entry,
+    FunctionSymbol,
+    Indices,
+    Instance,
+    InstanceArray,
+    Scope,
+    Symbol,
+    TypeSymbol,
+    lookup,
+)
+from lagdsl.semantics.scope.values import POISON, AnyValue, FrameValue
 from lagdsl.syntax import nodes
 from lagdsl.syntax.walk import children, descendants
 
@@ -53,9 +64,13 @@ def target_of(ctx: Context, scope: Scope, node: nodes.Expression) -> Target | No
                 return Absent()
             if isinstance(around, Instance) and node.name not in around.protected:
                 return _target(ctx, around.scope.entries.get(node.name))
+            return None
         case nodes.Index():
             return _indexed(ctx, scope, node)
-    return None
+        case nodes.Literal() | nodes.Compound():
+            return None
+        case _:
+            assert_never(node)
 
 
 def _target(ctx: Context, entry: Entry | None) -> Target | None:
@@ -67,8 +82,10 @@ def _target(ctx: Context, entry: Entry | None) -> Target | None:
             return Absent()
         case Instance() | InstanceArray():
             return entry
-        case _:
+        case FunctionSymbol() | TypeSymbol() | ClassSymbol() | AnyValue() | None:
             return None
+        case _:
+            assert_never(entry)
 
 
 def _indexed(ctx: Context, scope: Scope, node: nodes.Index) -> Target | None:
@@ -168,8 +185,10 @@ def base_of(ctx: Context, scope: Scope, node: nodes.Expression) -> nodes.Express
                 node = function.target
             case nodes.Reference() | nodes.Member() | nodes.Index():
                 return node if _is_frame(ctx, scope, node) else None
-            case _:
+            case nodes.Literal() | nodes.Compound():
                 return None
+            case _:
+                assert_never(node)
 
 
 def _branch(ctx: Context, scope: Scope, node: nodes.Conditional) -> nodes.Expression | None:
@@ -184,12 +203,15 @@ def _branch(ctx: Context, scope: Scope, node: nodes.Conditional) -> nodes.Expres
 
 
 def _is_frame(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:
-    match target_of(ctx, scope, node):
+    target = target_of(ctx, scope, node)
+    match target:
         case World():
             return True
         case Element(symbol=symbol, indices=indices):
             return symbol.kind == "frame" and indices is not None
         case None:
             return isinstance(node, nodes.Reference) and isinstance(lookup(scope, node.name), FrameValue)
-        case _:
+        case Instance() | InstanceArray() | Absent():
             return False
+        case _:
+            assert_never(target)

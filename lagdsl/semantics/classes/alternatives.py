@@ -32,17 +32,13 @@ def _varies(scope: Scope, node: nodes.Node) -> bool:
 
 def _entry(scope: Scope, node: nodes.Node) -> Entry | None:
     """What a name stands for; nothing is reported here."""
-    match node:
-        case nodes.Reference():
-            return lookup(scope, node.name)
-        case nodes.Member():
-            around = _entry(scope, node.target)
-            return around.scope.entries.get(node.name) if isinstance(around, Instance) else None
-        case nodes.Index():
-            array = _entry(scope, node.target)
-            return next(iter(array.elements.values()), None) if isinstance(array, InstanceArray) else None
-        case _:
-            return None
+    if isinstance(node, nodes.Reference):
+        return lookup(scope, node.name)
+    if isinstance(node, nodes.Member):
+        around = _entry(scope, node.target)
+        return around.scope.entries.get(node.name) if isinstance(around, Instance) else None
+    array = _entry(scope, node.target) if isinstance(node, nodes.Index) else None
+    return next(iter(array.elements.values()), None) if isinstance(array, InstanceArray) else None
 
 
 def merged(ctx: Context, scope: Scope, item: nodes.If) -> list[nodes.Equation]:
@@ -79,20 +75,19 @@ def _equations(ctx: Context, scope: Scope, body: tuple[nodes.Item, ...]) -> list
     """Of each equation what it is about, that side, the other side; None after a diagnostic."""
     found: list[_Said] = []
     for item in body:
-        match item:
-            case nodes.Equation():
-                about_right = not _is_name(item.left) and _is_name(item.right)
-                side, value = (item.right, item.left) if about_right else (item.left, item.right)
-                found.append(("".join(side.span.text.split()), side, value, item))
-            case nodes.If() if is_open(scope, item):
-                inner = merged(ctx, scope, item)
-                found += [("".join(each.left.span.text.split()), each.left, each.right, each) for each in inner]
-                if not inner:
-                    return None
-            case _:
-                hint = "give the value of the item the condition: `force if c then F else 0 on x`"
-                ctx.sink.report("E0330", item.span, what="an `if` around what is no equation", help=hint)
+        if isinstance(item, nodes.Equation):
+            about_right = not _is_name(item.left) and _is_name(item.right)
+            side, value = (item.right, item.left) if about_right else (item.left, item.right)
+            found.append(("".join(side.span.text.split()), side, value, item))
+        elif isinstance(item, nodes.If) and is_open(scope, item):
+            inner = merged(ctx, scope, item)
+            found += [("".join(each.left.span.text.split()), each.left, each.right, each) for each in inner]
+            if not inner:
                 return None
+        else:
+            hint = "give the value of the item the condition: `force if c then F else 0 on x`"
+            ctx.sink.report("E0330", item.span, what="an `if` around what is no equation", help=hint)
+            return None
     return found
 
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TypeAlias
+from typing import TypeAlias, assert_never
 
 from lagdsl.semantics.classes.modification import Given
 from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.context import Context
-from lagdsl.semantics.scope.naming import kind_of
 from lagdsl.semantics.scope.scope import Indices, Scope
-from lagdsl.semantics.scope.values import POISON, Array, Poison, Vector
+from lagdsl.semantics.scope.values import POISON, Array, Component, FrameValue, Poison, Reaction, Scalar, Text, Vector
 from lagdsl.syntax import nodes
 
 # A modifier of an array of components with its scope and, if it is of one element, the subscripts of that.
@@ -131,5 +130,9 @@ def _leading(ctx: Context, scope: Scope, value: nodes.Expression, rank: int) -> 
             return found.shape[:rank]
         case Vector():
             return (3,)
+        case Scalar() | FrameValue() | Text() | Reaction():
+            return ()
+        case Component():
+            return None
         case _:
-            return () if kind_of(found) != "a component" else None
+            assert_never(found)

@@ -42,13 +42,12 @@ def _is_port(symbol: Symbol) -> bool:
 
 def derivative_of(node: nodes.Node) -> nodes.Expression | None:
     """The x of `der(x)`."""
-    match node:
-        case nodes.Call(function=nodes.Reference(name="der"), arguments=(argument,)) if not isinstance(
-            argument, nodes.Named
-        ):
-            return argument
-        case _:
-            return None
+    if not (isinstance(node, nodes.Call) and isinstance(node.function, nodes.Reference)):
+        return None
+    if node.function.name != "der" or len(node.arguments) != 1:
+        return None
+    (argument,) = node.arguments
+    return None if isinstance(argument, nodes.Named) else argument
 
 
 def _symbol(ctx: Context, scope: Scope, node: nodes.Expression) -> Symbol | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import assert_never
 
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.classes import alternatives, equations
@@ -101,24 +102,25 @@ class Expander:
                 entry = scope.entries.get(item.name)
                 if isinstance(entry, FunctionSymbol) and all(entry.node is not f.node for f in self.contents.functions):
                     self.contents.functions.append(entry)
+            case nodes.Import() | nodes.Definition() | nodes.Declaration():
+                pass  # its names are entered
             case _:
-                pass  # a declaration: its names are entered
+                assert_never(item)
 
     def _equation(self, item: nodes.Equation | nodes.CallEquation | nodes.Connect, part: Part) -> None:
         placed = Placed(item, part.scope, self.instance)
-        match item:
-            case nodes.Connect():
-                self.contents.connects.append(placed)
-            case _ if part.section == "initial equation":
-                self.contents.initial.append(placed)
-            case nodes.CallEquation():
-                self.contents.items.append(placed)
-            case _ if part.section == "kinematics":
-                self.contents.kinematics.append(placed)
-            case _ if part.section == "closure":
-                self.contents.closure.append(placed)
-            case nodes.Equation():
-                equations.attach(self.ctx, part.scope, item)
+        if isinstance(item, nodes.Connect):
+            self.contents.connects.append(placed)
+        elif part.section == "initial equation":
+            self.contents.initial.append(placed)
+        elif isinstance(item, nodes.CallEquation):
+            self.contents.items.append(placed)
+        elif part.section == "kinematics":
+            self.contents.kinematics.append(placed)
+        elif part.section == "closure":
+            self.contents.closure.append(placed)
+        else:
+            equations.attach(self.ctx, part.scope, item)
 
     # ---- loops and conditions ----------------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import field
+from typing import assert_never
 
 from lagdsl.diagnostics import Label
 from lagdsl.record import mutable_record, record
@@ -142,8 +143,12 @@ def names_in(items: Iterable[nodes.Item]) -> Iterator[str]:
                 for branch in item.branches:
                     yield from names_in(branch.body)
                 yield from names_in(item.otherwise or ())
-            case _:
+            case nodes.Import() | nodes.TypeDefinition() | nodes.Function() | nodes.Physics() | nodes.Relation():
                 pass
+            case nodes.Extends() | nodes.Annotation() | nodes.When():
+                pass
+            case _:
+                assert_never(item)
 
 
 def enter_class(ctx: Context, part: Part, given: list[Given]) -> None:
@@ -157,8 +162,12 @@ def enter_class(ctx: Context, part: Part, given: list[Given]) -> None:
         case nodes.Class() | nodes.ShortClass():
             span = item.name_span if isinstance(item, nodes.Class) else item.span
             enter(ctx, scope, item.name, _redeclared(ctx, item, span, given) or ClassSymbol(item, scope), span)
-        case _:
+        case nodes.Import() | nodes.Declaration() | nodes.Physics() | nodes.Relation() | nodes.Block():
             pass
+        case nodes.Extends() | nodes.Annotation():
+            pass
+        case _:
+            assert_never(item)
 
 
 def _redeclared(

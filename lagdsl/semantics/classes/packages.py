@@ -84,15 +84,12 @@ class Folder:
         unit, item = found
         around = Scope("file", "this file", self.scope, self.scope.prefix)
         self.library.imports(around, unit.items)
-        match item:
-            case nodes.Function():
-                return FunctionSymbol(item, around)
-            case nodes.TypeDefinition():
-                return TypeSymbol(item, around)
-            case nodes.Class() | nodes.ShortClass():
-                symbol = ClassSymbol(item, around)
-            case _:
-                raise AssertionError(item)
+        if isinstance(item, nodes.Function):
+            return FunctionSymbol(item, around)
+        if isinstance(item, nodes.TypeDefinition):
+            return TypeSymbol(item, around)
+        assert isinstance(item, nodes.Class | nodes.ShortClass), item
+        symbol = ClassSymbol(item, around)
         around.entries[name] = symbol
         self.known[name] = symbol  # packages may import one another: it is known before it is filled
         if isinstance(item, nodes.Class) and item.kind == "package":
@@ -210,9 +207,8 @@ class Library:
         else:
             if entry is None:
                 self.sink.report("E0255", unit.within.span, name=".".join(parts))
-            scope.parent = Scope(
-                "file", "the library", outside=Outside(files=Packages(self.roots(None)), root=self.roots(None))
-            )
+            library = Outside(files=Packages(self.roots(None)), root=self.roots(None))
+            scope.parent = Scope("file", "the library", outside=library)
 
 
 def _installed() -> tuple[Place, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.classes.library import item_head
@@ -73,9 +74,11 @@ def _declare(ctx: Context, scope: Scope, item: nodes.Item) -> None:
             pass
         case nodes.Component() if "constant" in item.prefixes:
             declared(ctx, scope, item)
-        case _:
+        case nodes.Declaration() | nodes.Physics() | nodes.Relation() | nodes.Block() | nodes.Extends():
             hint = "packages hold classes, types, constants and functions"
             ctx.sink.report("E0311", item.span, what="this item in a package", hint=hint)
+        case _:
+            assert_never(item)
 
 
 def select(ctx: Context, unit: nodes.Unit, scope: Scope, name: str | None) -> ClassSymbol | None:
@@ -138,13 +141,10 @@ def _used(unit: nodes.Unit) -> set[str]:
     used: set[str] = set()
     for item in unit.items:
         for node in descendants(item):
-            match node:
-                case nodes.Component():
-                    used.add(".".join(node.type_name.parts))
-                case nodes.Extends() | nodes.ShortClass():
-                    used.add(".".join(node.base.parts))
-                case nodes.RedeclareComponent() | nodes.RedeclareClass():
-                    used.add(".".join(node.type_name.parts))
+            if isinstance(node, nodes.Component | nodes.RedeclareComponent | nodes.RedeclareClass):
+                used.add(".".join(node.type_name.parts))
+            if isinstance(node, nodes.Extends | nodes.ShortClass):
+                used.add(".".join(node.base.parts))
     return used
 
 

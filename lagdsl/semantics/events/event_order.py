@@ -86,13 +86,11 @@ def _meet(one: Assign | Reset, two: Assign | Reset) -> bool:
 
 def _conditions(guard: FlatExpression | None) -> list[FlatExpression]:
     """What a guard is the conjunction of."""
-    match guard:
-        case None:
-            return []
-        case Binary("and", left, right):
-            return [*_conditions(left), *_conditions(right)]
-        case _:
-            return [guard]
+    if guard is None:
+        return []
+    if isinstance(guard, Binary) and guard.operator == "and":
+        return [*_conditions(guard.left), *_conditions(guard.right)]
+    return [guard]
 
 
 def _check_resets(flat: FlatModel, sink: Sink) -> None:

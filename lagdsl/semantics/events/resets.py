@@ -69,17 +69,14 @@ def _may_jump(ctx: Context, scope: Scope, target: nodes.Expression) -> bool:
 
 def _set(ctx: Context, expression: FlatExpression) -> tuple[str, bool] | None:
     """The state, or the coordinate whose rate it is; whether it is there is seen once the model is complete."""
-    match expression:
-        case flat.Derivative(flat.Variable(name)):
-            return name, True
-        case flat.Variable(name):
-            named = (
-                item for item in ctx.product.named if isinstance(item, flat_model.Definition) and item.name == name
-            )
-            definition = next(named, None)
-            return (name, False) if definition is None else _set(ctx, definition.value)
-        case _:
-            return None
+    if isinstance(expression, flat.Derivative) and isinstance(expression.operand, flat.Variable):
+        return expression.operand.name, True
+    if not isinstance(expression, flat.Variable):
+        return None
+    name = expression.name
+    named = (item for item in ctx.product.named if isinstance(item, flat_model.Definition) and item.name == name)
+    definition = next(named, None)
+    return (name, False) if definition is None else _set(ctx, definition.value)
 
 
 def what_it_is(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Label, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import field
+from typing import assert_never
 
 from lagdsl.flat import events
 from lagdsl.flat import expression as flat
@@ -110,8 +111,12 @@ class _Body:
                 case nodes.When():
                     hint = "a clause inside would act where two things become true at once: write it beside this one"
                     self.ctx.sink.report("E0378", _keyword(item), help=hint)
-                case _:
+                case nodes.Import() | nodes.Definition() | nodes.Declaration() | nodes.Physics() | nodes.Connect():
                     self.ctx.sink.report("E0378", item.span)
+                case nodes.Extends() | nodes.Annotation():
+                    self.ctx.sink.report("E0378", item.span)
+                case _:
+                    assert_never(item)
 
     def _if(self, item: nodes.If, scope: Scope, guard: FlatExpression | None) -> None:
         """What holds of the conditions before is false in the branches after."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import assert_never
 
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
@@ -29,7 +30,18 @@ from lagdsl.semantics.scope.scope import (
     lookup,
     visible,
 )
-from lagdsl.semantics.scope.values import POISON, Array, Component, Order, Poison, Scalar, Value, Vector, components
+from lagdsl.semantics.scope.values import (
+    POISON,
+    AnyValue,
+    Array,
+    Component,
+    Order,
+    Poison,
+    Scalar,
+    Value,
+    Vector,
+    components,
+)
 from lagdsl.semantics.types import enumerations
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import TIME
@@ -67,8 +79,10 @@ def _value(ctx: Context, entry: Entry, node: nodes.Expression) -> Value:
             return POISON
         case Instance() | InstanceArray():
             return Component(entry)
-        case _:
+        case AnyValue():
             return entry
+        case _:
+            assert_never(entry)
 
 
 def _prelude(ctx: Context, name: str) -> Value | None:
@@ -151,13 +165,13 @@ def member(ctx: Context, scope: Scope, node: nodes.Member) -> Value:
 
 def package_entry(scope: Scope, node: nodes.Expression) -> Entry | None:
     """The entry that `Package.name` means, if the text is one."""
-    match node:
-        case nodes.Reference():
-            return lookup(scope, node.name, node.span)
-        case nodes.Member():
-            around = package_entry(scope, node.target)
-            if isinstance(around, ClassSymbol) and around.inner is not None:
-                return around.inner.find(node.name, node.span)
+    if isinstance(node, nodes.Reference):
+        return lookup(scope, node.name, node.span)
+    if not isinstance(node, nodes.Member):
+        return None
+    around = package_entry(scope, node.target)
+    if isinstance(around, ClassSymbol) and around.inner is not None:
+        return around.inner.find(node.name, node.span)
     return None
 
 

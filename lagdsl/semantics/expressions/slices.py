@@ -42,20 +42,17 @@ def _components(ctx: Context, scope: Scope, node: nodes.Expression) -> Component
     name = node
     if isinstance(node, nodes.Index):
         subscripts, name = node.subscripts, node.target
-    match name:
-        case nodes.Reference():
-            around: Components = (), []
-            entries = [designated(ctx, scope, name)]
-        case nodes.Member():
-            before = _components(ctx, scope, name.target)
-            if before is None:
-                return None
-            around = before
-            entries = [each.scope.entries.get(name.name) for each in before[1]]
-            if any(name.name in each.protected for each in before[1]):
-                return None
-        case _:
+    around: Components = (), []
+    if isinstance(name, nodes.Reference):
+        entries = [designated(ctx, scope, name)]
+    elif isinstance(name, nodes.Member):
+        before = _components(ctx, scope, name.target)
+        if before is None or any(name.name in each.protected for each in before[1]):
             return None
+        around = before
+        entries = [each.scope.entries.get(name.name) for each in before[1]]
+    else:
+        return None
     shapes: set[Indices] = set()
     found: list[Instance] = []
     for entry in entries:

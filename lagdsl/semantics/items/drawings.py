@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, assert_never
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
@@ -13,7 +13,7 @@ from lagdsl.semantics.operators.geometry import as_frame, as_point
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of, name_span
 from lagdsl.semantics.scope.scope import Scope
-from lagdsl.semantics.scope.values import Array, Poison, Scalar, Text, Value, Vector
+from lagdsl.semantics.scope.values import Array, Component, FrameValue, Poison, Reaction, Scalar, Text, Value, Vector
 from lagdsl.semantics.types.dimensions import require
 from lagdsl.syntax import nodes
 from lagdsl.units.dimension import LENGTH
@@ -101,7 +101,9 @@ def _value(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> t
             return argument.name, flat.Vector(*value.elements)
         case Poison():
             return None
-        case _:
+        case Array() | FrameValue() | Reaction() | Component():
             expected = "a number, a vector or a text"
             ctx.sink.report("E0312", argument.value.span, expected=expected, found=kind_of(value))
             return None
+        case _:
+            assert_never(value)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, assert_never
 
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
@@ -38,21 +38,25 @@ def _expression(made: flat_model.Load) -> flat.FlatExpression:
 
 def _is_nothing(value: flat.FlatExpression) -> bool:
     """Whether literal zeros make it zero."""
-    match value:
-        case flat.Number(number):
-            return number == 0.0
-        case flat.Vector(x, y, z):
-            return _is_nothing(x) and _is_nothing(y) and _is_nothing(z)
-        case flat.Unary("-", inner):
-            return _is_nothing(inner)
-        case flat.Binary("*", left, right):
-            return _is_nothing(left) or _is_nothing(right)
-        case flat.Binary("+" | "-", left, right):
-            return _is_nothing(left) and _is_nothing(right)
-        case flat.Binary("/", left, _):
-            return _is_nothing(left)
-        case _:
+    if isinstance(value, flat.Number):
+        return value.value == 0.0
+    if isinstance(value, flat.Vector):
+        return _is_nothing(value.x) and _is_nothing(value.y) and _is_nothing(value.z)
+    if isinstance(value, flat.Unary):
+        return value.operator == "-" and _is_nothing(value.operand)
+    if not isinstance(value, flat.Binary):
+        return False
+    match value.operator:
+        case "*":
+            return _is_nothing(value.left) or _is_nothing(value.right)
+        case "+" | "-":
+            return _is_nothing(value.left) and _is_nothing(value.right)
+        case "/":
+            return _is_nothing(value.left)
+        case "^" | "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
             return False
+        case _:
+            assert_never(value.operator)
 
 
 def _load(ctx: Context, scope: Scope, node: nodes.Load, symbol: Symbol | None) -> flat_model.Load | None:

@@ -72,11 +72,10 @@ def binary(ctx: Context, scope: Scope, node: nodes.Binary, left: Value, right: V
     if isinstance(left, Poison) or isinstance(right, Poison):
         return POISON
     one, two = Operand(node.left, left), Operand(node.right, right)
-    match node.operator:
-        case "and" | "or":
-            return _logic(ctx, node, one, two)
-        case operator if operator in RELATIONS:
-            return _relation(ctx, scope, node, one, two)
+    if node.operator in ("and", "or"):
+        return _logic(ctx, node, one, two)
+    if node.operator in RELATIONS:
+        return _relation(ctx, scope, node, one, two)
     checked = [_numeric(ctx, operand) for operand in (one, two)]
     if checked[0] is None or checked[1] is None:
         return POISON
@@ -147,19 +146,16 @@ def added(ctx: Context, scope: Scope, operator: str, left: Operand, right: Opera
         return POISON
     dimension, variability, order = joined(one.dimension, two.dimension), latest(one, two), highest(one, two)
     sign: flat.BinaryOperator = "+" if operator == "+" else "-"
-    match one, two:
-        case Scalar(), Scalar():
-            expression = _integer(sign, one, two) or flat.Binary(sign, one.expression, two.expression)
-            return Scalar(expression, dimension, variability, order, joint_kind(one, two))
-        case Array(), Array():
-            parts = tuple(_plus(sign, a, b) for a, b in zip(one.elements, two.elements, strict=True))
-            return Array(parts, one.shape, dimension, variability, order, joint_kind(one, two))
-        case Vector(), Vector():
-            if is_zero(left.value) or is_zero(right.value):
-                return one if is_zero(right.value) else two if sign == "+" else negated(two)
-            return Vector(flat.Binary(sign, one.expression, two.expression), dimension, variability, order)
-        case _:
-            raise AssertionError("aligned gives equal shapes")
+    if isinstance(one, Scalar) and isinstance(two, Scalar):
+        expression = _integer(sign, one, two) or flat.Binary(sign, one.expression, two.expression)
+        return Scalar(expression, dimension, variability, order, joint_kind(one, two))
+    if isinstance(one, Array) and isinstance(two, Array):
+        parts = tuple(_plus(sign, a, b) for a, b in zip(one.elements, two.elements, strict=True))
+        return Array(parts, one.shape, dimension, variability, order, joint_kind(one, two))
+    assert isinstance(one, Vector) and isinstance(two, Vector), "aligned gives equal shapes"
+    if is_zero(left.value) or is_zero(right.value):
+        return one if is_zero(right.value) else two if sign == "+" else negated(two)
+    return Vector(flat.Binary(sign, one.expression, two.expression), dimension, variability, order)
 
 
 def _plus(sign: flat.BinaryOperator, left: FlatExpression, right: FlatExpression) -> FlatExpression:
@@ -187,36 +183,31 @@ def _integer(operator: flat.BinaryOperator, left: Scalar, right: Scalar) -> Flat
 def multiplied(ctx: Context, node: nodes.Node, one: Numeric, two: Numeric) -> Value:
     """Product of numbers, scaling, scalar product of vectors, matrix product."""
     dimension, variability, order = product(one.dimension, two.dimension), latest(one, two), highest(one, two)
-    match one, two:
-        case Scalar(), Scalar() if one.is_nothing or two.is_nothing:
+    if isinstance(one, Scalar) and isinstance(two, Scalar):
+        if one.is_nothing or two.is_nothing:
             return one if one.is_nothing else two
-        case Scalar(), Scalar() if is_zero(one) or is_zero(two):
+        if is_zero(one) or is_zero(two):
             return Scalar(flat.ZERO, dimension, kind=joint_kind(one, two))
-        case Scalar(), Scalar():
-            expression = _integer("*", one, two) or flat.Binary("*", one.expression, two.expression)
-            return Scalar(expression, dimension, variability, order, joint_kind(one, two))
-        case (Scalar(), Vector()) | (Vector(), Scalar()):
-            factor, vector = (one, two) if isinstance(one, Scalar) else (two, one)
-            assert isinstance(factor, Scalar) and isinstance(vector, Vector)
-            scaled = flat.Binary("*", factor.expression, vector.expression)
-            return Vector(scaled, dimension, variability, order)
-        case (Scalar(), Array()) | (Array(), Scalar()):
-            factor, array = (one, two) if isinstance(one, Scalar) else (two, one)
-            assert isinstance(factor, Scalar) and isinstance(array, Array)
-            parts = tuple(times(factor.expression, part) for part in array.elements)
-            return Array(parts, array.shape, dimension, variability, order, joint_kind(one, two))
-        case Array(shape=(3, 3)), Vector():
-            column = components(two)
-            x, y, z = (_row_times(one, row, column.elements) for row in range(3))
-            return Vector(flat.Vector(x, y, z), dimension, variability, order)
-        case Array(), Array():
-            return _matrix_product(ctx, node, one, two)
-        case _:
-            left, right = as_vector(one), as_vector(two)
-            if left is None or right is None:
-                ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
-                return POISON
-            return Scalar(flat.Dot(left.expression, right.expression), dimension, variability, order)
+        expression = _integer("*", one, two) or flat.Binary("*", one.expression, two.expression)
+        return Scalar(expression, dimension, variability, order, joint_kind(one, two))
+    if isinstance(one, Scalar) or isinstance(two, Scalar):
+        factor, scaled = (one, two) if isinstance(one, Scalar) else (two, one)
+        assert isinstance(factor, Scalar) and not isinstance(scaled, Scalar)
+        if isinstance(scaled, Vector):
+            return Vector(flat.Binary("*", factor.expression, scaled.expression), dimension, variability, order)
+        parts = tuple(times(factor.expression, part) for part in scaled.elements)
+        return Array(parts, scaled.shape, dimension, variability, order, joint_kind(one, two))
+    if isinstance(one, Array) and isinstance(two, Array):
+        return _matrix_product(ctx, node, one, two)
+    if isinstance(one, Array) and one.shape == (3, 3) and isinstance(two, Vector):
+        column = components(two)
+        x, y, z = (_row_times(one, row, column.elements) for row in range(3))
+        return Vector(flat.Vector(x, y, z), dimension, variability, order)
+    left, right = as_vector(one), as_vector(two)
+    if left is None or right is None:
+        ctx.sink.report("E0313", node.span, left=kind_of(one), right=kind_of(two))
+        return POISON
+    return Scalar(flat.Dot(left.expression, right.expression), dimension, variability, order)
 
 
 def times(left: FlatExpression, right: FlatExpression) -> FlatExpression:

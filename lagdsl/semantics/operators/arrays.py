@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.operators import corners
@@ -102,7 +104,7 @@ def subscript_indices(
                 found: int | tuple[int, ...] | None = tuple(range(1, extent + 1))
             case nodes.Range():
                 found = range_values(ctx, scope, subscript)
-            case _:
+            case nodes.Literal() | nodes.Designator() | nodes.Compound() | nodes.Parenthesized():
                 value = ctx.elaborate(ctx, scope, subscript, False)
                 if isinstance(value, Array) and value.kind == "Integer":
                     numbers = [
@@ -111,6 +113,8 @@ def subscript_indices(
                     found = tuple(number for number in numbers if number is not None)
                 else:
                     found = structural_integer(ctx, value, subscript, "E0333")
+            case _:
+                assert_never(subscript)
         if found is None:
             return None
         for index in (found,) if isinstance(found, int) else found:

@@ -34,17 +34,14 @@ def choice(
         return POISON
     dimension = joined(one.dimension, two.dimension)
     variability, order = latest(condition, one, two), highest(condition, one, two)
-    match one, two:
-        case Scalar(), Scalar():
-            expression = flat.Conditional(condition.expression, one.expression, two.expression)
-            kind = one.kind if one.kind == two.kind else "Real"
-            return Scalar(expression, dimension, variability, order, kind)
-        case Vector(), Vector():
-            expression = flat.Conditional(condition.expression, one.expression, two.expression)
-            return Vector(expression, dimension, variability, order)
-        case Array(), Array():
-            pairs = zip(one.elements, two.elements, strict=True)
-            parts = tuple(flat.Conditional(condition.expression, a, b) for a, b in pairs)
-            return Array(parts, one.shape, dimension, variability, order, joint_kind(one, two))
-        case _:
-            raise AssertionError("aligned gives equal shapes")
+    if isinstance(one, Scalar) and isinstance(two, Scalar):
+        expression = flat.Conditional(condition.expression, one.expression, two.expression)
+        kind = one.kind if one.kind == two.kind else "Real"
+        return Scalar(expression, dimension, variability, order, kind)
+    if isinstance(one, Vector) and isinstance(two, Vector):
+        expression = flat.Conditional(condition.expression, one.expression, two.expression)
+        return Vector(expression, dimension, variability, order)
+    assert isinstance(one, Array) and isinstance(two, Array), "aligned gives equal shapes"
+    pairs = zip(one.elements, two.elements, strict=True)
+    parts = tuple(flat.Conditional(condition.expression, a, b) for a, b in pairs)
+    return Array(parts, one.shape, dimension, variability, order, joint_kind(one, two))

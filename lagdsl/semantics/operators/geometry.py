@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import assert_never
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
@@ -16,6 +17,7 @@ from lagdsl.semantics.scope.scope import Scope
 from lagdsl.semantics.scope.values import (
     POISON,
     Array,
+    Component,
     FrameValue,
     Numeric,
     Order,
@@ -61,8 +63,10 @@ def member(ctx: Context, node: nodes.Member, target: Value) -> Value:
             assert vector is not None
             part = component(vector.expression, AXES.index(node.name))
             return Scalar(part, vector.dimension, vector.variability, vector.order)
-        case _:
+        case Scalar() | Vector() | Array() | FrameValue() | Text() | Reaction() | Component():
             return _no_member(ctx, node, target)
+        case _:
+            assert_never(target)
 
 
 def _wrench(reaction: Reaction, name: str) -> FlatExpression:
@@ -87,8 +91,10 @@ def _no_member(ctx: Context, node: nodes.Member, target: Value) -> Value:
             names = ("force", "torque")
         case Vector() | Array(shape=(2 | 3,)):
             names = AXES
-        case _:
+        case Scalar() | Array() | Text() | Component() | Poison():
             names = ()
+        case _:
+            assert_never(target)
     meant = nearest(node.name, names)
     hint = (
         f"did you mean `.{meant}`?"

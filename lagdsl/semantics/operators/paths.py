@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.operators import arrays
 from lagdsl.semantics.scope.context import Context
-from lagdsl.semantics.scope.scope import ClassSymbol, Entry, Instance, InstanceArray, Scope, Symbol, lookup
-from lagdsl.semantics.scope.values import POISON, Component, Poison
+from lagdsl.semantics.scope.scope import (
+    ClassSymbol,
+    Entry,
+    FunctionSymbol,
+    Instance,
+    InstanceArray,
+    Scope,
+    Symbol,
+    TypeSymbol,
+    lookup,
+)
+from lagdsl.semantics.scope.values import POISON, AnyValue, Component, Poison
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
 
@@ -25,8 +37,10 @@ def designated(ctx: Context, scope: Scope, node: nodes.Expression) -> Entry | No
         case nodes.Index():
             target = designated(ctx, scope, node.target)
             return _indexed(ctx, scope, node, target) if isinstance(target, InstanceArray | Poison) else None
-        case _:
+        case nodes.Literal() | nodes.Compound() | nodes.Parenthesized():
             return None
+        case _:
+            assert_never(node)
 
 
 def _member(ctx: Context, node: nodes.Member, target: Entry | None) -> Entry | None:
@@ -42,8 +56,10 @@ def _member(ctx: Context, node: nodes.Member, target: Entry | None) -> Entry | N
             return POISON
         case ClassSymbol() if target.inner is not None:
             return target.inner.find(node.name, node.span)
-        case _:
+        case Symbol() | FunctionSymbol() | TypeSymbol() | ClassSymbol() | AnyValue() | None:
             return None
+        case _:
+            assert_never(target)
 
 
 def member_of(ctx: Context, instance: Instance, name: str, span: Span) -> Entry:

@@ -40,19 +40,17 @@ def power(ctx: Context, node: nodes.Binary, base: Numeric, exponent: Numeric) ->
 
 def _rational(node: nodes.Node, value: Scalar) -> Fraction | None:
     """The exponent as an exact ratio: a literal, a ratio of literals, or a structural Integer."""
-    match node:
-        case nodes.Number(text=text) if len(text) < 30:
-            ratio = Fraction(text)
-            return ratio if abs(ratio) <= 1000 and ratio.denominator <= 10**6 else None
-        case nodes.Parenthesized(inner=inner):
-            return _rational(inner, value)
-        case nodes.Unary(operator=operator, operand=operand):
-            ratio_ = _rational(operand, value)
-            return -ratio_ if ratio_ is not None and operator == "-" else ratio_
-        case nodes.Binary(operator="/", left=left, right=right):
-            top, bottom = _rational(left, value), _rational(right, value)
-            return top / bottom if top is not None and bottom else None
-        case _ if is_structural(value) and value.kind == "Integer":
-            return Fraction(evaluate(value.expression))
-        case _:
-            return None
+    if isinstance(node, nodes.Number) and len(node.text) < 30:
+        ratio = Fraction(node.text)
+        return ratio if abs(ratio) <= 1000 and ratio.denominator <= 10**6 else None
+    if isinstance(node, nodes.Parenthesized):
+        return _rational(node.inner, value)
+    if isinstance(node, nodes.Unary):
+        unsigned = _rational(node.operand, value)
+        return -unsigned if unsigned is not None and node.operator == "-" else unsigned
+    if isinstance(node, nodes.Binary) and node.operator == "/":
+        top, bottom = _rational(node.left, value), _rational(node.right, value)
+        return top / bottom if top is not None and bottom else None
+    if is_structural(value) and value.kind == "Integer":
+        return Fraction(evaluate(value.expression))
+    return None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import assert_never
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
@@ -77,10 +78,9 @@ class _Evaluation:
         match expression:
             case flat.Number(value):
                 return value
-            case flat.Unary("-", operand):
-                return -self.scalar(operand)
-            case flat.Unary("not", operand):
-                return float(self.scalar(operand) == 0)
+            case flat.Unary(operator, operand):
+                value = self.scalar(operand)
+                return -value if operator == "-" else float(value == 0)
             case flat.Binary(operator, left, right):
                 return _BINARY[operator](self.scalar(left), self.scalar(right))
             case flat.Function(name, arguments):
@@ -94,33 +94,46 @@ class _Evaluation:
                 return sum(x * y for x, y in zip(self.vector(left), self.vector(right), strict=True))
             case flat.Component(vector, axis):
                 return self.vector(vector)[axis]
-            case _:
+            case flat.Variable() | flat.Previous() | flat.Derivative() | flat.Mechanical():
                 raise NoValue("not known while compiling")
+            case flat.Vector() | flat.Cross() | flat.PointReference() | flat.OfFrame():
+                raise NoValue("not known while compiling")
+            case _:
+                assert_never(expression)
 
     def vector(self, expression: FlatExpression) -> tuple[float, float, float]:
-        match expression:
-            case flat.Vector(x, y, z):
-                return self.scalar(x), self.scalar(y), self.scalar(z)
-            case flat.Unary("-", operand):
-                a, b, c = self.vector(operand)
-                return -a, -b, -c
-            case flat.Binary("*", factor, part):
-                k = self.scalar(factor)
-                a, b, c = self.vector(part)
+        if isinstance(expression, flat.Vector):
+            return self.scalar(expression.x), self.scalar(expression.y), self.scalar(expression.z)
+        if isinstance(expression, flat.Unary):
+            a, b, c = self.vector(expression.operand)
+            return -a, -b, -c
+        if isinstance(expression, flat.Cross):
+            (a, b, c), (d, e, f) = self.vector(expression.left), self.vector(expression.right)
+            return b * f - c * e, c * d - a * f, a * e - b * d
+        if isinstance(expression, flat.Binary):
+            return self._vector_binary(expression.operator, expression.left, expression.right)
+        raise NoValue("not known while compiling")
+
+    def _vector_binary(
+        self, operator: flat.BinaryOperator, left: FlatExpression, right: FlatExpression
+    ) -> tuple[float, float, float]:
+        match operator:
+            case "*":
+                k = self.scalar(left)
+                a, b, c = self.vector(right)
                 return k * a, k * b, k * c
-            case flat.Binary("/", part, divisor):
-                k = self.scalar(divisor)
-                a, b, c = self.vector(part)
+            case "/":
+                k = self.scalar(right)
+                a, b, c = self.vector(left)
                 return a / k, b / k, c / k
-            case flat.Binary(("+" | "-") as operator, left, right):
+            case "+" | "-":
                 sign = 1.0 if operator == "+" else -1.0
                 (a, b, c), (d, e, f) = self.vector(left), self.vector(right)
                 return a + sign * d, b + sign * e, c + sign * f
-            case flat.Cross(left, right):
-                (a, b, c), (d, e, f) = self.vector(left), self.vector(right)
-                return b * f - c * e, c * d - a * f, a * e - b * d
+            case "^" | "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
+                raise AssertionError(f"`{operator}` gives no vector")
             case _:
-                raise NoValue("not known while compiling")
+                assert_never(operator)
 
 
 def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, **words: object) -> float | None:

@@ -37,8 +37,7 @@ class Occurrences:
     clocks: dict[str, Clock] = field(default_factory=dict)
     instants: set[str] = field(default_factory=set)
     limits: list[Limit] = field(default_factory=list)
-    conditions: int = 0
-    truths: list[tuple[FlatExpression, str]] = field(default_factory=list)
+    memories: list[tuple[FlatExpression | None, str]] = field(default_factory=list)
 
     def relation(
         self, text: str, spans: Spans, difference: FlatExpression, dimension: Dimension, *, strict: bool
@@ -83,16 +82,19 @@ class Occurrences:
 
     def memory(self, text: str) -> str:
         """A name for what a condition was before."""
-        self.conditions += 1
-        return f"when {text} ({self.conditions})"
+        return self._memory(text, None)
+
+    def _memory(self, text: str, truth: FlatExpression | None) -> str:
+        name = f"when {text} ({len(self.memories) + 1})"
+        self.memories.append((truth, name))
+        return name
 
     def remembered(self, text: str, spans: Spans, truth: FlatExpression) -> str:
         """The name of what a truth that no clause assigns was before: that of a clause without consequences."""
-        for known, name in self.truths:
+        for known, name in self.memories:
             if known == truth:
                 return name
-        name = self.memory(text)
-        self.truths.append((truth, name))
+        name = self._memory(text, truth)
         branch = Branch(spans=spans, conditions=(truth,), memories=(name,), actions=())
         self.whens.append(When(spans=spans, branches=(branch,)))
         return name

@@ -79,9 +79,8 @@ def _names(around: nodes.Unit | nodes.Class) -> set[str]:
     used: set[str] = set()
     for item in _items(around):
         for node in descendants(item) if not isinstance(item, nodes.Import) else ():
-            match node:
-                case nodes.Reference(name=name):
-                    used.add(name)
-                case nodes.Name(parts=parts):
-                    used.add(parts[0])
+            if isinstance(node, nodes.Reference):
+                used.add(node.name)
+            if isinstance(node, nodes.Name):
+                used.add(node.parts[0])
     return used

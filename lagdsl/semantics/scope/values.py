@@ -8,18 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import IntEnum
-from typing import TYPE_CHECKING, TypeAlias, final
+from typing import Protocol, TypeAlias, final
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import FrameStep
 from lagdsl.flat.quantity import Variability
 from lagdsl.record import record
+from lagdsl.source import Span
 from lagdsl.units import Dimension
 from lagdsl.units.dimension import LENGTH
-
-if TYPE_CHECKING:
-    from lagdsl.semantics.scope.scope import Instance, InstanceArray
 
 Kind: TypeAlias = str
 """`Real`, `Integer`, `Boolean` or the name of an enumeration."""
@@ -43,9 +41,15 @@ class Order(IntEnum):
 _RANK = {variability: rank for rank, variability in enumerate(Variability)}
 
 
+class AnyValue:
+    """Base of all values: a case over all entries of a scope names the values by it."""
+
+    __slots__ = ()
+
+
 @final
 @record()
-class Scalar:
+class Scalar(AnyValue):
     """`is_nothing`: a sum over nothing, of any dimension in products too; the `0` of a text is a number there."""
 
     expression: FlatExpression
@@ -58,7 +62,7 @@ class Scalar:
 
 @final
 @record()
-class Vector:
+class Vector(AnyValue):
     """Geometric: three world components. A point is one with the dimension of a length."""
 
     expression: FlatExpression
@@ -68,7 +72,7 @@ class Vector:
 
 
 @record()
-class Array:
+class Array(AnyValue):
     """Scalars in row-major order."""
 
     elements: tuple[FlatExpression, ...]
@@ -80,7 +84,7 @@ class Array:
 
 
 @record()
-class FrameValue:
+class FrameValue(AnyValue):
     """The named frame, moved on by `steps` (none: the frame itself)."""
 
     name: str
@@ -90,12 +94,12 @@ class FrameValue:
 
 
 @record()
-class Text:
+class Text(AnyValue):
     value: str
 
 
 @record()
-class Reaction:
+class Reaction(AnyValue):
     """`reaction(F)`: the wrench that carries the frame; read its `.force` or `.torque`.
 
     `opposite`: the reaction to it; `about`: with the torque about the origin of another frame.
@@ -116,15 +120,22 @@ class ContactValue:
     multiplier: Scalar
 
 
+class Declared(Protocol):
+    """What scopes know a component or an array of components by."""
+
+    name: str
+    span: Span
+
+
 @record()
-class Component:
+class Component(AnyValue):
     """A component or an array of them: read its members."""
 
-    instance: Instance | InstanceArray
+    instance: Declared
 
 
 @record()
-class Poison:
+class Poison(AnyValue):
     """The value of what was already reported: everything fits it, nothing more is said."""
 
 
@@ -157,19 +168,15 @@ def is_zero(value: Value) -> bool:
 
 def as_vector(value: Value) -> Vector | None:
     """The value as a geometric vector: frames are their origin, 2 and 3 scalars are world components."""
-    match value:
-        case Vector():
-            return value
-        case Array(shape=(2 | 3,)):
-            components = (*value.elements, flat.ZERO)[:3]
-            return Vector(flat.Vector(*components), value.dimension, value.variability, value.order)
-        case FrameValue(steps=()):
-            expression = flat.ZERO_VECTOR if value.name == "world" else flat.FrameOrigin(value.name)
-            return Vector(expression, LENGTH, value.variability, value.order)
-        case _ if is_zero(value):
-            return Vector(flat.ZERO_VECTOR, None, Variability.CONSTANT, Order.STILL)
-        case _:
-            return None
+    if isinstance(value, Vector):
+        return value
+    if isinstance(value, Array) and value.shape in ((2,), (3,)):
+        components = (*value.elements, flat.ZERO)[:3]
+        return Vector(flat.Vector(*components), value.dimension, value.variability, value.order)
+    if isinstance(value, FrameValue) and not value.steps:
+        expression = flat.ZERO_VECTOR if value.name == "world" else flat.FrameOrigin(value.name)
+        return Vector(expression, LENGTH, value.variability, value.order)
+    return Vector(flat.ZERO_VECTOR, None, Variability.CONSTANT, Order.STILL) if is_zero(value) else None
 
 
 def component(vector: FlatExpression, axis: int) -> FlatExpression:

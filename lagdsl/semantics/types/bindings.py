@@ -94,19 +94,20 @@ def _kind_fits(ctx: Context, node: nodes.Node, value: Scalar | Array, expected: 
 
 def _in_hertz(node: nodes.Node) -> nodes.Node | None:
     """The literal in Hz that is the value or an element or branch of it: a frequency, not an angular velocity."""
-    match node:
-        case nodes.Quantity(unit=("Hz" | "kHz" | "MHz")):
-            return node
-        case nodes.Unary(operand=inner) | nodes.Parenthesized(inner=inner):
-            found = _in_hertz(inner)
-            return node if found is inner else found
-        case nodes.Array(elements=parts):
-            return next(filter(None, map(_in_hertz, parts)), None)
-        case nodes.Matrix(rows=rows):
-            return next(filter(None, (_in_hertz(part) for row in rows for part in row)), None)
-        case nodes.Conditional(branches=branches, otherwise=otherwise):
-            return next(filter(None, map(_in_hertz, [*(branch.value for branch in branches), otherwise])), None)
-    return None
+    if isinstance(node, nodes.Quantity):
+        return node if node.unit in ("Hz", "kHz", "MHz") else None
+    if isinstance(node, nodes.Unary | nodes.Parenthesized):
+        inner = node.operand if isinstance(node, nodes.Unary) else node.inner
+        found = _in_hertz(inner)
+        return node if found is inner else found
+    parts: list[nodes.Expression] = []
+    if isinstance(node, nodes.Array):
+        parts = [*node.elements]
+    if isinstance(node, nodes.Matrix):
+        parts = [part for row in node.rows for part in row]
+    if isinstance(node, nodes.Conditional):
+        parts = [*(branch.value for branch in node.branches), node.otherwise]
+    return next(filter(None, map(_in_hertz, parts)), None)
 
 
 def bound(ctx: Context, scope: Scope, node: nodes.Expression, expected: Expected) -> Scalar | Array | Value:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.scope import prelude
 from lagdsl.semantics.scope.context import Context
@@ -18,7 +20,7 @@ from lagdsl.semantics.scope.scope import (
     SymbolKind,
     TypeSymbol,
 )
-from lagdsl.semantics.scope.values import POISON
+from lagdsl.semantics.scope.values import POISON, AnyValue
 from lagdsl.semantics.types import prefixes
 from lagdsl.semantics.types.types import resolve_type, with_unit
 from lagdsl.source import Span
@@ -45,13 +47,12 @@ def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bo
 
 def _same(one: Entry, two: Entry) -> bool:
     """Whether two classes that meet by `extends` declare the name in the same words."""
-    match one, two:
-        case (Symbol(), Symbol()):
-            return one.scope is not two.scope and one.title == two.title and one.declarator == two.declarator
-        case (FunctionSymbol() | TypeSymbol() | ClassSymbol(), FunctionSymbol() | TypeSymbol() | ClassSymbol()):
-            return one.scope is not two.scope and one.node == two.node
-        case _:
-            return False
+    if isinstance(one, Symbol) and isinstance(two, Symbol):
+        return one.scope is not two.scope and one.title == two.title and one.declarator == two.declarator
+    defined = FunctionSymbol | TypeSymbol | ClassSymbol
+    if isinstance(one, defined) and isinstance(two, defined):
+        return one.scope is not two.scope and one.node == two.node
+    return False
 
 
 def _report_twice(ctx: Context, name: str, other: Entry, entry: Entry, span: Span) -> None:
@@ -84,8 +85,10 @@ def _title(entry: Entry) -> str:
             return f"component of {entry.scope.title}"
         case InstanceArray():
             return "array of components"
-        case _:
+        case AnyValue():
             return "name"
+        case _:
+            assert_never(entry)
 
 
 def _place(entry: Entry) -> Span | None:
@@ -96,8 +99,10 @@ def _place(entry: Entry) -> Span | None:
             return node.name_span
         case FunctionSymbol() | TypeSymbol() | ClassSymbol():
             return entry.node.span
-        case _:
+        case AnyValue():
             return None
+        case _:
+            assert_never(entry)
 
 
 def declared(ctx: Context, scope: Scope, item: nodes.Component | nodes.Coordinate | nodes.Geometry) -> list[Symbol]:

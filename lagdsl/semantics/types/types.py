@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import assert_never
 
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.semantics.scope import prelude
@@ -11,7 +12,11 @@ from lagdsl.semantics.scope.imports import import_hint
 from lagdsl.semantics.scope.naming import an
 from lagdsl.semantics.scope.scope import (
     ClassSymbol,
+    FunctionSymbol,
+    Instance,
+    InstanceArray,
     Scope,
+    Symbol,
     TypeInfo,
     TypeSymbol,
     is_guess,
@@ -19,7 +24,7 @@ from lagdsl.semantics.scope.scope import (
     reachable,
     visible,
 )
-from lagdsl.semantics.scope.values import Poison
+from lagdsl.semantics.scope.values import AnyValue, Poison
 from lagdsl.semantics.types import enumerations
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -66,8 +71,10 @@ def resolve_type(ctx: Context, name: nodes.Name, scope: Scope, depth: int = 0) -
             return _prelude(ctx, prelude.TYPES[text])
         case Poison():
             pass
-        case _:
+        case Symbol() | Instance() | InstanceArray() | FunctionSymbol() | ClassSymbol() | AnyValue() | None:
             report_unknown_type(ctx, name, scope)
+        case _:
+            assert_never(entry)
     return None
 
 

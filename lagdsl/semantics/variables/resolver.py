@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from itertools import pairwise
 from itertools import product as cartesian
+from typing import assert_never
 
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
@@ -247,8 +248,10 @@ class Definitions:
                 symbol.made.cells[indices] = self._frame(ctx, symbol, indices)
             case "energy" | "load" | "invariant":
                 symbol.made.cells[indices] = labels.value(ctx, symbol, indices)
-            case _:
+            case "state" | "discrete" | "coordinate" | "constraint" | "contact" | "body" | "unknown":
                 symbol.made.cells[indices] = POISON
+            case _:
+                assert_never(symbol.kind)
 
     def _missing(self, ctx: Context, symbol: Symbol, indices: Indices) -> None:
         """E0318 for the element or, where no element has a value, once for all."""

@@ -8,6 +8,7 @@ point by itself, the difference of two points, and a point with a difference add
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import assert_never
 
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import Symbol
@@ -28,16 +29,14 @@ def check_operator(ctx: Context, node: nodes.Binary | nodes.Unary) -> None:
     """E0418 for a point where an amount is needed: in products, behind `+`, under a sign that is not its own."""
     if not ctx.conventions.units:
         return
-    match node:
-        case nodes.Unary(operator="-" | "+", operand=operand) if not is_signed_point(node):
-            _refuse(ctx, operand, f"`{node.operator}` before parentheses")
-        case nodes.Binary(operator="+", right=right):
-            _refuse(ctx, right, "the right side of `+`")
-        case nodes.Binary(operator="*" | "/" | ".*" | "./" | "^", left=left, right=right):
-            _refuse(ctx, left, f"`{node.operator}`")
-            _refuse(ctx, right, f"`{node.operator}`")
-        case _:
-            pass
+    if isinstance(node, nodes.Unary):
+        if node.operator in ("-", "+") and not is_signed_point(node):
+            _refuse(ctx, node.operand, f"`{node.operator}` before parentheses")
+    elif node.operator == "+":
+        _refuse(ctx, node.right, "the right side of `+`")
+    elif node.operator in ("*", "/", ".*", "./", "^"):
+        _refuse(ctx, node.left, f"`{node.operator}`")
+        _refuse(ctx, node.right, f"`{node.operator}`")
 
 
 def check_call(ctx: Context, node: nodes.Call | nodes.Reduction) -> None:
@@ -59,7 +58,7 @@ def check_difference(ctx: Context, symbol: Symbol) -> None:
         _refuse(ctx, value, f"`{symbol.info.name}`")
 
 
-def _refuse(ctx: Context, node: nodes.Node, where: str) -> None:
+def _refuse(ctx: Context, node: nodes.Expression, where: str) -> None:
     found = _point(node)
     if found is None:
         return
@@ -70,16 +69,16 @@ def _refuse(ctx: Context, node: nodes.Node, where: str) -> None:
     ctx.sink.report("E0418", found.span, literal=f"{number} {literal.unit}", where=where, number=number, kelvin=kelvin)
 
 
-def _point(node: nodes.Node) -> nodes.Quantity | nodes.Unary | None:
+def _point(node: nodes.Expression) -> nodes.Quantity | nodes.Unary | None:
     """The first point among what the value of `node` may be, with its sign."""
     match node:
         case nodes.Quantity():
             return node if _unit(node) is not None else None
         case nodes.Unary() if is_signed_point(node):
             return node
-        case nodes.Unary(operator="-" | "+", operand=inner) | nodes.Parenthesized(inner=inner):
-            return _point(inner)
-        case nodes.Comprehension(body=inner):
+        case nodes.Unary():
+            return _point(node.operand) if node.operator in ("-", "+") else None
+        case nodes.Parenthesized(inner=inner) | nodes.Comprehension(body=inner):
             return _point(inner)
         case nodes.Array(elements=parts):
             return _first(parts)
@@ -87,11 +86,15 @@ def _point(node: nodes.Node) -> nodes.Quantity | nodes.Unary | None:
             return _first(part for row in rows for part in row)
         case nodes.Conditional(branches=branches, otherwise=otherwise):
             return _first([*(branch.value for branch in branches), otherwise])
-        case _:
+        case nodes.Number() | nodes.String() | nodes.Boolean() | nodes.Designator():
             return None
+        case nodes.Call() | nodes.Reduction() | nodes.Tuple() | nodes.Binary():
+            return None
+        case _:
+            assert_never(node)
 
 
-def _first(parts: Iterable[nodes.Node]) -> nodes.Quantity | nodes.Unary | None:
+def _first(parts: Iterable[nodes.Expression]) -> nodes.Quantity | nodes.Unary | None:
     for part in parts:
         found = _point(part)
         if found is not None:

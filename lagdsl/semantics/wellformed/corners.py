@@ -132,12 +132,12 @@ def _behind(expression: fx.FlatExpression, named: dict[str, fm.Named]) -> list[f
     match expression:
         case fx.Variable(name) | fx.PointReference(name):
             item = named.get(name)
-        case fx.FrameOrigin(frame) | fx.FrameAxis(frame=frame) | fx.AngularVelocity(frame):
-            item = named.get(frame)
-        case fx.MaterialVelocity(frame=frame):
-            item = named.get(frame)
-        case _:
+        case fx.OfFrame():
+            item = named.get(expression.frame)
+        case fx.Number() | fx.Previous() | fx.Derivative() | fx.Operation() | fx.Mechanical():
             item = None
+        case _:
+            assert_never(expression)
     match item:
         case fm.Definition():
             return [item.value]
@@ -148,3 +148,5 @@ def _behind(expression: fx.FlatExpression, named: dict[str, fm.Named]) -> list[f
             return [*found, fx.FrameOrigin(item.parent)]
         case None:
             return []
+        case _:
+            assert_never(item)

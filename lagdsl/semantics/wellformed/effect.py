@@ -83,11 +83,10 @@ def _idle(load: fm.Load) -> str | None:
     """Why a load does nothing whatever moves: it is written as zero, or it acts from a place on that place."""
     value, *places = load_expressions(load)
     same = not isinstance(load, fm.FrameTorque) and len(places) == 2 and places[0] == places[1]
-    match load:
-        case fm.PointForce():
-            same = same and load.frame == load.origin_frame
-        case fm.FrameTorque():
-            same = load.frame == load.origin
+    if isinstance(load, fm.PointForce):
+        same = same and load.frame == load.origin_frame
+    if isinstance(load, fm.FrameTorque):
+        same = load.frame == load.origin
     if value in (fx.ZERO, fx.ZERO_VECTOR):
         return "it is zero"
     return "it acts from a place on the same place" if same else None

@@ -39,14 +39,12 @@ def _delicate(frame: fm.Frame) -> bool:
 def _fault(frame: fm.Frame, evaluator: Evaluator) -> str | None:
     try:
         for step in frame.steps:
-            match step:
-                case fm.SetAxes(x, y, z):
-                    found = _fault_of_axes(np.array([evaluator.vector(axis) for axis in (x, y, z)]))
-                    if found is not None:
-                        return found
-                case fm.RotateAbout(axis, _):
-                    if not np.any(evaluator.vector(fx.Vector(*axis))):
-                        return "the axis of `rotate` is the zero vector"
+            if isinstance(step, fm.SetAxes):
+                found = _fault_of_axes(np.array([evaluator.vector(axis) for axis in (step.x, step.y, step.z)]))
+                if found is not None:
+                    return found
+            if isinstance(step, fm.RotateAbout) and not np.any(evaluator.vector(fx.Vector(*step.axis))):
+                return "the axis of `rotate` is the zero vector"
     except NotEvaluable:
         pass
     return None

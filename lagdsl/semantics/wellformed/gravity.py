@@ -110,13 +110,12 @@ def _sum_of(columns: NDArray[np.float64], target: NDArray[np.float64]) -> list[i
 
 def _terms(expression: fx.FlatExpression, sign: int = 1) -> list[fx.FlatExpression]:
     """The additive terms of an expression, signs applied."""
-    match expression:
-        case fx.Binary("+" | "-", left, right):
-            return _terms(left, sign) + _terms(right, sign if expression.operator == "+" else -sign)
-        case fx.Unary("-", operand):
-            return _terms(operand, -sign)
-        case _:
-            return [expression if sign > 0 else fx.Unary("-", expression)]
+    if isinstance(expression, fx.Binary) and expression.operator in ("+", "-"):
+        right = _terms(expression.right, sign if expression.operator == "+" else -sign)
+        return _terms(expression.left, sign) + right
+    if isinstance(expression, fx.Unary) and expression.operator == "-":
+        return _terms(expression.operand, -sign)
+    return [expression if sign > 0 else fx.Unary("-", expression)]
 
 
 def _weights(flat: fm.FlatModel, evaluators: list[Evaluator]) -> list[_Weight]:

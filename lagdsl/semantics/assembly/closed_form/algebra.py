@@ -7,13 +7,11 @@ from lagdsl.flat.expression import FlatExpression
 
 
 def negative(a: FlatExpression) -> FlatExpression:
-    match a:
-        case flat.Number(value=value):
-            return flat.Number(0.0 - value)
-        case flat.Unary(operator="-", operand=inner):
-            return inner
-        case _:
-            return flat.Unary("-", a)
+    if isinstance(a, flat.Number):
+        return flat.Number(0.0 - a.value)
+    if isinstance(a, flat.Unary) and a.operator == "-":
+        return a.operand
+    return flat.Unary("-", a)
 
 
 def plus(a: FlatExpression, b: FlatExpression) -> FlatExpression:

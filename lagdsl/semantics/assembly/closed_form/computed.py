@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import pairwise
+from typing import assert_never
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
@@ -257,8 +258,10 @@ def _angles(step: FrameStep) -> tuple[FlatExpression, ...]:
             return (*axis, angle)
         case RotateQuaternion(e=e):
             return e
-        case _:
+        case SetAxes() | Move() | Place():
             return ()
+        case _:
+            assert_never(step)
 
 
 def _undone(steps: tuple[FrameStep, ...]) -> tuple[FrameStep, ...]:

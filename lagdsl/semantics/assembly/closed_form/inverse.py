@@ -27,10 +27,4 @@ def inverse(steps: tuple[FrameStep, ...]) -> tuple[FrameStep, ...] | None:
 
 def names_frame(expression: flat.FlatExpression, name: str) -> bool:
     """Whether one node of an expression is about the frame."""
-    match expression:
-        case flat.FrameOrigin(frame=frame) | flat.FrameAxis(frame=frame) | flat.AngularVelocity(frame=frame):
-            return frame == name
-        case flat.MaterialVelocity(frame=frame):
-            return frame == name
-        case _:
-            return False
+    return isinstance(expression, flat.OfFrame) and expression.frame == name

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import assert_never
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
@@ -19,24 +20,31 @@ def linear(expression: FlatExpression, name: str) -> tuple[FlatExpression, FlatE
     """(a, b) of a*name + b; None where it is not seen to be of that form. `a` and `b` are free of the name."""
     if name not in variables((expression,)):
         return flat.ZERO, expression
-    match expression:
-        case flat.Variable():
-            return flat.ONE, flat.ZERO
-        case flat.Unary(operator="-", operand=inner):
-            found = linear(inner, name)
-            return (negative(found[0]), negative(found[1])) if found is not None else None
-        case flat.Binary(operator=("+" | "-") as operator, left=left, right=right):
+    if isinstance(expression, flat.Variable):
+        return flat.ONE, flat.ZERO
+    if isinstance(expression, flat.Unary) and expression.operator == "-":
+        found = linear(expression.operand, name)
+        return (negative(found[0]), negative(found[1])) if found is not None else None
+    return _linear_binary(expression, name) if isinstance(expression, flat.Binary) else None
+
+
+def _linear_binary(expression: flat.Binary, name: str) -> tuple[FlatExpression, FlatExpression] | None:
+    left, right = expression.left, expression.right
+    match expression.operator:
+        case "+" | "-":
             one, two = linear(left, name), linear(right, name)
             if one is None or two is None:
                 return None
-            joined = plus if operator == "+" else minus
+            joined = plus if expression.operator == "+" else minus
             return joined(one[0], two[0]), joined(one[1], two[1])
-        case flat.Binary(operator="*", left=left, right=right):
+        case "*":
             factor, rest = (left, right) if name not in variables((left,)) else (right, left)
             found = linear(rest, name) if name not in variables((factor,)) else None
             return (times(factor, found[0]), times(factor, found[1])) if found is not None else None
-        case flat.Binary(operator="/", left=left, right=right) if name not in variables((right,)):
-            found = linear(left, name)
+        case "/":
+            found = linear(left, name) if name not in variables((right,)) else None
             return (over(found[0], right), over(found[1], right)) if found is not None else None
-        case _:
+        case "^" | "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
             return None
+        case _:
+            assert_never(expression.operator)

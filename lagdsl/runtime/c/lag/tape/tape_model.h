@@ -81,6 +81,18 @@ static inline int lag_tape_has(const lag_tape *tape, size_t function)
     return tape->functions[2 * (1 + function) + 1] > 0;
 }
 
+/* Where they are. Not: they do not fill `count` bytes exactly. */
+int lag_tape_divide(const unsigned char *bytes, size_t count, lag_tape_parts *parts);
+
+/* Entries of J that can be nonzero. */
+uint64_t lag_tape_pattern_length(const lag_tape_parts *parts);
+
+/* Coordinates and states whose component is told. */
+uint64_t lag_tape_components_length(const lag_tape_parts *parts);
+
+/* Doubles of the workspace of one state. */
+uint64_t lag_tape_workspace(const uint32_t *size);
+
 /* Gives the model its functions. */
 void lag_tape_functions(lag_tape *tape);
 

@@ -1,4 +1,4 @@
-/* The sections of a tape: found, compared with one another, and laid out as a model. */
+/* The sections of a tape, found and compared with one another. */
 #include <string.h>
 
 #include "lag/tape/tape_model.h"
@@ -34,8 +34,7 @@ static uint64_t number_at(const unsigned char *bytes)
 
 /* ---- sections ---- */
 
-/* Where they are. Not: they do not fill `count` bytes exactly. */
-static int divide(const unsigned char *bytes, size_t count, lag_tape_parts *parts)
+int lag_tape_divide(const unsigned char *bytes, size_t count, lag_tape_parts *parts)
 {
     uint64_t left = count - HEAD - LENGTHS;
     const unsigned char *next = bytes + HEAD + LENGTHS;
@@ -83,14 +82,12 @@ static uint64_t messages(const uint32_t *size)
     return (uint64_t)size[LAG_TAPE_NA] + size[LAG_TAPE_NRESET] + size[LAG_TAPE_NSTOP] + size[LAG_TAPE_NFAIL];
 }
 
-/* Entries of J that can be nonzero. */
-static uint64_t pattern_length(const lag_tape_parts *parts)
+uint64_t lag_tape_pattern_length(const lag_tape_parts *parts)
 {
     return parts->part[LAG_TAPE_JACOBIAN_ROWS].length / sizeof(uint32_t);
 }
 
-/* Coordinates and states whose component is told. */
-static uint64_t components_length(const lag_tape_parts *parts)
+uint64_t lag_tape_components_length(const lag_tape_parts *parts)
 {
     return parts->part[LAG_TAPE_COMPONENTS].length / sizeof(uint32_t);
 }
@@ -99,7 +96,7 @@ static uint64_t rows(const lag_tape_parts *parts)
 {
     const uint32_t *size = parts->size;
     const uint64_t listed = (uint64_t)size[LAG_TAPE_NK] + size[LAG_TAPE_NCONTACT] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
-    return listed + 2 * pattern_length(parts) + components_length(parts);
+    return listed + 2 * lag_tape_pattern_length(parts) + lag_tape_components_length(parts);
 }
 
 static int sizes_agree(const lag_tape_parts *parts)
@@ -115,9 +112,9 @@ static int sizes_agree(const lag_tape_parts *parts)
            holds(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NCONTACT], word) &&
            holds(parts, LAG_TAPE_SWITCHED_ROWS, n[LAG_TAPE_NSWITCHED], word) &&
            holds(parts, LAG_TAPE_RESET_PLACES, n[LAG_TAPE_NRESET], word) &&
-           pattern_length(parts) <= (uint64_t)n[LAG_TAPE_NC] * n[LAG_TAPE_NQ] &&
-           holds(parts, LAG_TAPE_JACOBIAN_ROWS, pattern_length(parts), word) &&
-           holds(parts, LAG_TAPE_JACOBIAN_COLUMNS, pattern_length(parts), word) &&
+           lag_tape_pattern_length(parts) <= (uint64_t)n[LAG_TAPE_NC] * n[LAG_TAPE_NQ] &&
+           holds(parts, LAG_TAPE_JACOBIAN_ROWS, lag_tape_pattern_length(parts), word) &&
+           holds(parts, LAG_TAPE_JACOBIAN_COLUMNS, lag_tape_pattern_length(parts), word) &&
            may_hold(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ], word) &&
            may_hold(parts, LAG_TAPE_START_STATE, 1 + state, sizeof(double)) &&
            may_hold(parts, LAG_TAPE_START_FIXED, state, 1) && may_hold(parts, LAG_TAPE_START_WRITTEN, state, 1) &&
@@ -245,8 +242,7 @@ static uint64_t needed(const lag_tape_parts *parts)
     return head + (tables + 7) / 8 * 8;
 }
 
-/* Doubles of the workspace of one state. */
-static uint64_t workspace(const uint32_t *size)
+uint64_t lag_tape_workspace(const uint32_t *size)
 {
     return (uint64_t)size[LAG_TAPE_ROW] + 2 * (uint64_t)size[LAG_TAPE_NQ] + size[LAG_TAPE_NC];
 }
@@ -254,7 +250,7 @@ static uint64_t workspace(const uint32_t *size)
 /* More than any workspace has. */
 static uint64_t largest_workspace(const uint32_t *size)
 {
-    return workspace(size) + 8 + 8 * ((uint64_t)size[LAG_TAPE_ROW] + size[LAG_TAPE_ALONG_ROW] + size[LAG_TAPE_PARAMETER_ALONG_ROW]);
+    return lag_tape_workspace(size) + 8 + 8 * ((uint64_t)size[LAG_TAPE_ROW] + size[LAG_TAPE_ALONG_ROW] + size[LAG_TAPE_PARAMETER_ALONG_ROW]);
 }
 
 lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory)
@@ -268,7 +264,7 @@ lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory)
     }
     memcpy(head, all + sizeof MAGIC, sizeof head);
     if (head[0] != LAG_TAPE_VERSION || number_at(all + 16) != count - HEAD || checksum(all + HEAD, count - HEAD) != head[1] ||
-        !divide(all, count, &parts) || !holds(&parts, LAG_TAPE_SIZES, LAG_TAPE_NUMBER_OF_SIZES, sizeof(uint32_t))) {
+        !lag_tape_divide(all, count, &parts) || !holds(&parts, LAG_TAPE_SIZES, LAG_TAPE_NUMBER_OF_SIZES, sizeof(uint32_t))) {
         return LAG_BAD_STATE_DATA;
     }
     for (size_t i = 0; i < LAG_TAPE_NUMBER_OF_SIZES; ++i) {
@@ -283,166 +279,4 @@ lag_status lag_tape_check(const void *bytes, size_t count, size_t *memory)
     }
     *memory = (size_t)needed(&parts);
     return LAG_OK;
-}
-
-/* ---- the model ---- */
-
-static const char *text(const lag_tape_parts *parts, uint32_t first)
-{
-    return first == NOWHERE ? NULL : (const char *)parts->part[LAG_TAPE_TEXTS].bytes + first;
-}
-
-/* The next `count` slots; none: null. */
-static const lag_slot *take_slots(const lag_tape_parts *parts, const uint32_t **from, lag_slot **to, size_t count)
-{
-    lag_slot *first = *to;
-    for (size_t i = 0; i < count; ++i) {
-        first[i] = (lag_slot){text(parts, (*from)[0]), text(parts, (*from)[1]), text(parts, (*from)[2])};
-        *from += 3;
-    }
-    *to += count;
-    return count > 0 ? first : NULL;
-}
-
-static const char *const *take_texts(const lag_tape_parts *parts, const uint32_t **from, const char ***to, size_t count)
-{
-    const char **first = *to;
-    for (size_t i = 0; i < count; ++i) {
-        first[i] = text(parts, *(*from)++);
-    }
-    *to += count;
-    return count > 0 ? first : NULL;
-}
-
-static const size_t *take_rows(const lag_tape_parts *parts, lag_tape_section section, size_t **to, size_t count)
-{
-    const uint32_t *from = (const void *)parts->part[section].bytes;
-    size_t *first = *to;
-    for (size_t i = 0; i < count; ++i) {
-        first[i] = from[i];
-    }
-    *to += count;
-    return count > 0 ? first : NULL;
-}
-
-/* A section as it stands; null where it is empty. */
-static const void *section(const lag_tape_parts *parts, lag_tape_section which)
-{
-    return parts->part[which].length > 0 ? parts->part[which].bytes : NULL;
-}
-
-static void give_sizes(lag_model *model, const uint32_t *size)
-{
-    model->nq = size[LAG_TAPE_NQ];
-    model->nz = size[LAG_TAPE_NZ];
-    model->nu = size[LAG_TAPE_NU];
-    model->nw = size[LAG_TAPE_NW];
-    model->np = size[LAG_TAPE_NP];
-    model->nc = size[LAG_TAPE_NC];
-    model->ny = size[LAG_TAPE_NY];
-    model->ni = size[LAG_TAPE_NI];
-    model->na = size[LAG_TAPE_NA];
-    model->nd = size[LAG_TAPE_ND];
-    model->ne = size[LAG_TAPE_NE];
-    model->rank = size[LAG_TAPE_RANK];
-    model->nk = size[LAG_TAPE_NK];
-    model->nindicator = size[LAG_TAPE_NINDICATOR];
-    model->ncontact = size[LAG_TAPE_NCONTACT];
-    model->ngap = size[LAG_TAPE_NGAP];
-    model->nclock = size[LAG_TAPE_NCLOCK];
-    model->nreset = size[LAG_TAPE_NRESET];
-    model->ncollision = size[LAG_TAPE_NCOLLISION];
-    model->nstop = size[LAG_TAPE_NSTOP];
-    model->nfail = size[LAG_TAPE_NFAIL];
-    model->ntimed = size[LAG_TAPE_NTIMED];
-    model->ndistance = size[LAG_TAPE_NDISTANCE];
-    model->ncorner = size[LAG_TAPE_NCORNER];
-    model->nswitched = size[LAG_TAPE_NSWITCHED];
-    model->prepared = size[LAG_TAPE_PREPARED];
-    model->workspace = (size_t)workspace(size);
-}
-
-/* Slots, messages and rows, in this order, in `memory`. */
-static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned char *memory)
-{
-    lag_model *model = &tape->model;
-    const uint32_t *slot = (const void *)parts->part[LAG_TAPE_SLOTS].bytes;
-    const uint32_t *message = (const void *)parts->part[LAG_TAPE_MESSAGES].bytes;
-    lag_slot *slot_memory = (void *)memory;
-    model->coordinates = take_slots(parts, &slot, &slot_memory, model->nq);
-    model->states = take_slots(parts, &slot, &slot_memory, model->nz);
-    model->inputs = take_slots(parts, &slot, &slot_memory, model->nu);
-    model->discretes = take_slots(parts, &slot, &slot_memory, model->nw);
-    model->parameters = take_slots(parts, &slot, &slot_memory, model->np);
-    model->constraints = take_slots(parts, &slot, &slot_memory, model->nc);
-    model->outputs = take_slots(parts, &slot, &slot_memory, model->ny);
-    model->invariants = take_slots(parts, &slot, &slot_memory, model->ni);
-    model->definitions = take_slots(parts, &slot, &slot_memory, model->nd);
-    const char **message_memory = (void *)slot_memory;
-    model->assertions = take_texts(parts, &message, &message_memory, model->na);
-    model->resets = take_texts(parts, &message, &message_memory, model->nreset);
-    model->stops = take_texts(parts, &message, &message_memory, model->nstop);
-    model->failures = take_texts(parts, &message, &message_memory, model->nfail);
-    size_t *row_memory = (void *)message_memory;
-    model->kept_rows = take_rows(parts, LAG_TAPE_KEPT_ROWS, &row_memory, model->nk);
-    model->contact_rows = take_rows(parts, LAG_TAPE_CONTACT_ROWS, &row_memory, model->ncontact);
-    model->switched_rows = take_rows(parts, LAG_TAPE_SWITCHED_ROWS, &row_memory, model->nswitched);
-    model->reset_places = take_rows(parts, LAG_TAPE_RESET_PLACES, &row_memory, model->nreset);
-    tape->pattern = (lag_pattern){.rows = model->nc, .columns = model->nq, .count = (size_t)pattern_length(parts)};
-    tape->pattern.row = take_rows(parts, LAG_TAPE_JACOBIAN_ROWS, &row_memory, tape->pattern.count);
-    tape->pattern.column = take_rows(parts, LAG_TAPE_JACOBIAN_COLUMNS, &row_memory, tape->pattern.count);
-    model->jacobian_pattern = tape->pattern.count > 0 ? &tape->pattern : NULL;
-    model->components = take_rows(parts, LAG_TAPE_COMPONENTS, &row_memory, (size_t)components_length(parts));
-    model->defaults = section(parts, LAG_TAPE_DEFAULTS);
-    model->position_level = section(parts, LAG_TAPE_POSITION_LEVEL);
-    model->redundant = section(parts, LAG_TAPE_REDUNDANT);
-    model->kinds = section(parts, LAG_TAPE_KINDS);
-    model->strict = section(parts, LAG_TAPE_STRICT);
-}
-
-static void give_start(lag_start *start, const lag_tape_parts *parts)
-{
-    const double *state = section(parts, LAG_TAPE_START_STATE);
-    if (state != NULL) {
-        start->t = state[0];
-        start->x = state + 1;
-    }
-    start->fixed = section(parts, LAG_TAPE_START_FIXED);
-    start->written = section(parts, LAG_TAPE_START_WRITTEN);
-    start->nominal = section(parts, LAG_TAPE_START_NOMINAL);
-    start->minimum = section(parts, LAG_TAPE_START_MINIMUM);
-    start->maximum = section(parts, LAG_TAPE_START_MAXIMUM);
-}
-
-const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory)
-{
-    lag_tape *tape = memory;
-    lag_tape_parts parts;
-    divide(bytes, count, &parts);
-    memset(tape, 0, sizeof *tape);
-    tape->row = parts.size[LAG_TAPE_ROW];
-    for (size_t part = 0; part < 2; ++part) {
-        tape->shared[part] = parts.size[LAG_TAPE_SHARED + 2 * part];
-        tape->along_row[part] = parts.size[LAG_TAPE_ALONG_ROW + 2 * part];
-    }
-    tape->words = (const void *)parts.part[LAG_TAPE_WORDS].bytes;
-    tape->functions = (const void *)parts.part[LAG_TAPE_FUNCTIONS].bytes;
-    tape->constants = (const void *)parts.part[LAG_TAPE_CONSTANT_POOL].bytes;
-    tape->constant_count = (size_t)(parts.part[LAG_TAPE_CONSTANT_POOL].length / sizeof(double));
-    tape->model.version = LAG_MODEL_VERSION;
-    tape->model.size = sizeof(lag_model);
-    tape->model.name = text(&parts, parts.size[LAG_TAPE_NAME]);
-    tape->model.context = tape;
-    give_sizes(&tape->model, parts.size);
-    give_tables(tape, &parts, (unsigned char *)memory + (sizeof *tape + 7) / 8 * 8);
-    give_start(&tape->start, &parts);
-    lag_tape_functions(tape);
-    lag_tape_parallel(tape);
-    return &tape->model;
-}
-
-const lag_start *lag_tape_start(const lag_model *model)
-{
-    const lag_tape *tape = model->context;
-    return tape->start.x != NULL ? &tape->start : NULL;
 }

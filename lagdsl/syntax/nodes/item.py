@@ -1,8 +1,4 @@
-"""The syntax tree: product of the syntax floor.
-
-Source shape only: nothing is resolved. Every node carries its span, which does not take part in comparison, so
-`parse(print(tree)) == tree`. Trees are immutable; children are tuples.
-"""
+"""The syntax tree: items of files and classes, with their modifiers and sections."""
 
 from __future__ import annotations
 
@@ -11,186 +7,46 @@ from typing import TypeAlias
 
 from lagdsl.record import record
 from lagdsl.source import Span
-
-
-@record(kw_only=True)
-class Node:
-    span: Span = field(compare=False, repr=False)
-
-
-# ---- expressions -----------------------------------------------------------------------------------------------------
-
-
-@record(kw_only=True)
-class Number(Node):
-    """`1.5e3`; `text` keeps the spelling."""
-
-    text: str
-
-
-@record(kw_only=True)
-class Quantity(Node):
-    """`9.81 m/s2`: number and unit as spelled, the unit without the blank (`m/s2`, `/s`)."""
-
-    number: str
-    unit: str
-
-
-@record(kw_only=True)
-class String(Node):
-    """Text between the quotes, escapes resolved."""
-
-    value: str
-
-
-@record(kw_only=True)
-class Boolean(Node):
-    value: bool
-
-
-@record(kw_only=True)
-class Reference(Node):
-    """One identifier."""
-
-    name: str
-
-
-@record(kw_only=True)
-class Member(Node):
-    """`target.name`; `name_span` covers the identifier after the dot."""
-
-    target: Expression
-    name: str
-    name_span: Span = field(compare=False, repr=False)
-
-
-@record(kw_only=True)
-class Index(Node):
-    """`target[i, j]`."""
-
-    target: Expression
-    subscripts: tuple[Subscript, ...]
-
-
-@record(kw_only=True)
-class Range(Node):
-    """`start:stop` or `start:step:stop`. A single expression is not wrapped in a Range."""
-
-    start: Expression
-    step: Expression | None
-    stop: Expression
-
-
-@record(kw_only=True)
-class All(Node):
-    """`:` as a subscript or array size."""
-
-
-@record(kw_only=True)
-class Named(Node):
-    """`name = value` as an argument."""
-
-    name: str
-    value: Expression
-
-
-@record(kw_only=True)
-class Call(Node):
-    """`function(arguments)`; `function` is a Reference or, for methods, a Member."""
-
-    function: Expression
-    arguments: tuple[Expression | Named, ...]
-
-
-@record(kw_only=True)
-class Iterator(Node):
-    """`i in range` of a loop, comprehension or reduction."""
-
-    name: str
-    range: Expression | Range
-
-
-@record(kw_only=True)
-class Reduction(Node):
-    """`sum(body for i in 1:n)`; `function` as in Call."""
-
-    function: Expression
-    body: Expression
-    iterators: tuple[Iterator, ...]
-
-
-@record(kw_only=True)
-class Comprehension(Node):
-    """`{body for i in 1:n}`."""
-
-    body: Expression
-    iterators: tuple[Iterator, ...]
-
-
-@record(kw_only=True)
-class Array(Node):
-    """`{a, b, c}`."""
-
-    elements: tuple[Expression, ...]
-
-
-@record(kw_only=True)
-class Matrix(Node):
-    """`[a, b; c, d]`."""
-
-    rows: tuple[tuple[Expression, ...], ...]
-
-
-@record(kw_only=True)
-class Tuple(Node):
-    """`(a, b)`: parsed, not yet given a meaning."""
-
-    elements: tuple[Expression, ...]
-
-
-@record(kw_only=True)
-class Unary(Node):
-    """`operator` is one of `-`, `+`, `not`."""
-
-    operator: str
-    operand: Expression
-
-
-@record(kw_only=True)
-class Binary(Node):
-    """`operator` is one of `+ - * / .* ./ ^ and or < <= > >= == <>`."""
-
-    operator: str
-    left: Expression
-    right: Expression
-
-
-@record(kw_only=True)
-class Branch(Node):
-    condition: Expression
-    value: Expression
-
-
-@record(kw_only=True)
-class Conditional(Node):
-    """`if c then a elseif d then b else e`."""
-
-    branches: tuple[Branch, ...]
-    otherwise: Expression
-
-
-@record(kw_only=True)
-class Parenthesized(Node):
-    """`(inner)`: kept, so that text prints back as written."""
-
-    inner: Expression
-
-
-Expression: TypeAlias = (
-    "Number | Quantity | String | Boolean | Reference | Member | Index | Call | Reduction | Comprehension "
-    "| Array | Matrix | Tuple | Unary | Binary | Conditional | Parenthesized"
+from lagdsl.syntax.nodes.expression import (
+    Expression,
+    Iterator,
+    Named,
+    Node,
+    Subscript,
 )
-Subscript: TypeAlias = "Expression | Range | All"
+
+# ---- groups: a case over all items names those it treats alike by these ----------------------------------------------
+
+
+class Definition(Node):
+    """A class, a type or a function."""
+
+    __slots__ = ()
+
+
+class Declaration(Node):
+    """Named quantities, components or geometry."""
+
+    __slots__ = ()
+
+
+class Physics(Node):
+    """A term of the mechanics."""
+
+    __slots__ = ()
+
+
+class Relation(Node):
+    """An equation, a call as an equation, or `connect`."""
+
+    __slots__ = ()
+
+
+class Block(Node):
+    """Items under an index or a condition."""
+
+    __slots__ = ()
+
 
 # ---- names, modifiers, declarators -----------------------------------------------------------------------------------
 
@@ -249,7 +105,7 @@ class Declarator(Node):
 
 
 @record(kw_only=True)
-class Component(Node):
+class Component(Declaration):
     """`parameter Mass m = 1, n = 2;`: prefixes, type name, declarators."""
 
     prefixes: tuple[str, ...]
@@ -258,7 +114,7 @@ class Component(Node):
 
 
 @record(kw_only=True)
-class Coordinate(Node):
+class Coordinate(Declaration):
     """`coordinate Angle q(start = 1);`."""
 
     type_name: Name
@@ -266,7 +122,7 @@ class Coordinate(Node):
 
 
 @record(kw_only=True)
-class Geometry(Node):
+class Geometry(Declaration):
     """`point P = ...;` or `frame F = ...;`: `keyword` is `point` or `frame`."""
 
     keyword: str
@@ -274,7 +130,7 @@ class Geometry(Node):
 
 
 @record(kw_only=True)
-class Energy(Node):
+class Energy(Physics):
     """`kinetic T = ...;`: `keyword` is kinetic, potential, dissipation or lagrangian."""
 
     keyword: str
@@ -285,13 +141,13 @@ class Energy(Node):
 
 
 @record(kw_only=True)
-class Gravity(Node):
+class Gravity(Physics):
     value: Expression
     doc: str | None
 
 
 @record(kw_only=True)
-class PointMass(Node):
+class PointMass(Physics):
     """`mass m at P;`."""
 
     mass: Expression
@@ -301,7 +157,7 @@ class PointMass(Node):
 
 
 @record(kw_only=True)
-class RigidBody(Node):
+class RigidBody(Physics):
     """`body b(m = ..., I = {...}) on A;`."""
 
     label: str | None
@@ -312,7 +168,7 @@ class RigidBody(Node):
 
 
 @record(kw_only=True)
-class Load(Node):
+class Load(Physics):
     """`force F = value at P on B from R on C if c;`: `keyword` is force or torque.
 
     `at` is given for `at P [on B]`; without it `on` is a frame or a scalar. `origin` follows `from`; `from R on C` has
@@ -331,7 +187,7 @@ class Load(Node):
 
 
 @record(kw_only=True)
-class Constraint(Node):
+class Constraint(Physics):
     label: str | None
     left: Expression
     right: Expression
@@ -340,7 +196,7 @@ class Constraint(Node):
 
 
 @record(kw_only=True)
-class Contact(Node):
+class Contact(Physics):
     label: str | None
     value: Expression
     options: tuple[Named, ...]
@@ -349,7 +205,7 @@ class Contact(Node):
 
 
 @record(kw_only=True)
-class Invariant(Node):
+class Invariant(Physics):
     label: str | None
     value: Expression
     options: tuple[Named, ...]
@@ -358,7 +214,7 @@ class Invariant(Node):
 
 
 @record(kw_only=True)
-class Draw(Node):
+class Draw(Physics):
     """`draw rod(radius = r) from A to B;`: `place` is at, on, between or None with one or two expressions."""
 
     shape: str
@@ -369,7 +225,7 @@ class Draw(Node):
 
 
 @record(kw_only=True)
-class Connect(Node):
+class Connect(Relation):
     items: tuple[Expression, ...]
     condition: Expression | None
 
@@ -389,14 +245,14 @@ class Annotation(Node):
 
 
 @record(kw_only=True)
-class Equation(Node):
+class Equation(Relation):
     left: Expression
     right: Expression
     doc: str | None
 
 
 @record(kw_only=True)
-class CallEquation(Node):
+class CallEquation(Relation):
     """An expression standing as an equation: `assert(...)`, `reinit(...)`."""
 
     call: Expression
@@ -404,7 +260,7 @@ class CallEquation(Node):
 
 
 @record(kw_only=True)
-class For(Node):
+class For(Block):
     iterators: tuple[Iterator, ...]
     body: tuple[Item, ...]
 
@@ -416,7 +272,7 @@ class IfBranch(Node):
 
 
 @record(kw_only=True)
-class If(Node):
+class If(Block):
     branches: tuple[IfBranch, ...]
     otherwise: tuple[Item, ...] | None
 
@@ -428,7 +284,7 @@ class WhenBranch(Node):
 
 
 @record(kw_only=True)
-class When(Node):
+class When(Block):
     branches: tuple[WhenBranch, ...]
 
 
@@ -447,7 +303,7 @@ class Section(Node):
 
 
 @record(kw_only=True)
-class Class(Node):
+class Class(Definition):
     """`model Name "doc" items sections end Name;`. `end_name` is None where the text leaves it out."""
 
     prefixes: tuple[str, ...]
@@ -461,7 +317,7 @@ class Class(Node):
 
 
 @record(kw_only=True)
-class ShortClass(Node):
+class ShortClass(Definition):
     """`model S = Lib.Spring(k = 2);`."""
 
     prefixes: tuple[str, ...]
@@ -474,7 +330,7 @@ class ShortClass(Node):
 
 
 @record(kw_only=True)
-class TypeDefinition(Node):
+class TypeDefinition(Definition):
     """`type T = Real[3](unit = "m");` or, with `literals`, an enumeration (then `base` is None)."""
 
     name: str
@@ -494,7 +350,7 @@ class FunctionParameter(Node):
 
 
 @record(kw_only=True)
-class Function(Node):
+class Function(Definition):
     """`function f(Real x) -> Real = x^2;`."""
 
     name: str
