@@ -4,18 +4,57 @@ Ch. Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996; B. Brogliato, 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse.csgraph import connected_components
 
 Floats = NDArray[np.float64]
 _RANK = 1e-10
 
 
+def tied(mass: Floats, rows: Floats) -> NDArray[np.int_]:
+    """The part of the mechanism to which each coordinate belongs: those that inertia or rows tie together."""
+    return _tied((mass != 0).tobytes(), (rows != 0).tobytes(), len(mass))
+
+
+@lru_cache(maxsize=256)
+def _tied(mass: bytes, rows: bytes, count: int) -> NDArray[np.int_]:
+    if not count:
+        return np.zeros(0, dtype=int)
+    ties = np.frombuffer(mass, dtype=bool).reshape(count, count)
+    entries = np.frombuffer(rows, dtype=bool).reshape(-1, count).astype(int)
+    return np.asarray(connected_components(ties | (entries.T @ entries > 0), directed=False)[1])
+
+
+@lru_cache(maxsize=256)
+def _places(mass: bytes, rows: bytes, count: int) -> list[tuple[NDArray[np.int_], NDArray[np.int_]]]:
+    """Coordinates and rows of each part; all without rows are one, as a block diagonal mixes nothing."""
+    part, entries = _tied(mass, rows, count), np.frombuffer(rows, dtype=bool).reshape(-1, max(count, 1))
+    bound = np.unique(part[np.any(entries, axis=0)]) if count else part
+    members = [part == each for each in bound] + [~np.isin(part, bound)]
+    return [(np.flatnonzero(of), np.flatnonzero(np.any(entries[:, of], axis=1))) for of in members if np.any(of)]
+
+
 class Balance:
-    """M x - J' y = a, J x = b, for any ranks of J: x and the shortest y, in units in which M has a unit diagonal and
-    the rows of J are of length one."""
+    """M x - J' y = a, J x = b, for any ranks of J: x and the shortest y. Parts that nothing ties to each other are
+    solved each by itself: the round-off of one does not reach the other."""
+
+    def __init__(self, mass: Floats, rows: Floats) -> None:
+        places = _places((mass != 0).tobytes(), (rows != 0).tobytes(), len(mass))
+        self._parts = [(of, own, _Part(mass[of[:, None], of], rows[own[:, None], of])) for of, own in places]
+
+    def solve(self, a: Floats, b: Floats) -> tuple[Floats, Floats]:
+        x, y = np.zeros(len(a)), np.zeros(len(b))
+        for of, own, part in self._parts:
+            x[of], y[own] = part.solve(a[of], b[own])
+        return x, y
+
+
+class _Part:
+    """In units in which M has a unit diagonal and the rows of J are of length one."""
 
     def __init__(self, mass: Floats, rows: Floats) -> None:
         self._unit = 1 / np.sqrt(np.where(np.diag(mass) > 0, np.diag(mass), 1.0))

@@ -18,6 +18,10 @@ _KINDS = {(False, True): "closed", (False, False): "impact", (True, True): "impa
 # where bounces do not become shorter.
 _REST, _SHORT = 1e-6, 1e-3
 _ZERO = 1e-10
+# Of the largest terms of a gap: below it they touch, below that it is round-off.
+_TOUCHING, _NOISE = 1e-13, 4e-15
+# Of the terms of the acceleration of a gap: below it none.
+_NO_ACCELERATION = 1e-9
 
 
 @dataclass
@@ -29,9 +33,10 @@ class Happening:
 
 @dataclass
 class Memory:
-    """Of rates: the largest so far. What was told."""
+    """Of rates and of positions: the largest so far. What was told."""
 
     speeds: Floats
+    places: Floats
     told: list[Happening] = field(default_factory=list)
     ended: bool = False
 
@@ -104,7 +109,16 @@ class Instant:
         found = system.call("contact", s, b)
         later = system.call("contact", system.later(s, b, 1e-6), b)
         moving = np.maximum(np.abs(found["speed"]), np.abs(later["speed"])) * system.length
-        return found, np.abs(found["gap"]) <= np.maximum(NOW * moving, 1e-13)
+        return found, np.abs(found["gap"]) <= np.maximum(NOW * moving, _TOUCHING * self._size(found["jacobian"], s.q))
+
+    def _size(self, gaps: Floats, q: Floats) -> Floats:
+        """The largest terms that gaps ever had."""
+        self._memory.places = np.maximum(self._memory.places, np.abs(q))
+        return np.abs(gaps) @ self._memory.places
+
+    def noise(self, s: State, b: list[float]) -> Floats:
+        """Gaps of contacts below it are round-off."""
+        return _NOISE * self._size(self._system.call("contact", s, b)["jacobian"], s.q)[: len(self._system.contacts)]
 
     def _strike(self, s: State, b: list[float], asked: list[int], e: list[float], _: bool) -> tuple[bool, State]:
         """Blows until no gap closes any more."""
@@ -117,7 +131,8 @@ class Instant:
         rows[system.rows] = 0.0
         closed = s.w[system.contacts] > 0
         scale = self._zero_speed(found["jacobian"], s.v)
-        carrying = [i for i in range(count) if closed[i] and lam[system.rows[i]] > system.no_force(s, b)]
+        none = system.no_forces(s, b) if count else np.zeros(0)
+        carrying = [i for i in range(count) if closed[i] and lam[system.rows[i]] > none[i]]
         approach: dict[int, float] = {}
         v, first = s.v.copy(), True
         for _round in range(200):
@@ -167,9 +182,10 @@ class Instant:
         flying[[system.contacts[i] for i in approach]] = 0.0
         ahead = system.later(replace(s, w=flying), b, AHEAD)
         back = (speed - system.call("contact", ahead, b)["speed"]) / (ahead.t - s.t)
+        noise = self.noise(s, b)
         for i, was in approach.items():
             w[system.counts[i]] += 1
-            left = self._left(found, i, float(speed[i]), was, float(back[i]), float(scale[i]))
+            left = self._left(found, i, float(speed[i]), was, float(back[i]), float(scale[i]), float(noise[i]))
             stays = left < np.inf
             w[system.contacts[i]] = float(stays)
             self._tell(s.t, i, "impact" if left and stays else _KINDS[bool(closed[i]), stays])
@@ -180,16 +196,19 @@ class Instant:
         mass = system.call("dynamics", s, b)["M"]
         return replace(s, v=s.v + least_impulse(mass, rows["J"], rows["residual"], []))
 
-    def _left(self, found: dict[str, Floats], i: int, speed: float, was: float, back: float, zero: float) -> float:
+    def _left(
+        self, found: dict[str, Floats], i: int, speed: float, was: float, back: float, zero: float, noise: float
+    ) -> float:
         """Time left of the series of bounces of a contact that struck, 0 where it does not rebound, inf where it does
-        not come to rest in short: flights of 2 v/a, r times that, r^2 times that."""
+        not come to rest in short and rises above round-off: flights of 2 v/a, r times that, r^2 times that."""
         capture_speed = float(found["capture_speed"][i])
         if speed <= zero or 0 <= speed < capture_speed:
             return 0.0
         rest = float(found["zeno_time"][i]) if found["zeno_time"][i] >= 0 else _REST * self._system.length
         flight, ratio = 2 * speed / back if back > 0 else np.inf, speed / was
         left = flight / (1 - ratio) if ratio < 1 else np.inf
-        return min(left, flight / _SHORT) if left < rest or flight < _SHORT * rest else np.inf
+        short = left < rest or flight < _SHORT * rest or speed * flight / 8 < noise
+        return min(left, flight / _SHORT) if short else np.inf
 
     def _opened(self, s: State, b: list[float]) -> State:
         """Closed contacts that pull open, the one that pulls most first; touching ones without speed that would be
@@ -197,19 +216,37 @@ class Instant:
         system = self._system
         if not system.contacts:
             return s
+        s = self._driven_in(s, b)
         while True:
             closed = np.flatnonzero(s.w[system.contacts] > 0)
-            none = system.no_force(s, b)
+            none = system.no_forces(s, b)[closed]
             then = system.later(s, b, AHEAD)
             now, later = (system.solved(each, b)[1][system.rows[closed]] for each in (s, then))
             forces = np.where(np.abs(now) <= 2 * none, np.minimum(now, later), now)
-            if not len(closed) or np.min(forces) >= -2 * none:
+            # a force that begins here is zero but for the round-off of the time
+            forces = np.where(np.abs(now) <= NOW / AHEAD * np.abs(later - now), later, forces)
+            if np.all(forces >= -2 * none):
                 return s
             w = s.w.copy()
-            worst = int(closed[np.argmin(forces)])
+            worst = int(closed[np.argmin(forces / np.maximum(none, 1e-300))])
             w[system.contacts[worst]] = 0.0
             self._tell(s.t, worst, "opened")
             s = replace(s, w=w)
+
+    def _driven_in(self, s: State, b: list[float]) -> State:
+        """Open contacts that touch, do not move apart, and are accelerated towards each other, are closed."""
+        system, count = self._system, len(self._system.contacts)
+        found, touching = self._touching(s, b)
+        scale = self._zero_speed(found["jacobian"], s.v)
+        ahead = system.later(s, b, AHEAD)
+        change = system.call("contact", ahead, b)["speed"] - found["speed"]
+        terms = np.abs(found["jacobian"]) @ np.abs(ahead.v - s.v)
+        closing = touching & (np.abs(found["speed"]) <= scale) & (change < -_NO_ACCELERATION * terms)
+        w = s.w.copy()
+        for i in np.flatnonzero(closing[:count] & (w[system.contacts] == 0)):
+            w[system.contacts[i]] = 1.0
+            self._tell(s.t, int(i), "closed")
+        return replace(s, w=w)
 
     def settled(self, s: State, b: list[float]) -> State:
         """At the start: contacts that touch and do not move apart are closed unless they pull."""

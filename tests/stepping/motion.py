@@ -46,7 +46,7 @@ class _Run:
     def __init__(self, system: System, times: Sequence[float], known: Sequence[float], least: float) -> None:
         self._least = least * _LEAST
         self._system, self._times, self._known = system, times, known
-        self._memory = Memory(np.abs(system.start.v))
+        self._memory = Memory(np.abs(system.start.v), np.abs(system.start.q))
         self._instant = Instant(system, self._memory)
         self._motion = Motion()
 
@@ -110,13 +110,14 @@ class _Run:
         """Integrates until something changes, and carries that out."""
         end = self._system.next_timed(s, self._next_known(s.t))
         armed = self._system.valid(self._system.later(s, b, 1e-9), b) > 0
+        floor = self._floor(s, b, len(armed))
         solver = self._solver(s, b, end)
         while solver.status == "running":
             before = s.moved(solver.t, solver.y.copy())
             message = solver.step()
             assert solver.status != "failed", message
             dense = solver.dense_output()
-            at = self._first(before, dense, solver.t, b, armed)
+            at = self._first(before, dense, solver.t, b, armed, floor)
             self._note(s, dense, before.t, solver.t if at is None else at)
             if at is not None:
                 return self._event(self._exactly(before, at, b), b)
@@ -138,9 +139,19 @@ class _Run:
             max_step=self._system.length / _STEPS,
         )
 
-    def _first(self, before: State, dense: object, end: float, b: list[float], armed: Floats) -> float | None:
+    def _floor(self, s: State, b: list[float], count: int) -> Floats:
+        """So far open contacts are let in that never were seen apart, by round-off; all else, without end."""
+        system, floor = self._system, np.full(count, -np.inf)
+        if system.contacts:
+            first, closed = len(system.relations), s.w[system.contacts] > 0
+            floor[first : first + len(closed)] = np.where(closed, -np.inf, -self._instant.noise(s, b))
+        return floor
+
+    def _first(
+        self, before: State, dense: object, end: float, b: list[float], armed: Floats, floor: Floats
+    ) -> float | None:
         """When the first of what must stay positive is so no more; what began on its border is looked at once it left
-        it."""
+        it, or where it goes below its floor."""
         system = self._system
         times = np.linspace(before.t, end, _LOOKS + 1)
 
@@ -151,7 +162,7 @@ class _Run:
         found = [
             (at, k)
             for k in range(looks.shape[1])
-            if (at := self._border(valid, times, looks[:, k], k, armed)) is not None
+            if (at := self._border(valid, times, looks[:, k], k, armed, floor[k])) is not None
         ]
         if not found:
             return None
@@ -159,7 +170,9 @@ class _Run:
         return at
 
     @staticmethod
-    def _border(valid: Callable[[float], Floats], times: Floats, looks: Floats, k: int, armed: Floats) -> float | None:
+    def _border(
+        valid: Callable[[float], Floats], times: Floats, looks: Floats, k: int, armed: Floats, floor: float
+    ) -> float | None:
         """When entry k becomes negative, which it does between looks, too: where it has a minimum, and where it left
         its border and came back."""
 
@@ -169,10 +182,14 @@ class _Run:
         for i in range(len(times) - 1):
             armed[k] |= looks[i] > 0
             low, high = float(times[i]), float(times[i + 1])
-            if looks[i + 1] < 0 and armed[k]:
+            if looks[i + 1] < 0 and (armed[k] or looks[i + 1] < floor):
                 inside = (low + (high - low) / 2**m for m in range(1, 30))
                 above = low if looks[i] > 0 else next((t for t in inside if value(t) > 0), None)
-                return low if above is None else float(brentq(value, above, high, xtol=1e-15))
+                if above is not None:
+                    return float(brentq(value, above, high, xtol=1e-15))
+                if looks[i] > floor > looks[i + 1]:
+                    return float(brentq(lambda t: value(t) - floor, low, high, xtol=1e-15))
+                return low
             if i > 0 and 0 < looks[i] < min(looks[i - 1], looks[i + 1]):
                 low = float(times[i - 1])
                 dip = minimize_scalar(value, bounds=(low, high), method="bounded")
@@ -190,7 +207,8 @@ class _Run:
             now = float(system.valid(s, b)[k])
             then = float(system.valid(self._integrated(s, s.t + step, b), b)[k])
             shift = -now * step / (then - now) if then != now else 0.0
-            if abs(shift) > 1e-6 * system.length or abs(shift) < 1e-15 * system.length:
+            far = abs(shift) > 1e-6 * system.length or s.t + shift < before.t
+            if far or abs(shift) < 1e-15 * system.length:
                 break
             s = self._integrated(s, min(s.t + shift, system.length), b)
         return self._projected(s, b)

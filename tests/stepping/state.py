@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from stepping.balance import Balance, Floats
+from stepping.balance import Balance, Floats, tied
 from stepping.functions import Functions, Point
 
 from lagdsl.program.program import Program
@@ -97,15 +97,19 @@ class System:
             values += list(np.where(s.w[self.relations] > 0, g, -g))
         if self.contacts:
             gap = self.call("contact", s, b)["gap"][: len(self.contacts)]
-            force = solved[1][self.rows] + self.no_force(s, b) if solved else gap
+            force = solved[1][self.rows] + self.no_forces(s, b) if solved else gap
             values += list(np.where(s.w[self.contacts] > 0, force, gap))
         return np.array(values + self.functions.valid(self.point(s, solved), b))
 
-    def no_force(self, s: State, b: list[float]) -> float:
-        """Multipliers of contacts below it are round-off: against the forces there are and those that would stop it."""
+    def no_forces(self, s: State, b: list[float]) -> Floats:
+        """Multipliers of contacts below them are round-off: against the forces on all that is tied to what enters the
+        gap, those there are and those that would stop it."""
         found = self.call("dynamics", s, b)
-        stopping = found["M"] @ np.abs(self.start.v) / self.length
-        return _ROUND_OFF * float(np.max(np.abs(found["f"]), initial=0.0) + np.max(np.abs(stopping), initial=0.0))
+        mass, gaps = found["M"], self.call("contact", s, b)["jacobian"][: len(self.contacts)]
+        forces = np.abs(found["f"]) + mass @ np.abs(self.start.v) / self.length
+        part = tied(mass, np.vstack((found["J"], gaps)))
+        enters = [np.isin(part, part[row != 0]) for row in gaps]
+        return _ROUND_OFF * np.array([np.max(forces[own], initial=0.0) for own in enters])
 
     # ---- a moment later ----------------------------------------------------------------------------------------------
 
