@@ -44,7 +44,7 @@ def _about(export_model: ExportModel, known: Reference | None) -> tuple[Block, .
         (Text(f"FMI {table.version}.0, {kinds}, {len(table.variables)} variables; {by}."),),
         (
             Code("sources"),
-            Text(" holds all that the libraries are compiled from; how, tells "),
+            Text(" holds all sources of the libraries; for their compilation see "),
             Code("buildDescription.xml"),
             Text("."),
         ),

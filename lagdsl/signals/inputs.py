@@ -199,7 +199,7 @@ def _columns(name: str, signal: Any) -> tuple[Floats, Floats]:
         raise ValueError(f"the table of input `{name}` holds entries that are not numbers")
     steps = np.diff(times)
     if (steps < 0.0).any():
-        raise ValueError(f"time runs backward in the table of input `{name}`")
+        raise ValueError(f"time decreases in the table of input `{name}`")
     return times, values
 
 

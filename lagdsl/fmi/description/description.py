@@ -18,7 +18,7 @@ LOG_CATEGORIES = {
     "logStatusWarning": "warnings",
     "logStatusDiscard": "steps and values that are refused",
     "logStatusError": "errors",
-    "logStatusFatal": "errors after which nothing goes on",
+    "logStatusFatal": "errors after which the instance cannot continue",
     "logAll": "everything",
 }
 # Rows of an experiment that does not tell its interval.

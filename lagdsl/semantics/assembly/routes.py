@@ -92,7 +92,7 @@ class Routes:
             return POISON
         undone = inverse(steps.steps)
         if undone is None or self._mentions(steps.steps, base.name):
-            self._ctx.sink.report("E0706", link.binding.node.span, Label(link.instance.span, "entered from behind"))
+            self._ctx.sink.report("E0706", link.binding.node.span, Label(link.instance.span, "entered in reverse"))
             return POISON
         both = (start, steps)
         return FrameValue(start.name, (*start.steps, *undone), latest(*both), highest(*both))
@@ -110,7 +110,7 @@ class Routes:
         finally:
             del symbol.made.cells[base.indices]
         if any(_item_mentions(item, base.name) for item in self._ctx.product.named[mark:]):
-            self._ctx.sink.report("E0706", binding.node.span, Label(link.instance.span, "entered from behind"))
+            self._ctx.sink.report("E0706", binding.node.span, Label(link.instance.span, "entered in reverse"))
             return None
         return value if isinstance(value, FrameValue) else None
 
