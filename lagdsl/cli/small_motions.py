@@ -1,4 +1,4 @@
-"""What `lag linearize`, `lag modes` and `lag trim` have in common: the state they look at, and how they end."""
+"""Code that `lag linearize`, `lag modes` and `lag trim` share: the state of interest, and the output."""
 
 from __future__ import annotations
 

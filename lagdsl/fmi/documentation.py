@@ -1,4 +1,4 @@
-"""What people find in an FMU: the derivation of its equations, a picture of its motion, licenses."""
+"""Documentation in an FMU: the derivation of its equations, a picture of its motion, licenses."""
 
 from __future__ import annotations
 

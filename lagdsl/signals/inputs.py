@@ -36,7 +36,7 @@ class Signals:
 
     @property
     def constant(self) -> bool:
-        """Whether no input changes."""
+        """True if no input changes."""
         return all(isinstance(function, _Constant) for function in self.functions)
 
     def at(self, t: float, *, before: bool = False) -> Floats:

@@ -152,7 +152,7 @@ def times_of(subjects: Sequence[Subject], options: Options) -> Floats:
 
 
 def _identity(subjects: Sequence[Subject], options: Options) -> list[str]:
-    """What must not change between an interruption and going on."""
+    """Settings that must stay the same when a sweep is resumed."""
     models = [subject.fault if subject.flat is None else flat_text(subject.flat) for subject in subjects]
     return [__version__, repr(options), *models]
 

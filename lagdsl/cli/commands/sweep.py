@@ -229,7 +229,7 @@ def _columns(names: tuple[str, ...], subjects: list[Subject]) -> tuple[str, ...]
 
 
 def _summary(data: xarray.Dataset, plan: Plan) -> str:
-    """What the columns are at the end of the runs, in SI units."""
+    """Columns at the end of the runs, in SI units."""
     import numpy as np
 
     rows: list[tuple[str, ...]] = [("", "least end", "mean end", "largest end", "")]

@@ -78,7 +78,7 @@ ROWS: dict[str, Row] = {
         label="cannot be redeclared",
         help="declare it as `replaceable` to allow that",
     ),
-    "E0236": error("`{name}` is modified as what it is not", label="does not fit"),
+    "E0236": error("this modifier does not fit the kind of `{name}`", label="does not fit"),
     "E0237": error(
         "the subscripts do not fit: `{name}` is {what}",
         label="there is no such element",

@@ -42,7 +42,7 @@ class Routes:
         return self._net.placed[step.given].port if step.given < len(self._net.placed) else WORLD
 
     def is_backward(self, link: Link) -> bool:
-        """Whether the base of the link follows from its child."""
+        """True if the base of the link follows from its child."""
         arrival = self.arrivals.get(self._net.root(link.base))
         return arrival is not None and arrival.step.edge == link.number
 

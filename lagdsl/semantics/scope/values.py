@@ -112,7 +112,7 @@ class Reaction(AnyValue):
 
 @record()
 class ContactValue:
-    """What may be asked of a contact: the names of `closed(c)`, of `impacts(c)` (None: none are counted), its force."""
+    """Quantities of a contact: the names of `closed(c)`, of `impacts(c)` (None: none are counted), its force."""
 
     name: str
     closed: str

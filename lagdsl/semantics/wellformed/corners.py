@@ -27,7 +27,7 @@ _AT_A_RELATION = "the simulation takes the limit of a steep smooth change there"
 
 
 def corners_of_motion(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[Corner, ...]:
-    """Those that forces, energies, constraints, gaps and rates of states have, in the order of the text."""
+    """Corners of forces, energies, constraints, gaps and rates of states, in the order of the text."""
     if not corners:
         return ()
     found = {id(x) for x in _reached(flat, _what_moves(flat))}
@@ -132,7 +132,7 @@ def _reached(flat: fm.FlatModel, roots: Iterable[fx.FlatExpression]) -> Iterator
 
 
 def _behind(expression: fx.FlatExpression, named: dict[str, fm.Named]) -> list[fx.FlatExpression]:
-    """What a name stands for."""
+    """Expressions that a name stands for."""
     match expression:
         case fx.Variable(name) | fx.PointReference(name):
             item = named.get(name)
