@@ -33,11 +33,14 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
+# The jobs of this make are none of those that tests start.
+ALONE := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
+
 test: $(READY)  ## the tests, with one of each kind where they repeat a rule
-	$(BIN)/python -m pytest -n auto --dist loadgroup
+	$(ALONE) $(BIN)/python -m pytest -n auto --dist loadgroup
 
 test-all: $(READY)  ## the tests, with every model
-	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto --dist loadgroup
+	$(ALONE) LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto --dist loadgroup
 
 coverage: $(READY)  ## all tests of the floors, which cover at least 95 % of the branches; tracing takes three times as long
 	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto --dist loadgroup -m 'not no_cover' --cov --cov-report=term

@@ -16,8 +16,8 @@ from lagdsl.fmi.package.binary import Objects, objects_of
 from lagdsl.fmi.reference import reference
 from lagdsl.pipeline import compile_flat, flatten_file
 from lagdsl.plot.icon import icon
+from lagdsl.runtime.building import build as building
 from lagdsl.runtime.building.platforms import platform_of, this_machine
-from lagdsl.runtime.engines import c_engine
 from lagdsl.source import SourceFile
 
 ELSEWHERE = Objects("Fall", (), {})  # nothing was compiled for this machine
@@ -100,7 +100,7 @@ def test_tolerances_of_the_motion_are_below_those_of_the_experiment_but_possible
 @pytest.mark.skipif(not this_machine().startswith("linux"), reason="elsewhere the compiler hides what is not exported")
 def test_the_motion_is_computed_by_what_the_library_is_linked_from(fall, known, monkeypatch):
     objects = objects_of(texts(fall)[1], fall.stem, [platform_of(this_machine())])
-    monkeypatch.setattr(c_engine, "build", lambda *_, **__: pytest.fail("compiled once more"))
+    monkeypatch.setattr(building, "build", lambda *_, **__: pytest.fail("compiled once more"))
     found = reference(fall, objects)
     assert found.motion.names == known.motion.names
     for column in known.motion.columns:

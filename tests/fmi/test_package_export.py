@@ -82,7 +82,7 @@ def test_the_folders_are_those_of_the_standards(whole):
         {2: "model.png", 3: "terminalsAndIcons/icon.png"}[version],
         "sources/buildDescription.xml",
         "sources/Spring_fmu.c",
-        f"sources/lag/fmi{version}.c",
+        f"sources/lag/fmi{version}/fmi{version}.c",
         "extra/org.fmi-standard.fmi-ls-ref/fmi-ls-manifest.xml",
         "extra/org.fmi-standard.fmi-ls-ref/reference.csv",
         "extra/org.fmi-standard.fmi-ls-ref/reference.opt",

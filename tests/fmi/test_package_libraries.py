@@ -167,7 +167,7 @@ def test_what_the_compiler_says_is_told():
 
 
 def test_a_missing_function_is_found_when_it_is_linked():
-    lacking = {name: text for name, text in sources(2).items() if name != "lag/motion.c"}
+    lacking = {name: text for name, text in sources(2).items() if name != "lag/equations/motion.c"}
     with pytest.raises(CompilationFailed) as failed:
         objects_of(lacking, "Pendulum", [platform_of(this_machine())]).libraries()
     assert "lag_motion_" in failed.value.diagnostics[0].notes[0]

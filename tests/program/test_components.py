@@ -6,12 +6,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from derived_programs import derive
 
 import lagdsl
 from lagdsl.diagnostics import Sink
-from lagdsl.pipeline import derive, flatten_file
+from lagdsl.pipeline import flatten_file
 from lagdsl.program.program import Program
 from lagdsl.source import SourceFile
+from lagdsl.textbook.derive import derive as textbook_derive
+from lagdsl.textbook.lower import lower
 
 ROOT = Path(__file__).parents[2]
 
@@ -26,7 +29,7 @@ def program(text: str, derivation: str = "graph") -> Program:
     whole = f'model M\n  {items}\n  annotation(units = "none");\n{section}end M;\n'
     flat = flatten_file(SourceFile("<text>", whole), sink)
     assert flat is not None, sink.diagnostics
-    return derive(flat, derivation)  # type: ignore[arg-type]
+    return derive(flat) if derivation == "graph" else lower(textbook_derive(flat), flat)
 
 
 APART = [

@@ -118,7 +118,7 @@ def test_runaway_motion_ends_with_the_coordinate() -> None:
 
 def test_too_many_steps() -> None:
     failed = failure(Pendulum(flat_model([coordinate("a", 1.0)])), stop=1000.0, max_steps=20)
-    assert failed.diagnostic.code == "E0812" and "limit of 20 steps" in str(failed)
+    assert failed.diagnostic.code == "E0812" and "its limit of 20 steps" in str(failed)
     assert len(failed.trajectory) > 0
 
 
