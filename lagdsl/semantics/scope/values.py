@@ -121,7 +121,7 @@ class ContactValue:
 
 
 class Declared(Protocol):
-    """What scopes know a component or an array of components by."""
+    """Entry of a component or an array of components in a scope."""
 
     name: str
     span: Span
