@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.point import Point, System
 from lagdsl.numerics.rank import Floats
 from lagdsl.simulate.standing import standing
 
 _MOST_TOLD = 4
 
 
-def discretes_at(subject: Subject, point: Point) -> Floats:
+def discretes_at(system: System, point: Point) -> Floats:
     """w (nw,) as it is at the point; contacts that it lies beyond are closed in it."""
     state = (point.q, point.qd, point.z)
-    found = standing(subject.flat, subject.engine, point.t, state, point.u, point.p)
+    found = standing(system.flat, system.engine, point.t, state, point.u, point.p)
     w = found.w.copy()
     w[list(found.pierced)] = 1.0
     return w
 
 
-def open_contacts(subject: Subject, point: Point) -> list[str]:
+def open_contacts(system: System, point: Point) -> list[str]:
     """A note on which contacts are open, if any: something may be meant to rest on one."""
-    layout = subject.engine.layout
+    layout = system.engine.layout
     truths = zip(layout.discretes, layout.kinds, point.w.tolist(), strict=True)
     open_ = [slot.name[len("closed(") : -1] for slot, kind, value in truths if kind == "contact" and value == 0.0]
     if not open_:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from lagdsl.analysis.linearize import Named, holonomic_rows, reduce, state_names
-from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.steady import Steadiness, steadiness
 from lagdsl.diagnostics import Sink
 from lagdsl.numerics.rank import Floats
@@ -32,16 +32,16 @@ class Linearization:
     steadiness: Steadiness
 
 
-def linearize_at(subject: Subject, point: Point, sink: Sink) -> Linearization | None:
+def linearize_at(system: System, point: Point, sink: Sink) -> Linearization | None:
     """Exact; None after E0850, E0851 or E0855."""
-    at = reduce(subject, point, holonomic_rows(subject), sink)
+    at = reduce(system, point, holonomic_rows(system), sink)
     if at is None:
         return None
-    layout = subject.engine.layout
+    layout = system.engine.layout
     return Linearization(
-        model=subject.flat.name,
+        model=system.flat.name,
         point=point,
-        states=state_names(subject, at.partition),
+        states=state_names(system, at.partition),
         inputs=tuple(Named(slot.name, slot.unit) for slot in layout.inputs),
         outputs=tuple(Named(slot.name, slot.unit) for slot in layout.outputs),
         A=at.a,
@@ -49,5 +49,5 @@ def linearize_at(subject: Subject, point: Point, sink: Sink) -> Linearization | 
         C=at.c,
         D=at.d,
         rate=at.value,
-        steadiness=steadiness(subject, at),
+        steadiness=steadiness(system, at),
     )

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lagdsl.analysis.partition import Partition, directions, partition
-from lagdsl.analysis.point import Directions, Flow, Point, Subject, changes, flow
+from lagdsl.analysis.point import Directions, Flow, Point, System, changes, flow
 from lagdsl.diagnostics import Sink
 from lagdsl.numerics.rank import Floats
 from lagdsl.units.naming import rate_text
@@ -45,31 +45,31 @@ class Reduced:
     d: Floats
 
 
-def holonomic_rows(subject: Subject) -> list[int]:
+def holonomic_rows(system: System) -> list[int]:
     """Rows that restrict positions by themselves."""
-    return [row for row, level in enumerate(subject.engine.layout.position_level) if level]
+    return [row for row, level in enumerate(system.engine.layout.position_level) if level]
 
 
 def reduce(
-    subject: Subject, point: Point, held: Sequence[int], sink: Sink, chart: Partition | None = None
+    system: System, point: Point, held: Sequence[int], sink: Sink, chart: Partition | None = None
 ) -> Reduced | None:
     """A, B, C, D at `point`, in the best chart there or in that of `chart`; None after E0850, E0851, E0855."""
     with np.errstate(all="ignore"):
-        here = flow(subject, point, sink)
-        chosen = None if here is None else partition(subject, point, held, sink)
+        here = flow(system, point, sink)
+        chosen = None if here is None else partition(system, point, held, sink)
         if here is None or chosen is None:
             return None
         if chart is not None:
             chosen = Partition(chart.position, chart.rate, chart.held, chosen.jacobian, chart.sizes)
-        along = directions(subject, point, chosen, len(point.u))
-        found = changes(subject, here, along)
+        along = directions(system, point, chosen, len(point.u))
+        found = changes(system, here, along)
     position, rate = list(chosen.position), list(chosen.rate)
     value = np.concatenate([point.qd[position], here.qdd[rate], here.zd])
     rates = np.hstack([along.qd[:, position], found.qdd[:, rate], found.zd]).T
     states = len(value)
     whole = np.vstack([rates, found.y.T])
     if not np.all(np.isfinite(whole)) or not np.all(np.isfinite(value)):
-        _report_infinite(subject, chosen, whole, value, sink)
+        _report_infinite(system, chosen, whole, value, sink)
         return None
     return Reduced(
         flow=here,
@@ -83,9 +83,9 @@ def reduce(
     )
 
 
-def state_names(subject: Subject, chosen: Partition) -> tuple[Named, ...]:
+def state_names(system: System, chosen: Partition) -> tuple[Named, ...]:
     """Names and units of the minimal state: `theta`, `der(theta)`, first-order states."""
-    coordinates, states = subject.flat.coordinates, subject.flat.states
+    coordinates, states = system.flat.coordinates, system.flat.states
     return (
         *(Named(coordinates[j].name, coordinates[j].unit) for j in chosen.position),
         *(Named(f"der({c.name})", rate_text(c.dimension, c.unit)) for c in (coordinates[j] for j in chosen.rate)),
@@ -93,10 +93,10 @@ def state_names(subject: Subject, chosen: Partition) -> tuple[Named, ...]:
     )
 
 
-def _report_infinite(subject: Subject, chosen: Partition, whole: Floats, value: Floats, sink: Sink) -> None:
+def _report_infinite(system: System, chosen: Partition, whole: Floats, value: Floats, sink: Sink) -> None:
     """E0855 at the first entry that is not finite."""
-    names = [*(f"the rate of `{n.name}`" for n in state_names(subject, chosen))]
-    names += [f"the output `{slot.name}`" for slot in subject.engine.layout.outputs]
+    names = [*(f"the rate of `{n.name}`" for n in state_names(system, chosen))]
+    names += [f"the output `{slot.name}`" for slot in system.engine.layout.outputs]
     finite = np.all(np.isfinite(whole), axis=1)
     finite[: len(value)] &= np.isfinite(value)
     sink.report("E0855", None, name=names[int(np.argmin(finite))])

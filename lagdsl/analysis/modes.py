@@ -9,7 +9,7 @@ import numpy as np
 from lagdsl.analysis.eigen import Complexes, eigen
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearize import Named, Reduced, holonomic_rows, reduce, state_names
-from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.steady import Steadiness, steadiness
 from lagdsl.diagnostics import Sink
 from lagdsl.numerics.rank import Floats
@@ -68,26 +68,26 @@ class Modes:
         return statement(self)
 
 
-def modes_at(subject: Subject, point: Point, sink: Sink) -> Modes | None:
+def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
     """Modes about `point`; None after errors. W0854 where the point is neither equilibrium nor steady motion."""
-    rows = holonomic_rows(subject)
-    plain = reduce(subject, point, rows, sink)
+    rows = holonomic_rows(system)
+    plain = reduce(system, point, rows, sink)
     if plain is None:
         return None
-    integrable = integrable_rows(subject, point)
-    at = plain if not integrable else reduce(subject, point, [*rows, *integrable], sink)
+    integrable = integrable_rows(system, point)
+    at = plain if not integrable else reduce(system, point, [*rows, *integrable], sink)
     if at is None:
         return None
-    found = steadiness(subject, plain)
+    found = steadiness(system, plain)
     if found.kind == "neither":
         first = ", ".join(f"{name} = {value:.3g}" for name, value in found.unbalanced[:3])
         sink.report("W0854", None, rates=first)
     values, vectors = eigen(at.a)
-    layout = subject.engine.layout
+    layout = system.engine.layout
     return Modes(
-        model=subject.flat.name,
+        model=system.flat.name,
         point=point,
-        states=state_names(subject, at.partition),
+        states=state_names(system, at.partition),
         places=tuple(Named(slot.name, slot.unit) for slot in (*layout.coordinates, *layout.states)),
         eigenvalues=values,
         vectors=_normalized(vectors),
@@ -121,7 +121,7 @@ def _normalized(vectors: Complexes) -> Complexes:
 def statement(modes: Modes) -> str:
     """Lyapunov's theorem on the first approximation, in plain words."""
     values = modes.eigenvalues
-    subject = modes.steadiness.kind
+    system = modes.steadiness.kind
     zeros = int(np.count_nonzero(values == 0.0))
     marginal = int(np.count_nonzero(np.abs(values.real) <= AXIS * np.abs(values))) - zeros
     if modes.steadiness.kind == "neither":
@@ -130,14 +130,14 @@ def statement(modes: Modes) -> str:
         growing = values[values.real > AXIS * np.abs(values)]
         oscillating = int(np.count_nonzero(np.abs(growing.imag) > AXIS * np.abs(growing)))
         how = "oscillating" if oscillating == len(growing) else "monotonic" if not oscillating else "both kinds of"
-        return f"unstable {subject}: {len(growing)} of {len(values)} real parts are positive ({how} growth)"
+        return f"unstable {system}: {len(growing)} of {len(values)} real parts are positive ({how} growth)"
     if not len(values):
-        return f"{subject} without any freedom"
+        return f"{system} without any freedom"
     if not marginal and not zeros:
-        return f"asymptotically stable {subject}: all real parts are negative"
+        return f"asymptotically stable {system}: all real parts are negative"
     parts = [f"{marginal} on the imaginary axis"] if marginal else []
     parts += [f"{zeros} zero"] if zeros else []
     rest = len(values) - marginal - zeros
     if rest and not marginal:
-        return f"stable {subject} but for drift: {zeros} of {len(values)} eigenvalues are zero, all others decay"
-    return f"no growing mode about this {subject}: {' and '.join(parts)}; the linear equations decide no more"
+        return f"stable {system} but for drift: {zeros} of {len(values)} eigenvalues are zero, all others decay"
+    return f"no growing mode about this {system}: {' and '.join(parts)}; the linear equations decide no more"

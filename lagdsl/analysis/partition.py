@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lagdsl.analysis.point import Directions, Point, Subject, constraint_changes, coordinate_sizes
+from lagdsl.analysis.point import Directions, Point, System, constraint_changes, coordinate_sizes
 from lagdsl.diagnostics import Sink
 from lagdsl.numerics.rank import Floats, rank
 from lagdsl.structure.names import contact_rows
@@ -58,14 +58,14 @@ class Partition:
         return result
 
 
-def partition(subject: Subject, point: Point, held: Sequence[int], sink: Sink) -> Partition | None:
+def partition(system: System, point: Point, held: Sequence[int], sink: Sink) -> Partition | None:
     """The chart about `point`; E0850 where the constraints lose rank, so that there is none."""
-    layout = subject.engine.layout
-    sizes = coordinate_sizes(subject, point.p)
-    jacobian = subject.engine.evaluate("velocity_constraint", *point.arguments)[1]
+    layout = system.engine.layout
+    sizes = coordinate_sizes(system, point.p)
+    jacobian = system.engine.evaluate("velocity_constraint", *point.arguments)[1]
     rows = jacobian * sizes
     rows = rows / _lengths(rows)[:, None]
-    away = [row for row in contact_rows(subject.flat) if not np.any(rows[row])]  # of open contacts
+    away = [row for row in contact_rows(system.flat) if not np.any(rows[row])]  # of open contacts
     kept = [row for row, redundant in enumerate(layout.redundant) if not redundant and row not in away]
     if rank(rows, _DEPENDS) < len(kept):
         slack = [layout.constraints[row].name for row in kept]
@@ -87,7 +87,7 @@ def position_basis(chosen: Partition) -> Floats:
     return unit + chosen.position_following(-chosen.jacobian[list(chosen.held)] @ unit)
 
 
-def directions(subject: Subject, point: Point, chosen: Partition, inputs: int) -> Directions:
+def directions(system: System, point: Point, chosen: Partition, inputs: int) -> Directions:
     """One direction for each independent coordinate, rate, state and input, continued onto the constraints.
 
     Positions obey J dq = -dphi/du du, rates J dqd = -(d(J qd + b)/dq dq + ...).
@@ -101,9 +101,9 @@ def directions(subject: Subject, point: Point, chosen: Partition, inputs: int) -
     z[free + fast : free + fast + nz] = np.eye(nz)
     u[free + fast + nz :] = np.eye(inputs)
     if len(chosen.jacobian):
-        moved = constraint_changes(subject, point, Directions(q=np.zeros_like(q), qd=np.zeros_like(q), z=z, u=u))[0]
+        moved = constraint_changes(system, point, Directions(q=np.zeros_like(q), qd=np.zeros_like(q), z=z, u=u))[0]
         q += chosen.position_following(-moved.T[list(chosen.held)]).T
-        drift = constraint_changes(subject, point, Directions(q=q, qd=qd, z=z, u=u))[1]
+        drift = constraint_changes(system, point, Directions(q=q, qd=qd, z=z, u=u))[1]
         qd += chosen.rate_following(-drift.T).T
     return Directions(q=q, qd=qd, z=z, u=u)
 

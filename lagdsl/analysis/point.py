@@ -22,7 +22,7 @@ from lagdsl.structure.points import natural_sizes
 
 
 @dataclass(frozen=True, slots=True)
-class Subject:
+class System:
     """A compiled model and what computes it."""
 
     flat: FlatModel
@@ -48,7 +48,7 @@ class Point:
 
 
 def point_of(
-    subject: Subject,
+    system: System,
     *,
     t: float | None = None,
     start: Mapping[str, float] | None = None,
@@ -63,29 +63,29 @@ def point_of(
     `given`: the state is chosen by the caller, and initial equations are left out; free parameters are then those that
     the start of the model asks for. Raises CompilationFailed.
     """
-    flat, own = subject.flat, Sink()
-    parameters = np.array(subject.engine.layout.defaults, dtype=np.float64) if p is None else p
+    flat, own = system.flat, Sink()
+    parameters = np.array(system.engine.layout.defaults, dtype=np.float64) if p is None else p
     if given and free_parameters(flat):
-        parameters = initial_state(flat, subject.engine, parameters, u=u, sink=own).p
+        parameters = initial_state(flat, system.engine, parameters, u=u, sink=own).p
         own.raise_if_errors()
     if given:
         flat = replace(flat, initial_equations=(), parameters=tuple(replace(p, free=False) for p in flat.parameters))
-    state = initial_state(flat, subject.engine, parameters, t0=t, u=u, start=start, sink=own)
+    state = initial_state(flat, system.engine, parameters, t0=t, u=u, start=start, sink=own)
     parameters = state.p
     if sink is not None:
         for diagnostic in own.diagnostics:
             sink.add(diagnostic)
     own.raise_if_errors()
-    defaults = subject.engine.evaluate("start", state.t, parameters)[3]
+    defaults = system.engine.evaluate("start", state.t, parameters)[3]
     inputs = defaults if u is None else u
-    w = standing(flat, subject.engine, state.t, (state.q, state.qd, state.z), inputs, parameters).w
+    w = standing(flat, system.engine, state.t, (state.q, state.qd, state.z), inputs, parameters).w
     return Point(t=state.t, q=state.q, qd=state.qd, z=state.z, u=inputs, w=w, p=parameters)
 
 
-def coordinate_sizes(subject: Subject, p: Floats) -> Floats:
+def coordinate_sizes(system: System, p: Floats) -> Floats:
     """Natural sizes of the coordinates, from the start values of the model: they do not depend on the point."""
-    start = subject.engine.evaluate("start", subject.flat.experiment.start_time, p)[0]
-    return natural_sizes(subject.flat.coordinates, subject.engine.layout.components, start)
+    start = system.engine.evaluate("start", system.flat.experiment.start_time, p)[0]
+    return natural_sizes(system.flat.coordinates, system.engine.layout.components, start)
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,14 +99,14 @@ class Flow:
     y: Floats
 
 
-def flow(subject: Subject, point: Point, sink: Sink) -> Flow | None:
+def flow(system: System, point: Point, sink: Sink) -> Flow | None:
     """The solved motion at `point`; E0851 where it is not determined, E0855 where it is not finite."""
-    engine = subject.engine
+    engine = system.engine
     try:
         qdd, lam = engine.solve(*point.arguments)
     except SingularSystem as singular:
         slot = engine.layout.coordinates[singular.coordinate]
-        sink.report("E0851", subject.flat.coordinates[singular.coordinate].spans[0], name=slot.name)
+        sink.report("E0851", system.flat.coordinates[singular.coordinate].spans[0], name=slot.name)
         return None
     (zd,) = engine.evaluate("state_derivative", *point.arguments, qdd, lam)
     (y,) = engine.evaluate("output", *point.arguments, qdd, lam)
@@ -140,24 +140,24 @@ class Changes:
     y: Floats
 
 
-def constraint_changes(subject: Subject, point: Point, along: Directions) -> tuple[Floats, Floats]:
+def constraint_changes(system: System, point: Point, along: Directions) -> tuple[Floats, Floats]:
     """Derivatives of phi and of J qd + b along directions, both (count, nc)."""
-    found = subject.engine.evaluate_many("constraint_tangent", *point.arguments, *along.arguments(len(point.p)))
+    found = system.engine.evaluate_many("constraint_tangent", *point.arguments, *along.arguments(len(point.p)))
     return found[0], found[1]
 
 
-def changes(subject: Subject, at: Flow, along: Directions) -> Changes:
+def changes(system: System, at: Flow, along: Directions) -> Changes:
     """Exact derivatives of accelerations, multipliers, rates of states and outputs.
 
     With r = M qdd - f - J'lam = 0 and s = J qdd - gamma = 0, differentiated by the model at fixed qdd and lam:
     M dqdd - J'dlam = -dr and J dqdd = -ds. The part of dr that holds lam is the stiffness of the constraint forces.
     """
-    engine, point = subject.engine, at.point
+    engine, point = system.engine, at.point
     directions = along.arguments(len(point.p))
     solved = (*point.arguments, at.qdd, at.lam)
     motion, rows = engine.evaluate_many("residual_tangent", *solved, *directions)
     mass, _, jacobian, _ = engine.evaluate("dynamics", *point.arguments)
-    factors, _ = factorize(mass, jacobian, motion_sizes(subject.program).rank)
+    factors, _ = factorize(mass, jacobian, motion_sizes(system.program).rank)
     dqdd, dlam = (np.ascontiguousarray(part.T) for part in factors.solve(-motion.T, -rows.T))
     (zd,) = engine.evaluate_many("state_derivative_tangent", *solved, *directions, dqdd, dlam)
     (y,) = engine.evaluate_many("output_tangent", *solved, *directions, dqdd, dlam)

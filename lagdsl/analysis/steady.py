@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 
 from lagdsl.analysis.linearize import Reduced, reduce, state_names
-from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.point import Point, System
 from lagdsl.diagnostics import Sink
 from lagdsl.numerics.rank import Floats
 
@@ -44,18 +44,18 @@ def pace(a: Floats, speeds: Floats) -> float:
     return fastest if fastest > 0.0 else 1.0
 
 
-def state_sizes(subject: Subject, at: Reduced) -> tuple[Floats, float]:
+def state_sizes(system: System, at: Reduced) -> tuple[Floats, float]:
     """Natural sizes of the entries of the minimal state, and the pace."""
     chosen = at.partition
     omega = pace(at.a, np.abs(at.flow.point.qd) / chosen.sizes)
-    nominal = first_order_sizes(subject, at.flow.point)
+    nominal = first_order_sizes(system, at.flow.point)
     y, v = chosen.sizes[list(chosen.position)], chosen.sizes[list(chosen.rate)] * omega
     return np.concatenate([y, v, nominal]), omega
 
 
-def first_order_sizes(subject: Subject, point: Point) -> Floats:
+def first_order_sizes(system: System, point: Point) -> Floats:
     """Natural sizes of the first-order states: `nominal`, else their values, at least one unit."""
-    pairs = zip(subject.flat.states, point.z.tolist(), strict=True)
+    pairs = zip(system.flat.states, point.z.tolist(), strict=True)
     return np.array([abs(state.nominal) if state.nominal else max(abs(value), 1.0) for state, value in pairs])
 
 
@@ -71,22 +71,22 @@ def without_influence(a: Floats, sizes: Floats, omega: float, candidates: Sequen
         found += new
 
 
-def steadiness(subject: Subject, at: Reduced) -> Steadiness:
+def steadiness(system: System, at: Reduced) -> Steadiness:
     """Kind of the point `at`. `at` is reduced by the rows of position level alone."""
-    sizes, omega = state_sizes(subject, at)
+    sizes, omega = state_sizes(system, at)
     places = len(at.partition.position)
     first_state = places + len(at.partition.rate)
     candidates = [*range(places), *range(first_state, len(at.value))]
     idle = without_influence(at.a, sizes, omega, candidates)
     kept = [i for i in range(len(at.value)) if i not in idle]
-    names = [named.name for named in state_names(subject, at.partition)]
+    names = [named.name for named in state_names(system, at.partition)]
     moving = np.abs(at.value) / sizes / omega > RESTS
     unbalanced = [(_rate_name(names[i]), float(at.value[i])) for i in kept if moving[i]]
     if not unbalanced:
-        unbalanced = _elsewhere(subject, at, sizes, omega, [i for i in idle if moving[i]], kept, names)
+        unbalanced = _elsewhere(system, at, sizes, omega, [i for i in idle if moving[i]], kept, names)
     running = [names[i] for i in idle if moving[i]]
     speeds = np.abs(at.flow.point.qd) / at.partition.sizes / omega
-    coordinates = [c.name for c in subject.flat.coordinates]
+    coordinates = [c.name for c in system.flat.coordinates]
     running += [n for n, speed in zip(coordinates, speeds, strict=True) if speed > RESTS and n not in running]
     if unbalanced:
         return Steadiness(kind="neither", running=tuple(running), unbalanced=tuple(unbalanced))
@@ -98,7 +98,7 @@ def _rate_name(name: str) -> str:
 
 
 def _elsewhere(
-    subject: Subject,
+    system: System,
     at: Reduced,
     sizes: Floats,
     omega: float,
@@ -108,8 +108,8 @@ def _elsewhere(
 ) -> list[tuple[str, float]]:
     """Entries that change when the running entries and the time take other values."""
     for shift in _SHIFTS:
-        other = _shifted(subject, at, sizes, running, shift, abs(shift) / omega)
-        found = None if other is None else reduce(subject, other, at.partition.held, Sink(), at.partition)
+        other = _shifted(system, at, sizes, running, shift, abs(shift) / omega)
+        found = None if other is None else reduce(system, other, at.partition.held, Sink(), at.partition)
         if found is None:
             return []  # the chart ends there: nothing is known against it
         drift = np.abs(found.value[list(kept)]) / sizes[list(kept)] / omega
@@ -122,7 +122,7 @@ def _elsewhere(
 
 
 def _shifted(
-    subject: Subject, at: Reduced, sizes: Floats, running: Sequence[int], shift: float, later: float
+    system: System, at: Reduced, sizes: Floats, running: Sequence[int], shift: float, later: float
 ) -> Point | None:
     """The point with other values of the running entries, a little later, on the constraints."""
     point, chosen = at.flow.point, at.partition
@@ -139,13 +139,13 @@ def _shifted(
             if i < places:
                 q[chosen.position[i]] += shift * sizes[i] / _STEPS
         for _ in range(30 if rows else 0):
-            phi, jacobian = subject.engine.evaluate("position_constraint", t, q, point.qd, z, point.u, point.w, point.p)
+            phi, jacobian = system.engine.evaluate("position_constraint", t, q, point.qd, z, point.u, point.w, point.p)
             there = replace(chosen, jacobian=jacobian)
             correction = there.position_following(-phi[rows][:, None])[:, 0]
             q = q + correction
             if not float(np.max(np.abs(correction) / chosen.sizes, initial=0.0)) > 1e-13:
                 break
-    drift, jacobian = subject.engine.evaluate("velocity_constraint", t, q, point.qd, z, point.u, point.w, point.p)
+    drift, jacobian = system.engine.evaluate("velocity_constraint", t, q, point.qd, z, point.u, point.w, point.p)
     qd = point.qd + replace(chosen, jacobian=jacobian).rate_following(-drift[:, None])[:, 0]
     if not np.all(np.isfinite(q)) or not np.all(np.isfinite(qd)):
         return None

@@ -21,7 +21,7 @@ from lagdsl.analysis.point import (
     Changes,
     Directions,
     Point,
-    Subject,
+    System,
     changes,
     constraint_changes,
     coordinate_sizes,
@@ -29,7 +29,7 @@ from lagdsl.analysis.point import (
 )
 from lagdsl.analysis.steady import Steadiness, first_order_sizes, steadiness
 from lagdsl.diagnostics import Sink
-from lagdsl.numerics.levenberg_marquardt import Descent, Equations, descend
+from lagdsl.numerics.levenberg_marquardt import Equations, Minimizer, descend
 from lagdsl.numerics.rank import Floats
 from lagdsl.structure.names import configuration
 from lagdsl.structure.points import random_points
@@ -59,7 +59,7 @@ class Equilibrium:
 class _Task:
     """Unknowns as weighted distances from `start`, in the order q, qd, z, u; `rates` accelerate by nothing."""
 
-    subject: Subject
+    system: System
     start: Point
     free: tuple[int, ...]
     widths: Floats
@@ -74,16 +74,16 @@ class _Task:
 
     def equations(self, x: Floats) -> tuple[Floats, Floats]:
         """Constraints, accelerations and rates of states, in SI units, and their Jacobian."""
-        subject, point, rows = self.subject, self.point(x), holonomic_rows(self.subject)
-        here = flow(subject, point, Sink())
-        count = len(rows) + len(subject.engine.layout.constraints) + len(self.rates) + len(point.z)
+        system, point, rows = self.system, self.point(x), holonomic_rows(self.system)
+        here = flow(system, point, Sink())
+        count = len(rows) + len(system.engine.layout.constraints) + len(self.rates) + len(point.z)
         if here is None:
             return np.full(count, np.nan), np.full((count, len(x)), np.nan)
-        phi = subject.engine.evaluate("position_constraint", *point.arguments)[0][rows]
-        drift = subject.engine.evaluate("velocity_constraint", *point.arguments)[0]
+        phi = system.engine.evaluate("position_constraint", *point.arguments)[0][rows]
+        drift = system.engine.evaluate("velocity_constraint", *point.arguments)[0]
         along = self._directions()
-        moved, drifted = constraint_changes(subject, point, along)
-        found = changes(subject, here, along) if along.count else _nothing(point)
+        moved, drifted = constraint_changes(system, point, along)
+        found = changes(system, here, along) if along.count else _nothing(point)
         values = np.concatenate([phi, drift, here.qdd[list(self.rates)], here.zd])
         jacobian = np.hstack([moved[:, rows], drifted, found.qdd[:, list(self.rates)], found.zd]).T
         return values, jacobian
@@ -101,19 +101,19 @@ def _nothing(point: Point) -> Changes:
     return Changes(qdd=np.zeros((0, n)), lam=np.zeros((0, 0)), zd=np.zeros((0, len(point.z))), y=np.zeros((0, 0)))
 
 
-def all_names(subject: Subject) -> list[str]:
+def all_names(system: System) -> list[str]:
     """Names that can be free or held: coordinates, rates, states, inputs."""
-    layout = subject.engine.layout
+    layout = system.engine.layout
     coordinates = [slot.name for slot in layout.coordinates]
     rates = [f"der({name})" for name in coordinates]
     return [*coordinates, *rates, *(s.name for s in layout.states), *(s.name for s in layout.inputs)]
 
 
 def trim_at(
-    subject: Subject, start: Point, *, free: Sequence[str] = (), hold: Sequence[str] = (), sink: Sink
+    system: System, start: Point, *, free: Sequence[str] = (), hold: Sequence[str] = (), sink: Sink
 ) -> Equilibrium | None:
     """The equilibrium or steady motion nearest to `start`; None after E0850 to E0853."""
-    names = all_names(subject)
+    names = all_names(system)
     for name in (*free, *hold):
         if name not in names:
             what = "freed" if name in free else "held"
@@ -121,29 +121,29 @@ def trim_at(
     if sink.has_errors:
         return None
     whose = [names.index(n) for n in free], [names.index(n) for n in hold]
-    reached = _reached(subject, start, whose, sink)
+    reached = _reached(system, start, whose, sink)
     if reached is None:
         return None
     task, found = reached
     point = task.point(found.point)
-    at = reduce(subject, point, holonomic_rows(subject), sink)
+    at = reduce(system, point, holonomic_rows(system), sink)
     if at is None:
         return None
     return Equilibrium(
-        model=subject.flat.name,
+        model=system.flat.name,
         point=point,
         unknowns=tuple(names[i] for i in task.free if i in _asked(task, names, free)),
         residual=found.size,
-        steadiness=steadiness(subject, at),
+        steadiness=steadiness(system, at),
     )
 
 
 def _reached(
-    subject: Subject, start: Point, whose: tuple[list[int], list[int]], sink: Sink
-) -> tuple[_Task, Descent] | None:
+    system: System, start: Point, whose: tuple[list[int], list[int]], sink: Sink
+) -> tuple[_Task, Minimizer] | None:
     """The solution with the discretes that belong to it."""
     for _ in range(_MOST_CHANGES):
-        task = _task(subject, start, *whose, sink)
+        task = _task(system, start, *whose, sink)
         if task is None:
             return None
         with np.errstate(all="ignore"):
@@ -152,11 +152,11 @@ def _reached(
             _report(task, found, scale, sink)
             return None
         point = task.point(found.point)
-        w = discretes_at(subject, point)
+        w = discretes_at(system, point)
         if np.array_equal(w, point.w):
             return task, found
         start = replace(point, w=w)
-    notes = tuple(open_contacts(subject, start))
+    notes = tuple(open_contacts(system, start))
     sink.report("E0852", None, notes=notes, left="every solution changes what is true or closed, and so another one")
     return None
 
@@ -167,9 +167,9 @@ def _asked(task: _Task, names: Sequence[str], free: Sequence[str]) -> set[int]:
     return {i for i in task.free if not n <= i < 2 * n or names[i] in free}
 
 
-def _task(subject: Subject, start: Point, free: Sequence[int], hold: Sequence[int], sink: Sink) -> _Task | None:
-    flat, n = subject.flat, len(start.q)
-    chosen = partition(subject, start, holonomic_rows(subject), sink)
+def _task(system: System, start: Point, free: Sequence[int], hold: Sequence[int], sink: Sink) -> _Task | None:
+    flat, n = system.flat, len(start.q)
+    chosen = partition(system, start, holonomic_rows(system), sink)
     if chosen is None:
         return None
     following = [n + j for j in range(n) if j not in set(chosen.rate)] if len(chosen.jacobian) else []
@@ -177,16 +177,16 @@ def _task(subject: Subject, start: Point, free: Sequence[int], hold: Sequence[in
     default += [2 * n + j for j, s in enumerate(flat.states) if not s.fixed]
     unknown = sorted((set(default) | set(following) | set(free)) - set(hold))
     at_rest = not np.any(start.qd) and not any(n <= j < 2 * n for j in free)
-    sizes = coordinate_sizes(subject, start.p)
-    states = first_order_sizes(subject, start)
+    sizes = coordinate_sizes(system, start.p)
+    states = first_order_sizes(system, start)
     inputs = np.maximum(np.abs(start.u), 1.0)
     widths = np.concatenate([sizes, sizes, states, inputs])
-    return _Task(subject, start, tuple(unknown), widths, tuple(range(n)) if at_rest else chosen.rate)
+    return _Task(system, start, tuple(unknown), widths, tuple(range(n)) if at_rest else chosen.rate)
 
 
-def _search(task: _Task) -> tuple[Descent, Floats]:
+def _search(task: _Task) -> tuple[Minimizer, Floats]:
     """The best of several beginnings, and what its residuals are parts of."""
-    start, flat = task.start, task.subject.flat
+    start, flat = task.start, task.system.flat
     lengths = np.linalg.norm(task.equations(np.zeros(len(task.free)))[1], axis=1)
     scale = np.where(np.isfinite(lengths) & (lengths > 1e-12 * np.max(lengths, initial=0.0)), lengths, 1.0)
 
@@ -220,10 +220,10 @@ def _sprung(equations: Equations, origin: Floats) -> Floats:
     return point
 
 
-def _report(task: _Task, found: Descent, scale: Floats, sink: Sink) -> None:
+def _report(task: _Task, found: Minimizer, scale: Floats, sink: Sink) -> None:
     """E0852 with what is left for each coordinate, largest first, and where."""
-    layout, flat = task.subject.engine.layout, task.subject.flat
-    rows = [layout.constraints[i] for i in holonomic_rows(task.subject)]
+    layout, flat = task.system.engine.layout, task.system.flat
+    rows = [layout.constraints[i] for i in holonomic_rows(task.system)]
     named = [Named(slot.name, slot.unit) for slot in rows]
     named += [Named(f"rate of {slot.name}", slot.unit) for slot in layout.constraints]
     for j in task.rates:
@@ -236,7 +236,7 @@ def _report(task: _Task, found: Descent, scale: Floats, sink: Sink) -> None:
     left = f"{told[0]} remains" if told and np.isfinite(found.size) else "the accelerations are not finite"
     closest = configuration(flat, task.point(found.point).q)
     notes = [f"left over: {', '.join(told)}", f"closest configuration: {closest}"]
-    notes += open_contacts(task.subject, task.start)
+    notes += open_contacts(task.system, task.start)
     held = [c.name for j, c in enumerate(flat.coordinates) if j not in task.free]
     if held:
         notes.append(f"not free: {', '.join(f'`{name}`' for name in held[:_MOST_TOLD])}")

@@ -16,7 +16,7 @@ import numpy as np
 from lagdsl.analysis.eigen import Complexes, eigen
 from lagdsl.analysis.linearize import Named, reduce
 from lagdsl.analysis.modes import AXIS
-from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.point import Point, System
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.numerics.rank import Floats
 
@@ -61,10 +61,10 @@ class Variation:
     thresholds: tuple[Threshold, ...]
 
 
-def variation(subject: Subject, varied: Named, values: Sequence[float], place: Place, held: Sequence[int]) -> Variation:
+def variation(system: System, varied: Named, values: Sequence[float], place: Place, held: Sequence[int]) -> Variation:
     """Eigenvalues at `place(value)` for each value, and the thresholds between neighbors. Raises CompilationFailed
     where no value has a linearization."""
-    spectrum = _Spectrum(subject, place, tuple(held))
+    spectrum = _Spectrum(system, place, tuple(held))
     found = [spectrum(value) for value in values]
     if all(each is None for each in found) and len(values):
         spectrum.explain(values[0])
@@ -74,7 +74,7 @@ def variation(subject: Subject, varied: Named, values: Sequence[float], place: P
         if min(counts[i], counts[i + 1]) >= 0 and counts[i] != counts[i + 1]:
             thresholds += _between(spectrum, (values[i], counts[i]), (values[i + 1], counts[i + 1]))
     return Variation(
-        model=subject.flat.name,
+        model=system.flat.name,
         varied=varied,
         values=np.array(values, dtype=np.float64),
         eigenvalues=_branches(found),
@@ -87,13 +87,13 @@ def variation(subject: Subject, varied: Named, values: Sequence[float], place: P
 class _Spectrum:
     """Eigenvalues as a function of the varied value; None where there is no linearization."""
 
-    subject: Subject
+    system: System
     place: Place
     held: tuple[int, ...]
 
     def __call__(self, value: float) -> Complexes | None:
         try:
-            at = reduce(self.subject, self.place(value), self.held, Sink())
+            at = reduce(self.system, self.place(value), self.held, Sink())
         except CompilationFailed:
             return None
         return None if at is None else eigen(at.a)[0]
@@ -101,7 +101,7 @@ class _Spectrum:
     def explain(self, value: float) -> None:
         """Raise what is wrong at `value`."""
         sink = Sink()
-        reduce(self.subject, self.place(value), self.held, sink)
+        reduce(self.system, self.place(value), self.held, sink)
         sink.raise_if_errors()
 
 

@@ -12,7 +12,7 @@ from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearization import Linearization, linearize_at
 from lagdsl.analysis.linearize import Named, holonomic_rows
 from lagdsl.analysis.modes import Modes, modes_at
-from lagdsl.analysis.point import Point, Subject, point_of
+from lagdsl.analysis.point import Point, System, point_of
 from lagdsl.analysis.trim import Equilibrium, trim_at
 from lagdsl.analysis.variation import Variation, variation
 from lagdsl.diagnostics import CompilationFailed, Sink
@@ -40,61 +40,61 @@ class Where:
     steady: bool = False
 
 
-def linearize(subject: Subject, where: Where, sink: Sink) -> Linearization:
+def linearize(system: System, where: Where, sink: Sink) -> Linearization:
     """Raises CompilationFailed; warnings go to `sink`."""
-    return _found(sink, lambda own: linearize_at(subject, point(subject, where, own), own))
+    return _found(sink, lambda own: linearize_at(system, point(system, where, own), own))
 
 
-def modes(subject: Subject, where: Where, sink: Sink) -> Modes:
+def modes(system: System, where: Where, sink: Sink) -> Modes:
     """Raises CompilationFailed; warnings go to `sink`."""
-    return _found(sink, lambda own: modes_at(subject, point(subject, where, own), own))
+    return _found(sink, lambda own: modes_at(system, point(system, where, own), own))
 
 
-def trim(subject: Subject, where: Where, sink: Sink) -> Equilibrium:
+def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
     """Raises CompilationFailed; warnings go to `sink`."""
-    return _found(sink, lambda own: _equilibrium(subject, where, own))
+    return _found(sink, lambda own: _equilibrium(system, where, own))
 
 
-def vary(subject: Subject, where: Where, name: str, values: Floats, sink: Sink) -> Variation:
+def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) -> Variation:
     """Eigenvalues for values of a parameter, an input or a start value. Raises CompilationFailed."""
-    varied = _varied(subject, name, sink)
-    held = [*holonomic_rows(subject), *integrable_rows(subject, point(subject, replace(where, trim=False), Sink()))]
+    varied = _varied(system, name, sink)
+    held = [*holonomic_rows(system), *integrable_rows(system, point(system, replace(where, trim=False), Sink()))]
 
     def place(value: float) -> Point:
         own = Sink()
-        found = point(subject, _with(subject, where, varied.name, value), own)
+        found = point(system, _with(system, where, varied.name, value), own)
         own.raise_if_errors()
         return found
 
-    return variation(subject, varied, values.tolist(), place, held)
+    return variation(system, varied, values.tolist(), place, held)
 
 
-def point(subject: Subject, where: Where, sink: Sink) -> Point:
+def point(system: System, where: Where, sink: Sink) -> Point:
     """The consistent state, or the equilibrium near it. Raises CompilationFailed."""
     if where.trim:
-        found = _equilibrium(subject, where, sink)
+        found = _equilibrium(system, where, sink)
         if found is None:
             raise CompilationFailed(sink.diagnostics)
         return found.point
-    return _state(subject, where, where.start, sink)
+    return _state(system, where, where.start, sink)
 
 
-def _equilibrium(subject: Subject, where: Where, sink: Sink) -> Equilibrium | None:
+def _equilibrium(system: System, where: Where, sink: Sink) -> Equilibrium | None:
     start = dict(where.start)
     if not where.steady:
-        start = {**{f"der({c.name})": 0.0 for c in subject.flat.coordinates}, **start}
-    return trim_at(subject, _state(subject, where, start, None), free=where.free, hold=where.hold, sink=sink)
+        start = {**{f"der({c.name})": 0.0 for c in system.flat.coordinates}, **start}
+    return trim_at(system, _state(system, where, start, None), free=where.free, hold=where.hold, sink=sink)
 
 
-def _state(subject: Subject, where: Where, start: Mapping[str, float], sink: Sink | None) -> Point:
+def _state(system: System, where: Where, start: Mapping[str, float], sink: Sink | None) -> Point:
     inputs = None
     if where.inputs:
-        time = subject.flat.experiment.start_time if where.t is None else where.t
-        defaults = subject.engine.evaluate("start", time, where.p)[3].tolist()
-        slots = subject.engine.layout.inputs
+        time = system.flat.experiment.start_time if where.t is None else where.t
+        defaults = system.engine.evaluate("start", time, where.p)[3].tolist()
+        slots = system.engine.layout.inputs
         inputs = np.array([where.inputs.get(s.name, value) for s, value in zip(slots, defaults, strict=True)])
     given = bool(where.start) or where.trim
-    return point_of(subject, t=where.t, start=start, u=inputs, p=where.p, given=given, sink=sink)
+    return point_of(system, t=where.t, start=start, u=inputs, p=where.p, given=given, sink=sink)
 
 
 def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:
@@ -107,9 +107,9 @@ def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:
     return result
 
 
-def _varied(subject: Subject, name: str, sink: Sink) -> Named:
+def _varied(system: System, name: str, sink: Sink) -> Named:
     """The quantity that `name` or `name.start` stands for; E0853 if it cannot be varied."""
-    flat, layout = subject.flat, subject.engine.layout
+    flat, layout = system.flat, system.engine.layout
     known = {slot.name: slot.unit for slot in (*layout.parameters, *layout.inputs)}
     starts = {item.name: item.unit for item in (*flat.coordinates, *flat.states)}
     starts |= {f"der({c.name})": rate_text(c.dimension, c.unit) for c in flat.coordinates}
@@ -122,12 +122,12 @@ def _varied(subject: Subject, name: str, sink: Sink) -> Named:
     raise CompilationFailed(own.diagnostics)
 
 
-def _with(subject: Subject, where: Where, name: str, value: float) -> Where:
-    parameters = [slot.name for slot in subject.engine.layout.parameters]
+def _with(system: System, where: Where, name: str, value: float) -> Where:
+    parameters = [slot.name for slot in system.engine.layout.parameters]
     if name in parameters:
         p = where.p.copy()
         p[parameters.index(name)] = value
         return replace(where, p=p)
-    if any(slot.name == name for slot in subject.engine.layout.inputs):
+    if any(slot.name == name for slot in system.engine.layout.inputs):
         return replace(where, inputs={**where.inputs, name: value})
     return replace(where, start={**where.start, name: value})

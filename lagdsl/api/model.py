@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from lagdsl.analysis.linearization import Linearization
     from lagdsl.analysis.modes import Modes
-    from lagdsl.analysis.point import Subject
+    from lagdsl.analysis.point import System
     from lagdsl.analysis.trim import Equilibrium
     from lagdsl.analysis.variation import Variation
     from lagdsl.analysis.where import Where
@@ -270,7 +270,7 @@ class Model(Described):
         """
         from lagdsl.analysis.where import linearize
 
-        return linearize(self._subject, self._where(t, q, qd, z, u, p), Sink() if sink is None else sink)
+        return linearize(self._system, self._where(t, q, qd, z, u, p), Sink() if sink is None else sink)
 
     def modes(
         self,
@@ -292,7 +292,7 @@ class Model(Described):
         from lagdsl.analysis.where import modes
 
         where = replace(self._where(t, q, qd, z, u, p), trim=trim)
-        return modes(self._subject, where, Sink() if sink is None else sink)
+        return modes(self._system, where, Sink() if sink is None else sink)
 
     def vary(
         self,
@@ -316,7 +316,7 @@ class Model(Described):
 
         where = replace(self._where(t, q, qd, z, u, p), trim=trim)
         grid = np.atleast_1d(np.asarray(values, dtype=np.float64))
-        return vary(self._subject, where, name, grid, Sink())
+        return vary(self._system, where, name, grid, Sink())
 
     def trim(
         self,
@@ -341,7 +341,7 @@ class Model(Described):
 
         chosen = self._where(t, q, qd, z, u, p)
         where = replace(chosen, trim=True, free=tuple(free), hold=tuple(hold), steady=steady)
-        return trim(self._subject, where, Sink())
+        return trim(self._system, where, Sink())
 
     # ---- other tools -------------------------------------------------------------------------------------------------
 
@@ -385,10 +385,10 @@ class Model(Described):
         )
 
     @property
-    def _subject(self) -> Subject:
-        from lagdsl.analysis.point import Subject
+    def _system(self) -> System:
+        from lagdsl.analysis.point import System
 
-        return Subject(self._compilation.flat, self._compilation.program, self._engine)
+        return System(self._compilation.flat, self._compilation.program, self._engine)
 
     def _where(self, t: float | None, q: Given, qd: Given, z: Given, u: Given, p: Given) -> Where:
         from lagdsl.analysis.where import Where

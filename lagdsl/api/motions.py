@@ -15,7 +15,7 @@ from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.dataset import collect, require_room
 from lagdsl.sweep.plan import Task, require_few
-from lagdsl.sweep.run import Options, Outcome, Subject
+from lagdsl.sweep.run import Options, Outcome, SweptModel
 from lagdsl.sweep.sweep import options_of, times_of, width_of
 from lagdsl.sweep.threads import in_threads
 
@@ -71,7 +71,7 @@ def simulate_many(
         inputs=dict(inputs),
         columns=None if columns is None else tuple(columns),
     )
-    subjects = [Subject(flat=compilation.flat, program=compilation.program)]
+    subjects = [SweptModel(flat=compilation.flat, program=compilation.program)]
     times = times_of(subjects, options)
     count, (chosen, starts) = _runs(parameters, start)
     require_few(count)
@@ -79,7 +79,7 @@ def simulate_many(
     tasks = (
         Task(
             index=k,
-            subject=0,
+            swept=0,
             parameters={name: values[k] for name, values in chosen.items()},
             start={name: values[k] for name, values in starts.items()},
         )

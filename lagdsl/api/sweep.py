@@ -15,7 +15,7 @@ from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.plan import Axis, Plan, Target
-from lagdsl.sweep.run import Options, Subject
+from lagdsl.sweep.run import Options, SweptModel
 from lagdsl.sweep.sweep import Work, options_of, sweep
 from lagdsl.units.naming import rate_text
 
@@ -62,7 +62,7 @@ def run_sweep(
         columns=None if columns is None else tuple(columns),
     )
     work = Work(jobs=jobs, scheduler=scheduler, output=output, resume=resume)
-    return sweep(plan, [{}], [Subject(flat=flat, program=program)], options, work, progress)
+    return sweep(plan, [{}], [SweptModel(flat=flat, program=program)], options, work, progress)
 
 
 def _units(compilation: Compilation) -> dict[str, str]:

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from lagdsl.analysis.modes import AXIS, Modes
-from lagdsl.analysis.point import Subject
+from lagdsl.analysis.point import System
 from lagdsl.analysis.variation import Variation
 from lagdsl.cli.state_text import point_text, steadiness_text
 from lagdsl.cli.text_table import number, text_table
@@ -17,7 +17,7 @@ _MOST_ENTRIES = 8
 _NEGLIGIBLE = 1e-9
 
 
-def modes_text(subject: Subject, found: Modes) -> str:
+def modes_text(system: System, found: Modes) -> str:
     """Where, eigenvalues, shapes, stability. Of a pair of conjugate eigenvalues one is shown."""
     shown = [i for i, s in enumerate(found.eigenvalues.tolist()) if not s.imag < 0.0 and s != 0.0]
     zeros = int(np.count_nonzero(found.eigenvalues == 0.0))
@@ -28,7 +28,7 @@ def modes_text(subject: Subject, found: Modes) -> str:
     shapes = [_shape(found, k, i) for k, i in enumerate(shown)]
     parts = [
         f"{found.model}: {len(found.eigenvalues)} eigenvalues about",
-        f"{point_text(subject, found.point)}\n{steadiness_text(found.steadiness)}",
+        f"{point_text(system, found.point)}\n{steadiness_text(found.steadiness)}",
         text_table(header, rows) if rows else "",
         "\n".join(["shapes, largest entry 1 (SI units)", *shapes]) if shapes else "",
     ]

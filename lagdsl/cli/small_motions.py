@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import click
 import numpy as np
 
-from lagdsl.analysis.point import Subject
+from lagdsl.analysis.point import System
 from lagdsl.analysis.where import Where
 from lagdsl.cli.assignments import constants, fitting, seconds, split
 from lagdsl.cli.compile_model import compile_or_leave
@@ -63,15 +63,15 @@ def takes_state(command: _Command) -> _Command:
 class Request:
     """A compiled model, the state that was asked for, and how to tell what was found."""
 
-    subject: Subject
+    system: System
     where: Where
     sink: Sink
     style: Format
 
-    def ask(self, question: Callable[[Subject, Where, Sink], _Result], where: Where | None = None) -> _Result:
+    def ask(self, question: Callable[[System, Where, Sink], _Result], where: Where | None = None) -> _Result:
         """The answer; leaves with status 1 where there is none."""
         try:
-            answer = question(self.subject, self.where if where is None else where, self.sink)
+            answer = question(self.system, self.where if where is None else where, self.sink)
         except CompilationFailed as failure:
             leave_with_errors(findings(self.sink, failure), self.style)
         return answer
@@ -103,7 +103,7 @@ def request(
         inputs=constants(compilation.flat, split(inputs)),
     )
     return Request(
-        subject=Subject(compilation.flat, compilation.program, computing), where=where, sink=Sink(), style=style
+        system=System(compilation.flat, compilation.program, computing), where=where, sink=Sink(), style=style
     )
 
 

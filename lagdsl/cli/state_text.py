@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from lagdsl.analysis.point import Point, Subject
+from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.steady import Steadiness
 from lagdsl.structure.display import Display, display, display_rate
 
 _MOST = 12
 
 
-def point_text(subject: Subject, point: Point) -> str:
+def point_text(system: System, point: Point) -> str:
     """`theta = 30 deg, der(phi) = 5 rad/s`; what is zero is left out."""
-    flat = subject.flat
+    flat = system.flat
     groups: list[tuple[str, float, Display]] = [
         *((c.name, value, display(c)) for c, value in zip(flat.coordinates, point.q.tolist(), strict=True)),
         *((f"der({c.name})", v, display_rate(c)) for c, v in zip(flat.coordinates, point.qd.tolist(), strict=True)),

@@ -61,25 +61,25 @@ class Evaluator:
         rates: dict[str, complex] = {c.name: 0j for c in flat.coordinates}
         rates.update({"time": 1.0, **values.rates})
         accelerations = {c.name: complex(values.accelerations.get(c.name, 0.0)) for c in flat.coordinates}
-        self._moment = _Moment(flat, {item.name: item for item in flat.named}, variables, rates, accelerations)
+        self._instant = _Instant(flat, {item.name: item for item in flat.named}, variables, rates, accelerations)
 
     def scalar(self, expression: fx.FlatExpression) -> float:
         with np.errstate(all="ignore"):
-            return self._moment.scalar(expression).real
+            return self._instant.scalar(expression).real
 
     def vector(self, expression: fx.FlatExpression) -> NDArray[np.float64]:
         """World components, shape (3,)."""
         with np.errstate(all="ignore"):
-            return np.asarray(self._moment.vector(expression).real)
+            return np.asarray(self._instant.vector(expression).real)
 
     def frame(self, name: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Origin (3,) and axes as columns (3, 3) of a frame, in the world."""
         with np.errstate(all="ignore"):
-            origin, axes = self._moment.frame(name)
+            origin, axes = self._instant.frame(name)
         return np.asarray(origin.real), np.asarray(axes.real)
 
 
-class _Moment:
+class _Instant:
     def __init__(
         self,
         flat: fm.FlatModel,
@@ -97,7 +97,7 @@ class _Moment:
         self._frames: dict[str, tuple[Complexes, Complexes]] = {
             "world": (np.zeros(3, np.complex128), np.eye(3, dtype=np.complex128))
         }
-        self._later: _Moment | None = None
+        self._later: _Instant | None = None
 
     # ---- expressions -------------------------------------------------------------------------------------------------
 
@@ -247,7 +247,7 @@ class _Moment:
                 return self.accelerations[name]
         return self._rate(lambda moment: moment._value(operand))
 
-    def _rate(self, quantity: Callable[[_Moment], _Value]) -> _Value:
+    def _rate(self, quantity: Callable[[_Instant], _Value]) -> _Value:
         later = quantity(self._shifted())
         return complex(later.imag / _STEP) if isinstance(later, complex) else np.asarray(later.imag / _STEP + 0j)
 
@@ -258,7 +258,7 @@ class _Moment:
         x, y, z = turning[2, 1] - turning[1, 2], turning[0, 2] - turning[2, 0], turning[1, 0] - turning[0, 1]
         return np.array([x, y, z], dtype=np.complex128) / 2
 
-    def _shifted(self) -> _Moment:
+    def _shifted(self) -> _Instant:
         """The moment an imaginary step later. Complex steps do not nest: a step of a step is refused."""
         if self.accelerations is None:
             raise NotEvaluable("a derivative of a derivative")
@@ -267,7 +267,7 @@ class _Moment:
             rates.update({i.derivative_of: self.variables[i.name] for i in self.flat.inputs if i.derivative_of})
             variables = {name: value + 1j * _STEP * rates.get(name, 0.0) for name, value in self.variables.items()}
             later = {name: rate + 1j * _STEP * self.accelerations.get(name, 0.0) for name, rate in self.rates.items()}
-            self._later = _Moment(self.flat, self.named, variables, later, None)
+            self._later = _Instant(self.flat, self.named, variables, later, None)
         return self._later
 
 

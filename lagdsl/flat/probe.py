@@ -10,14 +10,14 @@ from lagdsl.record import record
 
 
 @record()
-class Moment:
+class ProbeState:
     """Values and rates of the coordinates, values of states, inputs and time."""
 
     variables: dict[str, float]
     rates: dict[str, float]
 
 
-def probes(flat: fm.FlatModel, count: int) -> list[Moment]:
+def probes(flat: fm.FlatModel, count: int) -> list[ProbeState]:
     """`count` moments around the start, spread by the nominal size of each coordinate (1 where none is given)."""
     random = Random(20240229)
     at_start = Evaluator(flat, Values())
@@ -28,7 +28,7 @@ def probes(flat: fm.FlatModel, count: int) -> list[Moment]:
         variables.update({item.name: random.uniform(0.1, 1) for item in (*flat.states, *flat.inputs)})
         variables["time"] = random.uniform(0, 1)
         rates = {c.name: (c.nominal or 1.0) * random.uniform(-1, 1) for c in flat.coordinates}
-        moments.append(Moment(variables, rates))
+        moments.append(ProbeState(variables, rates))
     return moments
 
 

@@ -65,7 +65,7 @@ def eliminate(equations: Equations, structure: Structure | None, forming: int) -
     cost = flops(graph, [node for block in blocks for node in block.elements])
     if cost + _delassus(n, m, len(solution.along)) >= most:
         return None
-    function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=_shallow(graph, blocks))
+    function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=_reassociated(graph, blocks))
     return Eliminated(
         function=function, factor=solution.factor, pivot=pivot, accelerations=blocks[0], multipliers=blocks[1]
     )
@@ -109,7 +109,7 @@ def _blocks(solution: Solution, m: int, pivot: int) -> tuple[Block, ...]:
     )
 
 
-def _shallow(graph: Graph, blocks: Sequence[Block]) -> tuple[Block, ...]:
+def _reassociated(graph: Graph, blocks: Sequence[Block]) -> tuple[Block, ...]:
     """The same values, sooner; what the last one, the check of pivots, compares is nothing that must be exact."""
     kept = exact(graph, [node for block in blocks[:-1] for node in block.elements])
     nodes = iter(reassociate(graph, [node for block in blocks for node in block.elements], kept))

@@ -22,7 +22,7 @@ _LARGEST_DAMPING = 1e8
 
 
 @record(kw_only=True)
-class Descent:
+class Minimizer:
     """Where the search ended: the point, the residuals there and their Euclidean norm (infinite where nothing is a
     number)."""
 
@@ -38,7 +38,7 @@ def descend(
     target: float = 1e-13,
     iterations: int = 100,
     connected_blocks: Partition | None = None,
-) -> Descent:
+) -> Minimizer:
     """Reduce |residual| from `start` until it is below `target`, stalls or `iterations` are used up.
 
     `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one. Once below `target` it
@@ -74,7 +74,7 @@ def descend(
         relaxed = np.where(damping > _SMALLEST_DAMPING, damping / 3.0, 0.0)
         damping = np.where(better, relaxed, np.maximum(4.0 * damping, _SMALLEST_DAMPING))
     size = float(np.linalg.norm(residual))
-    return Descent(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
+    return Minimizer(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
 
 
 def _step(split: Partition, residual: Floats, jacobian: Floats, damping: Floats, active: np.ndarray) -> Floats:

@@ -14,7 +14,7 @@ from lagdsl.semantics.events.whens import elaborate_when
 from lagdsl.semantics.items import constraints, contacts, drawings, labels, loads
 from lagdsl.semantics.items.bodies import rigid_body
 from lagdsl.semantics.operators.arithmetic import Operand, boolean
-from lagdsl.semantics.operators.conditions import condition_of, switched
+from lagdsl.semantics.operators.conditions import condition_of, where_active
 from lagdsl.semantics.operators.geometry import as_direction, as_point
 from lagdsl.semantics.scope.constants import structural_number
 from lagdsl.semantics.scope.contents import Placed
@@ -164,7 +164,7 @@ def _mass(ctx: Context, physics: Physics, scope: Scope, node: nodes.PointMass) -
         return
     if point is None:
         return
-    value = switched(ctx, scope, node.condition, mass)
+    value = where_active(ctx, scope, node.condition, mass)
     if value is not None:
         spans = (node.span, *scope.spans)
         physics.masses.append(flat_model.PointMass(spans=spans, mass=value.expression, position=point.expression))

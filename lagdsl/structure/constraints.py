@@ -9,10 +9,10 @@ import numpy as np
 from lagdsl.diagnostics import Label, Sink
 from lagdsl.flat.model import Constraint, FlatModel
 from lagdsl.numerics.connected_blocks import Partition
-from lagdsl.numerics.levenberg_marquardt import Descent
+from lagdsl.numerics.levenberg_marquardt import Minimizer
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
-from lagdsl.structure.names import Located, configuration, listed, located, place, subject, unit_suffix
+from lagdsl.structure.names import Located, configuration, grammatical_subject, listed, located, place, unit_suffix
 from lagdsl.structure.points import HOLDS, Geometry, Probe, random_points, solved
 
 _TRIES = 24
@@ -61,7 +61,7 @@ def closest(flat: FlatModel, space: Geometry, rows: list[int], tries: int | None
     return best
 
 
-def _closest(split: Partition, found: Descent, scale: Floats) -> Closest:
+def _closest(split: Partition, found: Minimizer, scale: Floats) -> Closest:
     return Closest(found.point, found.residual, split, split.sizes(found.residual / scale))
 
 
@@ -100,7 +100,11 @@ def _explain(
         note = f"closest approach is {text}{where}"
         verb = "hold" if item.constraint.closure is None else "close"
         sink.report(
-            "E0602", place(item.constraint), notes=(note, *more), subject=subject(flat, item.constraint), verb=verb
+            "E0602",
+            place(item.constraint),
+            notes=(note, *more),
+            subject=grammatical_subject(flat, item.constraint),
+            verb=verb,
         )
     if not impossible:
         _contradiction(flat, near, items, columns, (tries, more), sink)
@@ -134,15 +138,17 @@ def _contradiction(
 def _report_contradiction(
     flat: FlatModel, others: Sequence[Constraint], constraint: Constraint, sink: Sink, notes: tuple[str, ...]
 ) -> None:
-    own = subject(flat, constraint)
+    own = grammatical_subject(flat, constraint)
     # Rows of one closure are several constraints, and one thing to the reader.
-    others = [other for other in others if subject(flat, other) != own]
+    others = [other for other in others if grammatical_subject(flat, other) != own]
     if not others:
         verb = "hold" if constraint.closure is None else "close"
         sink.report("E0602", place(constraint), notes=notes, subject=own, verb=verb)
         return
     closures = [other.closure is not None for other in others]
-    found = [subject(flat, o) if closure else f"`{o.name}`" for o, closure in zip(others, closures, strict=True)]
+    found = [
+        grammatical_subject(flat, o) if closure else f"`{o.name}`" for o, closure in zip(others, closures, strict=True)
+    ]
     names = listed(list(dict.fromkeys(found)))
     labels = [
         Label(span, "closes alone" if closure else "each holds alone")

@@ -47,7 +47,7 @@ def place(constraint: Constraint) -> Span | None:
     return constraint.spans[0] if constraint.spans else None
 
 
-def subject(flat: FlatModel, constraint: Constraint) -> str:
+def grammatical_subject(flat: FlatModel, constraint: Constraint) -> str:
     """``constraint `c` ``, or `the loop A - B - C - D`."""
     if constraint.closure is None:
         return f"constraint `{constraint.name}`"

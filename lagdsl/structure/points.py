@@ -11,7 +11,7 @@ import numpy as np
 
 from lagdsl.flat.model import Coordinate, FlatModel
 from lagdsl.numerics.connected_blocks import Flags, Partition, connected_blocks, entries
-from lagdsl.numerics.levenberg_marquardt import Descent, descend
+from lagdsl.numerics.levenberg_marquardt import Minimizer, descend
 from lagdsl.numerics.rank import RANK_TOLERANCE, Floats, minimum_norms, null_space
 from lagdsl.program.program import Layout
 from lagdsl.record import record
@@ -119,18 +119,20 @@ class Geometry:
                 return None
         return self.mass(q, qd)
 
-    def project(self, q: Floats, rows: list[int]) -> Descent:
+    def project(self, q: Floats, rows: list[int]) -> Minimizer:
         """The nearest point, in natural sizes, at which the given rows hold; residuals relative to the rows'
         sizes."""
         if not rows:
-            return Descent(point=q, residual=np.zeros(0), size=0.0)
+            return Minimizer(point=q, residual=np.zeros(0), size=0.0)
 
         def equations(x: Floats) -> tuple[Floats, Floats]:
             phi, jacobian = self.position(x * self.sizes)
             return phi[rows] / self.row_sizes[rows], jacobian[rows] * self.sizes / self.row_sizes[rows, None]
 
         found = descend(equations, q / self.sizes, connected_blocks=self.parts(rows))
-        return Descent(point=found.point * self.sizes, residual=found.residual * self.row_sizes[rows], size=found.size)
+        return Minimizer(
+            point=found.point * self.sizes, residual=found.residual * self.row_sizes[rows], size=found.size
+        )
 
     def only(self, rows: list[int]) -> Geometry:
         """The same where nothing but these position rows is asked for: cheap if they are few."""

@@ -14,7 +14,7 @@ from typing import Any
 from lagdsl.runtime.ensemble import Stop
 from lagdsl.sweep.maker import Ensembles, Maker
 from lagdsl.sweep.plan import Task, parts_of
-from lagdsl.sweep.run import Options, Outcome, Subject, failed
+from lagdsl.sweep.run import Options, Outcome, SweptModel, failed
 
 # Parts that are on their way per thread of the cluster, so that a large sweep does not fill the scheduler; runs of one.
 _AHEAD, _LARGEST = 4, 256
@@ -23,7 +23,7 @@ _OWN = threading.local()
 
 
 def on_cluster(
-    address: str, subjects: Sequence[Subject], options: Options, tasks: Iterable[Task], left: int
+    address: str, subjects: Sequence[SweptModel], options: Options, tasks: Iterable[Task], left: int
 ) -> Generator[Outcome, None, None]:
     """Outcomes of the `left` tasks as they come from the scheduler at `address`, whose workers need lagdsl in the same
     version.

@@ -15,7 +15,7 @@ from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.runtime.ensemble import Bench, Stop
 from lagdsl.sweep.ensemble import Ensemble
 from lagdsl.sweep.plan import Task
-from lagdsl.sweep.run import Interrupted, Options, Outcome, Runner, Subject
+from lagdsl.sweep.run import Interrupted, Options, Outcome, Runner, SweptModel
 
 # Seconds that the runs of one call of C should take: long beside what Python does about them, short for people who
 # look at the progress. Runs of one call, so that their rows are few.
@@ -25,23 +25,23 @@ _PART, _LARGEST = 0.25, 256
 class Ensembles:
     """The models of a sweep for all threads; each is built when it is first needed."""
 
-    def __init__(self, subjects: Sequence[Subject], options: Options) -> None:
+    def __init__(self, subjects: Sequence[SweptModel], options: Options) -> None:
         self._subjects, self._options = subjects, options
         self._known: dict[int, Ensemble | None] = {}
         self._lock = threading.Lock()
 
-    def of(self, subject: int) -> Ensemble | None:
+    def of(self, swept: int) -> Ensemble | None:
         """None where nothing can be built: every run tells why."""
         with self._lock:
-            if subject not in self._known:
-                self._known[subject] = self._built(self._subjects[subject])
-            return self._known[subject]
+            if swept not in self._known:
+                self._known[swept] = self._built(self._subjects[swept])
+            return self._known[swept]
 
-    def _built(self, subject: Subject) -> Ensemble | None:
-        if subject.flat is None or subject.program is None:
+    def _built(self, swept: SweptModel) -> Ensemble | None:
+        if swept.flat is None or swept.program is None:
             return None
         try:
-            return Ensemble(subject.flat, engine_of(subject.program, self._options.engine), self._options)
+            return Ensemble(swept.flat, engine_of(swept.program, self._options.engine), self._options)
         except CompilationFailed:
             return None
 
@@ -49,7 +49,7 @@ class Ensembles:
 class Maker:
     """Makes the runs of one thread."""
 
-    def __init__(self, subjects: Sequence[Subject], options: Options, ensembles: Ensembles, stop: Stop) -> None:
+    def __init__(self, subjects: Sequence[SweptModel], options: Options, ensembles: Ensembles, stop: Stop) -> None:
         self._ensembles, self._stop, self._bench = ensembles, stop, Bench()
         self._runner = Runner(subjects, options, self._progress)
         self._seconds = _PART  # of one run, as the last part took
@@ -60,7 +60,7 @@ class Maker:
 
     def run(self, tasks: list[Task], left: int) -> list[Outcome]:
         """The outcomes; fewer where it was stopped. `left` runs are to be made after them."""
-        ensemble = self._ensembles.of(tasks[0].subject)
+        ensemble = self._ensembles.of(tasks[0].swept)
         begun = time.perf_counter()
         outcomes = [None] * len(tasks) if ensemble is None else ensemble.run(tasks, self._bench, self._stop)
         self._seconds = (time.perf_counter() - begun) / len(tasks) + 1e-6

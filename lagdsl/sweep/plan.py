@@ -49,10 +49,10 @@ class Plan:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
-    """One run: what is set, by name, in SI units; `subject` is the number of the compiled model."""
+    """One run: what is set, by name, in SI units; `swept` is the number of the compiled model."""
 
     index: int
-    subject: int
+    swept: int
     parameters: dict[str, float]
     start: dict[str, float]
 
@@ -119,7 +119,7 @@ def task(plan: Plan, index: int, known: list[dict[str, float]]) -> Task:
     chosen = settings(plan, index)
     return Task(
         index=index,
-        subject=known.index(chosen["structural"]),
+        swept=known.index(chosen["structural"]),
         parameters=chosen["parameter"],
         start=chosen["start"],
     )
@@ -135,7 +135,7 @@ def tasks_of(plan: Plan, known: list[dict[str, float]], finished: Collection[int
 
 def parts_of(tasks: Iterable[Task], most: int) -> Iterator[list[Task]]:
     """Tasks that follow each other, at most so many together, and of one model only."""
-    for _, alike in groupby(tasks, key=lambda task: task.subject):
+    for _, alike in groupby(tasks, key=lambda task: task.swept):
         while part := list(islice(alike, most)):
             yield part
 

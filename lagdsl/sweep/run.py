@@ -42,7 +42,7 @@ class Options:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Subject:
+class SweptModel:
     """A model to run; `fault` says why there is none."""
 
     flat: FlatModel | None = None
@@ -75,7 +75,7 @@ class Runner:
     called with the part of a run that is done, must be Interrupted."""
 
     def __init__(
-        self, subjects: Sequence[Subject], options: Options, progress: Callable[[float], None] | None = None
+        self, subjects: Sequence[SweptModel], options: Options, progress: Callable[[float], None] | None = None
     ) -> None:
         self._progress = progress
         self._subjects = subjects
@@ -96,15 +96,15 @@ class Runner:
         return _outcome(task, motion, self._options)
 
     def _simulate(self, task: Task) -> Trajectory:
-        subject, options = self._subjects[task.subject], self._options
-        if subject.flat is None or subject.program is None:
-            raise ValueError(subject.fault)
-        p = parameters_of(subject.flat, subject.program.layout, task.parameters)
-        if task.subject not in self._engines:
-            self._engines[task.subject] = engine_of(subject.program, options.engine)
+        swept, options = self._subjects[task.swept], self._options
+        if swept.flat is None or swept.program is None:
+            raise ValueError(swept.fault)
+        p = parameters_of(swept.flat, swept.program.layout, task.parameters)
+        if task.swept not in self._engines:
+            self._engines[task.swept] = engine_of(swept.program, options.engine)
         return simulate(
-            self._engines[task.subject],
-            subject.flat,
+            self._engines[task.swept],
+            swept.flat,
             stop=options.stop,
             interval=options.interval,
             tolerance=options.tolerance,

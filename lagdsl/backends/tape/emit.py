@@ -20,7 +20,7 @@ from lagdsl.program.passes.along import Along, along, elements, shared
 from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Layout, Program, Slot
 
-VERSION: Final = 2
+VERSION: Final = 3
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
@@ -185,12 +185,14 @@ def kind_number(layout: Layout, index: int) -> int:
 def _start(start: Start | None) -> list[bytes]:
     """Time and state, then what is said of their entries; all empty where nothing is known."""
     if start is None:
-        return [b""] * 6
+        return [b""] * 8
     return [
         _doubles([start.t, *start.x]),
         bytes(start.fixed),
         bytes(start.written),
         *(_doubles(numbers) for numbers in (start.nominal, start.minimum, start.maximum)),
+        bytes(start.free),
+        _doubles(start.parameter_nominal),
     ]
 
 

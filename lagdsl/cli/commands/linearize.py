@@ -36,7 +36,7 @@ def command(
     require_writable(output)
     asked = request(file, model, style, time, inputs, assignments, engine)
     found = asked.ask(linearize)
-    text = "\n\n".join(_parts(found, point_text(asked.subject, found.point)))
+    text = "\n\n".join(_parts(found, point_text(asked.system, found.point)))
     finish(asked, text, _data(found), _table(found), output)
 
 

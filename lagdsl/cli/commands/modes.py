@@ -52,10 +52,10 @@ def command(
     where = replace(asked.where, trim=trim)
     if varied is None:
         found = asked.ask(modes, where)
-        finish(asked, modes_text(asked.subject, found), _modes_data(found), _modes_table(found), output)
+        finish(asked, modes_text(asked.system, found), _modes_data(found), _modes_table(found), output)
     else:
-        name, values = grid(asked.subject.flat, varied)
-        found_over = asked.ask(lambda subject, at, sink: vary(subject, at, name, np.array(values), sink), where)
+        name, values = grid(asked.system.flat, varied)
+        found_over = asked.ask(lambda system, at, sink: vary(system, at, name, np.array(values), sink), where)
         finish(asked, variation_text(found_over), _variation_data(found_over), _variation_table(found_over), output)
     if picture is not None:
         from lagdsl.plot.modes import plot_modes, plot_variation

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     import xarray
 
     from lagdsl.sweep.plan import Plan
-    from lagdsl.sweep.run import Options, Subject
+    from lagdsl.sweep.run import Options, SweptModel
     from lagdsl.sweep.sweep import Work
 
 _MOST_REASONS = 3
@@ -106,7 +106,7 @@ def command(
 
 
 def _sweep(
-    plan: Plan, known: list[dict[str, float]], subjects: list[Subject], options: Options, work: Work
+    plan: Plan, known: list[dict[str, float]], subjects: list[SweptModel], options: Options, work: Work
 ) -> xarray.Dataset:
     from lagdsl.sweep.sweep import journal_path, sweep
 
@@ -180,13 +180,13 @@ def _front(source: SourceFile, style: Format, model: str | None, structural: dic
 
 def _subjects(
     source: SourceFile, style: Format, model: str | None, plan: Plan
-) -> tuple[list[dict[str, float]], list[Subject]]:
+) -> tuple[list[dict[str, float]], list[SweptModel]]:
     """A compiled model for every structural setting; where all are wrong, leaves with what is."""
     from lagdsl.sweep.plan import variants
-    from lagdsl.sweep.run import Subject
+    from lagdsl.sweep.run import SweptModel
 
     known = variants(plan)
-    subjects: list[Subject] = []
+    subjects: list[SweptModel] = []
     found: tuple[Diagnostic, ...] = ()
     for structural in known:
         sink = Sink()
@@ -194,10 +194,10 @@ def _subjects(
         if compilation is None:
             found = found or sink.diagnostics
             first = next(d for d in sink.diagnostics if d.severity is Severity.ERROR)
-            subjects.append(Subject(fault=f"{first.code}: {first.message}"))
+            subjects.append(SweptModel(fault=f"{first.code}: {first.message}"))
         else:
-            subjects.append(Subject(flat=compilation.flat, program=compilation.program))
-    if all(subject.flat is None for subject in subjects):
+            subjects.append(SweptModel(flat=compilation.flat, program=compilation.program))
+    if all(swept.flat is None for swept in subjects):
         leave_with_errors(found, style)
     return known, subjects
 
@@ -212,9 +212,9 @@ def _compiled(source: SourceFile, model: str | None, structural: dict[str, float
         return None
 
 
-def _columns(names: tuple[str, ...], subjects: list[Subject]) -> tuple[str, ...] | None:
+def _columns(names: tuple[str, ...], subjects: list[SweptModel]) -> tuple[str, ...] | None:
     """The columns to keep, all of which some variant has; None for all columns."""
-    layouts = [subject.program.layout for subject in subjects if subject.program is not None]
+    layouts = [swept.program.layout for swept in subjects if swept.program is not None]
     known: dict[str, None] = {}
     for layout in layouts:
         coordinates = [slot.name for slot in layout.coordinates]

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from lagdsl.analysis.point import Subject
+from lagdsl.analysis.point import System
 from lagdsl.analysis.trim import Equilibrium, all_names
 from lagdsl.analysis.where import trim
 from lagdsl.cli.model_file import Format
@@ -46,7 +46,7 @@ def command(
     asked = request(file, model, style, time, inputs, assignments, engine)
     where = replace(asked.where, trim=True, free=free, hold=hold, steady=steady)
     found = asked.ask(trim, where)
-    rows = _rows(asked.subject, found)
+    rows = _rows(asked.system, found)
     shown = [
         [name, number(scaled), unit, "unknown" if name in found.unknowns else ""] for name, _, scaled, unit in rows
     ]
@@ -58,15 +58,15 @@ def command(
     finish(asked, text, data, table, output)
 
 
-def _rows(subject: Subject, found: Equilibrium) -> list[tuple[str, float, float, str]]:
+def _rows(system: System, found: Equilibrium) -> list[tuple[str, float, float, str]]:
     """Name, value in SI units, value and unit as shown; rates that are zero are left out."""
-    point, flat = found.point, subject.flat
+    point, flat = found.point, system.flat
     values = [*point.q.tolist(), *point.qd.tolist(), *point.z.tolist(), *point.u.tolist()]
     units = [*map(display, flat.coordinates), *map(display_rate, flat.coordinates)]
     units += [*map(display, flat.states), *map(display, flat.inputs)]
     n = len(point.q)
     return [
         (name, value, unit(value), unit.unit)
-        for i, (name, value, unit) in enumerate(zip(all_names(subject), values, units, strict=True))
+        for i, (name, value, unit) in enumerate(zip(all_names(system), values, units, strict=True))
         if not n <= i < 2 * n or abs(value) > 1e-12
     ]

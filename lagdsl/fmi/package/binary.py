@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
-from lagdsl.fmi.package.libraries import timeless
+from lagdsl.fmi.package.libraries import without_timestamps
 from lagdsl.fmi.package.toolchain import Toolchain, toolchain
 from lagdsl.record import record
 from lagdsl.runtime.building.cache import cache_folder
@@ -54,7 +54,7 @@ class Objects:
         target = self.stem + tool.platform.suffix
         tool.link(folder, self.paths[tool.platform.name], target)
         library = folder / target
-        content = timeless(library.read_bytes())
+        content = without_timestamps(library.read_bytes())
         library.unlink()
         return content
 

@@ -13,7 +13,7 @@ _FAT = 0xCAFEBABE
 _PAGE = 14  # 16 kB, those of arm64: slices begin at a multiple of it
 
 
-def timeless(library: bytes) -> bytes:
+def without_timestamps(library: bytes) -> bytes:
     """A DLL whose header says nothing of when it was linked; any other library as it is."""
     if not library.startswith(b"MZ"):
         return library

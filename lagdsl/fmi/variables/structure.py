@@ -70,9 +70,9 @@ class _Search:
     def structure(self) -> Structure:
         of = self._of_role
         return Structure(
-            outputs=tuple(self._moving(index) for index in of(Role.OUTPUT)),
-            derivatives=tuple(self._moving(index) for index in self._derivatives()),
-            indicators=tuple(self._moving(index) for index in of(Role.INDICATOR)),
+            outputs=tuple(self._continuous_state(index) for index in of(Role.OUTPUT)),
+            derivatives=tuple(self._continuous_state(index) for index in self._derivatives()),
+            indicators=tuple(self._continuous_state(index) for index in of(Role.INDICATOR)),
             initial=tuple(self._initial(index) for index in self._initial_unknowns()),
             elements=tuple(self._elements(variable) for variable in self._variables),
         )
@@ -130,7 +130,7 @@ class _Search:
     def _indicator(self, index: int) -> Row:
         return self._found.moving[Role.INDICATOR, index]
 
-    def _moving(self, index: int) -> Unknown:
+    def _continuous_state(self, index: int) -> Unknown:
         variable = self._variables[index]
         strongest = self._strongest(self._rows(variable))
         real = variable.attributes.type == "REAL"

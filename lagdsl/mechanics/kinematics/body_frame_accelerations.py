@@ -28,7 +28,7 @@ from lagdsl.record import record
 
 
 @record(kw_only=True)
-class Moving:
+class FrameAcceleration:
     """Angular velocity, angular acceleration and acceleration of the origin, in own axes."""
 
     omega: Vector
@@ -44,9 +44,9 @@ class Accelerations:
         zero = graph.zero
         self.base = subtract(graph, (zero, zero, zero), gravity)
         rest = (zero, zero, zero)
-        self._known = {"world": Moving(omega=rest, alpha=rest, origin=self.base)}
+        self._known = {"world": FrameAcceleration(omega=rest, alpha=rest, origin=self.base)}
 
-    def of(self, name: str) -> Moving:
+    def of(self, name: str) -> FrameAcceleration:
         ancestry = []
         while name not in self._known:
             ancestry.append(name)
@@ -60,20 +60,22 @@ class Accelerations:
             self._known[descendant] = moving
         return moving
 
-    def _after(self, before: Moving, motion: Motion) -> Moving:
+    def _after(self, before: FrameAcceleration, motion: Motion) -> FrameAcceleration:
         graph, bias = self._graph, self._bias
         omega = velocities.own_velocity(graph, before.omega, motion, self._rate)
         match motion:
             case Shift(offset):
-                return Moving(omega=omega, alpha=before.alpha, origin=self.shifted(before, offset))
+                return FrameAcceleration(omega=omega, alpha=before.alpha, origin=self.shifted(before, offset))
             case Put(origin, axes):
                 moved = derivative(derivative(origin, self._rate), bias)
-                return Moving(omega=omega, alpha=before.alpha, origin=to_own(graph, axes, add(graph, moved, self.base)))
+                return FrameAcceleration(
+                    omega=omega, alpha=before.alpha, origin=to_own(graph, axes, add(graph, moved, self.base))
+                )
             case Turn() | TurnAbout():
                 return self._turned(before, motion, omega)
             case TurnQuaternion() | SetTo():
                 # d/dt of the components of omega along own axes are those of alpha, since omega x omega = 0
-                return Moving(
+                return FrameAcceleration(
                     omega=omega,
                     alpha=derivative(omega, bias),
                     origin=velocities.turned(graph, motion, before.origin),
@@ -83,7 +85,7 @@ class Accelerations:
             case _:
                 assert_never(motion)
 
-    def _turned(self, before: Moving, motion: Turn | TurnAbout, omega: Vector) -> Moving:
+    def _turned(self, before: FrameAcceleration, motion: Turn | TurnAbout, omega: Vector) -> FrameAcceleration:
         """alpha + phi'' n + (omega x n) phi'."""
         graph = self._graph
         zero, one = graph.zero, graph.one
@@ -96,9 +98,9 @@ class Accelerations:
         alpha = velocities.turned(graph, motion, before.alpha)
         alpha = add(graph, alpha, scale(graph, speed, cross(graph, omega, axis)))
         alpha = add(graph, alpha, scale(graph, self._bias.of(speed), axis))
-        return Moving(omega=omega, alpha=alpha, origin=velocities.turned(graph, motion, before.origin))
+        return FrameAcceleration(omega=omega, alpha=alpha, origin=velocities.turned(graph, motion, before.origin))
 
-    def shifted(self, moving: Moving, offset: Vector) -> Vector:
+    def shifted(self, moving: FrameAcceleration, offset: Vector) -> Vector:
         """Acceleration of what is at `offset` in own axes."""
         graph = self._graph
         spread = spread_of(graph, moving)
@@ -109,7 +111,7 @@ class Accelerations:
         return add(graph, add(graph, moving.origin, carried), relative)
 
 
-def spread_of(graph: Graph, moving: Moving) -> Axes:
+def spread_of(graph: Graph, moving: FrameAcceleration) -> Axes:
     """Rows of U = alpha x + omega x omega x: accelerations of a body's places differ by U r."""
     w, a = moving.omega, moving.alpha
     squares = [graph.multiply(x, x) for x in w]

@@ -14,7 +14,7 @@ from lagdsl.graph.differentiate import mask_of
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.identity import identical
 from lagdsl.graph.operation import Group
-from lagdsl.mechanics.kinematics.body_frame_accelerations import Accelerations, Moving, spread_of
+from lagdsl.mechanics.kinematics.body_frame_accelerations import Accelerations, FrameAcceleration, spread_of
 from lagdsl.mechanics.kinematics.vectors import Axes, Vector, cross, scale
 from lagdsl.mechanics.lagrange.body_recognition import recognized_bodies
 from lagdsl.mechanics.lagrange.gravity_recognition import Heights
@@ -155,7 +155,7 @@ class _Builder:
         self._under[wanted] = made
         return made
 
-    def _add_rigid(self, frame: str, moving: Moving, mass: int, moment: Vector, tensor: Axes) -> None:
+    def _add_rigid(self, frame: str, moving: FrameAcceleration, mass: int, moment: Vector, tensor: Axes) -> None:
         """`moment` and `tensor` about the origin of the frame."""
         omega, velocity = self._poses.own_twist(frame)
         self._add_inertia(omega, velocity, mass, moment, tensor)
@@ -173,7 +173,7 @@ class _Builder:
             form.add_product(omega[i], velocity[j], graph.negate(moment[k]))
 
     def _add_newton_euler(
-        self, omega: Vector, velocity: Vector, moving: Moving, mass: int, moment: Vector, tensor: Axes
+        self, omega: Vector, velocity: Vector, moving: FrameAcceleration, mass: int, moment: Vector, tensor: Axes
     ) -> None:
         """F = m a + U mc and N = vee(U J - (U J)') + mc x a, with J = tr(I)/2 - I, the second moments of mass."""
         graph, form = self._graph, self.form

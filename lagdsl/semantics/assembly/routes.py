@@ -91,7 +91,7 @@ class Routes:
         if steps is None or not isinstance(start, FrameValue):
             return POISON
         undone = inverse(steps.steps)
-        if undone is None or self._mentions(steps.steps, base.name):
+        if undone is None or self._depends_on(steps.steps, base.name):
             self._ctx.sink.report("E0706", link.binding.node.span, Label(link.instance.span, "entered in reverse"))
             return POISON
         both = (start, steps)
@@ -114,7 +114,7 @@ class Routes:
             return None
         return value if isinstance(value, FrameValue) else None
 
-    def _mentions(self, steps: tuple[FrameStep, ...], name: str) -> bool:
+    def _depends_on(self, steps: tuple[FrameStep, ...], name: str) -> bool:
         return any(
             names_frame(node, name) for step in steps for part in step_expressions(step) for node in postorder(part)
         )

@@ -6,7 +6,7 @@ from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.semantics.operators.conditions import switched
+from lagdsl.semantics.operators.conditions import where_active
 from lagdsl.semantics.operators.geometry import as_frame
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of
@@ -30,7 +30,7 @@ def rigid_body(ctx: Context, scope: Scope, node: nodes.RigidBody, symbol: Symbol
     inertia = _inertia(ctx, scope, given)
     if frame is None or mass is None or com is None or inertia is None:
         return None
-    switch = [_switched(ctx, scope, node, part) for part in (*mass, *inertia)]
+    switch = [_where_active(ctx, scope, node, part) for part in (*mass, *inertia)]
     return flat_model.RigidBody(
         spans=(node.span, *scope.spans),
         label=symbol.made.labels[scope.path].name if symbol is not None else None,
@@ -41,10 +41,10 @@ def rigid_body(ctx: Context, scope: Scope, node: nodes.RigidBody, symbol: Symbol
     )
 
 
-def _switched(ctx: Context, scope: Scope, node: nodes.RigidBody, part: FlatExpression) -> FlatExpression:
+def _where_active(ctx: Context, scope: Scope, node: nodes.RigidBody, part: FlatExpression) -> FlatExpression:
     if part == flat.ZERO:
         return part
-    value = switched(ctx, scope, node.condition, Scalar(part, DIMENSIONLESS))
+    value = where_active(ctx, scope, node.condition, Scalar(part, DIMENSIONLESS))
     return value.expression if value is not None else part
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.operators.conditions import condition_of, switched
+from lagdsl.semantics.operators.conditions import condition_of, where_active
 from lagdsl.semantics.operators.geometry import as_direction, operand
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of
@@ -78,7 +78,7 @@ def energy_value(ctx: Context, scope: Scope, node: nodes.Energy) -> Scalar | Non
     if value_.order == Order.SOLUTION:
         ctx.sink.report("E0324", node.value.span, what=f"`{node.keyword}`")
         return None
-    return switched(ctx, scope, node.condition, value_)
+    return where_active(ctx, scope, node.condition, value_)
 
 
 def _energy_hint(keyword: str, found: Scalar) -> str | None:
@@ -102,10 +102,10 @@ def load_value(ctx: Context, scope: Scope, node: nodes.Load) -> Scalar | Vector 
         ctx.sink.report(code, node.value.span, what=f"this {node.keyword}")
         return None
     if node.at is None and isinstance(found, Scalar) and found.kind != "Boolean":
-        return switched(ctx, scope, node.condition, found)
+        return where_active(ctx, scope, node.condition, found)
     dimension = MOMENT if node.keyword == "torque" else FORCE
     vector = as_direction(ctx, scope, node.value, found, f"a {node.keyword}", dimension)
-    return switched(ctx, scope, node.condition, vector) if vector is not None else None
+    return where_active(ctx, scope, node.condition, vector) if vector is not None else None
 
 
 def invariant_value(ctx: Context, scope: Scope, node: nodes.Invariant) -> Scalar | None:

@@ -45,7 +45,7 @@ def structural_condition(ctx: Context, scope: Scope, node: nodes.Expression | No
     return condition if isinstance(condition, bool) else None
 
 
-def switched(ctx: Context, scope: Scope, node: nodes.Expression | None, value: SwitchedT) -> SwitchedT | None:
+def where_active(ctx: Context, scope: Scope, node: nodes.Expression | None, value: SwitchedT) -> SwitchedT | None:
     """The value where the condition and those of the components around hold, else zero.
 
     A structural condition is true here: false items are dropped.

@@ -12,7 +12,7 @@ from lagdsl.flat import model as fm
 from lagdsl.flat.degree import RateDegree
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
-from lagdsl.flat.probe import Moment, probes
+from lagdsl.flat.probe import ProbeState, probes
 from lagdsl.flat.spans import around, place
 
 _POINTS = 6
@@ -51,7 +51,7 @@ class _Trials:
         self._evaluators: dict[tuple[int, float], Evaluator] = {}
 
     @cached_property
-    def _moments(self) -> list[Moment]:
+    def _moments(self) -> list[ProbeState]:
         return probes(self._flat, _POINTS)
 
     def value(self, term: fm.EnergyTerm, moment: int, factor: float) -> float:

@@ -38,6 +38,12 @@ size_t lag_derivatives_memory(const lag_model *model);
 void lag_derivatives_place(lag_derivatives *derivatives, const lag_model *model, double *memory);
 
 /*
+ * Natural sizes of coordinates (nq) and rows (nc), which must stay; off the constraints they tell which rows count where these depend on
+ * each other. Not said: all that are not very short.
+ */
+void lag_derivatives_size(lag_derivatives *derivatives, const double *sizes, const double *row_sizes);
+
+/*
  * qdd and lam at t q qd z u w p, after prepare(), whose arrays must stay as long as derivatives are asked for; what they need is factored.
  * LAG_SINGULAR, LAG_NOT_FINITE as lag_forward_dynamics().
  */

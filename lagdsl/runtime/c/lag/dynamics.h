@@ -20,8 +20,10 @@ typedef struct lag_system {
     size_t indefinite;      /* 1: `factor` holds eigenvectors, 0: a Cholesky factor */
     const double *mass;     /* (n, n) */
     const double *jacobian; /* (m, n) */
-    /* (m) 1: of rows that depend on each other this one counts as the dependent one, wherever it can; null: what rounding says */
+    /* (m) 1: of rows that depend on each other this one counts as the dependent one, where the others do as well; null: what rounding says */
     const unsigned char *late;
+    /* (n) (m) natural sizes: of rows that depend on each other those count that are long in these; null: all that are not very short */
+    const double *sizes, *row_sizes;
     double *column_scale;   /* (n) */
     double *row_scale;      /* (m) */
     double *rows;           /* (m, n) factors of the scaled J' */

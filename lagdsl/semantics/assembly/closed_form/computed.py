@@ -60,7 +60,7 @@ class Solver:
         if any(isinstance(step, Place | SetAxes) for step in steps):
             raise NoFormulaError
         self._turning(tuple(step for step in steps if not isinstance(step, Move)))
-        self._moving(steps)
+        self._moved(steps)
         if len(self._solved) != len(self._starts):
             raise NoFormulaError
 
@@ -186,7 +186,7 @@ class Solver:
 
     # ---- moving ------------------------------------------------------------------------------------------------------
 
-    def _moving(self, steps: tuple[FrameStep, ...]) -> None:
+    def _moved(self, steps: tuple[FrameStep, ...]) -> None:
         free = [k for k, step in enumerate(steps) if isinstance(step, Move) and self._free(*step.offset)]
         if not free:
             return

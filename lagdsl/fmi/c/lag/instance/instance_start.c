@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/initial.h"
+#include "lag/linalg/arena.h"
 
 /* Whether everything that the start depends on is as it was when the model was exported. */
 static int as_exported(const lag_instance *instance)
@@ -117,6 +118,7 @@ lag_status lag_instance_settle(lag_instance *instance)
     lag_run *run = instance->run;
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
+    lag_fill(instance->fmu->model->ny, (double)NAN, instance->turned); /* angles begin as they are */
     held->stopped = 0;
     held->implicit = -1;
     run->begun = held->t;

@@ -9,8 +9,8 @@ static const double TURN = 6.283185307179586476925;
 void lag_instance_unwind(const lag_instance *instance, double *y)
 {
     for (size_t i = 0; i < instance->fmu->model->ny; ++i) {
-        if (instance->fmu->turning[i] != 0) {
-            y[i] += TURN * round((instance->turned[i] - y[i]) / TURN);
+        if (instance->fmu->turning[i] != 0 && isfinite(y[i]) && isfinite(instance->turned[i])) {
+            y[i] += TURN * nearbyint((instance->turned[i] - y[i]) / TURN);
         }
     }
 }

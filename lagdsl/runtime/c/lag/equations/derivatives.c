@@ -42,6 +42,12 @@ static void place_system(lag_derivatives *d, const lag_model *model, double **me
     d->system.late = model->redundant; /* off the constraints it matters which row is taken, and must not change with a bit */
 }
 
+void lag_derivatives_size(lag_derivatives *d, const double *sizes, const double *row_sizes)
+{
+    d->system.sizes = sizes;
+    d->system.row_sizes = row_sizes;
+}
+
 void lag_derivatives_place(lag_derivatives *d, const lag_model *model, double *memory)
 {
     const size_t n = model->nq;
@@ -89,12 +95,32 @@ static lag_status form(lag_derivatives *d)
     return status;
 }
 
+static int binds(size_t n, const double *row)
+{
+    size_t j = 0;
+    while (j < n && row[j] == 0.0) {
+        ++j;
+    }
+    return j < n;
+}
+
+/* Independent rows: those of open contacts are zero, and another one that depends on the rest must not take their place. */
+static size_t independent(const lag_derivatives *d)
+{
+    const lag_model *model = d->model;
+    size_t count = model->rank;
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        count -= count > 0 && !binds(model->nq, d->jacobian + model->contact_rows[i] * model->nq);
+    }
+    return count;
+}
+
 static lag_status solve(lag_derivatives *d, double *qdd, double *lam, size_t *coordinate)
 {
     const lag_model *model = d->model;
     lag_status status = form(d);
     if (status == LAG_OK) {
-        status = lag_system_factor(&d->system, d->mass, d->jacobian, model->rank, coordinate);
+        status = lag_system_factor(&d->system, d->mass, d->jacobian, independent(d), coordinate);
     }
     if (status != LAG_OK) {
         return status;
@@ -136,6 +162,7 @@ lag_status lag_motion_pulled(lag_motion *motion, double rate, double t, const do
     double *memory = motion->memory;
     lag_motion_look(motion, t, x);
     place_system(&d, motion->model, &memory);
+    lag_derivatives_size(&d, motion->sizes, motion->row_sizes);
     d.rate = rate;
     d.at = motion->at;
     return solve(&d, qdd, lam, &motion->coordinate);

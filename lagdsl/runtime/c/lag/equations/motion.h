@@ -16,6 +16,7 @@ typedef struct lag_motion {
     double *memory;      /* lag_jacobian_memory() without tangents */
     lag_inputs *inputs;  /* null: u stays as it is */
     void *context;       /* of inputs */
+    const double *sizes, *row_sizes; /* (nq) (nc) natural sizes, or both null: not known */
     double until;        /* from this time on inputs are those before a jump */
     lag_ode ode;         /* the system that the methods see; its context is this structure */
     size_t coordinate;   /* of the last singular state */

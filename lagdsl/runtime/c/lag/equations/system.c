@@ -10,8 +10,14 @@ static const double RANK_TOLERANCE = 1e-8;
 static const double ZERO_TOLERANCE = 1e-14;
 static const double SHORT_ROW = 1e-3;
 static const double LIGHTEST = 1e3;
-/* Rows that are to be taken last are as short as this. */
-static const double LATE = 1e-4;
+/*
+ * Off the constraints rows that depend on each other contradict each other a little, and the ones that are taken enlarge that by the inverse of
+ * what is left of them. Rows that are to be taken last are so much shorter: others are taken where they leave less.
+ */
+static const double LATE = 0.3;
+/* Such rows are not stretched where they are shorter than this part of their natural size; and shorter than that none of them becomes. */
+static const double SHORT_PART = 0.3;
+static const double LEAST_PART = 1e-3;
 static const double SINGULAR_TOLERANCE = 2e-15;
 static const double LARGEST = 1e140;
 enum { REFINEMENTS = 1 };
@@ -35,6 +41,7 @@ void lag_system_place(lag_system *s, size_t n, size_t m, double *memory)
     s->mass = NULL;
     s->jacobian = NULL;
     s->late = NULL;
+    s->sizes = s->row_sizes = NULL;
     s->column_scale = lag_take(&memory, n);
     s->row_scale = lag_take(&memory, m);
     s->rows = lag_take(&memory, m * n);
@@ -92,7 +99,22 @@ static void scale_coordinates(lag_system *s)
     }
 }
 
-static void scale_rows(lag_system *s)
+/* The length that row i is given: one, but for rows that are short; `part` is that beside the longest row. */
+static double length_of_row(const lag_system *s, size_t i, double part, int dependent)
+{
+    double sum = 0.0;
+    if (!dependent || s->row_sizes == NULL) {
+        return part;
+    }
+    for (size_t j = 0; j < s->n; ++j) {
+        const double entry = s->jacobian[i * s->n + j] * s->sizes[j] / s->row_sizes[i];
+        sum += entry * entry;
+    }
+    const double natural = fmin(1.0, sqrt(sum) / SHORT_PART);
+    return fmax(natural < part ? natural : part, fmin(LEAST_PART, part));
+}
+
+static void scale_rows(lag_system *s, int dependent)
 {
     const size_t n = s->n;
     double least = (double)INFINITY, longest = 0.0;
@@ -116,7 +138,7 @@ static void scale_rows(lag_system *s)
             sum += s->rows[i * n + j] * s->rows[i * n + j];
         }
         const double part = fmin(1.0, judged / (SHORT_ROW * longest));
-        s->row_scale[i] = judged > ZERO_TOLERANCE * longest ? part / sqrt(sum) : 0.0;
+        s->row_scale[i] = judged > ZERO_TOLERANCE * longest ? length_of_row(s, i, part, dependent) / sqrt(sum) : 0.0;
         s->row_scale[i] *= s->late != NULL && s->late[i] ? LATE : 1.0;
         for (size_t j = 0; j < n; ++j) {
             s->rows[i * n + j] *= s->row_scale[i];
@@ -237,7 +259,7 @@ lag_status lag_system_factor(
         return LAG_NOT_FINITE;
     }
     scale_coordinates(s);
-    scale_rows(s);
+    scale_rows(s, most < s->m);
     s->rank = lag_qr(s->m, s->n, s->rows, s->tau, s->diagonal, s->pivot, most, RANK_TOLERANCE);
     find_excess(s);
     reduce(s);

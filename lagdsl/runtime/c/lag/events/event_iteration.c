@@ -332,7 +332,7 @@ static lag_status pass(lag_event_iteration *iteration, double t, double *x, cons
 }
 
 /* 1: a constraint that discretes switch asks for other positions. */
-static int torn(const lag_event_iteration *iteration, double t, const double *x)
+static int positions_jump(const lag_event_iteration *iteration, double t, const double *x)
 {
     const lag_model *model = iteration->motion->model;
     for (size_t i = 0; i < model->nswitched; ++i) {
@@ -354,7 +354,7 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
         memcpy(iteration->before, w, model->nw * sizeof(double));
         status = pass(iteration, t, x, relations, &acted);
         if (status == LAG_OK && !acted && same(model->nw, iteration->before, w)) {
-            return torn(iteration, t, x) ? LAG_POSITION_JUMP : LAG_OK;
+            return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : LAG_OK;
         }
     }
     for (size_t i = 0; i < model->nw; ++i) {

@@ -86,7 +86,7 @@ static int take_apart(branch_point *it)
     }
     it->held = large < s->general - 1 ? large : s->general - 1;
     it->lost = s->general - it->held;
-    if (it->lost > LAG_VANISHING) {
+    if (it->lost > LAG_MOST_LOST) {
         return 0;
     }
     memcpy(s->holding, rows.v, it->held * m * sizeof(double));
@@ -117,9 +117,9 @@ static int bend(const branch_point *it)
     lag_singular *s = it->s;
     const size_t n = s->run->motion.model->nq + 1;
     for (size_t d = 0; d < n; ++d) {
-        double *slope = s->slopes + d * LAG_VANISHING * n;
+        double *slope = s->slopes + d * LAG_MOST_LOST * n;
         const double kept = s->point[d];
-        lag_fill(LAG_VANISHING * n, 0.0, slope);
+        lag_fill(LAG_MOST_LOST * n, 0.0, slope);
         for (int sign = 1; sign >= -1; sign -= 2) {
             s->point[d] = kept + sign * DIFFERENCE;
             if (!rows_at(it, s->point)) {
@@ -154,7 +154,7 @@ static size_t state_lines(const branch_point *it, const double *phi, const doubl
         for (size_t i = 0; i < n - it->held; ++i, ++line) {
             s->wanted[line] = product(n, s->free + i * n, slope + k * n);
             for (size_t d = 0; d < n; ++d) {
-                s->lines[line * n + d] = product(n, s->free + i * n, s->slopes + (d * LAG_VANISHING + k) * n);
+                s->lines[line * n + d] = product(n, s->free + i * n, s->slopes + (d * LAG_MOST_LOST + k) * n);
             }
         }
     }
@@ -197,7 +197,7 @@ static double improve(branch_point *it)
         return (double)INFINITY;
     }
     memcpy(phi, s->left, m * sizeof(double));
-    lag_fill(LAG_VANISHING * n, 0.0, slope);
+    lag_fill(LAG_MOST_LOST * n, 0.0, slope);
     add_slope(it, 1.0, slope);
     if (!bend(it)) {
         return (double)INFINITY;

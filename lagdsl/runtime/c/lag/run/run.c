@@ -126,6 +126,8 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->natural = lag_take(&memory, size);
     run->cap = lag_take(&memory, size);
     run->row_sizes = lag_take(&memory, model->nc);
+    run->motion.sizes = run->natural;
+    run->motion.row_sizes = run->row_sizes;
     lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model->nc, model->nq)));
     run->lasting = lag_take(&memory, model->nc);
     run->dependent = (unsigned char *)(void *)lag_take(&memory, model->nc);

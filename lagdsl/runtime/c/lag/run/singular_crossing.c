@@ -31,11 +31,11 @@ size_t lag_singular_memory(const lag_model *model)
     const size_t m = model->nc;
     const size_t n = model->nq;
     const size_t k = m < n ? m : n;
-    const size_t lines = m + LAG_VANISHING * (n + 1);
+    const size_t lines = m + LAG_MOST_LOST * (n + 1);
     const size_t svd = larger(lag_svd_memory(lines, n + 1), lag_svd_memory(n + 1, m));
-    return lag_parts_memory(m, n) + (m + n) + 4 * m * n + k * k + 2 * m * (n + 1) + (n + 1) + m + LAG_VANISHING * m +
-           (n + 1) * (n + 1) + m * m + (n + 1) * (n + 1) * LAG_VANISHING + lines * (n + 1) + lines + (n + 1) + m +
-           LAG_VANISHING * (n + 1) + n + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) + larger(svd, lag_eigenvalues_memory(k));
+    return lag_parts_memory(m, n) + (m + n) + 4 * m * n + k * k + 2 * m * (n + 1) + (n + 1) + m + LAG_MOST_LOST * m +
+           (n + 1) * (n + 1) + m * m + (n + 1) * (n + 1) * LAG_MOST_LOST + lines * (n + 1) + lines + (n + 1) + m +
+           LAG_MOST_LOST * (n + 1) + n + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) + larger(svd, lag_eigenvalues_memory(k));
 }
 
 void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
@@ -44,7 +44,7 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
     const size_t m = model->nc;
     const size_t n = model->nq;
     const size_t k = m < n ? m : n;
-    const size_t lines = m + LAG_VANISHING * (n + 1);
+    const size_t lines = m + LAG_MOST_LOST * (n + 1);
     const lag_pattern *entries = model->jacobian_pattern;
     memset(s, 0, sizeof *s);
     s->run = run;
@@ -59,13 +59,13 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
     s->tall = lag_take(&memory, m * (n + 1));
     s->point = lag_take(&memory, n + 1);
     s->left = lag_take(&memory, m);
-    s->vanishing = lag_take(&memory, LAG_VANISHING * m);
+    s->vanishing = lag_take(&memory, LAG_MOST_LOST * m);
     s->free = lag_take(&memory, (n + 1) * (n + 1));
     s->holding = lag_take(&memory, m * m);
-    s->slopes = lag_take(&memory, (n + 1) * (n + 1) * LAG_VANISHING);
+    s->slopes = lag_take(&memory, (n + 1) * (n + 1) * LAG_MOST_LOST);
     s->lines = lag_take(&memory, lines * (n + 1));
     s->wanted = lag_take(&memory, lines);
-    s->step = lag_take(&memory, (n + 1) + m + LAG_VANISHING * (n + 1));
+    s->step = lag_take(&memory, (n + 1) + m + LAG_MOST_LOST * (n + 1));
     s->still = lag_take(&memory, n);
     double **const along[] = {&s->branch, &s->earlier, &s->coefficients, &s->best};
     double **const states[] = {&s->state, &s->rates, &s->origin, &s->end};

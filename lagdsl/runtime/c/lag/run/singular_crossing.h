@@ -35,10 +35,10 @@ typedef struct lag_singular {
     double *block, *other, *turned; /* (nc, nq) (nc, nq) (k, k), k: the smaller of both */
     double *wide, *tall;         /* (nc, nq + 1) (nq + 1, nc) */
     double *point, *left;        /* (nq + 1) (nc) */
-    double *vanishing, *free;    /* (LAG_VANISHING, nc) (nq + 1, nq + 1) */
+    double *vanishing, *free;    /* (LAG_MOST_LOST, nc) (nq + 1, nq + 1) */
     double *holding;             /* (nc, nc) combinations of rows that do not vanish */
-    double *slopes;              /* (nq + 1, LAG_VANISHING, nq + 1) */
-    double *lines, *wanted, *step; /* (nc + LAG_VANISHING (nq + 1), nq + 1) and its right-hand side; (nq + 1 and more) */
+    double *slopes;              /* (nq + 1, LAG_MOST_LOST, nq + 1) */
+    double *lines, *wanted, *step; /* (nc + LAG_MOST_LOST (nq + 1), nq + 1) and its right-hand side; (nq + 1 and more) */
     double *still;               /* (nq) zeros */
     double *branch, *earlier, *coefficients, *best; /* (7, nq + nz) */
     double *state, *rates, *origin, *end; /* (2 nq + nz) */
@@ -46,7 +46,7 @@ typedef struct lag_singular {
 } lag_singular;
 
 /* So many combinations of rows at most may vanish at one time. */
-enum { LAG_VANISHING = 6 };
+enum { LAG_MOST_LOST = 6 };
 
 /* Doubles for it. */
 size_t lag_singular_memory(const lag_model *model);

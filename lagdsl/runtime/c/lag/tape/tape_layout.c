@@ -130,6 +130,8 @@ static void give_start(lag_start *start, const lag_tape_parts *parts)
     start->nominal = section(parts, LAG_TAPE_START_NOMINAL);
     start->minimum = section(parts, LAG_TAPE_START_MINIMUM);
     start->maximum = section(parts, LAG_TAPE_START_MAXIMUM);
+    start->free = section(parts, LAG_TAPE_START_FREE);
+    start->parameter_nominal = section(parts, LAG_TAPE_START_PARAMETER_NOMINAL);
 }
 
 const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory)
