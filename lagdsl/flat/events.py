@@ -79,7 +79,7 @@ class Contact(Item):
     """`gap >= 0` with an impact law. `row` is the constraint that holds while it is closed.
 
     `capture_speed` is the rebound speed below which it closes, `zeno_time` the time left of a series of impacts
-    below which it does; None: no speed, a millionth of the length of the experiment.
+    below which it does; None: no speed, a millionth of the length that the experiment states, else of the run.
     """
 
     name: str

@@ -14,13 +14,17 @@ from typing import assert_never
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.event_flow import assignments, branches, needs
 from lagdsl.flat.events import Action, Assign, Branch, Check, Contact, Entry, Impact, Reset, Terminate, When, entries
-from lagdsl.flat.model import FlatModel
+from lagdsl.flat.model import Experiment, FlatModel
 from lagdsl.graph.differentiate import jacobian
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 from lagdsl.mechanics.lowering.lowering import Lowering
 from lagdsl.program.functions import OPTIONAL
 from lagdsl.program.program import Block, Function
+
+# Of the length of the experiment: the time left of bounces below which a contact rests where no `t_eps` is given. The
+# runtime takes the same part of a run where the model states no length.
+_REST = 1e-6
 
 
 def event_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
@@ -141,7 +145,8 @@ def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
     capture_speed = [
         unknown if each.capture_speed is None else lowering.scalar(each.capture_speed) for each in contacts
     ]
-    zeno_time = [unknown if each.zeno_time is None else lowering.scalar(each.zeno_time) for each in contacts]
+    brief = _brief(graph, flat.experiment)
+    zeno_time = [brief if each.zeno_time is None else lowering.scalar(each.zeno_time) for each in contacts]
     shape = (len(gaps), len(flat.coordinates))
     return [
         _vector("gap", gaps),
@@ -151,6 +156,13 @@ def _gaps(lowering: Lowering, flat: FlatModel) -> list[Block]:
         _vector("capture_speed", capture_speed),
         _vector("zeno_time", zeno_time),
     ]
+
+
+def _brief(graph: Graph, experiment: Experiment) -> int:
+    """The time left of bounces below which a contact rests: by the experiment that the model states, so that a run that
+    ends elsewhere carries out the same motion; -1 where it states none, which leaves it to the length of the run."""
+    length = experiment.stop_time - experiment.start_time
+    return graph.constant(_REST * length if experiment.stop_time_explicit and length > 0.0 else -1.0)
 
 
 class Pass:

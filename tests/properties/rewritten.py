@@ -58,11 +58,17 @@ def reordered(s: Source) -> str:
 
 def wrapped(s: Source) -> str:
     """An instance of it in another model."""
-    return s.text + around(s.model.name)
+    return s.text + around(s)
 
 
-def around(name: str, items: str = "", equations: str = "") -> str:
-    return f"\nmodel Around\n  {name} inner;\n{items}{equations}end Around;\n"
+def around(s: Source, items: str = "", equations: str = "") -> str:
+    """A model with an instance of it, and with its experiment, by which contacts rest."""
+    return f"\nmodel Around\n  {s.model.name} inner;\n{items}{_experiment(s)}{equations}end Around;\n"
+
+
+def _experiment(s: Source) -> str:
+    stop = re.search(r"StopTime\s*=\s*([^,)]+)", s.text[s.model.span.start : s.model.span.end])
+    return "" if stop is None else f"  annotation(experiment(StopTime = {stop[1]}));\n"
 
 
 def names_of(s: Source) -> tuple[str, ...]:
@@ -100,7 +106,8 @@ def mass_of(s: Source) -> Mass | None:
 
 
 def lighter(s: Source, mass: Mass) -> str:
-    return f"{s.text}\nmodel Lighter\n  extends {s.model.name}({mass.name} = {_less(mass)});\nend Lighter;\n"
+    items = f"  extends {s.model.name}({mass.name} = {_less(mass)});\n{_experiment(s)}"
+    return f"{s.text}\nmodel Lighter\n{items}end Lighter;\n"
 
 
 def twice(s: Source, mass: Mass | None) -> str:
@@ -111,7 +118,7 @@ def twice(s: Source, mass: Mass | None) -> str:
         if isinstance(item, nodes.Gravity):
             gravity = re.sub(r"(?<!\d )(?<![/.\w])[A-Za-z]\w*", lambda word: _inside(s, word[0]), item.span.text)
             text = s.text[: item.span.start] + s.text[item.span.end :]
-    return text + around(s.model.name, f"  {s.model.name} other{values};\n  {gravity}\n")
+    return text + around(s, f"  {s.model.name} other{values};\n  {gravity}\n")
 
 
 def _inside(s: Source, name: str) -> str:

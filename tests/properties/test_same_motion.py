@@ -138,7 +138,7 @@ def test_by_other_names(name: str) -> None:
 def test_in_another_file(name: str, tmp_path: Path) -> None:
     s = source(ROOT / "models" / f"{name}.lag")
     (tmp_path / f"{s.model.name}.lag").write_text(s.text)
-    (tmp_path / "around.lag").write_text(f"import {s.model.name};\n{around(s.model.name)}")
+    (tmp_path / "around.lag").write_text(f"import {s.model.name};\n{around(s)}")
     model = lagdsl.compile(tmp_path / "around.lag", engine=FIRST)  # type: ignore[arg-type]
     other = model.simulate(stop=STOP, interval=STOP / 20, tolerance=TOLERANCE)
     assert_columns(original(name, TOLERANCE), original(name, 10 * TOLERANCE), other, prefix="inner.")
@@ -157,9 +157,7 @@ def test_twice_with_different_values(name: str) -> None:
 
 
 # Where something happens: one event a model, the first that is neither at the start nor a tick.
-HAPPENING = NAMES if EXPLORE else ["bouncing_ball", "escapement"]
-# Its seat bounces until it rests, by a part of the length of the run (docs/adr/0064): another stop, other last bounces.
-BOUNCES_TO_REST = {"valve_train"}
+HAPPENING = NAMES if EXPLORE else ["bouncing_ball", "escapement", "valve_train"]
 
 
 def _first(name: str) -> float | None:
@@ -167,7 +165,7 @@ def _first(name: str) -> float | None:
     return next((event.time for event in events), None)
 
 
-@pytest.mark.parametrize("name", [name for name in HAPPENING if name not in BOUNCES_TO_REST])
+@pytest.mark.parametrize("name", HAPPENING)
 def test_stop_where_something_happens(name: str) -> None:
     at = _first(name)
     if at is None:
@@ -191,7 +189,7 @@ def test_tick_where_something_happens(name: str) -> None:
     tick = f"sample({at!r}, 1000)"
     s = source(ROOT / "models" / f"{name}.lag")
     clause = f"equation\n  when {tick} then ticks = pre(ticks) + 1; end when;\n"
-    other = moved(s.text + around(s.model.name, "  discrete Integer ticks(start = 0);\n", clause), TOLERANCE)
+    other = moved(s.text + around(s, "  discrete Integer ticks(start = 0);\n", clause), TOLERANCE)
     assert other["ticks"][-1] == 1
     assert _kinds(original(name, TOLERANCE), STOP) == _kinds(other, STOP, tick[:12])
     assert_columns(original(name, TOLERANCE), original(name, 10 * TOLERANCE), other, prefix="inner.")

@@ -35,6 +35,24 @@ def test_flights_shorter_than_a_step_end_on_time(engine: EngineName) -> None:
 
 
 @pytest.mark.parametrize("engine", ENGINES)
+def test_bounces_rest_by_the_experiment_and_not_by_the_run(engine: EngineName) -> None:
+    """2 v/g/(1 - e) = 2 e^n fall/(1 - e) is left after the impact n: it holds where that is less than 5e-6 s."""
+    text = """
+      coordinate Real h(start = 1);
+      kinetic 1/2*der(h)^2;
+      potential 10*h;
+      contact floor: h >= 0 with restitution = 0.5;
+      annotation(experiment(StopTime = 5));
+    """
+    found = [[event.time for event in model(text, engine).simulate(stop=stop).events] for stop in (1.5, 5.0, 90.0)]
+    fall = math.sqrt(0.2)
+    count = next(n for n in range(1, 99) if 4 * fall * 0.5**n < 5e-6)
+    times = [*(fall * (1 + 2 * sum(0.5**k for k in range(1, n))) for n in range(1, count + 1)), 3 * fall]
+    for each in found:
+        np.testing.assert_allclose(each, times, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
 def test_what_comes_and_goes_within_a_quarter_of_a_step_is_found(engine: EngineName) -> None:
     """x = sin(t) is above 0.9999 for 2 arccos(0.9999) = 0.03 s; steps are longer than a quarter of that."""
     text = """
