@@ -132,7 +132,7 @@ class _Later:
 
 
 def _restore(self: Any, state: Any) -> None:
-    """What copying and unpickling call in place of `__init__`."""
+    """Constructor for copying and unpickling, in place of `__init__`."""
     _complete(type(self))
     for name, value in state[1].items():
         setattr(self, name, value)

@@ -42,7 +42,7 @@ def runtime_library_folder() -> Path:
 
 
 def is_checkout() -> bool:
-    """Whether this is the source tree, not a package that was installed from a wheel."""
+    """True if this is the source tree, not a package that was installed from a wheel."""
     return not (_PACKAGE / "_data").is_dir()
 
 

@@ -1,4 +1,4 @@
-"""What `linearize` returns: matrices with names and units."""
+"""Result of `linearize`: matrices with names and units."""
 
 from __future__ import annotations
 

@@ -114,7 +114,7 @@ def _solved(matrix: Floats, right: Floats) -> Floats:
 
 
 def _lengths(rows: Floats) -> Floats:
-    """What makes rows unit rows, and nothing of a row that vanishes on the constraints: its direction is round-off."""
+    """Lengths of the rows; infinite for a row that vanishes on the constraints: its direction is round-off."""
     lengths = np.linalg.norm(rows, axis=1)
     return np.where(lengths > _VANISHES * np.max(lengths, initial=0.0), lengths, np.inf)
 

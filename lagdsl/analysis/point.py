@@ -90,7 +90,7 @@ def coordinate_sizes(system: System, p: Floats) -> Floats:
 
 @dataclass(frozen=True, slots=True)
 class Flow:
-    """What happens at a point: accelerations, multipliers, rates of states, outputs."""
+    """The solved motion at a point: accelerations, multipliers, rates of states, outputs."""
 
     point: Point
     qdd: Floats

@@ -72,7 +72,7 @@ def without_influence(a: Floats, sizes: Floats, omega: float, candidates: Sequen
 
 
 def steadiness(system: System, at: Reduced) -> Steadiness:
-    """What the point of `at` is. `at` is reduced by the rows of position level alone."""
+    """Kind of the point `at`. `at` is reduced by the rows of position level alone."""
     sizes, omega = state_sizes(system, at)
     places = len(at.partition.position)
     first_state = places + len(at.partition.rate)
@@ -106,7 +106,7 @@ def _elsewhere(
     kept: Sequence[int],
     names: Sequence[str],
 ) -> list[tuple[str, float]]:
-    """What does not stay as it is when the running entries and the time take other values."""
+    """Entries that change when the running entries and the time take other values."""
     for shift in _SHIFTS:
         other = _shifted(system, at, sizes, running, shift, abs(shift) / omega)
         found = None if other is None else reduce(system, other, at.partition.held, Sink(), at.partition)

@@ -102,7 +102,7 @@ def _nothing(point: Point) -> Changes:
 
 
 def all_names(system: System) -> list[str]:
-    """What can be free or held: coordinates, rates, states, inputs."""
+    """Names that can be free or held: coordinates, rates, states, inputs."""
     layout = system.engine.layout
     coordinates = [slot.name for slot in layout.coordinates]
     rates = [f"der({name})" for name in coordinates]

@@ -108,7 +108,7 @@ def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:
 
 
 def _varied(system: System, name: str, sink: Sink) -> Named:
-    """What `name` or `name.start` means; E0853 for what cannot be varied."""
+    """The quantity that `name` or `name.start` stands for; E0853 if it cannot be varied."""
     flat, layout = system.flat, system.engine.layout
     known = {slot.name: slot.unit for slot in (*layout.parameters, *layout.inputs)}
     starts = {item.name: item.unit for item in (*flat.coordinates, *flat.states)}

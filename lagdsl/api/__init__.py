@@ -1,1 +1,1 @@
-"""What `lagdsl.compile` returns: a facade over the floors below."""
+"""Result of `lagdsl.compile`: a facade over the floors below."""

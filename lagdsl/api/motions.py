@@ -110,6 +110,6 @@ def _runs(*given: Mapping[str, ArrayLike]) -> tuple[int, list[dict[str, list[flo
                 raise ValueError(f"the values of `{name}` must be a number or a sequence of numbers")
     if len(set(lengths.values())) != 1:
         told = ", ".join(f"`{name}` has {length}" for name, length in lengths.items()) or "there is none"
-        raise ValueError(f"what differs from run to run must be sequences of one length; {told}")
+        raise ValueError(f"values that differ from run to run must be sequences of one length; {told}")
     (count,) = set(lengths.values())
     return count, [{name: np.broadcast_to(values, count).tolist() for name, values in each.items()} for each in arrays]

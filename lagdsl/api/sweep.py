@@ -66,7 +66,7 @@ def run_sweep(
 
 
 def _units(compilation: Compilation) -> dict[str, str]:
-    """What can be set, with its SI unit."""
+    """Names that can be set, with their SI units."""
     flat = compilation.flat
     units = {slot.name: slot.unit for slot in compilation.program.layout.parameters}
     units |= {f"{item.name}.start": item.unit for item in (*flat.coordinates, *flat.states)}

@@ -1,4 +1,4 @@
-"""What a backend is: a program in, named texts out. Backends write nothing to disk."""
+"""Interface of a backend: a program in, named texts out. Backends write nothing to disk."""
 
 from __future__ import annotations
 

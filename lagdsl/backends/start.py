@@ -26,7 +26,7 @@ class Start:
 
 
 def free_parameters(flat: FlatModel) -> tuple[Parameter, ...]:
-    """Those that are found with the start."""
+    """Free parameters: initialization solves for them."""
     return tuple(parameter for parameter in flat.parameters if parameter.free)
 
 

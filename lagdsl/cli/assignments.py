@@ -59,7 +59,7 @@ def split(assignments: Sequence[str]) -> dict[str, str]:
 
 
 def settings(flat: FlatModel, pairs: dict[str, str]) -> Settings:
-    """What the assignments mean for this model. Raises UsageError for unknown names and values that do not fit."""
+    """Values of the assignments in this model. Raises UsageError for unknown names and values that do not fit."""
     result = Settings()
     parameters = {p.name: p for p in flat.parameters}
     starts: dict[str, Quantity] = {s.name: s for s in (*flat.coordinates, *flat.states)}

@@ -1,4 +1,4 @@
-"""What the commands that take a model have in common: their arguments, and telling what was found."""
+"""Code that all commands with a model share: their arguments, and printing of diagnostics."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `lag linearize`, `lag modes` and `lag trim` have in common: the state they look at, and how they end."""
+"""Code that `lag linearize`, `lag modes` and `lag trim` share: the state of interest, and the output."""
 
 from __future__ import annotations
 
@@ -125,13 +125,13 @@ def grid(flat: FlatModel, text: str) -> tuple[str, list[float]]:
     count = _count(text, parts[2]) if len(parts) == 3 else _STEPS
     first, last = (fitting(found, name, part.strip(), rate=rate) for part in parts[:2])
     if first == last:
-        raise click.UsageError(f"--vary {text}: from {first:g} to {last:g} there is nothing to vary")
+        raise click.UsageError(f"--vary {text}: the range from {first:g} to {last:g} is empty")
     return name, np.linspace(first, last, count).tolist()
 
 
 def _count(text: str, digits: str) -> int:
     if not digits.strip().isdigit() or not 2 <= int(digits) <= 100_000:
-        raise click.UsageError(f"--vary {text}: the number of values is a whole one from 2 to 100000")
+        raise click.UsageError(f"--vary {text}: the number of values must be an integer from 2 to 100000")
     return int(digits)
 
 

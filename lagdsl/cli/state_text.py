@@ -24,7 +24,7 @@ def point_text(system: System, point: Point) -> str:
 
 
 def steadiness_text(found: Steadiness) -> str:
-    """What the point is, and what runs there."""
+    """Kind of the point, and the entries that run there."""
     match found.kind:
         case "equilibrium":
             return "This is an equilibrium."

@@ -1,4 +1,4 @@
-"""What `lag run` says when no file is asked for: a table of the columns and a sketch of the motion."""
+"""Summary that `lag run` prints without an output file: a table of the columns and a sketch of the motion."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ def plan(flat: FlatModel, pairs: dict[str, str], random: int | None, seed: int) 
         if call is not None:
             _require_distribution(name, text, call)
             if random is None:
-                raise click.UsageError(f"{name}={text}: how many draws? Say --random N")
+                raise click.UsageError(f"{name}={text}: give the number of draws with --random N")
             # A stream of its own for every name: one more name changes no other draws.
             samples.append(_drawn(flat, name, text, call, random, np.random.default_rng([seed, number])))
         else:
@@ -81,7 +81,7 @@ def _range(name: str, text: str, runs: int) -> list[str]:
         raise click.UsageError(f"{name}={text}: a range is first:step:last, as in 0.1:0.1:1 m")
     units = dict.fromkeys(part[2] for part in parts if part and part[2])
     if len(units) > 1:
-        raise click.UsageError(f"{name}={text}: one unit for the whole range, please")
+        raise click.UsageError(f"{name}={text}: give one unit for the whole range")
     unit = next(iter(units), "")
     first, step, last = (Fraction(part[1]) for part in parts if part)
     if step == 0 or (last - first) / step < 0:

@@ -1,4 +1,4 @@
-"""What a stage says about a model: product of the diagnostics floor."""
+"""A message of a stage about a model: product of the diagnostics floor."""
 
 from enum import StrEnum
 

@@ -30,7 +30,7 @@ class Excerpt:
     columns: tuple[int, ...]
 
     def holds(self, piece: Piece) -> bool:
-        """Whether the beginning of the piece is shown."""
+        """True if the beginning of the piece is shown."""
         return self.first <= piece.start < self.first + len(self.columns)
 
     def marked(self, piece: Piece) -> tuple[int, int]:

@@ -30,7 +30,7 @@ def render(diagnostic: Diagnostic, color: bool = False) -> str:
 
 @record()
 class _Mark:
-    """What stands under one line: a piece of a label, the label's text on its last line only."""
+    """Marks under one line: a piece of a label, the label's text on its last line only."""
 
     piece: Piece
     text: str

@@ -1,4 +1,4 @@
-"""What an evaluation costs."""
+"""Cost of an evaluation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What velocities are made of: read from their expressions, and shortened to those variables that several others use.
+"""Parts of velocities: read from their expressions, and shortened to those variables that several others use.
 
 Griewank and Walther, *Evaluating Derivatives* (2nd ed., 2008), ch. 9: a node with one argument or one user is
 eliminated at no cost.

@@ -1,4 +1,4 @@
-"""What subtraction left of pivots: the digits that an elimination without exchanges has lost."""
+"""Cancellation in pivots: the digits that an elimination without exchanges has lost."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def weakest(graph: Graph, pivot: int, strengths: Mapping[int, tuple[int, int]], 
 
 
 def _follows(graph: Graph, left: int, size: int, longest: int) -> int:
-    """Whether others leave nothing of a row; one that is short against `longest` is round-off."""
+    """True if others leave nothing of a row; one that is short against `longest` is round-off."""
     least_size = graph.multiply(graph.constant(_SHORT), longest)
     most = graph.multiply(graph.constant(_FOLLOWS), graph.binary(Op.MAX, size, least_size))
     return graph.binary(Op.LESS_EQUAL, graph.unary(Op.ABS, left), most)

@@ -65,7 +65,7 @@ def _factored(graph: Graph, terms: Mapping[int, Mapping[int, int]], sums: Mappin
 
 
 def _is_unit_pair(graph: Graph, a: int, b: int) -> bool:
-    """Whether the two are, up to signs, cosine and sine of the same angle."""
+    """True if the two are, up to signs, cosine and sine of the same angle."""
     a = graph.a[a] if graph.op[a] is Op.NEGATE else a
     b = graph.a[b] if graph.op[b] is Op.NEGATE else b
     return {graph.op[a], graph.op[b]} == {Op.COS, Op.SIN} and graph.a[a] == graph.a[b]

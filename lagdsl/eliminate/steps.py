@@ -1,4 +1,4 @@
-"""What an elimination did, step by step: the factor of the system, with which any right-hand side is solved."""
+"""Record of an elimination, step by step: the factor of the system, with which any right-hand side is solved."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What expressions of a flat model depend on: variables and the number of time derivatives they occur with."""
+"""Dependence of expressions of a flat model: variables and the number of time derivatives they occur with."""
 
 from __future__ import annotations
 

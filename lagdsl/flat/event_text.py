@@ -1,4 +1,4 @@
-"""What happens at instants as text (`lag flat`): discretes, contacts, relations that are located, clocks, clauses."""
+"""Events as text (`lag flat`): discretes, contacts, relations that are located, clocks, clauses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happens at instants: relations, corners of time, discrete variables, `when` clauses, clocks, contacts.
+"""Events: relations, corners of time, discrete variables, `when` clauses, clocks, contacts.
 
 Each of them has entries in the vector of discretes; expressions read those as variables by their names (see
 `discretes`).
@@ -100,7 +100,7 @@ class Contact(Item):
 
 @record(kw_only=True)
 class Limit(Item):
-    """What events are told has bounds: `least <= value <= most`, with `strict` the first without equality."""
+    """Bounds of an argument of an event: `least <= value <= most`, with `strict` the first without equality."""
 
     what: str
     value: FlatExpression

@@ -79,7 +79,7 @@ class Variable:
 
 @record()
 class Previous:
-    """What the named discrete variable was before the event; in `when` only."""
+    """Value of the named discrete variable before the event; in `when` only."""
 
     name: str
 

@@ -28,7 +28,7 @@ def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -
 
 
 def found_wrong(limit: Limit, value: float) -> str | None:
-    """What the value should be where it is not."""
+    """The condition that the value violates; None if it violates none."""
     low = value > limit.least if limit.strict else value >= limit.least
     if low and value <= limit.most:
         return None

@@ -1,4 +1,4 @@
-"""What every named or declared thing of the flat model has."""
+"""Fields of every named or declared item of the flat model."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Item:
 
 @record(kw_only=True)
 class Quantity(Item):
-    """What every named scalar has. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see,
+    """Fields of every named scalar. `unit` is the coherent SI unit as text, `display_unit` what the user wants to see,
     `symbol` how reports typeset the name (LaTeX). `base` is what its values are, `literals` the names of those of an
     enumeration, from 1."""
 

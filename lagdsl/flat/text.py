@@ -139,7 +139,7 @@ def _constraint(constraint: fm.Constraint) -> Iterable[_Line]:
 
 
 def _joint(joint: fm.Joint) -> _Line:
-    """What carries what, by which coordinates; a cut joint closes a loop by constraints."""
+    """Joints with their two sides and coordinates; a cut joint closes a loop by constraints."""
     owned = f", {', '.join(joint.coordinates)}" if joint.coordinates else ""
     cut = ", cut" if joint.cut else ""
     return _Line(f"{joint.kind} {joint.name}: {joint.frame_a} to {joint.frame_b}{owned}{cut}", joint)

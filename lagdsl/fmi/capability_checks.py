@@ -45,7 +45,7 @@ def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sin
 
 
 def _integers(flat: FlatModel, item: Parameter | Discrete, values: Mapping[str, float]) -> Iterator[tuple[str, float]]:
-    """What an FMU would write as integers; bounds at infinity are no bounds."""
+    """Values that an FMU writes as integers; bounds at infinity are no bounds."""
     if item.kind != "Integer":
         return
     if isinstance(item, Parameter):

@@ -1,4 +1,4 @@
-"""What people find in an FMU: the derivation of its equations, a picture of its motion, licenses."""
+"""Documentation in an FMU: the derivation of its equations, a picture of its motion, licenses."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def _about(export_model: ExportModel, known: Reference | None) -> tuple[Block, .
         (Text(f"FMI {table.version}.0, {kinds}, {len(table.variables)} variables; {by}."),),
         (
             Code("sources"),
-            Text(" holds all that the libraries are compiled from; how, tells "),
+            Text(" holds all sources of the libraries; for their compilation see "),
             Code("buildDescription.xml"),
             Text("."),
         ),

@@ -1,4 +1,4 @@
-"""What an FMU is made of: the model with all that importers ask for, its start, and its variables."""
+"""Input of an FMU export: the model with all functions that importers need, its start, and its variables."""
 
 from __future__ import annotations
 

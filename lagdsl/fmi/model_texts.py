@@ -42,7 +42,7 @@ def _root(file: Path) -> Path:
 
 
 def _packages(file: Path) -> dict[str, str]:
-    """What the packages around a file say of themselves."""
+    """Texts of the package files around a file, outermost first."""
     root = _root(file)
     around = [folder / _PACKAGE for folder in reversed(file.parents) if root in folder.parents]
     return {_inside(each): each.read_text(encoding="utf-8") for each in around}

@@ -1,4 +1,4 @@
-"""What the operations mean on floats, arrays, complex numbers and numbers of any precision."""
+"""Operations on floats, arrays, complex numbers and numbers of any precision."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ def adjoints(graph: Graph, seeds: Mapping[int, int], groups: Sequence[Group]) ->
 
 
 def _pull(graph: Graph, node: int, adjoint: int, wanted: int) -> list[tuple[int, int]]:
-    """What `node` with this adjoint contributes to the adjoints of those arguments that depend on what is wanted."""
+    """Contribution of `node` with this adjoint to the adjoints of those arguments that depend on what is wanted."""
     op, masks = graph.op[node], graph.groups
     a = graph.a[node]
     if op < FIRST_BINARY:

@@ -1,4 +1,4 @@
-"""What an operation means on plain numbers."""
+"""Evaluation of an operation on plain numbers."""
 
 import math
 from collections.abc import Callable

@@ -258,7 +258,7 @@ class Graph:
         return Group(self.a[symbol])
 
     def depends(self, node: int, *groups: Group) -> bool:
-        """Whether a symbol of one of `groups` occurs in the expression of `node`."""
+        """True if a symbol of one of `groups` occurs in the expression of `node`."""
         return any(self.groups[node] >> group & 1 for group in groups)
 
     def live(self, roots: Iterable[int], given: Container[int] = ()) -> list[int]:

@@ -1,4 +1,4 @@
-"""Whether two expressions of parameters are the same function, however they are written.
+"""Identity of two expressions of parameters as functions, however they are written.
 
 They are compared at a few scattered parameters: rational functions that agree there are the same (Schwartz and Zippel).
 """
@@ -33,7 +33,7 @@ def identical(graph: Graph, one: int, other: int) -> bool:
 
 
 def _below(graph: Graph, one: int, other: int) -> list[int]:
-    """What the two are computed from, ascending."""
+    """Nodes below the two, ascending."""
     found = {one, other}
     stack = [one, other]
     while stack:

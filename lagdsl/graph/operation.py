@@ -4,7 +4,7 @@ from enum import IntEnum
 
 
 class Op(IntEnum):
-    """What a node computes. Comparisons and logic give 0 or 1; SELECT(c, a, b) is a where c is not 0, else b.
+    """Operation of a node. Comparisons and logic give 0 or 1; SELECT(c, a, b) is a where c is not 0, else b.
 
     The order matters: leaves, then one, two and three arguments. Hashed as the numbers that they are: the hash of names
     costs more than the rest of a look-up.
@@ -61,7 +61,7 @@ STEPS = frozenset({Op.SIGN, Op.FLOOR, Op.CEIL, Op.NOT, Op.LESS, Op.LESS_EQUAL, O
 
 
 class Group(IntEnum):
-    """What a symbol stands for: one of the arrays that a program's functions take, by name in the vocabulary."""
+    """Group of a symbol: one of the arrays that a program's functions take, by name in the vocabulary."""
 
     __hash__ = int.__hash__
 

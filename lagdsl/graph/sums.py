@@ -26,7 +26,7 @@ _ROUNDS = 4
 
 
 def share_sums(graph: Graph, roots: Sequence[int]) -> Mapping[int, int]:
-    """What becomes of those nodes below `roots`, expressions of positions, that change; values change by rounding."""
+    """Replacements of the nodes below `roots`, expressions of positions, that change; values change by rounding."""
     total: dict[int, int] = {}
     for _ in range(_ROUNDS):
         changed = _share(graph, [total.get(root, root) for root in roots])

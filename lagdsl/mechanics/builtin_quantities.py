@@ -1,4 +1,4 @@
-"""What outputs, invariants and assertions may ask of the mechanics: energies, momenta, multipliers, reactions."""
+"""Quantities of mechanics for outputs, invariants and assertions: energies, momenta, multipliers, reactions."""
 
 from __future__ import annotations
 

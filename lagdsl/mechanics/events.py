@@ -1,4 +1,4 @@
-"""What happens at instants, on the graph: indicators, passes over the `when` clauses, gaps, clocks, corners.
+"""Events on the graph: indicators, passes over the `when` clauses, gaps, clocks, corners.
 
 In a pass a discrete variable means its new value wherever the flow of data has it already; `pre` and everything that is
 not assigned is an entry of `w`.
@@ -103,8 +103,8 @@ def renamed(lowering: Lowering, flat: FlatModel, known: Mapping[str, int]) -> Lo
 
 
 def _time_events(lowering: Lowering, flat: FlatModel) -> list[Block]:
-    """What time alone changes, and how far it is from the next change. Where the second derivative of a distance is
-    zero whatever the time, the distance is affine between events."""
+    """Entries that time alone changes, with the distance to the next change. Where the second derivative of a distance
+    is zero whatever the time, the distance is affine between events."""
     graph = lowering.graph
     timed = flat.events.timed
     places = [place for place, each in enumerate(timed) for _ in each.distances]
@@ -129,7 +129,7 @@ _TOLD = {"corner": 0, "relation": 1, "jump": 2}
 
 
 def impacts(flat: FlatModel) -> list[Contact | Impact]:
-    """What may collide: contacts, then the `impact(...)` of `when` clauses."""
+    """Items that may collide: contacts, then the `impact(...)` of `when` clauses."""
     actions = (action for branch in branches(flat) for action in branch.actions)
     return [*flat.events.contacts, *(action for action in actions if isinstance(action, Impact))]
 

@@ -38,14 +38,14 @@ def proved_invariants(equations: Equations) -> tuple[bool, ...]:
 
 
 def _jumps(equations: Equations) -> bool:
-    """Whether an event may change the state, or what the energies are."""
+    """True if an event may change the state, or what the energies are."""
     flat, energies = equations.flat, equations.dynamics.energies
     acts = any(isinstance(action, Reset | Impact) for branch in branches(flat) for action in branch.actions)
     return acts or bool(flat.events.contacts) or equations.graph.depends(energies.lagrangian, Group.W)
 
 
 def _resolved(flat: FlatModel, value: FlatExpression) -> FlatExpression:
-    """What a name stands for in the end."""
+    """The definition behind a name, through all aliases."""
     definitions = {item.name: item for item in flat.named if isinstance(item, Definition)}
     while isinstance(value, Variable) and value.name in definitions:
         value = definitions[value.name].value
@@ -65,7 +65,7 @@ def _holds(equations: Equations, value: FlatExpression) -> bool:
 
 
 def _momentum_rate(equations: Equations, index: int) -> Iterator[int]:
-    """What changes dL/dqd of one coordinate."""
+    """Terms that change dL/dqd of one coordinate."""
     graph, terms = equations.graph, equations.dynamics.terms
     yield graph.add(graph.subtract(terms.load[index], terms.drag[index]), terms.push[index])
     for row in constraint_jacobian(graph, equations.rows, equations.symbols.directions):
@@ -73,7 +73,7 @@ def _momentum_rate(equations: Equations, index: int) -> Iterator[int]:
 
 
 def _excess_of_energy(equations: Equations) -> Iterator[int]:
-    """What makes T + V differ from Jacobi's integral: 2 T - qd.dT/dqd, and rates in V."""
+    """Terms by which T + V differs from Jacobi's integral: 2 T - qd.dT/dqd, and rates in V."""
     graph, found = equations.graph, equations.dynamics.energies
     slopes = adjoints(graph, {found.kinetic: graph.one}, (Group.QD,))
     twice = graph.multiply(graph.constant(2.0), found.kinetic)
@@ -82,7 +82,7 @@ def _excess_of_energy(equations: Equations) -> Iterator[int]:
 
 
 def _jacobi_rate(equations: Equations) -> Iterator[int]:
-    """What changes qd.dL/dqd - L."""
+    """Terms that change qd.dL/dqd - L."""
     graph, symbols, found = equations.graph, equations.symbols, equations.dynamics
     yield from adjoints(graph, {found.energies.lagrangian: graph.one}, (Group.TIME, Group.Z, Group.U)).values()
     forces = zip(found.terms.load, found.terms.drag, strict=True)

@@ -37,7 +37,7 @@ def _summands(graph: Graph, node: int) -> tuple[int, ...]:
 
 
 def _factor(graph: Graph, node: int) -> bool:
-    """Whether a product or quotient is a moving value times or over a constant one."""
+    """True if a product or quotient is a moving value times or over a constant one."""
     still_first, still_second = (_is_still(graph, x) for x in graph.arguments(node))
     return still_second != still_first and (still_second or graph.op[node] is Op.MULTIPLY)
 

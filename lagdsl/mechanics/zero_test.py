@@ -1,4 +1,4 @@
-"""Whether expressions of a model are identically zero.
+"""Test for expressions of a model that are identically zero.
 
 Nodes that are not the constant 0 as they stand are tried at random points with random parameters: an analytic
 expression that is zero at all of them to rounding is zero.
@@ -22,7 +22,7 @@ _KINKS = STEPS | {Op.SELECT, Op.ABS, Op.MIN, Op.MAX, Op.MOD}
 
 
 def vanish(equations: Equations, nodes: Iterator[int] | Sequence[int]) -> bool:
-    """Whether all of `nodes` are identically zero: as they stand, or at random points where they are smooth."""
+    """True if all of `nodes` are identically zero: as they stand, or at random points where they are smooth."""
     graph = equations.graph
     open_ = [node for node in nodes if node != graph.zero]
     if not open_:

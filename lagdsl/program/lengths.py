@@ -7,7 +7,7 @@ from lagdsl.program.program import Layout, Program
 
 
 def sizes(layout: Layout) -> dict[str, int]:
-    """Those that the layout gives."""
+    """Lengths that the layout gives."""
     return {
         "nq": len(layout.coordinates),
         "nz": len(layout.states),

@@ -25,7 +25,7 @@ class Slot:
 
 @record(kw_only=True)
 class Instants:
-    """What happens at instants, in the order of the results of `indicator`, `contact` and `event`.
+    """Events, in the order of the results of `indicator`, `contact` and `event`.
 
     `strict` flags relations that do not hold at zero, `contact_rows` are rows of constraints, `switched_rows` those of
     position level that discretes switch. `resets` are as results call them, `reset_places` their entries in (q, qd, z);

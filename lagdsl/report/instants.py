@@ -1,4 +1,4 @@
-"""What the report says of instants: contacts with the law of impact, what is sampled, located and done at events."""
+"""Section of the report on events: contacts with the law of impact, clocks, located relations, clauses."""
 
 from __future__ import annotations
 

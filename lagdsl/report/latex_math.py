@@ -113,7 +113,7 @@ def _word(text: str, shape: Literal["rm", "it"]) -> str:
 
 
 def _base(box: Box) -> str:
-    """What carries an exponent or an index."""
+    """Base of an exponent or an index."""
     return tex(box) if isinstance(box, Name | Dotted | Bracket | Number) else f"{{{tex(box)}}}"
 
 

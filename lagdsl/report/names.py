@@ -1,4 +1,4 @@
-"""What masses, bodies and loads are called in a report, from what the model says."""
+"""Names of masses, bodies and loads in a report, from the model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What all sections of a derivation report share: the model, its derivation, and how things are set."""
+"""State that all sections of a derivation report share: the model, its derivation, and how things are set."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Page:
 
     @property
     def planar(self) -> bool:
-        """Whether nothing leaves the plane z = 0."""
+        """True if nothing leaves the plane z = 0."""
         d = self.derivation
         carried = all(item.position[2] == 0 and item.spin[0] == 0 and item.spin[1] == 0 for item in d.inertials)
         actions = [a.action for a in d.actions]

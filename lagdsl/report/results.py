@@ -1,4 +1,4 @@
-"""What the recipe leads to: equations, constraints, states, outputs, conserved quantities."""
+"""Results of the derivation: equations, constraints, states, outputs, conserved quantities."""
 
 from __future__ import annotations
 

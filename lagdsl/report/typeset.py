@@ -163,7 +163,7 @@ class Typesetter:
     # Order; ties stay in SymPy's own, which is the same in every run.
 
     def _is_polynomial(self, term: Expr) -> bool:
-        """Whether something that moves is a factor by itself, not only inside functions."""
+        """True if something that moves is a factor by itself, not only inside functions."""
         return any(s in self._rank and s not in self.constants for s in term.as_powers_dict())
 
     def _factor_key(self, factor: Expr) -> tuple[int, int]:
@@ -218,7 +218,7 @@ def _number(e: Expr) -> Box:
 
 
 def _is_decimal(q: int) -> bool:
-    """Whether 1/q ends after a few digits."""
+    """True if 1/q ends after a few digits."""
     return 10**9 % q == 0
 
 

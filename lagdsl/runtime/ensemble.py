@@ -18,7 +18,7 @@ from lagdsl.runtime.structures import Ensemble, Status
 
 @record(kw_only=True)
 class EnsembleSettings:
-    """What many runs are told. Of `settings` p (runs, np) and natural (runs, 2 nq + nz) are those of every run, and u
+    """Settings of many runs. Of `settings` p (runs, np) and natural (runs, 2 nq + nz) are those of every run, and u
     (runs, nu) stands for its inputs. Start values x (runs, 2 nq + nz) are given where `given` (2 nq + nz,) says so.
     Inputs may jump at `breaks`; `equations`: with the initial equations. The first `first_piece` steps
     are taken together, then `piece` steps at a time."""

@@ -60,7 +60,7 @@ def dispatcher() -> str:
 
 
 def tape_signatures() -> str:
-    """What a function of a tape may read, one bit by group of arguments, and the shapes of its results."""
+    """Arguments that a function of a tape may read, one bit by group of arguments, and the shapes of its results."""
     lines = (f"[1 + {_enumerator(each)}] = {tape_signature(each)}," for each in _single())
     return "".join(f"{_wrapped(line)}\n" for line in lines)
 

@@ -1,4 +1,4 @@
-"""What one process makes, others that need it at the same time wait for."""
+"""Locks of files: one process makes a file, and others that need it at the same time wait."""
 
 from __future__ import annotations
 

@@ -148,7 +148,7 @@ class Run:
         return Status.OK
 
     def _take(self) -> None:
-        """What stands in the buffers."""
+        """Contents of the buffers."""
         self._parts.append(self._row_buffer[: self._results.row].copy())
         for note in self._note_buffer[: self._results.note]:
             self.notes.append((note.t, WHAT[note.what], note.which))
@@ -218,7 +218,7 @@ class Run:
         self._model = model
 
     def end(self) -> Status:
-        """What happens at the end."""
+        """Evaluates the end of the motion."""
         return self._done(self._library.run_end(self._run))
 
     def _state(self, x: Floats) -> int:

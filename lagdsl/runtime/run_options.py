@@ -1,4 +1,4 @@
-"""What a run is told, and how C reads it."""
+"""Options of a run, and their form in C."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Flags = NDArray[np.bool_]
 
 @record(kw_only=True)
 class RunSettings:
-    """What a run is told: lag_run_options. `inputs` are the constant inputs (nu,), or a function of time and of whether
+    """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), or a function of time and of whether
     the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic choice;
     `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,), see
     lag/methods/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are

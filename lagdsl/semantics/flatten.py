@@ -197,7 +197,7 @@ def _in_order(ctx: Context, contents: Contents) -> tuple[Parameter, ...]:
 
 
 def _checked(ctx: Context, flat: FlatModel, contents: Contents) -> FlatModel | None:
-    """What can be said only about a model without errors."""
+    """Checks that need a model without errors."""
     dependence = Dependence(flat)
     flat = with_switches(flat, dependence)
     check_inputs(flat, dependence, ctx.sink)

@@ -145,7 +145,7 @@ _ENERGIES: dict[str, Literal["kinetic", "potential", "lagrangian", "dissipation"
 
 
 def _definition(ctx: Context, name: str) -> flat.FlatExpression:
-    """What a label stands for: the energy keeps its expression, readers of the label share it."""
+    """Meaning of a label: the energy keeps its expression, readers of the label share it."""
     for item in reversed(ctx.product.named):
         if isinstance(item, flat_model.Definition) and item.name == name:
             return item.value

@@ -1,1 +1,1 @@
-"""What drives a motion and what comes of it, as functions of time: inputs, trajectories, and their files."""
+"""Inputs and results of a motion as functions of time: inputs, trajectories, and their files."""

@@ -36,7 +36,7 @@ class Signals:
 
     @property
     def constant(self) -> bool:
-        """Whether no input changes."""
+        """True if no input changes."""
         return all(isinstance(function, _Constant) for function in self.functions)
 
     def at(self, t: float, *, before: bool = False) -> Floats:
@@ -199,7 +199,7 @@ def _columns(name: str, signal: Any) -> tuple[Floats, Floats]:
         raise ValueError(f"the table of input `{name}` holds entries that are not numbers")
     steps = np.diff(times)
     if (steps < 0.0).any():
-        raise ValueError(f"time runs backward in the table of input `{name}`")
+        raise ValueError(f"time decreases in the table of input `{name}`")
     return times, values
 
 

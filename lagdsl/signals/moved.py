@@ -1,4 +1,4 @@
-"""What became of the starts: a table as data, and as text."""
+"""Start values after initialization: a table as data, and as text."""
 
 from __future__ import annotations
 

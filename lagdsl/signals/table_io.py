@@ -24,7 +24,7 @@ _PARQUET = ".parquet"
 
 
 def has_writer(path: Path, sink: Sink) -> bool:
-    """Whether tables can be written in the form that the ending of `path` asks for; it is worth asking before a long
+    """True if tables can be written in the form that the ending of `path` asks for; it is worth asking before a long
     run. E0825: Parquet needs pyarrow. E0828: neither `.csv` nor `.parquet`; without an ending, as devices are, it is
     CSV."""
     ending = path.suffix.lower()

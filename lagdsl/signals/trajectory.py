@@ -73,7 +73,7 @@ class Event:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Statistics:
-    """What the solver did. `notes` tell of changes of method and of singular positions passed."""
+    """Statistics of the solver. `notes` list changes of method and singular positions passed."""
 
     solver: str
     steps: int = 0

@@ -32,7 +32,7 @@ _BLAMED = {Status.EVENT_ITERATION_FAILED: "E0804", Status.CHATTER: "E0833", Stat
 
 @record()
 class Course:
-    """What is needed to tell of a run; `last` is the time to which it was to go."""
+    """Data for the words of a fault; `last` is the stop time of the run."""
 
     flat: FlatModel
     layout: Layout

@@ -1,4 +1,4 @@
-"""What already fails at the start: found without a step."""
+"""Faults at the start of a motion: found without a step."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from lagdsl.simulate.placed import placed
 
 
 def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, sink: Sink) -> None:
-    """What keeps a motion from beginning: no accelerations (E0806, E0808, E0813), an assertion that is false (E0810), a
+    """Faults that prevent a motion: no accelerations (E0806, E0808, E0813), an assertion that is false (E0810), a
     contact that is pierced (E0834), clauses that come to no end.
 
     With the parameters as given; a model with inputs is left alone, for nobody knows their values yet.

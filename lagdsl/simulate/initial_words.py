@@ -113,7 +113,7 @@ def _report_positions(flat: FlatModel, layout: Layout, run: Run, t: float, found
 
 
 def _left_over(items: list[Located], layout: Layout, phi: Floats, sizes: Floats) -> tuple[str, ...]:
-    """What is left over at each joint or constraint, the largest first, if there are several."""
+    """Residual of each joint or constraint, the largest first, if there are several."""
     held = {row for row, level in enumerate(layout.position_level) if level}
     open_ = [item for item in items if any(sizes[row] > _HOLDS for row in item.rows if row in held)]
     open_.sort(key=lambda item: -max(float(sizes[row]) for row in item.rows))

@@ -56,7 +56,7 @@ def settings_of(
     solver: str,
     step: float | None,
 ) -> RunSettings:
-    """What a run is told; q (nq,) are the start values for the parameters p. With leading axes of p, q and the inputs
+    """Settings of a run; q (nq,) are the start values for the parameters p. With leading axes of p, q and the inputs
     those of many runs."""
     experiment = flat.experiment
     relative = experiment.tolerance if tolerance is None else tolerance

@@ -151,7 +151,7 @@ def check_options(t0: float, stop: float, tolerance: float, solver: str, step: f
     if not 1e-13 <= tolerance <= 0.1:
         raise ValueError(f"the tolerance {tolerance:g} must be between 1e-13 and 0.1")
     if solver in _GONE:
-        raise ValueError(f"the solver `{solver}` is no longer there: use `{_GONE[solver]}`")
+        raise ValueError(f"the solver `{solver}` was removed: use `{_GONE[solver]}`")
     if solver not in SOLVERS:
         raise ValueError(f"there is no solver `{solver}`; there are {', '.join(SOLVERS)}")
     _check_step(solver, step, stop - t0)
@@ -163,6 +163,6 @@ def _check_step(solver: str, step: float | None, span: float) -> None:
         raise ValueError(f"the solver `{solver}` does not choose the length of its steps: give a step, in seconds")
     if step is not None and not fixed:
         names = ", ".join(FIXED_METHODS)
-        raise ValueError(f"the solver `{solver}` chooses the length of its steps; those that do not are {names}")
+        raise ValueError(f"the solver `{solver}` chooses the length of its steps; give a step to {names} only")
     if step is not None and not 1e-9 * span <= step <= span:
         raise ValueError(f"the step {step:g} s must be positive and no longer than the simulation")

@@ -31,7 +31,7 @@ def whole_file(path: Path) -> Iterator[Path]:
 
 
 def _give_permissions(target: Path, draft: Path) -> None:
-    """Those that the file had, or those that any new file gets."""
+    """Sets the permissions of the old file, or of any new file."""
     if target.exists():
         draft.chmod(target.stat().st_mode & 0o7777)
     else:

@@ -16,7 +16,7 @@ from lagdsl.record import record
 from lagdsl.structure.names import comes_and_goes, joint_text, listed, located, loop_text, place
 from lagdsl.structure.points import Geometry, Probe, part_ranks
 
-_GROUND = "the potentials are known up to a constant only; in a circuit a `Ground` at one node settles it"
+_GROUND = "the equations determine the potentials up to a constant only; in a circuit, connect a `Ground` to one node"
 
 
 @record()

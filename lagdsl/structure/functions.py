@@ -26,7 +26,7 @@ class ProgramFunctions:
 
     @property
     def by_columns(self) -> bool:
-        """Whether M is not written out and the equations are solved without it."""
+        """True if M is not written out and the equations are solved without it."""
         return self.program.has("elimination") and not self.program.has("mass_matrix")
 
     def restricted(self, rows: list[int]) -> ProgramFunctions:

@@ -66,7 +66,7 @@ def _held(reach: Floats, rows: Sequence[int]) -> Floats:
 
 
 def _holds(reach: Floats, chosen: Sequence[int], candidates: Sequence[int], rank: int) -> bool:
-    """Whether the chosen rows hold `rank` directions, nearly as well as all candidates do."""
+    """True if the chosen rows hold `rank` directions, nearly as well as all candidates do."""
     if not rank:
         return True
     return len(chosen) >= rank and bool(_held(reach, chosen)[rank - 1] >= _HELD * _held(reach, candidates)[rank - 1])

@@ -46,7 +46,7 @@ class Functions(Protocol):
 
 
 def natural_sizes(coordinates: tuple[Coordinate, ...], components: Sequence[int], start: Floats) -> Floats:
-    """What counts as a change of order one: `nominal`, else 1 for angles and numbers, else the largest start of the
+    """Size of a change of order one: `nominal`, else 1 for angles and numbers, else the largest start of the
     same unit in the same component (`Layout.components`). `start` and the result (..., nq)."""
     sizes = np.ones(start.shape)
     lengths = np.where(np.isfinite(start), np.abs(start), 0.0)

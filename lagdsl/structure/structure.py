@@ -23,7 +23,7 @@ from lagdsl.structure.rates import report_integrable, report_nonlinear
 
 @record(kw_only=True)
 class Structure:
-    """What the constraints leave free.
+    """Degrees of freedom that the constraints leave.
 
     `position_rank` is that of dphi/dq, `rank` that of J with the velocity rows; `redundant` and `empty` flag rows,
     the latter those that hold identically; `contacts` are the rows that come and go. `points` lie on the constraints of

@@ -117,7 +117,7 @@ class Collected:
 
 
 def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
-    """What became of all runs; what is not there is nan."""
+    """Results of all runs; missing values are nan."""
     columns: dict[str, Floats] = {}
     units: dict[str, str] = {}
     status, message, ended = ["missing"] * runs, [""] * runs, np.full(runs, np.nan)

@@ -1,4 +1,4 @@
-"""What is finished of a sweep, on disk: a file to which every outcome is appended, and which is read to resume.
+"""Journal of a sweep, on disk: a file to which every outcome is appended, and which is read to resume.
 
 A first line with the fingerprint of the sweep, then records: lengths, checksum, a text of JSON, numbers. A record that
 was cut short is worth nothing and cut off; everything before it counts.

@@ -47,7 +47,7 @@ class Ensembles:
 
 
 class Maker:
-    """What one thread makes runs with."""
+    """Makes the runs of one thread."""
 
     def __init__(self, subjects: Sequence[SweptModel], options: Options, ensembles: Ensembles, stop: Stop) -> None:
         self._ensembles, self._stop, self._bench = ensembles, stop, Bench()

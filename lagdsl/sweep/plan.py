@@ -83,7 +83,7 @@ def require_few(runs: int) -> None:
 
 
 def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:
-    """What run `index` sets; runs count as the elements of an array of the plan's shape, the last axis fastest."""
+    """Settings of run `index`; runs count as the elements of an array of the plan's shape, the last axis fastest."""
     chosen: dict[Target, dict[str, float]] = {"parameter": {}, "start": {}, "structural": {}}
     for axis in plan.fixed:
         chosen[axis.target][axis.key] = axis.values[0]
@@ -98,7 +98,7 @@ def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:
 
 
 def place(plan: Plan, index: int) -> str:
-    """What run `index` sets, for people: `l = 0.1 m, theta.start = 0.2 rad`; what all runs share is left out."""
+    """Settings of run `index`, for people: `l = 0.1 m, theta.start = 0.2 rad`; what all runs share is left out."""
     chosen = settings(plan, index)
     varied = (*plan.axes, *plan.samples)
     return ", ".join(f"{a.name} = {chosen[a.target][a.key]:.6g} {a.unit}".rstrip() for a in varied)

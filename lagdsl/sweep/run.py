@@ -151,7 +151,7 @@ def _outcome(
 
 
 def _rows(motion: Trajectory, options: Options) -> NDArray[np.intp]:
-    """Those at the times of the grid, which all runs share; of two at an event the one after it."""
+    """Rows at the times of the grid, which all runs share; of two at an event the one after it."""
     if not len(motion):
         return np.zeros(0, dtype=np.intp)
     times = grid(float(motion.time[0]), options.stop, options.interval)

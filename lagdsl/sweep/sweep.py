@@ -152,7 +152,7 @@ def times_of(subjects: Sequence[SweptModel], options: Options) -> Floats:
 
 
 def _identity(subjects: Sequence[SweptModel], options: Options) -> list[str]:
-    """What must not change between an interruption and going on."""
+    """Settings that must stay the same when a sweep is resumed."""
     models = [swept.fault if swept.flat is None else flat_text(swept.flat) for swept in subjects]
     return [__version__, repr(options), *models]
 

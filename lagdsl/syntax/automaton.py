@@ -61,7 +61,7 @@ def stored_automaton(text: str, version: str) -> tuple[IntParseTable, list[Termi
 
 
 def automaton_text(table: IntParseTable, terminals: list[TerminalDef], ignored: list[str], version: str) -> str:
-    """What `stored_automaton` reads. The states of `table` are numbered from 0."""
+    """Input of `stored_automaton`. The states of `table` are numbered from 0."""
     entries = [entry for row in table.states.values() for entry in row.values()]
     rules = sorted({rule for kind, rule in entries if kind is Reduce}, key=str)
     number = {rule: -1 - index for index, rule in enumerate(rules)}

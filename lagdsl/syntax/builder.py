@@ -126,7 +126,7 @@ def _kept(children: tuple[_Child, ...], found: list[Any]) -> list[Any]:
 
 @cache
 def _children(rule: Rule) -> tuple[_Child, ...]:
-    """What of a rule is kept, as Lark keeps it: no punctuation, `_rule`s spliced in, absent options as none."""
+    """Symbols of a rule that Lark keeps in the tree: no punctuation, `_rule`s spliced in, absent options as none."""
     return tuple(_kept_symbols(rule))
 
 

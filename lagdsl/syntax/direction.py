@@ -38,7 +38,7 @@ def turned_text(file: SourceFile, sink: Sink) -> bool:
 
 
 def _needs(text: str) -> bool:
-    """Whether a string has letters from right to left, and closes in it what it opens."""
+    """True if a string has letters from right to left, and closes in it what it opens."""
     waiting: list[str] = []
     for character in text:
         if character in _OPENS:

@@ -1,4 +1,4 @@
-"""What may stand at a place, in plain words."""
+"""Texts that fit at a place, in plain words."""
 
 from __future__ import annotations
 

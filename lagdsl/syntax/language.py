@@ -69,7 +69,7 @@ def language() -> Language:
 
 
 def all_states() -> Mapping[int, Row]:
-    """What every state of the automaton does at each symbol."""
+    """Action of every state of the automaton at each symbol."""
     states = language().table.states
     return states.complete() if isinstance(states, States) else states
 

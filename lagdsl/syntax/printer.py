@@ -180,7 +180,7 @@ class _Formatter:
             self.lines.append("")
 
     def _comment_is_indented(self, indent: int) -> bool:
-        """Whether the next comment stands deeper than the class: then it belongs to the items above it."""
+        """True if the next comment stands deeper than the class: then it belongs to the items above it."""
         if self.written == len(self.comments):
             return False
         start = self.comments[self.written].start

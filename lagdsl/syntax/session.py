@@ -191,7 +191,7 @@ class Session:
         return Span(self.file, end_of(self.previous), end_of(self.previous))
 
     def starts_line(self, token: Token) -> bool:
-        """Whether nothing but blanks stands before the token on its line."""
+        """True if nothing but blanks stands before the token on its line."""
         text, at = self.file.text, start_of(token) - 1
         while at >= 0 and text[at] in " \t":
             at -= 1

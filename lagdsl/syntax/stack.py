@@ -1,4 +1,4 @@
-"""What the parser has read and not yet completed: looks into the stack of Lark's interactive parser, and cuts it."""
+"""Rules that the parser has begun and not yet completed: reads the stack of Lark's interactive parser, and cuts it."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Stack:
     # ---- what may follow ---------------------------------------------------------------------------------------------
 
     def accepts(self, terminal: str) -> bool:
-        """Whether a token of that terminal would be shifted; nothing changes."""
+        """True if a token of that terminal would be shifted; nothing changes."""
         if terminal not in self.parser.choices():
             return False
         try:
@@ -43,7 +43,7 @@ class Stack:
         return accepted
 
     def goes_on(self, height: int, first: Token, word: str, until: int) -> bool:
-        """Whether the text is read on beyond the token at `until` if the stack is cut and `first` is `word`."""
+        """True if the text is read on beyond the token at `until` if the stack is cut and `first` is `word`."""
         trial = self._trial(height)
         terminal = next((t for t in vocabulary().words[word] if t in trial.choices()), None)
         if terminal is None:
@@ -81,16 +81,16 @@ class Stack:
         return 0
 
     def at_boundary(self) -> bool:
-        """Whether a statement may begin here."""
+        """True if a statement may begin here."""
         return self.states[-1] in boundaries()
 
     def kind(self) -> str | None:
-        """What kind of statement is unfinished: one of STATEMENTS."""
+        """Kind of the unfinished statement: one of STATEMENTS."""
         height = self.boundary()
         return boundaries()[self.states[height - 1]] if height else None
 
     def is_complete(self) -> bool:
-        """Whether the whole text is one tree already."""
+        """True if the whole text is one tree already."""
         state: int = self.parser.parser_state.parse_conf.end_state
         return self.states[-1] == state
 

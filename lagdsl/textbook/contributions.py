@@ -1,4 +1,4 @@
-"""What a model declares, gathered: energies, loads with their points, constraint residuals."""
+"""Declarations of a model, gathered: energies, loads with their points, constraint residuals."""
 
 from __future__ import annotations
 

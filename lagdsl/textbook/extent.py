@@ -99,7 +99,7 @@ def _name(node: fx.FlatExpression) -> str:
 
 
 def _declared(flat: FlatModel) -> Iterator[fx.FlatExpression]:
-    """What is differentiated beyond points and frames."""
+    """Expressions that are differentiated beyond points and frames."""
     yield from (term.value for term in flat.energies)
     yield from (mass.position for mass in flat.masses)
     for constraint in flat.constraints:

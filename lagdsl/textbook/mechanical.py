@@ -1,4 +1,4 @@
-"""What outputs may ask of the mechanics: multipliers, energies, momenta, and reactions, by a release."""
+"""Quantities of mechanics for outputs: multipliers, energies, momenta, and reactions, by a release."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ from lagdsl.textbook.symbols import Symbols
 
 
 class Contribution(StrEnum):
-    """Whether an action enters the equations, and if not, why."""
+    """Effect of an action: it contributes to the equations, or the reason why it does not."""
 
     CONTRIBUTES = "contributes"
     PLACE_HELD = "no admissible motion moves its place"
@@ -269,13 +269,13 @@ def _constraints(flat: FlatModel, reading: Reading) -> tuple[ConstraintRow, ...]
 
 
 def _resets(flat: FlatModel) -> bool:
-    """Whether a clause makes rates jump."""
+    """True if a clause makes rates jump."""
     actions = (action for when in flat.events.whens for branch in when.branches for action in branch.actions)
     return any(isinstance(action, Reset | Impact) for action in actions)
 
 
 def _jumps(flat: FlatModel) -> bool:
-    """Whether energy may change at an instant."""
+    """True if energy may change at an instant."""
     return bool(flat.events.contacts) or _resets(flat) or any(each.switched for each in flat.constraints)
 
 
@@ -294,7 +294,7 @@ def _used(
     actions: Sequence[ActionStep],
     values: Sequence[tuple[Symbol | str, Expr]],
 ) -> tuple[tuple[Symbol, Expr], ...]:
-    """Those definitions that loads, states or outputs are written with, and those that these are written with."""
+    """Definitions that loads, states or outputs use, directly or through others."""
     wanted = {s for _, value in values for s in value.free_symbols}
     wanted |= {s for action in actions for value in action.works for s in value.free_symbols}
     wanted |= {Symbol(s.name[4:-1]) for s in wanted if s.name.startswith("der(")}

@@ -99,7 +99,7 @@ class Tidy:
         return power, self._bounded(numerator)
 
     def is_zero(self, expression: Expr) -> bool:
-        """Whether it vanishes identically, as far as the bound lets one see."""
+        """True if it vanishes identically, as far as the bound lets one see."""
         try:
             return not self.reduced(expression)
         except TooLargeError:

@@ -97,7 +97,7 @@ class ToGraph:
         return self.graph.constant(float(value))
 
     def _not_a_number(self, value: Expr) -> int:
-        """What folded to no real number (a division by zero, the root of -1) stays a run-time fact."""
+        """An expression that folds to no real number (a division by zero, the root of -1) is left to the run."""
         assert value in (sympy.nan, sympy.zoo, sympy.I), f"no operation for {type(value).__name__}"
         return self.graph.divide(self.graph.one, self.graph.zero)
 

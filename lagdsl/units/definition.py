@@ -1,4 +1,4 @@
-"""What a unit is: a dimension and an exact conversion to the coherent SI unit."""
+"""Definition of a unit: a dimension and an exact conversion to the coherent SI unit."""
 
 import math
 from fractions import Fraction

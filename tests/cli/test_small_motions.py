@@ -82,7 +82,7 @@ def test_figures(invoke: Invoke, tmp_path: Path, options: tuple[str, ...]) -> No
         (("modes", "--vary", "k"), "expected NAME=FROM:TO"),
         (("modes", "--vary", "kk=1:2"), "no such parameter, input or start value"),
         (("modes", "--vary", "k=1:2:1"), "number of values"),
-        (("modes", "--vary", "k=1:1"), "nothing to vary"),
+        (("modes", "--vary", "k=1:1"), "is empty"),
         (("modes", "--vary", "k=1 m:2 m"), "`k` is"),
         (("modes", "--input", "g=1"), "has no input `g`"),
         (("modes", "-o", "out.txt"), "numbers are written as"),

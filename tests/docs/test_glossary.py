@@ -136,6 +136,11 @@ PHRASES = (
     "without end",
     "begins to",
     "by hand",
+    "found with the start",
+    "give way",
+    "go on with",
+    "nothing decides",
+    "settles",
 )
 
 

@@ -101,7 +101,7 @@ def test_events_are_found_within_steps() -> None:
         ({"solver": "rk4"}, "`rk4` does not choose the length of its steps: give a step"),
         (
             {"solver": "radau", "step": 0.1},
-            "chooses the length of its steps; those that do not are rk4, leapfrog, ros2",
+            "chooses the length of its steps; give a step to rk4, leapfrog, ros2 only",
         ),
         ({"step": 0.1}, "chooses the length of its steps"),
         ({"solver": "rk4", "step": 0.0}, "must be positive"),

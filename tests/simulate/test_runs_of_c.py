@@ -192,5 +192,5 @@ def test_progress_is_told() -> None:
 
 @pytest.mark.parametrize(("solver", "instead"), [("rk45", "dop853"), ("bdf", "radau"), ("cvode", "radau")])
 def test_solvers_of_others_name_what_takes_their_place(solver: str, instead: str) -> None:
-    with pytest.raises(ValueError, match=f"`{solver}` is no longer there: use `{instead}`"):
+    with pytest.raises(ValueError, match=f"`{solver}` was removed: use `{instead}`"):
         lagdsl.compile(DRIVEN).simulate(stop=1, solver=solver)

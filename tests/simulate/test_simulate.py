@@ -417,7 +417,7 @@ def test_a_table_is_also_two_rows_of_an_array() -> None:
         (([0],), "must be a number, a function of time or a pair"),
         (np.zeros(5), "must be a number, a function of time or a pair"),
         (None, "must be a number, a function of time or a pair"),
-        (([0, 2, 1], [0, 1, 2]), "time runs backward"),
+        (([0, 2, 1], [0, 1, 2]), "time decreases"),
         (([0, 1], [0, np.nan]), "not numbers"),
     ],
 )

@@ -57,7 +57,7 @@ class CBackend:
 
 
 def stem_of(program: Program) -> str:
-    """What the files and constants of the model are named after: an identifier, and a file name everywhere."""
+    """Stem of the names of files and constants of the model: an identifier, and a file name everywhere."""
     return identifier(program.name, _RESERVED)
 
 
@@ -72,13 +72,13 @@ def part_symbol(program: Program, part: str) -> str:
 
 
 def sources(program: Program, parts: Sequence[str] = ()) -> dict[str, str]:
-    """What a library that stands alone is compiled from, by relative path: the model and the runtime. `parts` of PARTS
+    """Sources of a library that stands alone, by relative path: the model and the runtime. `parts` of PARTS
     are the functions of several states, or of several directions of derivatives, at once."""
     return {**_own_sources(program, parts), **runtime_sources()}
 
 
 def engine_sources(program: Program, parts: Sequence[str] = ()) -> dict[str, str]:
-    """What a library of the model alone is compiled from, for the runtime of the package: generated files, the headers
+    """Sources of a library of the model alone, for the runtime of the package: generated files, the headers
     that they include, and what generated functions call."""
     own = _own_sources(program, parts)
     if program.has("momentum_tangent"):

@@ -31,7 +31,7 @@ class Results:
 
 
 def results(program: Program, function: Function, dialect: Dialect) -> Results:
-    """What is mostly zero is cleared before, and of what is symmetric one half is copied."""
+    """Clears arrays that are mostly zero first, and copies one half of symmetric ones."""
     graph = program.graph
     first: list[str] = []
     last: list[str] = []

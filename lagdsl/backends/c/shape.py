@@ -1,4 +1,4 @@
-"""What statements have in common: the shape of an expression, and what stands at its leaves."""
+"""Parts that statements share: the shape of an expression, and its leaves."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ def _single(program: Program) -> list[Function]:
 
 
 def _often(program: Program) -> tuple[str, ...]:
-    """What every evaluation of the equations of motion calls."""
+    """Functions that every evaluation of the equations of motion calls."""
     return ("elimination" if program.has("elimination") else "dynamics", "state_derivative")
 
 

@@ -1,4 +1,4 @@
-"""What a function does, in order: variables, stores, and sines and cosines of many arguments at once."""
+"""Statements of a function, in order: variables, stores, and sines and cosines of many arguments at once."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ class Instruction:
 
 
 def instructions(tape: bytes, function: str) -> list[Instruction]:
-    """What `function`, or "prepare", does; nothing where the model lacks it."""
+    """Instructions of `function`, or of "prepare"; none where the model lacks it."""
     *_, functions, words = _sections(tape)
     entry = 2 * ("prepare", *FUNCTIONS).index(function)
     at, length = functions[entry : entry + 2]

@@ -119,7 +119,7 @@ def _take_in(made: Ints, code: Ints, own: Ints, signs: Ints, once: Flags) -> Int
 
 
 def _apart(pairs: Ints, count: int) -> Ints:
-    """Those pairs, in the order of their first members, that share no member with the ones before."""
+    """Pairs, in the order of their first members, that share no member with the ones before."""
     pairs = pairs[:, np.argsort(pairs[0], kind="stable")]
     used = bytearray(count)
     kept = []

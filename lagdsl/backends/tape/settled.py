@@ -1,4 +1,4 @@
-"""What stands in the row before a function starts."""
+"""Contents of the row before a function starts."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ from lagdsl.syntax.printer import format_text
 def command(files: tuple[str, ...], check_only: bool, show_diff: bool) -> None:
     """Format model texts in place; `-` reads standard input and writes standard output."""
     if "-" in files and len(files) > 1:
-        raise click.UsageError("`-` stands alone")
+        raise click.UsageError("`-` cannot be combined with other files")
     outcomes = [_format(name, check_only, show_diff) for name in files]
     click.get_current_context().exit(max(outcomes))
 

@@ -84,5 +84,5 @@ def _model_name(stem: str) -> str:
     words = re.findall(r"[A-Za-z0-9_]+", stem)
     name = "".join(word[:1].upper() + word[1:] for word in words)
     if stem.startswith(".") or not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
-        raise click.UsageError(f"`{stem}` makes no model name; it must begin with a letter")
+        raise click.UsageError(f"`{stem}` is not a valid model name; it must begin with a letter")
     return name

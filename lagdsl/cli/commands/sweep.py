@@ -79,7 +79,7 @@ def command(
 
     require_writable(output)
     if resume and output is None:
-        raise click.UsageError("--resume goes on with a sweep to a file: say which with -o")
+        raise click.UsageError("--resume continues a sweep to a file: give the file with -o")
     _require_packages(output, scheduler)
     source = read_or_leave(file, style)
     signals = _read_inputs(inputs, style)
@@ -116,13 +116,13 @@ def _sweep(
     except KeyboardInterrupt:
         if work.output is not None:
             kept = journal_path(work.output)
-            click.echo(f"interrupted; {kept} holds the finished runs, go on with --resume", err=True)
+            click.echo(f"interrupted; {kept} holds the finished runs, continue with --resume", err=True)
             click.get_current_context().exit(INTERRUPTED)
         raise
     except ConnectionError as error:
         hint = ""
         if work.output is not None and journal_path(work.output).exists():
-            hint = f"; {journal_path(work.output)} holds the finished runs, go on with --resume"
+            hint = f"; {journal_path(work.output)} holds the finished runs, continue with --resume"
         raise click.UsageError(f"{error}{hint}") from error
     except OSError as error:
         if work.output is None:
@@ -229,7 +229,7 @@ def _columns(names: tuple[str, ...], subjects: list[SweptModel]) -> tuple[str, .
 
 
 def _summary(data: xarray.Dataset, plan: Plan) -> str:
-    """What the columns are at the end of the runs, in SI units."""
+    """Columns at the end of the runs, in SI units."""
     import numpy as np
 
     rows: list[tuple[str, ...]] = [("", "least end", "mean end", "largest end", "")]

@@ -4,13 +4,13 @@ from lagdsl.diagnostics.catalog.row import Row, error, warning
 
 ROWS: dict[str, Row] = {
     "E0850": error(
-        "the constraints lose rank at this point: there is no linearization",
+        "the constraints lose rank at this point, so no linearization exists",
         None,
-        "choose a state beside it, for example with --set; {names} are not independent of each other here",
+        "choose a state near it, for example with --set; here {names} depend on each other",
     ),
     "E0851": error(
         "no linearization at this point: `{name}` has no inertia there",
-        "the accelerations are not determined",
+        "the equations do not determine the accelerations",
         "choose coordinates that are regular in this position",
     ),
     "E0852": error(
@@ -31,7 +31,7 @@ ROWS: dict[str, Row] = {
     "E0855": error(
         "no linearization at this point: {name} has no finite derivative there",
         None,
-        "a root of zero, a division by zero or the norm of a vector of length zero; use a smooth form, "
+        "a root of zero, a division by zero or the norm of a zero vector has no finite derivative: use a smooth form, "
         "e.g. sqrt(v*v + eps^2)",
     ),
 }

@@ -19,8 +19,8 @@ ROWS: dict[str, Row] = {
     ),
     "E0703": error(
         "`{name}` has one port and cannot stand in the middle of a `connect`",
-        "nothing leads on from its `{port}`",
-        "end the list here, or name the frame that the next one joins, too",
+        "its only port is `{port}`",
+        "end the list here, or name the frame that the next component joins",
     ),
     "E0704": error(
         "`{name}` has no `{port}`; name one of its frames",
@@ -30,23 +30,23 @@ ROWS: dict[str, Row] = {
     "E0705": error(
         "`{name}.{port}` is connected already; name the frame of `{name}` to connect",
         "ambiguous",
-        "name the frame that is meant: {ports}",
+        "name the frame: {ports}",
     ),
     "E0706": error(
-        "this kinematics cannot be followed backward",
-        "the frame that it starts from would have to be known before",
-        "turn the component around in the `connect`, or give its kinematics by `move` and turns alone",
+        "the compiler cannot invert this kinematics",
+        "gives the second frame from the first only",
+        "reverse the component in the `connect`, or write its kinematics with `move` and rotations only",
     ),
     "E0707": error(
-        "a closure holds for positions, this equation contains rates or forces",
-        "no geometric condition",
-        "what holds for rates is a `constraint` of the class",
+        "a closure relates positions, but this equation contains rates or forces",
+        "not a geometric condition",
+        "write a condition on rates as a `constraint` of the class",
     ),
     "E0708": error("`prefer` is `always` or `never`, not `{found}`", "no such choice"),
     "W0709": warning(
         "this `connect` joins items that are connected already",
         "without effect",
-        "delete it, or name the frames that are meant",
+        "delete it, or name the frames to connect",
     ),
     "E0710": error(
         "the reaction of `{name}` is not one wrench",
@@ -56,17 +56,17 @@ ROWS: dict[str, Row] = {
     "E0711": error(
         "`{first}` and `{second}` cannot be one coordinate",
         "of different type or size",
-        "`connect` makes coordinates of one type, unit and size one; others are related by a `constraint`",
+        "`connect` identifies coordinates of equal type, unit and size; relate others by a `constraint`",
     ),
     "E0712": error(
-        "`{first}` and `{second}` are one coordinate, with two values of its fixed {what}",
+        "`{first}` and `{second}` are one coordinate, but fix its {what} at two values",
         "another value",
-        "drop one of the two, or `fixed = true` at one",
+        "delete one of the two, or `fixed = true` at one of them",
     ),
     "W0713": warning(
         "`{first}` and `{second}` are one coordinate; its {what} is that of `{first}`",
         "without effect",
-        "drop one of the two",
+        "delete one of the two",
     ),
     "E0714": error(
         "`{first}` and `{second}` are connectors of different kinds",
@@ -75,13 +75,13 @@ ROWS: dict[str, Row] = {
     ),
     "E0715": error(
         "the flows at `{name}` are not rates of coordinates",
-        "no law for rates can be made of them",
-        "a flow is bound to the rate of a coordinate: `Pin p(i = der(q));` with `coordinate Charge q;`",
+        "Kirchhoff's law needs the rate of a coordinate",
+        "bind the flow to the rate of a coordinate: `Pin p(i = der(q));` with `coordinate Charge q;`",
     ),
     "W0716": warning(
         "`{name}` is not connected: nothing flows through it",
-        "alone",
-        "connect it, or leave the component out",
+        "not connected",
+        "connect it, or delete the component",
     ),
     "E0717": error(
         "the flow into `{name}` is not defined",
@@ -89,9 +89,9 @@ ROWS: dict[str, Row] = {
         "bind it to the rate of a coordinate, as in `Pin p(i = der(q));`",
     ),
     "N0718": note(
-        "`{name}` follows from the other joints of its loop; its start value only selects the turn of the angle",
+        "`{name}` follows from the other joints of its loop; its start value only selects the revolution of the angle",
         "no initial value",
-        "`prefer = always` keeps the coordinate, with its start",
+        "write `prefer = always` to keep the coordinate and its start",
     ),
     "E0719": error(
         "{what} cannot be connected here",

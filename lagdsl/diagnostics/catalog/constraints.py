@@ -10,8 +10,8 @@ ROWS: dict[str, Row] = {
     ),
     "E0603": error(
         "{subject} contradicts {others}",
-        "each holds alone, together they cannot",
-        "drop one of them, or change what it demands",
+        "each can hold alone, but not with the others",
+        "delete one of them, or change its condition",
     ),
     "E0604": error(
         "velocity constraint `{name}` is not linear in the rates",
@@ -20,7 +20,7 @@ ROWS: dict[str, Row] = {
     ),
     "N0605": note(
         "component {component} of `{name}` is identically satisfied; its multiplier is 0",
-        "says nothing about the motion",
+        "does not restrict the motion",
     ),
     "N0606": note(
         "velocity constraint `{name}` is integrable; stating it for the coordinates themselves saves one state",

@@ -30,7 +30,7 @@ ROWS: dict[str, Row] = {
     "E0407": error("{what} is declared as {expected}, its value is {found}", label="this is {found}"),
     "E0408": error("an exponent must be a number, this is {found}", label="this is {found}"),
     "E0409": error(
-        'units are switched off here by `annotation(units = "none")`', label="a unit", help="write the number alone"
+        '`annotation(units = "none")` switches units off here', label="a unit", help="write the number without a unit"
     ),
     "E0410": error("`{unit}` does not fit `{type}`, which is {words} [{own}]", label="another dimension"),
     "E0411": error(

@@ -10,8 +10,8 @@ ROWS: dict[str, Row] = {
     ),
     "E0371": error(
         "this condition is not located, so the clause cannot act on it",
-        label="a relation taken as it stands",
-        help="leave out `noEvent`: the condition of a `when` is located",
+        label="a relation without events",
+        help="delete `noEvent`: a `when` needs a located condition",
     ),
     "E0372": error(
         "this never changes, so it never becomes true",
@@ -19,22 +19,22 @@ ROWS: dict[str, Row] = {
         help="for an `if` around equations, decide with `if` in an expression; for the start, write `when initial()`",
     ),
     "E0373": error(
-        "a `when` gives values to discrete variables, and `{name}` is none",
+        "a `when` gives values to discrete variables, but `{name}` is not discrete",
         label="not discrete",
-        help="declare it `discrete`; a state or a rate is set by `reinit(x, value)`",
+        help="declare it `discrete`; set a state or a rate with `reinit(x, value)`",
     ),
     "E0374": error(
-        "`reinit` sets a state or a rate, and `{name}` is neither",
+        "`reinit` sets a state or a rate, but `{name}` is neither",
         label="cannot jump",
         help="write `reinit(der(q), ...)` for the rate of a coordinate; positions are continuous",
     ),
     "E0375": error(
-        "`{name}` has a meaning at events only",
+        "`{name}` is defined at events only",
         label="outside of `when`",
         help="use it in the condition or in the equations of a `when` clause",
     ),
     "E0376": error(
-        "`{name}` has no value before an event that could differ",
+        "`{name}` has no separate value before an event",
         label="not a discrete variable, a state, a coordinate or a rate",
         help="name the variable itself",
     ),
@@ -54,7 +54,7 @@ ROWS: dict[str, Row] = {
         help="write `<=` or `>=`, or an interval: `abs(a - b) < tolerance`",
     ),
     "E0380": error(
-        "impacts of a compliant contact are not counted",
+        "a compliant contact does not count impacts",
         label="`{name}` has no impacts",
         help="use `closed({name})`, or a contact `with restitution`",
     ),
@@ -76,17 +76,17 @@ ROWS: dict[str, Row] = {
     ),
     "E0384": error(
         "no `when` gives `{name}` a value",
-        label="discrete, and never changed",
+        label="discrete, but never changes",
         help="assign it in a `when` clause, or declare it as a parameter",
     ),
     "E0385": error(
-        "circular at one event: {path}",
-        label="needed for itself",
+        "circular definition within one event: {path}",
+        label="depends on itself",
         help="read the value before the event: `pre({name})`",
     ),
     "E0386": error(
         "`{name}` has no value {where}",
         label="given here only",
-        help="every branch of an `if` around equations, the `else` too, gives values to the same quantities",
+        help="give values to the same quantities in every branch of the `if`, including the `else`",
     ),
 }

@@ -11,7 +11,7 @@ ROWS: dict[str, Row] = {
     "N0903": note(
         "this FMU takes the time derivatives of `{name}` as inputs, too: {derivatives}",
         label="declared with its derivatives here",
-        help="give all of them from one signal; positions that follow `{name}` are as smooth as these fit together",
+        help="derive all of them from one signal: the motion is consistent only if they are",
     ),
     "E0904": error(
         "FMUs need the package `{package}`, which is not installed",
@@ -27,15 +27,15 @@ ROWS: dict[str, Row] = {
     ),
     "E0907": error(
         "the finished FMU does not satisfy the standard, so it was not written",
-        help="this is a fault of lagdsl: please report the model; the other version of the standard (`--fmi`) may work",
+        help="report the model: this is a defect of lagdsl; the other version of the standard (`--fmi`) may work",
     ),
     "E0908": error(
         "the finished FMU does not run, so it was not written: {reason}",
         help="check that `lag run` works from the same start values",
     ),
     "E0909": error(
-        "an FMU does not find the free parameter `{name}`",
-        label="found with the start of the motion",
-        help="see with `lag run` which value is found, and give it: `{name} = ...` instead of `fixed = false`",
+        "an FMU cannot solve for the free parameter `{name}`",
+        label="lagdsl solves for it at initialization",
+        help="read its value from `lag run`, and write `{name} = ...` instead of `fixed = false`",
     ),
 }

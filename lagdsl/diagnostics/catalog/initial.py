@@ -6,7 +6,7 @@ ROWS: dict[str, Row] = {
     "E0801": error(
         "the initial state is over-determined by {excess}",
         "one condition too many",
-        "drop `fixed = true` here; `start` then acts as a guess",
+        "delete `fixed = true` here; `start` then acts as a guess",
     ),
     "E0802": error(
         "initial position not found: the residual {residual} stalls at `{name}`",
@@ -16,7 +16,7 @@ ROWS: dict[str, Row] = {
     "E0803": error(
         "initial rates not found: the residual {residual} stalls at `{name}`",
         "no rates satisfy this together with the fixed ones",
-        "drop a `fixed = true` of a rate",
+        "delete a `fixed = true` of a rate",
     ),
     "E0804": error(
         "event iteration did not converge at t = {time} s; still changing: {text}",
@@ -29,37 +29,38 @@ ROWS: dict[str, Row] = {
         "start values are coordinates, states and rates: {known}",
     ),
     "E0806": error(
-        "mass matrix became singular at t = {time} s: `{name}` has no inertia there",
-        "the accelerations are not determined",
+        "the mass matrix is singular at t = {time} s: `{name}` has no inertia there",
+        "the equations do not determine the accelerations",
         "choose coordinates that are regular in this position, e.g. `Quaternion` instead of three angles",
     ),
     "E0807": error(
-        "invariant `{name}` violated at t = {time} s: drift {drift} exceeds {limit}",
-        "claimed to be constant",
-        "if the claim is right, simulate with a smaller tolerance",
+        "invariant `{name}` is violated at t = {time} s: drift {drift} exceeds {limit}",
+        "declared constant",
+        "if it is constant, simulate with a smaller tolerance",
     ),
     "E0808": error(
-        "the motion cannot be continued at t = {time} s: `{name}` is not a number",
+        "the simulation cannot continue at t = {time} s: `{name}` is not a number",
         None,
-        "a division by zero, a root or a logarithm leaves its domain here; a branch of an `if` is used a little beyond "
-        "its border: write `sqrt(max(x, 0))`",
+        "look for a division by zero, or a root or logarithm outside its domain; the solver evaluates a branch of an "
+        "`if` slightly beyond its border: write `sqrt(max(x, 0))`",
     ),
     "E0809": error(
-        "the motion cannot be continued at t = {time} s: steps became smaller than {step} s because of `{name}`",
+        "the simulation cannot continue at t = {time} s: the step size falls below {step} s because of `{name}`",
         None,
-        "the motion is unbounded or not smooth there; a relation in a force or a tolerance below round-off does this",
+        "the motion is unbounded or not smooth there; a relation in a force or a tolerance below round-off can be "
+        "the cause",
     ),
     "E0810": error(
         "assertion failed at t = {time} s: {text}",
-        "became false",
+        "is false",
     ),
     "E0811": error(
-        "constraint `{name}` was lost at t = {time} s: residual {residual}",
+        "the simulation cannot satisfy constraint `{name}` at t = {time} s: residual {residual}",
         "no configuration nearby satisfies it",
-        "the mechanism reached a position in which it cannot move on; limit the motion or check the lengths",
+        "the mechanism reaches a position where it cannot move further; limit the motion or check the lengths",
     ),
     "E0812": error(
-        "the simulation reached its limit of {steps} steps at t = {time} s",
+        "the simulation reaches its limit of {steps} steps at t = {time} s",
         None,
         "use a larger tolerance, another solver, or allow more steps",
     ),
@@ -69,19 +70,19 @@ ROWS: dict[str, Row] = {
         "use a smooth form, e.g. sqrt(v*v + eps^2)",
     ),
     "W0814": warning(
-        "the start value of `{name}` does not fit the constraints: {start} was moved to {value}",
+        "the start value of `{name}` violates the constraints: initialization changes {start} to {value}",
         "explicit start",
-        "mark what must stay with `fixed = true`",
+        "write `fixed = true` at the start values that must not change",
     ),
     "E0815": error(
         "the initial equations are not satisfied: residual {residual}",
-        "stalls here",
+        "largest residual",
         "give starts closer to the state you mean, or free a coordinate that is fixed",
     ),
     "E0816": error(
         "at the start `{name}` is not a number",
         None,
-        "a division by zero, a root or a logarithm of a negative number: check the start values and parameters",
+        "a division by zero, or a root or logarithm of a negative number: check the start values and parameters",
     ),
     "E0817": error(
         "the table of input `{name}` covers {first} s to {last} s, the simulation {start} s to {stop} s",
@@ -89,7 +90,7 @@ ROWS: dict[str, Row] = {
         "add rows to the table or change the stop time",
     ),
     "E0818": error(
-        "input `{name}` is given as a function and the model needs its derivative `{derivative}`",
+        "input `{name}` is given as a function, but the model needs its derivative `{derivative}`",
         "moves a frame or a constraint",
         "give functions for its derivatives too, or give the input as a table",
     ),
@@ -107,9 +108,9 @@ ROWS: dict[str, Row] = {
         "the first line names the columns: `time` and inputs of the model",
     ),
     "E0822": error(
-        "time runs backward in line {line} of the table",
+        "time decreases in line {line} of the table",
         "earlier than the line before",
-        "sort the rows by time; two equal times are a jump",
+        "sort the rows by time; two equal times define a jump",
     ),
     "E0823": error(
         "`{text}` is not a number",
@@ -118,7 +119,7 @@ ROWS: dict[str, Row] = {
     "E0824": error(
         "line {line} of the table has {found} cells instead of {expected}",
         None,
-        "separate cells by commas, numbers have a decimal point",
+        "separate cells by commas, and write numbers with a decimal point",
     ),
     "E0825": error(
         "{what} needs the package `{package}`",
@@ -131,10 +132,10 @@ ROWS: dict[str, Row] = {
     "E0827": error(
         "the table `{file}` has {found} row(s) of numbers",
         None,
-        "a table needs two rows at least",
+        "give at least two rows",
     ),
     "E0828": error(
-        "results are not written in the form of `{file}`",
+        "lagdsl cannot write results in the format of `{file}`",
         None,
         "end the name in `.csv` or `.parquet`",
     ),
@@ -144,16 +145,16 @@ ROWS: dict[str, Row] = {
         "each input has one column",
     ),
     "E0830": error(
-        "the motion cannot be continued at t = {time} s: near a singular position, where `{name}` loses its effect, "
-        "the equations do not decide on its branch",
+        "the simulation cannot continue at t = {time} s: near a singular position, where `{name}` loses its effect, "
+        "the equations do not determine the branch of the motion",
         "without effect there",
-        "a smaller tolerance may lead across; lengths or start values that avoid the position decide it",
+        "try a smaller tolerance, or change lengths or start values so that the motion avoids the position",
     ),
     "E0831": error(
-        "with these parameters and starts {now} rows of the constraints are independent instead of {before}: "
-        "`{name}` does not follow from the others any more",
+        "with these parameters and starts the constraints have {now} independent rows instead of {before}: "
+        "`{name}` no longer follows from the others",
         "redundant with the values of the model",
-        "the degrees of freedom would be {freedom}; write the values into the model, so that it is compiled with them",
+        "write the values into the model and compile it again; it then has {freedom} degrees of freedom",
     ),
     "E0832": error(
         "`reinit` gives `{text}` two values at t = {time} s",
@@ -172,18 +173,18 @@ ROWS: dict[str, Row] = {
     ),
     "E0835": error(
         "{text} becomes active at t = {time} s, but the current position violates it",
-        label="would need a jump of positions",
+        label="positions cannot jump",
         help="activate it where it is satisfied, or write it for rates: `der(...) = ...`",
     ),
     "E0837": error(
-        "no initial equation decides the free parameter `{name}`",
-        "the start holds with other values as well",
-        "add an `initial equation` that depends on it, fix what else could give way, or give it a value",
+        "no initial equation determines the free parameter `{name}`",
+        "other values satisfy the initial equations, too",
+        "add an `initial equation` that depends on it, fix start values that can change instead, or give it a value",
     ),
     "E0838": error(
-        "the start asks for `{name}` = {value}, which is beyond its {which} of {limit}",
-        "found with the start",
-        "check the initial equations, or give a guess on the side you mean",
+        "the initial equations require `{name}` = {value}, beyond its {which} of {limit}",
+        "solved for at initialization",
+        "check the initial equations, or give a guess closer to the solution you mean",
     ),
     "E0845": error(
         "input `{name}` takes whole numbers, not {value}",
@@ -206,7 +207,7 @@ ROWS: dict[str, Row] = {
         "give `{derivative}` and the derivative before it as tables too, if they are known",
     ),
     "E0849": error(
-        "input `{derivative}` is given, but `{name}` is not, whose time derivative it is",
+        "input `{derivative}` is given, but not `{name}`, of which it is the time derivative",
         None,
         "give `{name}` too, from the same signal",
     ),

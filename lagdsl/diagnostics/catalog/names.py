@@ -15,7 +15,7 @@ ROWS: dict[str, Row] = {
         label="declared here, read nowhere",
         help="use it or delete it; a misspelt name elsewhere may be the cause",
     ),
-    "E0207": error("`{name}` cannot be hidden", label="choose another name"),
+    "E0207": error("a declaration cannot hide `{name}`", label="choose another name"),
     "E0208": error("unknown type `{name}`", label="neither a quantity nor declared in the file"),
     "E0209": error("unknown function `{name}`", label="no function of this name"),
     "E0210": error("{what} has no member `{name}`", label="unknown member"),
@@ -48,7 +48,7 @@ ROWS: dict[str, Row] = {
     "E0225": error(
         "component `{name}` would contain itself: {path}",
         label="a component of a class that it is part of",
-        help="what repeats is an array of components in the class around: `Link link[n]`",
+        help="write an array of components in the enclosing class: `Link link[n]`",
     ),
     "E0226": error(
         "a class cannot extend itself: {path}", label="closes the circle", help="delete one of the `extends`"
@@ -78,7 +78,7 @@ ROWS: dict[str, Row] = {
         label="cannot be redeclared",
         help="declare it as `replaceable` to allow that",
     ),
-    "E0236": error("`{name}` is modified as what it is not", label="does not fit"),
+    "E0236": error("this modifier does not fit the kind of `{name}`", label="does not fit"),
     "E0237": error(
         "the subscripts do not fit: `{name}` is {what}",
         label="there is no such element",
@@ -90,7 +90,7 @@ ROWS: dict[str, Row] = {
         help="delete it; prefixes of components are `final` and `replaceable`",
     ),
     "E0239": error(
-        "`{name}` is written without units, the model with units",
+        "`{name}` uses no units, but the model uses units",
         label="used here",
         help='write `annotation(units = "none")` in the model, too, or give the class its units',
     ),
@@ -102,15 +102,15 @@ ROWS: dict[str, Row] = {
         label="a modifier is for the whole array",
         help="give all elements: `{name} = {{...}}`",
     ),
-    "E0242": error("a redeclaration keeps the size of `{name}`", label="says a size", help="delete the subscripts"),
+    "E0242": error("a redeclaration keeps the size of `{name}`", label="gives a size", help="delete the subscripts"),
     "E0243": error(
         "`{name}` is inherited along two paths with conflicting modifiers",
         label="conflicting modifiers",
         help="use the same modifiers on both paths, or modify it where the class is used",
     ),
-    "E0244": error("`{new}` cannot stand in for `{old}`: it has no {missing}", label="put in here"),
+    "E0244": error("`{new}` cannot replace `{old}`: it has no {missing}", label="replaces it here"),
     "E0245": error(
-        "a short class stands for one component, not for an array",
+        "a short class defines one component, not an array",
         label="no size here",
         help="give the size where components are declared: `{name} name[n]` with `model {name} = {base};`",
     ),
@@ -121,7 +121,9 @@ ROWS: dict[str, Row] = {
     ),
     "E0250": error("there is no package or class `{name}`", label="not found"),
     "E0252": error(
-        "`{name}` is no package", label="has no names to import", help="import the class itself, without what follows"
+        "`{name}` is no package",
+        label="has no names to import",
+        help="import the class itself, without the rest of the name",
     ),
     "E0253": error(
         "`{file}` must hold the {what} `{name}` and nothing else",

@@ -48,7 +48,7 @@ ROWS: dict[str, Row] = {
         help="two moments of inertia together are never smaller than the third; a thin disc has Ixx + Iyy = Izz",
     ),
     "W0510": warning(
-        "masses but no gravity: state `gravity = ...`, or `gravity = 0` if weightless is meant",
+        "the model has masses but no gravity: write `gravity = ...`, or `gravity = 0` for weightless motion",
         label="has no weight",
         help="`gravity = -g_n*world.y;` is the usual one",
     ),
@@ -78,7 +78,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0516": error(
         "the frame has no axes: {reason}",
-        label="cannot be turned like this",
+        label="not a rotation",
         help="`.axes` takes three perpendicular unit vectors with ex x ey = ez; `.rotate` any axis that is not zero",
     ),
     "E0517": error(
@@ -89,22 +89,22 @@ ROWS: dict[str, Row] = {
     "W0518": warning(
         "the kinetic energy is negative for some rates",
         label="enters with a minus",
-        help="check the sign: a kinetic energy is 1/2*m*v*v; what has another sign belongs into `potential`",
+        help="check the sign: a kinetic energy is 1/2*m*v*v; move terms of another sign to `potential`",
     ),
     "N0519": note(
         "this load does no work on any admissible motion",
         label="enters no equation of motion",
-        help="that is right for a force that a guide or a rod takes up; `lag derive` shows F.dr/dq for each load",
+        help="this is correct for a force that a guide or a rod balances; `lag derive` shows F.dr/dq for each load",
     ),
     "W0520": warning(
-        "{what} where `{name}` has a corner, and no balance of momenta decides what happens there",
+        "{what} where `{name}` has a corner; {law}",
         label="not smooth along the motion",
-        help="write branches that meet smoothly, or a `contact` or `when` with `reinit` that says what happens; "
-        "`smooth(1, ...)` says that both sides have one slope",
+        help="write branches that meet smoothly, or define the jump with a `contact`, or with `reinit` in a `when`; "
+        "`smooth(1, ...)` declares that both sides have one slope",
     ),
     "N0521": note(
-        "where `{name}` changes, momentum is kept, not velocity",
+        "where `{name}` changes, the simulation conserves momentum, not velocity",
         label="the kinetic energy depends on it",
-        help="`reinit(der(q), ...)` in the same clause says otherwise",
+        help="write `reinit(der(q), ...)` in the same clause to set the velocity",
     ),
 }

@@ -16,7 +16,7 @@ ROWS: dict[str, Row] = {
     "E0104": error(
         "a unit has one `/`; everything after it divides",
         label="second `/` after the unit `{unit}`",
-        help="write what divides as one group: `m/s2` instead of `m/s/s`; to divide by a variable: `(5 m/s)/s`",
+        help="write the divisor as one group: `m/s2` instead of `m/s/s`; to divide by a variable: `(5 m/s)/s`",
     ),
     "E0105": error("unknown unit `{unit}`", label="not a unit"),
     "E0107": error(

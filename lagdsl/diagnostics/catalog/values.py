@@ -23,7 +23,7 @@ ROWS: dict[str, Row] = {
         label="its time derivatives occur in the equations",
         help="declare `input {type} {name}(smooth = {count})`",
     ),
-    "E0305": error("circular definition: {path}", label="needed for itself"),
+    "E0305": error("circular definition: {path}", label="depends on itself"),
     "E0306": error("expected a point, found {found}", label="not a position"),
     "E0307": error(
         "`{name}` is given two values at the same event",
@@ -36,9 +36,9 @@ ROWS: dict[str, Row] = {
         help="write the inertia term as an energy or a mass",
     ),
     "N0309": note(
-        "jumps of `{name}` are no events",
+        "jumps of `{name}` trigger no events",
         label="the first place",
-        help="write a relation, `if x > ... then ...`, for a jump that is an event; `noEvent(...)` says that it is not",
+        help="write a relation, `if x > ... then ...`, for a jump that is an event, or `noEvent(...)` if it is none",
     ),
     "E0311": error("{what} is not supported yet", label="comes with a later release", help="{hint}"),
     "E0312": error("expected {expected}, found {found}", label="this is {found}"),
@@ -97,7 +97,9 @@ ROWS: dict[str, Row] = {
     ),
     "E0333": error("an index must be known when the model is compiled", label="not structural"),
     "E0334": error("{what} must be {expected}, found {found}", label="this is {found}"),
-    "E0335": error("one value for a whole array needs `each`", label="which element?", help="write `each {text}`"),
+    "E0335": error(
+        "one value for a whole array needs `each`", label="one value, several elements", help="write `each {text}`"
+    ),
     "E0336": error("the size of `{name}` comes from its binding, and it has none", label="needs a size"),
     "E0337": error("{kind} `{name}` has no value", label="needs a value", help="write `{name} = ...` here"),
     "E0338": error(
@@ -112,7 +114,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0340": error(
         "`{name}` cannot be declared inside a loop",
-        label="one declaration, many turns",
+        label="the loop would declare it several times",
         help="declare an array outside: `{name}[N]`, and give its elements in the loop: `{name}[i] = ...`",
     ),
     "E0341": error("there is no dimension {index}: the number of dimensions is {extent}", label="one subscript each"),
@@ -136,28 +138,28 @@ ROWS: dict[str, Row] = {
     ),
     "E0346": error(
         "the free parameter `{name}` has no guess",
-        label="found with the start, from nowhere",
-        help="write `{name}(fixed = false, start = ...)` with a value that is about right",
+        label="initialization solves for it",
+        help="write `{name}(fixed = false, start = ...)` with an approximate value",
     ),
     "E0347": error(
-        "`{name}` is found with the start, so it has no value of its own",
+        "initialization solves for `{name}`, so it cannot have a value",
         label="a value of a free parameter",
-        help="write the value as the guess, `start = ...`, or leave out `fixed = false`",
+        help="write the value as the guess, `start = ...`, or delete `fixed = false`",
     ),
     "E0348": error(
         "`{name}` cannot be a free parameter: {reason}",
-        label="cannot be found with the start",
-        help="leave out `fixed = false` and give it a value",
+        label="initialization cannot solve for it",
+        help="delete `fixed = false` and give it a value",
     ),
     "E0349": error(
-        "{free} and {equations}: nothing decides the value",
-        label="found with the start",
-        help="state in `initial equation` what the start has to satisfy: one equation for each free parameter",
+        "{free} and {equations}: the values are not determined",
+        label="initialization solves for it",
+        help="write one equation for each free parameter in an `initial equation` section",
     ),
     "E0350": error(
-        "the fixed start of `{name}` depends on a parameter that is found with the start",
-        label="a condition that moves with what it decides",
-        help="leave out `fixed = true` and write the condition as an `initial equation`",
+        "the fixed start of `{name}` depends on a free parameter",
+        label="depends on an unknown of the initialization",
+        help="delete `fixed = true` and write the condition as an `initial equation`",
     ),
     "E0360": error("the enumeration lists `{name}` twice", label="each value once", help="delete one of the two"),
     "E0361": error(
@@ -165,5 +167,7 @@ ROWS: dict[str, Row] = {
         label="a parameter may change later",
         help="write numbers, or use `structural parameter`",
     ),
-    "E0362": error("the points of a table must increase: {second} follows {first}", label="not in increasing order"),
+    "E0362": error(
+        "the points of a table must increase, but {second} follows {first}", label="not in increasing order"
+    ),
 }

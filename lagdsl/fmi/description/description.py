@@ -1,4 +1,4 @@
-"""What the descriptions of both versions of FMI have in common."""
+"""Parts that the descriptions of both versions of FMI share."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LOG_CATEGORIES = {
     "logStatusWarning": "warnings",
     "logStatusDiscard": "steps and values that are refused",
     "logStatusError": "errors",
-    "logStatusFatal": "errors after which nothing goes on",
+    "logStatusFatal": "errors after which the instance cannot continue",
     "logAll": "everything",
 }
 # Rows of an experiment that does not tell its interval.
@@ -113,7 +113,7 @@ def _key(variable: Variable) -> TypeKey | None:
 
 
 def needs_completed_steps(table: Table) -> bool:
-    """Whether anything is to be done after steps of the importer's integrator."""
+    """True if anything is to be done after steps of the importer's integrator."""
     flat = table.flat
     watched = flat.assertions or flat.invariants or any(output.turning for output in flat.outputs)
     return bool(flat.constraints or watched or has_events(table))

@@ -24,7 +24,7 @@ _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 
 @record()
 class Objects:
-    """What was compiled: paths of object files by platform, in the order of the sources."""
+    """Object files: paths by platform, in the order of the sources."""
 
     stem: str
     tools: tuple[Toolchain, ...]

@@ -1,4 +1,4 @@
-"""What is done to linked libraries: no time of their making in them, and two processors in one."""
+"""Changes to linked libraries: remove time stamps, and merge the libraries of two processors into one."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def _initialize(instance: Any, start: float) -> None:
 
 
 def _cosimulate(instance: Any, t: float, h: float, _: object) -> bool:
-    """Whether the model has not ended the simulation by itself."""
+    """True if the model has not ended the simulation by itself."""
     for step in range(_STEPS):
         try:
             done = instance.doStep(t + step * h, h)

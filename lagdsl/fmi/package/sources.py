@@ -28,12 +28,12 @@ def model_sources(program: Program, start: Start, version: int) -> dict[str, str
 
 
 def c_files(sources: Mapping[str, str]) -> tuple[str, ...]:
-    """What is to be compiled, in a fixed order."""
+    """Files to compile, in a fixed order."""
     return tuple(sorted(path for path in sources if path.endswith(".c")))
 
 
 def is_standard(path: str) -> bool:
-    """Whether this is a header of the standard."""
+    """True if this is a header of the standard."""
     return any(path in names for names in _HEADERS.values())
 
 

@@ -1,4 +1,4 @@
-"""What compiles for a platform: the compiler of the package ziglang for all, else this machine's for its own."""
+"""Compiler for a platform: the one of the package ziglang for all, else this machine's for its own."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Toolchain:
 
     @property
     def opens(self) -> bool:
-        """Whether the linker decides what is seen from outside."""
+        """True if the linker decides what is seen from outside."""
         return self.platform.system == "linux"
 
     @property

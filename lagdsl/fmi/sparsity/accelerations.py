@@ -1,4 +1,4 @@
-"""What accelerations and multipliers depend on: the blocks of M qdd - J'lam = f, J qdd = gamma."""
+"""Dependence of accelerations and multipliers: the blocks of M qdd - J'lam = f, J qdd = gamma."""
 
 from __future__ import annotations
 
@@ -163,7 +163,7 @@ def _completed(match: list[int], size: int) -> list[int]:
 
 
 def _kind(graph: Graph, node: int) -> Kind:
-    """What a factor does to what it multiplies."""
+    """Effect of a factor on the dependence of its product."""
     if graph.op[node] is Op.CONSTANT:
         return Kind.CONSTANT
     if not graph.depends(node, *(group for group in Group if group is not Group.P)):

@@ -107,7 +107,7 @@ class _Search:
         return found
 
     def zero_nodes(self, nodes: tuple[int, ...]) -> set[int]:
-        """Those of `nodes`, results of one function, that are identically zero."""
+        """Members of `nodes`, results of one function, that are identically zero."""
         wanted = [node for node in dict.fromkeys(nodes) if not self._kinked[node]]
         sized = evaluate_with_size(self._graph, wanted, self._given([]))
         largest = max((np.max(np.abs(value)) for value, _ in sized), default=0.0)

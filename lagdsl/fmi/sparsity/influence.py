@@ -1,4 +1,4 @@
-"""What the nodes of a graph depend on, and how: sets of symbols as the bits of numbers, one pass over the graph."""
+"""Dependence of the nodes of a graph, and its kind: sets of symbols as the bits of numbers, one pass over the graph."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class Influences:
         return total
 
     def _factor(self, node: int) -> Kind:
-        """What a factor with the value of this node makes of what it multiplies."""
+        """Effect of a factor with the value of this node on the dependence of its product."""
         groups = self._graph.groups[node]
         if not groups:
             return Kind.CONSTANT

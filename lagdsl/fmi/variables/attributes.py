@@ -31,7 +31,7 @@ class Bounds(TypedDict):
 
 
 def attributes_of(item: Quantity, role: Role) -> Attributes:
-    """What every quantity has. Only Reals have units; a type of its own is known by name."""
+    """Attributes of every quantity. Only Reals have units; a type of its own is known by name."""
     real = item.base == "Real"
     return Attributes(
         role=role,

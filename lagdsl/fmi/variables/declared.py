@@ -106,7 +106,7 @@ def discretes(flat: FlatModel) -> Iterator[Scalar]:
 
 
 def contacts(flat: FlatModel) -> Iterator[Scalar]:
-    """Whether they are closed, and how often they did so or bounced."""
+    """Two variables of each contact: closed or not, and the number of impacts."""
     closed = Attributes(role=Role.DISCRETE, type="BOOLEAN", variability="discrete", doc="whether the contact is closed")
     impacts = replace(closed, type="INTEGER", doc="impacts so far", minimum=0.0)
     for index, entry in enumerate(entries(flat.events)):
@@ -138,6 +138,6 @@ def _computed(
 
 
 def _but_for_tuning(attributes: Attributes) -> object:
-    """What entries of an array have in common, also where only some of them have an effect after the start."""
+    """Attributes that entries of an array share, also where only some of them have an effect after the start."""
     tuned = attributes.variability in ("tunable", "fixed")
     return replace(attributes, variability="tunable", setting="TUNABLE") if tuned else attributes

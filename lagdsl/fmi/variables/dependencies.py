@@ -1,4 +1,4 @@
-"""What depends on what in an exported model, as its equations are built: never less, no more than their structure.
+"""Dependencies of an exported model, from the structure of its equations: never less, no more than their structure.
 
 Outputs, named values and rates of states are functions of the graph; accelerations and multipliers are solutions of
 the equations of motion, whose blocks say which of them a force reaches. Derivatives of rates are pulled towards the
@@ -168,7 +168,7 @@ class _Search:
         return starts | dict.fromkeys(coupled, asked)
 
     def _conditions(self) -> Influence:
-        """What constraints and initial equations read."""
+        """Arguments of constraints and initial equations."""
         program, total = self._program, NONE
         for function in ("position_constraint", "velocity_constraint", "initial_equation"):
             total = union(total, self._influences.of_all(program.function(function).results[0].elements))

@@ -38,7 +38,7 @@ Initial: TypeAlias = Literal["exact", "approx", "calculated"]
 
 @record(kw_only=True)
 class Attributes:
-    """What the entries of one array have in common. `unit` is a coherent SI unit, `literals` are those of an
+    """Fields that the entries of one array share. `unit` is a coherent SI unit, `literals` are those of an
     enumeration."""
 
     role: Role

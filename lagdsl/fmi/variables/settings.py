@@ -1,4 +1,4 @@
-"""What an exported model is told beside its equations: where it starts, and what its accuracy is measured by.
+"""Settings of an exported model beside its equations: its start, and the sizes by which accuracy is measured.
 
 The same numbers that `simulate/` gives to the C runtime, for the default parameters.
 """

@@ -118,7 +118,7 @@ class _Search:
         return tuple(found.items())
 
     def _deciding(self, discrete: Entry) -> Iterable[Entry]:
-        """What a discrete follows from: an indicator, or a clause, which may read everything."""
+        """Entries that a discrete follows from: those of an indicator, or of a clause, which may read everything."""
         kind = self._kinds[discrete[1]]
         relations = self._kinds.count("relation")
         if kind == "relation":

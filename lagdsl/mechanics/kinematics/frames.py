@@ -110,7 +110,7 @@ def world(graph: Graph) -> Pose:
 
 
 def is_put(pose: Pose) -> bool:
-    """Whether the origin is known as a position of the world, not as a place that the parent carries."""
+    """True if the origin is known as a position of the world, not as a place that the parent carries."""
     moved = [motion for motion in pose.motions if isinstance(motion, Shift | Put)]
     return bool(moved) and isinstance(moved[-1], Put)
 

@@ -79,11 +79,11 @@ class Poses:
         return name in self._poses
 
     def is_released(self, name: str) -> bool:
-        """Whether a reaction releases this frame or one that carries it."""
+        """True if a reaction releases this frame or one that carries it."""
         return name in self._released
 
     def is_carried(self, name: str) -> bool:
-        """Whether the origin moves as a place of the frames before it, not as a position given in the world."""
+        """True if the origin moves as a place of the frames before it, not as a position given in the world."""
         return name not in self._put
 
     def __getitem__(self, name: str) -> Pose:

@@ -113,7 +113,7 @@ def _body(apart: Apart, frame: str, terms: list[Term]) -> RecognizedBody | None:
 
 
 def _is_open(still: Sequence[bool], j: int) -> bool:
-    """Whether component j of the moment multiplies nothing that moves."""
+    """True if component j of the moment multiplies nothing that moves."""
     i, k = (j + 1) % 3, (j + 2) % 3
     return (still[i] or still[k + 3]) and (still[k] or still[i + 3])
 
@@ -141,7 +141,7 @@ class _Form:
         self._there = [self._is_first(k) for k in range(6)]
 
     def _is_first(self, k: int) -> bool:
-        """Whether component k moves, and is not another one, too."""
+        """True if component k moves, and is not another one, too."""
         node = self._twist[k].node
         return node >= 0 and all(other.node != node for other in self._twist[:k])
 

@@ -1,4 +1,4 @@
-"""What carries mass: positions, velocities and angular momenta of point masses and rigid bodies."""
+"""Items with mass: positions, velocities and angular momenta of point masses and rigid bodies."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _body(lowering: Lowering, body: RigidBody) -> InertialElement:
 
 
 def is_in_world(lowering: Lowering, frame: str, position: Vector) -> bool:
-    """Whether the mass centre of a body has its velocity at hand in the world: at an origin that is put there, or in a
+    """True if the mass centre of a body has its velocity at hand in the world: at an origin that is put there, or in a
     plane, where turning costs little."""
     poses = lowering.poses(frame)
     if position == poses[frame].origin and is_put(poses[frame]):

@@ -44,7 +44,7 @@ class Apart:
         turning = _bare(graph, (x for omega, _ in self.twists.values() for x in omega))
         moving = _bare(graph, (x for _, velocity in self.twists.values() for x in velocity))
         self.carried = {node for node in (*turning, *moving) if node not in derivatives}
-        """Those that are no total derivatives."""
+        """Terms that are no total derivatives."""
         nodes = list(dict.fromkeys((*derivatives, *turning, *moving)))
         self._symbols = {node: graph.symbol(Group.RELEASE_RATE, index) for index, node in enumerate(nodes)}
         self._nodes = {symbol: node for node, symbol in self._symbols.items()}

@@ -117,7 +117,7 @@ class Lowering:
     # ---- order of lowering -------------------------------------------------------------------------------------------
 
     def _needed(self, expression: FlatExpression) -> list[FlatExpression]:
-        """What has to be lowered before `expression`: operands, and the binding of a name."""
+        """Expressions to lower before `expression`: operands, and the binding of a name."""
         match expression:
             case flat.Variable(name):
                 return [self._definitions[name].value] if name in self._definitions else []

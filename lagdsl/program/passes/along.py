@@ -61,7 +61,7 @@ def _motion(program: Program) -> tuple[Block, ...]:
 
 
 def _solution(program: Program, motion: tuple[Block, ...]) -> dict[int, int]:
-    """What stands for accelerations and multipliers."""
+    """Symbols of accelerations and multipliers."""
     found = zip((Group.QDD, Group.LAMBDA), motion, strict=False)
     return {
         program.graph.symbol(group, index): node for group, block in found for index, node in enumerate(block.elements)

@@ -74,7 +74,7 @@ class _Components:
         return place
 
     def look(self, roots: Iterable[int]) -> None:
-        """What `roots` and all nodes below them depend on."""
+        """Symbols on which `roots` and all nodes below them depend."""
         graph, member, mask = self._program.graph, self._member, self._mask
         operands, groups = graph.operands, graph.groups
         for node in graph.live(roots):

@@ -1,4 +1,4 @@
-"""What depends on parameters only: computed once per parameter set instead of in every call."""
+"""Expressions of parameters only: computed once per parameter set instead of in every call."""
 
 from __future__ import annotations
 

@@ -69,7 +69,7 @@ def compile_runtime(
 
 
 def _compiler(name: str | None) -> Compiler:
-    """What compiles for the platform: this machine's compiler, or ziglang, which is told the least processor."""
+    """Compiler for the platform: this machine's compiler, or ziglang, with the least processor as its target."""
     if name is None:
         compiler = find_compiler()
         if not _is_zig(compiler) or this_machine() not in PLATFORMS:

@@ -23,13 +23,13 @@ _BARE = {"linux": ("-nostdlib", "-lc"), "windows": (), "macos": ("-nostdlib", "-
 
 
 def link_flags(system: str, name: str) -> tuple[str, ...]:
-    """What comes before the objects of the library `name` on "linux", "windows", "macos" or a system like Linux."""
+    """Arguments before the objects of the library `name` on "linux", "windows", "macos" or a system like Linux."""
     named = (f"-Wl,-install_name,@rpath/{name}",) if system == "macos" else ()
     return (*_LINK.get(system, _LINK["linux"]), *named)
 
 
 def libraries(system: str, *, by_zig: bool) -> tuple[str, ...]:
-    """What comes after the objects."""
+    """Arguments after the objects."""
     return (*(_BARE[system] if by_zig else ()), *_LIBRARIES.get(system, _LIBRARIES["linux"]))
 
 

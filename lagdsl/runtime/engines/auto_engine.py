@@ -102,7 +102,7 @@ class AutoEngine(TapeEngine):
 
     @cached_property
     def _key(self) -> str:
-        """What the names of the libraries in the cache begin with that were made of this tape."""
+        """Prefix of the names of libraries in the cache that were made of this tape."""
         return hashlib.sha256(self._tape).hexdigest()[:20]
 
     def _name(self, compiler: Compiler) -> str:
@@ -114,7 +114,7 @@ class AutoEngine(TapeEngine):
 
 
 def _has_library(key: str) -> bool:
-    """Whether the cache has a library whose name begins so; its whole name takes longer to find."""
+    """True if the cache has a library whose name begins so; its whole name takes longer to find."""
     try:
         return any(path.name.startswith(key) for path in cache_folder().iterdir())
     except (CompilationFailed, OSError):

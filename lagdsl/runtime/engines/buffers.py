@@ -20,7 +20,7 @@ def aligned(count: int) -> Floats:
 
 
 class Buffers:
-    """What the runtime needs to call a model, for one thread; never empty: every pointer points at something."""
+    """Buffers of the runtime for calls of a model, for one thread; never empty: every pointer points at something."""
 
     def __init__(self, model: NativeModel) -> None:
         self.workspace = aligned(model.workspace + 1)

@@ -1,4 +1,4 @@
-"""What the simulator needs of a compiled model: one interface, a NumPy and a C implementation."""
+"""Interface of a compiled model to the simulator: one interface, a NumPy and a C implementation."""
 
 from __future__ import annotations
 

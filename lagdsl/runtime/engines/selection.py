@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def engine_of(program: Program, name: EngineName = "auto") -> BatchEngine:
-    """What computes the functions of `program`: `tape` at once and without a compiler, `c` compiled for this processor,
+    """Engine of the functions of `program`: `tape` at once and without a compiler, `c` compiled for this processor,
     `auto` the tape, and C where that pays; `numpy` functions in Python, to compare with.
 
     Raises CompilationFailed where `c` is asked for and no C compiler is found.

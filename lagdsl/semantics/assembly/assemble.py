@@ -69,7 +69,7 @@ def assemble(ctx: Context, root: Instance, contents: Contents) -> Assembly:
 
 
 def _solvable(net: Net, equations: dict[Instance, list[Placed]]) -> list[bool]:
-    """Whether the coordinates of each link may follow from its frames: only it needs them, and it has a closure."""
+    """True if the coordinates of each link may follow from its frames: only it needs them, and it has a closure."""
     users: dict[object, int] = {}
     for link in net.links:
         for symbol in link.own:

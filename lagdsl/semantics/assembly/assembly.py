@@ -1,4 +1,4 @@
-"""What the assembly found out, as the rest of the floor asks for it."""
+"""Result of the assembly, as queries for the rest of the floor."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Assembly:
         self._reported: set[str] = set()
 
     def is_open(self, symbol: Symbol, indices: Indices) -> bool:
-        """Whether this is a port of a component that nothing gives a place, or a quantity of a connector that its node
+        """True if this is a port of a component that nothing gives a place, or a quantity of a connector that its node
         determines: no fault as long as nothing needs it."""
         if self._networks.is_member(symbol):
             return True
@@ -75,11 +75,11 @@ class Assembly:
         return self._networks.value(symbol, indices)
 
     def coordinates(self, found: Sequence[Coordinate]) -> tuple[Coordinate, ...]:
-        """Those of the model, merged ones once."""
+        """Coordinates of the model, merged ones once."""
         return tuple(self._merges.listed(found))
 
     def is_computed(self, symbol: Symbol) -> bool:
-        """Whether the coordinate follows from others: its joint closes a loop."""
+        """True if the coordinate follows from others: its joint closes a loop."""
         return self._closures.is_computed(symbol)
 
     def outputs(self) -> list[Output]:

@@ -119,7 +119,7 @@ def _is_connector(entry: Entry) -> bool:
 def refuse(
     ctx: Context, scope: Scope, item: nodes.Expression, wanted: str = "neither a frame nor a component with frames"
 ) -> None:
-    """What cannot be connected: the fault in the text itself, or E0719."""
+    """Reports an item that cannot be connected: the fault in the text itself, or E0719."""
     target = target_of(ctx, scope, item)
     known = isinstance(target, Element) and target.symbol.kind == "frame"
     if known or not isinstance(ctx.elaborate(ctx, scope, item, False), Poison):

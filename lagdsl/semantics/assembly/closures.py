@@ -43,7 +43,7 @@ class Closures:
         self._of = {symbol: cut for cut in cuts if cut.computed for symbol in cut.link.own}
 
     def is_computed(self, symbol: Symbol) -> bool:
-        """Whether the coordinate follows from others; closes its loop to find out."""
+        """True if the coordinate follows from others; closes its loop to find out."""
         cut = self._of.get(symbol)
         if cut is None:
             return False

@@ -14,7 +14,7 @@ from lagdsl.source import Span
 
 @record()
 class Place:
-    """What the rows of one closure have in common. `span` is the `connect` that closes the loop."""
+    """Fields that the rows of one closure share. `span` is the `connect` that closes the loop."""
 
     name: str
     joint: str | None

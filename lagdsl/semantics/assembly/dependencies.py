@@ -1,4 +1,4 @@
-"""What an expression needs in the end: frames without a binding, and coordinates, also through definitions."""
+"""Dependencies of an expression: frames without a binding, and coordinates, also through definitions."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Dependencies:
             coordinates.update(further[1])
 
     def _behind(self, symbol: Symbol) -> Needs:
-        """What the bindings of a symbol need. One that needs itself (an array built along itself) adds nothing."""
+        """Dependencies of a symbol's bindings. One that needs itself (an array built along itself) adds nothing."""
         if symbol not in self._of:
             found: Needs = ({}, {})
             self._of[symbol] = found

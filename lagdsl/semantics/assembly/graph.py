@@ -61,7 +61,7 @@ def span(count: int, edges: Sequence[Edge], givens: Sequence[Given]) -> Tree:
 
 @mutable_record()
 class _Waiting:
-    """What edges and givens still need."""
+    """Needs of edges and givens that are not met yet."""
 
     missing: list[int]
     by_node: dict[int, list[int]] = field(default_factory=dict)
@@ -77,7 +77,7 @@ class _Waiting:
         return waiting
 
     def met(self, node: int) -> list[int]:
-        """Those that needed this node last."""
+        """Edges and givens whose last missing need is this node."""
         ready = []
         for number in self.by_node.get(node, ()):
             self.missing[number] -= 1

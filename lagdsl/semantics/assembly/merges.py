@@ -123,7 +123,7 @@ class Merges:
         two: tuple[FlatExpression, bool, bool],
         what: str,
     ) -> bool:
-        """Whether the second start counts: a fixed one before a guess, a guess before none. Equals must agree."""
+        """True if the second start counts: a fixed one before a guess, a guess before none. Equals must agree."""
         if one[1] and two[1] and one[2] == two[2] and not _same(one[0], two[0]):
             spans = [item.start_span if what == "start" else item.rate_start_span for item in (a, b)]
             labels = [Label(spans[0], f"one {what}")] if spans[0] is not None else []

@@ -137,7 +137,7 @@ class Networks:
     # ---- values ------------------------------------------------------------------------------------------------------
 
     def is_member(self, symbol: Symbol) -> bool:
-        """Whether the quantity belongs to a connector and gets its value from the node."""
+        """True if the quantity belongs to a connector and gets its value from the node."""
         return symbol.kind == "algebraic" and not symbol.given.bindings and symbol.scope.prefix in self._members
 
     def value(self, symbol: Symbol, indices: Indices) -> Value | None:
@@ -186,7 +186,7 @@ def quantities_of(instance: Instance) -> list[tuple[str, Symbol]]:
 
 
 def _shape(instance: Instance) -> list[tuple[str, str, object]]:
-    """What two connectors must have in common."""
+    """Fields that two connectors must share."""
     return [
         (name, entry.kind, entry.info.dimension if entry.info is not None else None)
         if isinstance(entry, Symbol)

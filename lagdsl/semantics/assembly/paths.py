@@ -1,4 +1,4 @@
-"""What a dotted name stands for, before anything has a value: symbols, components, the world."""
+"""Meaning of a dotted name, before anything has a value: symbols, components, the world."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ Target: TypeAlias = "World | Element | Instance | InstanceArray | Absent"
 
 
 def target_of(ctx: Context, scope: Scope, node: nodes.Expression) -> Target | None:
-    """What the text names; None if it names none of these. Says nothing."""
+    """The item that the text names; None if it names none of these. Reports nothing."""
     match node:
         case nodes.Parenthesized():
             return target_of(ctx, scope, node.inner)

@@ -72,7 +72,7 @@ class Ancestry:
 
 
 def is_relative(steps: Iterable[FrameStep]) -> bool:
-    """Whether steps say the same wherever their frame is: own displacements and turns by scalars."""
+    """True if steps say the same wherever their frame is: own displacements and turns by scalars."""
     return all(
         isinstance(step, _OWN)
         and all(isinstance(node, _INNER) for part in step_expressions(step) for node in postorder(part))
@@ -81,7 +81,7 @@ def is_relative(steps: Iterable[FrameStep]) -> bool:
 
 
 def speaks_of_its_frames(ctx: Context, net: Net, link: Link, equations: Iterable[Placed]) -> bool:
-    """Whether closure equations mention nothing but the two frames of the link, its coordinates and parameters."""
+    """True if closure equations mention nothing but the two frames of the link, its coordinates and parameters."""
     ports = {(port.symbol, port.indices) for port in (net.ports[link.base], net.ports[link.child])}
     stack: list[tuple[Placed, nodes.Node]] = [(placed, placed.node) for placed in equations]
     while stack:

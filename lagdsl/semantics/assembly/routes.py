@@ -42,7 +42,7 @@ class Routes:
         return self._net.placed[step.given].port if step.given < len(self._net.placed) else WORLD
 
     def is_backward(self, link: Link) -> bool:
-        """Whether the base of the link follows from its child."""
+        """True if the base of the link follows from its child."""
         arrival = self.arrivals.get(self._net.root(link.base))
         return arrival is not None and arrival.step.edge == link.number
 
@@ -92,7 +92,7 @@ class Routes:
             return POISON
         undone = inverse(steps.steps)
         if undone is None or self._depends_on(steps.steps, base.name):
-            self._ctx.sink.report("E0706", link.binding.node.span, Label(link.instance.span, "entered from behind"))
+            self._ctx.sink.report("E0706", link.binding.node.span, Label(link.instance.span, "entered in reverse"))
             return POISON
         both = (start, steps)
         return FrameValue(start.name, (*start.steps, *undone), latest(*both), highest(*both))
@@ -110,7 +110,7 @@ class Routes:
         finally:
             del symbol.made.cells[base.indices]
         if any(_item_mentions(item, base.name) for item in self._ctx.product.named[mark:]):
-            self._ctx.sink.report("E0706", binding.node.span, Label(link.instance.span, "entered from behind"))
+            self._ctx.sink.report("E0706", binding.node.span, Label(link.instance.span, "entered in reverse"))
             return None
         return value if isinstance(value, FrameValue) else None
 

@@ -103,7 +103,7 @@ class Uses:
 
 
 def _may_wind(symbol: Symbol) -> bool:
-    """Whether whole turns may be counted in it: angles and quaternions, not lengths."""
+    """True if whole turns may be counted in it: angles and quaternions, not lengths."""
     return symbol.info is None or symbol.info.dimension is None or symbol.info.dimension.is_dimensionless
 
 

@@ -19,7 +19,7 @@ _NAMES = (nodes.Reference, nodes.Member, nodes.Index)
 
 
 def is_open(scope: Scope, item: nodes.If) -> bool:
-    """Whether a condition names something that is not known when compiling."""
+    """True if a condition names something that is not known when compiling."""
     return any(_varies(scope, node) for branch in item.branches for node in descendants(branch.condition))
 
 
@@ -31,7 +31,7 @@ def _varies(scope: Scope, node: nodes.Node) -> bool:
 
 
 def _entry(scope: Scope, node: nodes.Node) -> Entry | None:
-    """What a name stands for; nothing is reported here."""
+    """The item that a name stands for. Reports nothing."""
     if isinstance(node, nodes.Reference):
         return lookup(scope, node.name)
     if isinstance(node, nodes.Member):

@@ -26,7 +26,7 @@ def annotations_of(node: nodes.Class) -> list[nodes.Annotation]:
 
 
 def without_units(ctx: Context, annotations: Iterable[nodes.Annotation]) -> bool:
-    """Whether the class takes every dimension as 1; other values of `units` are reported."""
+    """True if the class takes every dimension as 1; other values of `units` are reported."""
     for modifier in _modifiers(annotations):
         if modifier.name.parts == ("units",):
             if isinstance(modifier.value, nodes.String) and modifier.value.value == "none":

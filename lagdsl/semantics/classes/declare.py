@@ -166,7 +166,7 @@ class Declarer:
             self._fill(declarator, made, [*short, *splits.at(indices)])
 
     def _is_inherited_twice(self, part: Part, declarator: nodes.Declarator) -> bool:
-        """Whether two classes that meet by `extends` declare the component in the same words."""
+        """True if two classes that meet by `extends` declare the component in the same words."""
         item = part.item
         assert isinstance(item, nodes.Component)
         other, text = self.texts.setdefault(declarator.name, (item, declarator))
@@ -237,7 +237,7 @@ class Declarer:
                 report_no_such(self.ctx, modifier, target(modifier), node, known)
 
     def declares(self, item: nodes.Component) -> bool:
-        """Whether the item declares components; its names may hide that of the class by now."""
+        """True if the item declares components; its names may hide that of the class by now."""
         return id(item) in self._components
 
     def finish(self) -> None:

@@ -218,7 +218,7 @@ class Expander:
 
 
 def _word(item: nodes.Geometry | nodes.Component) -> str:
-    """What the declaration says that its names are."""
+    """Kind of the names of the declaration."""
     return item.keyword if isinstance(item, nodes.Geometry) else " ".join((*item.prefixes, type_text(item.type_name)))
 
 

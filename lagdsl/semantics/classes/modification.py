@@ -93,7 +93,7 @@ def _valued(modifier: nodes.AnyModifier, around: Place) -> Iterator[tuple[Place,
 
 
 def _meet(one: Place, two: Place) -> bool:
-    """Whether two places may be the same: no subscripts stand for all elements."""
+    """True if two places may be the same: no subscripts stand for all elements."""
     return len(one) == len(two) and all(
         name == other and (at == there or not at or not there)
         for (name, at), (other, there) in zip(one, two, strict=True)

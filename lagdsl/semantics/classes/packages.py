@@ -70,7 +70,7 @@ class Folder:
         return self.listing
 
     def searched(self, name: str) -> str:
-        """What was looked for here, in words."""
+        """The files searched here, in words."""
         if (self.place.folder / name).is_dir():
             return f"the folder `{name}` in {self.place.words} is no package: it has no `{_PACKAGE_FILE}`"
         return f"looked for `{name}.lag` and `{name}/{_PACKAGE_FILE}` in {self.place.words}"

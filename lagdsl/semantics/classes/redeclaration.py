@@ -74,7 +74,7 @@ def _redeclared(
 
 
 def stands_in(ctx: Context, symbol: ClassSymbol, declarator: nodes.Declarator, parts: list[Part]) -> bool:
-    """Whether a class put in by `redeclare` has what the class around says of the component; else E0244.
+    """True if a class put in by `redeclare` has what the class around says of the component; else E0244.
 
     `parts` are those of the class around. What the members are shows itself where they are used.
     """

@@ -42,7 +42,7 @@ def _moves(value: Scalar) -> bool:
 
 
 def _previous(ctx: Context, scope: Scope, node: nodes.Expression, value: Scalar) -> flat.FlatExpression | None:
-    """What it was before the event: of a discrete variable, or of a truth that changes at events; None after E0376."""
+    """Value before the event: of a discrete variable, or of a truth that changes at events; None after E0376."""
     found = named_element(ctx, scope, node) if isinstance(node, _NAMES) else None
     if found is not None and found[0].kind == "discrete" and isinstance(value.expression, flat.Variable):
         return flat.Previous(value.expression.name)

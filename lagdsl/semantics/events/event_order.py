@@ -75,7 +75,7 @@ def _check_twice(branch: Branch, sink: Sink) -> None:
 
 
 def _meet(one: Assign | Reset, two: Assign | Reset) -> bool:
-    """Whether both may act: not where one stands under a condition that the other excludes."""
+    """True if both may act: not where one stands under a condition that the other excludes."""
     if isinstance(one, Reset):
         return one.guard is None and two.guard is None
     first, second = _conditions(one.guard), _conditions(two.guard)
@@ -85,7 +85,7 @@ def _meet(one: Assign | Reset, two: Assign | Reset) -> bool:
 
 
 def _conditions(guard: FlatExpression | None) -> list[FlatExpression]:
-    """What a guard is the conjunction of."""
+    """Conditions of which a guard is the conjunction."""
     if guard is None:
         return []
     if isinstance(guard, Binary) and guard.operator == "and":

@@ -56,7 +56,7 @@ def resets(
 
 
 def _may_jump(ctx: Context, scope: Scope, target: nodes.Expression) -> bool:
-    """Whether it is a state or a rate, as far as its declaration tells."""
+    """True if it is a state or a rate, as far as its declaration tells."""
     inner = derivative_of(target)
     found = named_element(ctx, scope, inner if inner is not None else target)
     if found is None:

@@ -119,7 +119,7 @@ class _Body:
                     assert_never(item)
 
     def _if(self, item: nodes.If, scope: Scope, guard: FlatExpression | None) -> None:
-        """What holds of the conditions before is false in the branches after."""
+        """The conditions of the branches before are false in the branches after."""
         for branch in item.branches:
             with self.ctx.current.without_relations():
                 condition = boolean(

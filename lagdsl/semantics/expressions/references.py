@@ -137,7 +137,7 @@ _UNIT_BEFORE = re.compile(r"[0-9.]\s*[A-Za-z][A-Za-z0-9.^/]*\s*\*\s*$")
 
 
 def _after_unit(node: nodes.Reference) -> bool:
-    """Whether the name is a unit multiplied with a quantity literal: `5 kg*m2`."""
+    """True if the name is a unit multiplied with a quantity literal: `5 kg*m2`."""
     before = node.span.file.text[max(node.span.start - 40, 0) : node.span.start]
     if not _UNIT_BEFORE.search(before):
         return False

@@ -37,7 +37,7 @@ def _expression(made: flat_model.Load) -> flat.FlatExpression:
 
 
 def _is_nothing(value: flat.FlatExpression) -> bool:
-    """Whether literal zeros make it zero."""
+    """True if literal zeros make it zero."""
     if isinstance(value, flat.Number):
         return value.value == 0.0
     if isinstance(value, flat.Vector):
@@ -230,7 +230,7 @@ def _noun_fits(ctx: Context, scope: Scope, node: nodes.Load, value: Scalar, targ
 
 
 def _is_plain_number(ctx: Context, scope: Scope, node: nodes.Expression) -> bool:
-    """Whether the target is declared without a unit: no angle, so that what acts on it is a force or a torque alike."""
+    """True if the target is declared without a unit: no angle, so that what acts on it is a force or a torque alike."""
     found = named_element(ctx, scope, node)
     info = found[0].info if found is not None else None
     return info is not None and info.unit == "1" and (info.dimension or DIMENSIONLESS).is_dimensionless

@@ -26,13 +26,13 @@ from lagdsl.syntax import nodes
 
 
 def is_timed(ctx: Context, *values: Numeric) -> bool:
-    """Whether relations between these are of time alone, and are to be located."""
+    """True if relations between these are of time alone, and are to be located."""
     moving = latest(*values) == Variability.CONTINUOUS and highest(*values) == Order.STILL
     return moving and not ctx.current.quiet
 
 
 def has_corner(ctx: Context, *values: Numeric) -> bool:
-    """Whether a corner of a function of these is a time event. At an event functions are taken as they stand."""
+    """True if a corner of a function of these is a time event. At an event functions are taken as they stand."""
     return is_timed(ctx, *values) and ctx.current.mode is not Mode.EVENT
 
 

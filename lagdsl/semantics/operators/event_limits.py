@@ -24,7 +24,7 @@ def require(
     most: float = math.inf,
     strict: bool = False,
 ) -> bool:
-    """Whether 0 <= value <= most, with `strict` 0 < value, as far as it is known; False after E0334."""
+    """True if 0 <= value <= most, with `strict` 0 < value, as far as it is known; False after E0334."""
     limit = Limit(spans=(node.span, *scope.spans), what=what, value=value.expression, most=most, strict=strict)
     if is_structural(value):
         try:

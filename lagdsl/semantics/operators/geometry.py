@@ -185,7 +185,7 @@ def as_frame(ctx: Context, node: nodes.Expression, value: Value) -> FrameValue |
 
 
 def along_world(frame: FrameValue) -> bool:
-    """Whether the axes of the frame are those of the world, so that own and world components are the same."""
+    """True if the axes of the frame are those of the world, so that own and world components are the same."""
     return frame.name == "world" and all(isinstance(step, flat_model.Move | flat_model.Place) for step in frame.steps)
 
 

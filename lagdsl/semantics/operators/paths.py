@@ -1,4 +1,4 @@
-"""What a name with dots and subscripts stands for: `Lag.Planar`, `arm.q`, `wheel[2].spin`."""
+"""Names with dots and subscripts: `Lag.Planar`, `arm.q`, `wheel[2].spin`."""
 
 from __future__ import annotations
 

@@ -84,7 +84,7 @@ def _method(call: Application) -> str | None:
 
 
 def _are_points(call: Application) -> bool:
-    """Whether the arguments are a scalar and two arrays of one size, of two points at least."""
+    """True if the arguments are a scalar and two arrays of one size, of two points at least."""
     x, xs, ys = call.arguments[:3]
     if not isinstance(x.value, Scalar) or x.value.kind not in NUMERIC:
         call.ctx.sink.report("E0312", x.node.span, expected="a scalar", found=kind_of(x.value))

@@ -1,4 +1,4 @@
-"""What a class holds, expanded: product of the collecting half of the floor."""
+"""Contents of a class, expanded: product of the collecting half of the floor."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ class Resolver(Protocol):
 
 
 class Places(Protocol):
-    """What the kinematic assembly knows of frames, coordinates and components."""
+    """State of the kinematic assembly: frames, coordinates and components."""
 
     def frame(self, symbol: Symbol, indices: Indices) -> Value | None: ...
 
@@ -51,7 +51,7 @@ class Places(Protocol):
 
 @mutable_record()
 class Conventions:
-    """What the caller and the class decide for the whole model.
+    """Options that the caller and the class set for the whole model.
 
     `home` is the file of the model: advice is not given about texts of libraries. `units` is False under
     `annotation(units = "none")`. `overrides` are values of structural parameters, in SI units.
@@ -81,7 +81,7 @@ class Counts:
 
 @mutable_record()
 class Reports:
-    """What later reports depend on.
+    """State on which later reports depend.
 
     `reported` are keys of faults that are told once. `incomplete`: names may come from what is not supported yet, so
     unknown ones are not reported. `withheld` is an unknown name about which nothing was said, as something before must

@@ -1,4 +1,4 @@
-"""What is being elaborated: the stack of symbols, instances and functions, and how relations are taken."""
+"""State of the elaboration: the stack of symbols, instances and functions, and how relations are taken."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Current:
 
     @contextmanager
     def inside(self, scope: Scope) -> Iterator[None]:
-        """What is reported meanwhile about the text of a class belongs to this instance of it."""
+        """Diagnostics of the text of a class meanwhile belong to this instance of it."""
         self.scopes.append(scope)
         try:
             yield
@@ -43,7 +43,7 @@ class Current:
 
     @contextmanager
     def standing(self, mode: Mode) -> Iterator[None]:
-        """What is elaborated meanwhile stands there: a definition, which holds always, a `when` or its condition."""
+        """Place of the elaboration meanwhile: a definition, which holds always, a `when` or its condition."""
         before, self.quiet, self.mode = (self.quiet, self.mode), False, mode
         try:
             yield

@@ -22,7 +22,7 @@ _DEEPEST = 50  # short classes behind one another
 
 @record()
 class Target:
-    """What one name of an import stands for."""
+    """Meaning of one name of an import."""
 
     parts: tuple[str, ...]
     span: Span
@@ -56,7 +56,7 @@ class ImportList:
         return found[0][1] if found else None
 
     def is_broken(self) -> bool:
-        """Whether a wildcard leads nowhere: what it was to bring is unknown then."""
+        """True if a wildcard leads nowhere: what it was to bring is unknown then."""
         return any(package_of(self.sink, self.root, target) is None for target in self.wildcards)
 
     def _report(self, name: str, span: Span | None, targets: list[Target]) -> None:
@@ -138,7 +138,7 @@ def import_hint(scope: Scope, name: str) -> str | None:
 
 
 def follow(sink: Sink, root: Root, target: Target) -> Entry:
-    """What the full name means; poison after E0250 (nothing of that name), E0210 (not in the package), E0252."""
+    """Meaning of the full name; poison after E0250 (nothing of that name), E0210 (not in the package), E0252."""
     first, *rest = target.parts
     entry = root.find(first, target.span)
     if entry is None:
@@ -177,7 +177,7 @@ def _no_package(sink: Sink, target: Target, name: str) -> None:
 
 
 def _identity(entry: Entry) -> object:
-    """What makes two entries the same; a short class without modifiers is another name of its base."""
+    """Key of an entry: equal for equal entries; a short class without modifiers is another name of its base."""
     for _ in range(_DEEPEST):
         if not isinstance(entry, ClassSymbol) or not isinstance(entry.node, nodes.ShortClass):
             break

@@ -58,7 +58,7 @@ def _instance_at(current: Current, span: Span) -> Instance | None:
 
 
 def _modified(current: Current, span: Span) -> tuple[Label, ...]:
-    """What gets its value where the fault is, if it is declared in another class."""
+    """The component that gets its value where the fault is, if another class declares it."""
     if not current.active:
         return ()
     symbol = current.active[-1][0]

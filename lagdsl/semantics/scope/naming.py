@@ -33,7 +33,7 @@ def quantity(dimension: AnyDimension) -> str:
 
 
 def kind_of(value: Value) -> str:
-    """What sort of thing a value is, with its unit: `a scalar [m]`, `an array of 3 [rad]`, `a frame`."""
+    """Kind of a value, with its unit: `a scalar [m]`, `an array of 3 [rad]`, `a frame`."""
     match value:
         case Scalar(kind=kind) if kind not in NUMERIC:
             return an(kind)

@@ -1,4 +1,4 @@
-"""What every model knows without import: the types of quantities by their Modelica names, and a few constants.
+"""Names that every model has without import: the types of quantities by their Modelica names, and a few constants.
 
 Names and units of the types are those of Modelica.Units.SI (Modelica Standard Library 4.0); the short mechanical ones
 (`Stiffness`, `Damping` and their rotational sisters) are ours.

@@ -98,7 +98,7 @@ class Given:
 
 @mutable_record()
 class Made:
-    """What is known of a symbol so far: its shape, its values and labelled items by index, whether it is read."""
+    """State of a symbol so far: its shape, its values and labelled items by index, whether it is read."""
 
     shape: tuple[int, ...] | None = None
     cells: dict[Indices, Value] = field(default_factory=dict)
@@ -123,14 +123,14 @@ class Symbol:
 
     @property
     def word(self) -> str:
-        """What kind of thing it is, for diagnostics."""
+        """Kind of the symbol, for diagnostics."""
         return {"structural": "structural parameter", "algebraic": "variable", "unknown": "name"}.get(
             self.kind, self.kind
         )
 
     @property
     def is_name(self) -> bool:
-        """Whether it stands for its binding: a variable, or an input of a component that is bound or has a default."""
+        """True if it stands for its binding: a variable, or an input of a component that is bound or has a default."""
         return self.kind in ("algebraic", "output") or (
             self.kind == "input" and bool(self.scope.spans) and bool(self.given.bindings)
         )
@@ -310,7 +310,7 @@ def lookup(scope: Scope, name: str, span: Span | None = None) -> Entry | None:
 
 
 def _is_constant(entry: Entry) -> bool:
-    """Whether classes inside see it: constants, types, functions and classes."""
+    """True if classes inside see it: constants, types, functions and classes."""
     if isinstance(entry, Symbol):
         return entry.kind in ("constant", "structural")
     return not isinstance(entry, Instance | InstanceArray)
@@ -338,7 +338,7 @@ def _imported(scope: Scope, name: str, span: Span | None) -> Entry | None:
 
 
 def is_guess(scope: Scope) -> bool:
-    """Whether a name could have come from an import that leads nowhere."""
+    """True if a name could have come from an import that leads nowhere."""
     return any(step.outside.imports is not None and step.outside.imports.is_broken() for step in scope.chain())
 
 

@@ -1,4 +1,4 @@
-"""What is declared or imported and never used."""
+"""Names that are declared or imported and never used."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def warn_unused(ctx: Context, symbols: Iterable[Symbol]) -> None:
 
 
 def _is_offered(symbol: Symbol) -> bool:
-    """Whether a component shows it to the outside: ports, and public variables, points and frames that it defines."""
+    """True if a component shows it to the outside: ports, and public variables, points and frames that it defines."""
     instance = symbol.scope.owner.instance
     if instance is None or instance.around is None or symbol.short in instance.protected:
         return False

@@ -112,7 +112,7 @@ class Reaction(AnyValue):
 
 @record()
 class ContactValue:
-    """What may be asked of a contact: the names of `closed(c)`, of `impacts(c)` (None: none are counted), its force."""
+    """Quantities of a contact: the names of `closed(c)`, of `impacts(c)` (None: none are counted), its force."""
 
     name: str
     closed: str
@@ -121,7 +121,7 @@ class ContactValue:
 
 
 class Declared(Protocol):
-    """What scopes know a component or an array of components by."""
+    """Entry of a component or an array of components in a scope."""
 
     name: str
     span: Span

@@ -27,7 +27,7 @@ from lagdsl.syntax import nodes
 
 @record()
 class Expected:
-    """What a declaration promises. `dimension` None: to be inferred. `unit`: as declared, to tell Hz from rad/s."""
+    """Expected value of a declaration. `dimension` None: to be inferred. `unit`: as declared, to tell Hz from rad/s."""
 
     what: str
     dimension: AnyDimension

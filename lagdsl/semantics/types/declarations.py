@@ -46,7 +46,7 @@ def enter(ctx: Context, scope: Scope, name: str, entry: Entry, span: Span) -> bo
 
 
 def _same(one: Entry, two: Entry) -> bool:
-    """Whether two classes that meet by `extends` declare the name in the same words."""
+    """True if two classes that meet by `extends` declare the name in the same words."""
     if isinstance(one, Symbol) and isinstance(two, Symbol):
         return one.scope is not two.scope and one.title == two.title and one.declarator == two.declarator
     defined = FunctionSymbol | TypeSymbol | ClassSymbol

@@ -35,7 +35,7 @@ _LATER = {
 
 
 def kind_of_component(ctx: Context, item: nodes.Component) -> SymbolKind | None:
-    """What the prefixes make of a declaration; None after E0214 or E0311."""
+    """Kind of a declaration by its prefixes; None after E0214 or E0311."""
     kind = _KINDS.get(item.prefixes)
     if kind is not None:
         return kind

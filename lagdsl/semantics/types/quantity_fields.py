@@ -1,4 +1,4 @@
-"""What every flat quantity takes over from its declaration."""
+"""Fields that every flat quantity takes from its declaration."""
 
 from __future__ import annotations
 

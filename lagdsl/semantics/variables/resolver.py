@@ -371,7 +371,7 @@ class Definitions:
         return self._constraints[key]
 
     def contact(self, ctx: Context, symbol: Symbol, indices: Indices) -> ContactValue | None:
-        """What the label of a contact gives."""
+        """Value of the label of a contact."""
         key = (symbol, indices)
         if key not in self._contacts:
             self._contacts[key] = None

@@ -1,8 +1,9 @@
-"""Corners and jumps of the motion in what momenta and energies are made of: what happens there is not decided.
+"""W0520: corners and jumps along the motion in positions of masses and in energies.
 
-A bead on a track `y = abs(x)` meets a corner at which velocities jump, and no balance says how: that depends on what
-the bead and the track are made of. A step of the potential energy takes or gives kinetic energy in a direction that the
-step alone does not tell.
+A bead on a track `y = abs(x)` meets a corner at which its velocity jumps. The balance of momenta does not determine the
+jump: it depends on the materials of bead and track. The simulation keeps the rates of coordinates at corners and
+jumps of functions such as `abs` and `floor` (`docs/adr/0070`). At a relation it takes the limit of a steep smooth
+Lagrangian (`docs/adr/0071`).
 """
 
 from __future__ import annotations
@@ -21,10 +22,12 @@ from lagdsl.semantics.scope.values import Order
 from lagdsl.source import Span
 
 _JUMPING = ("floor", "ceil", "mod")
+_AT_A_FUNCTION = "the simulation keeps the rates of the coordinates there"
+_AT_A_RELATION = "the simulation takes the limit of a steep smooth change there"
 
 
 def corners_of_motion(corners: Sequence[Met], flat: fm.FlatModel) -> tuple[Corner, ...]:
-    """Those that forces, energies, constraints, gaps and rates of states have, in the order of the text."""
+    """Corners of forces, energies, constraints, gaps and rates of states, in the order of the text."""
     if not corners:
         return ()
     found = {id(x) for x in _reached(flat, _what_moves(flat))}
@@ -79,13 +82,14 @@ def check_corners(corners: Sequence[Met], flat: fm.FlatModel, dependence: Depend
         told: set[Span] = set()
         for name in [] if jumps_only else dict.fromkeys(x.name for x in found.values() if isinstance(x, fx.Variable)):
             if name in branching:
-                sink.report("W0520", branching[name].spans[0], name=branching[name].spans[0].text, what=what)
+                span = branching[name].spans[0]
+                sink.report("W0520", span, name=span.text, what=what, law=_AT_A_RELATION)
         for each in corners:
             expression, span = each.expression, each.spans[0]
             tells = _jumps(expression) if jumps_only else each.sharp and each.order >= Order.CONFIGURATION
             if id(expression) in found and span not in told and tells:
                 told.add(span)
-                sink.report("W0520", span, name=span.text, what=what)
+                sink.report("W0520", span, name=span.text, what=what, law=_AT_A_FUNCTION)
 
 
 def check_changing_inertia(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
@@ -128,7 +132,7 @@ def _reached(flat: fm.FlatModel, roots: Iterable[fx.FlatExpression]) -> Iterator
 
 
 def _behind(expression: fx.FlatExpression, named: dict[str, fm.Named]) -> list[fx.FlatExpression]:
-    """What a name stands for."""
+    """Expressions that a name stands for."""
     match expression:
         case fx.Variable(name) | fx.PointReference(name):
             item = named.get(name)

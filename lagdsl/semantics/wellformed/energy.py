@@ -98,7 +98,7 @@ def _check_effect(term: fm.EnergyTerm, orders: Mapping[str, int], sink: Sink) ->
 
 
 def _is_quadratic(trials: _Trials, term: fm.EnergyTerm) -> bool:
-    """Whether the term is a quadratic polynomial along random lines of rates: the third difference vanishes.
+    """True if the term is a quadratic polynomial along random lines of rates: the third difference vanishes.
 
     For texts whose degree does not show, such as `norm(v)*norm(v)`. Undecided counts as quadratic.
     """

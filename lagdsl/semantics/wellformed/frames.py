@@ -51,7 +51,7 @@ def _fault(frame: fm.Frame, evaluator: Evaluator) -> str | None:
 
 
 def _fault_of_axes(axes: NDArray[np.float64]) -> str | None:
-    """What is wrong with three vectors in the rows of `axes`; None for what is sound or not a number here."""
+    """Fault of three vectors in the rows of `axes`; None if they are valid or not a number here."""
     if not np.all(np.isfinite(axes)):
         return None
     products = axes @ axes.T

@@ -97,7 +97,7 @@ def _end_of_nothing(session: Session, token: Token) -> bool:
 
 
 def _has_own_end(session: Session, block: Token, token: Token) -> bool:
-    """Whether `block` is ended further on, so that the `end` before `token` is one too many and not a wrong one."""
+    """True if `block` is ended further on, so that the `end` before `token` is one too many and not a wrong one."""
     previous, depth = token, 0
     for ahead in islice(plain_tokens(session.file.text, end_of(token)), LONGEST_LOOK):
         if previous.value == "end":

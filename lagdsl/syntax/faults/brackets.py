@@ -68,7 +68,7 @@ def _report_unclosed(session: Session, opened: Token, token: Token) -> None:
 
 
 def _closes_ahead(session: Session, token: Token) -> bool:
-    """Whether the rest of the statement closes one bracket more than it opens."""
+    """True if the rest of the statement closes one bracket more than it opens."""
     depth = 0
     for ahead in session.look_ahead(start_of(token)):
         depth += (ahead.value in CLOSING) - (ahead.value in CLOSING.values())

@@ -190,7 +190,7 @@ def missing_separator(session: Session, token: Token) -> bool:
 
 
 def _noun(session: Session, token: Token) -> str:
-    """What the unfinished statement is."""
+    """Kind of the unfinished statement."""
     if any(isinstance(value, Token) and value.type == "END" for value in session.stack.values[-2:]):
         return "`end`"
     first = next(session.look_ahead(session.statement_start(token)), token)

@@ -17,7 +17,7 @@ class _Within(NamedTuple):
 
 
 class _Tail(NamedTuple):
-    """What follows the name of an import."""
+    """Tail of an import, after its name."""
 
     wildcard: bool
     names: tuple[str, ...]

@@ -122,7 +122,7 @@ static void steps(void)
     expect(fmi2DoStep(c, 0.0, 0.0, 1), fmi2Error, "longer than zero");
     expect(fmi2DoStep(c, 0.0, -0.1, 1), fmi2Error, "longer than zero");
     expect(fmi2DoStep(c, 0.0, (double)NAN, 1), fmi2Error, "not a number");
-    expect(fmi2DoStep(c, 0.0, 1e13, 1), fmi2Error, "told apart");
+    expect(fmi2DoStep(c, 0.0, 1e13, 1), fmi2Error, "round-off");
     expect(fmi2DoStep(c, 0.0, (double)INFINITY, 1), fmi2Error, "infinite");
     expect(fmi2DoStep(c, (double)NAN, 0.1, 1), fmi2Error, "not a number");
     expect(fmi2DoStep(c, 0.1, 0.1, 1), fmi2Error, "not where the last step ended");

@@ -1,4 +1,4 @@
-"""What every generated NumPy module holds besides its own functions.
+"""Support code of every generated NumPy module, besides its own functions.
 
 The other files of this folder are copied into it, so they import numpy and each other only.
 """

@@ -7,7 +7,7 @@ Floats = NDArray[np.float64]
 
 
 class Elementary:
-    """What the bodies of the model's functions call, by name."""
+    """Functions that the bodies of the model's functions call, by name."""
 
     sin, cos, tan = np.sin, np.cos, np.tan
     asin, acos, atan, atan2 = np.arcsin, np.arccos, np.arctan, np.arctan2

@@ -26,5 +26,5 @@ def inverse(steps: tuple[FrameStep, ...]) -> tuple[FrameStep, ...] | None:
 
 
 def names_frame(expression: flat.FlatExpression, name: str) -> bool:
-    """Whether one node of an expression is about the frame."""
+    """True if one node of an expression is about the frame."""
     return isinstance(expression, flat.OfFrame) and expression.frame == name

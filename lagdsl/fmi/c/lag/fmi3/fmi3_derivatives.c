@@ -30,7 +30,7 @@ static const lag_dependency *dependencies_of(lag_shell *shell, fmi3ValueReferenc
         return NULL;
     }
     if (fmu->dependency_first == NULL || fmu->dependencies == NULL) {
-        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "dependencies are told by modelDescription.xml only");
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "only modelDescription.xml lists dependencies");
         return NULL;
     }
     *count = fmu->dependency_first[reference + 1] - fmu->dependency_first[reference];

@@ -70,9 +70,9 @@ static const char *plain_words(lag_status status)
     case LAG_ATTENTION:
         return "the constraints are about to lose rank";
     case LAG_BRANCH_POINT:
-        return "branches of the motion meet, which one it takes cannot be told";
+        return "branches of the motion meet, and the equations do not determine the branch";
     case LAG_POSITION_JUMP:
-        return "a constraint that is switched on asks for other positions";
+        return "a constraint becomes active, but the current position violates it";
     case LAG_BAD_CLOCK:
         return "a clock has no positive period, or no first instant";
     case LAG_TOO_LONG:
@@ -97,9 +97,9 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
     case LAG_VIOLATED:
         return lag_instance_fail(instance, status, "t = %.10g s: %s", t, broken(instance));
     case LAG_CHATTER:
-        return lag_instance_fail(instance, status, "t = %.10g s: events of %s follow each other without end", t, guilty(instance));
+        return lag_instance_fail(instance, status, "t = %.10g s: events of %s accumulate", t, guilty(instance));
     case LAG_EVENT_ITERATION_FAILED:
-        return lag_instance_fail(instance, status, "t = %.10g s: clauses trigger each other without end, with %s", t, guilty(instance));
+        return lag_instance_fail(instance, status, "t = %.10g s: event iteration did not converge; still changing: %s", t, guilty(instance));
     case LAG_CONFLICT:
         return lag_instance_fail(instance, status, "t = %.10g s: two clauses reset %s to different values", t,
             run->instants.iteration.fault < model->nreset ? model->resets[run->instants.iteration.fault] : "a state");

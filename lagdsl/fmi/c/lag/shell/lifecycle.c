@@ -15,7 +15,7 @@ int lag_shell_is_time(lag_shell *shell, double t, const char *what)
     if (!isfinite(t)) {
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is infinite or not a number", what);
     } else if (fabs(t) > LATEST) {
-        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is %g s: beyond %g s times cannot be told apart", what, t, LATEST);
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is %g s: beyond %g s round-off of time is too large", what, t, LATEST);
     }
     return fabs(t) <= LATEST;
 }

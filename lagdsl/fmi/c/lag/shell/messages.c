@@ -87,7 +87,7 @@ static const char *reason(const lag_shell *shell, lag_status status)
     case LAG_MISSING:
         return "this cannot be computed";
     default:
-        return "the motion cannot go on";
+        return "the simulation cannot continue";
     }
 }
 
