@@ -272,7 +272,7 @@ class Run:
         return np.array(self.report.w[: len(self._layout.discretes)])
 
     def guilty(self) -> list[int]:
-        """The discretes because of which an event came to no good end."""
+        """The discretes because of which an event failed."""
         report = self.report
         return [k for k in range(len(self._layout.discretes)) if report.guilty[k] != 0.0]
 

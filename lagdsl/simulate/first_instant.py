@@ -8,8 +8,8 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.structures import Status
-from lagdsl.simulate.faults import Course, report_fault
 from lagdsl.simulate.initialize import InitialState
+from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.placed import placed
 
 

@@ -17,8 +17,8 @@ from lagdsl.runtime.structures import Status
 from lagdsl.signals.inputs import Signals
 from lagdsl.signals.trajectory import Statistics, Trajectory
 from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.faults import Course, report_fault
 from lagdsl.simulate.initialize import InitialState
+from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.state_words import state_values, time_text
 from lagdsl.simulate.table import trajectory
 from lagdsl.structure.names import located, place

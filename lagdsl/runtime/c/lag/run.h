@@ -218,7 +218,7 @@ void lag_run_depend(lag_run *run, const unsigned char *dependent);
  * failure the last good one. Ticks of the model at that very time are left to the next call, or to lag_run_end.
  * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
  * LAG_STEP_TOO_SMALL, LAG_TOO_LONG, LAG_PROJECTION_FAILED, LAG_BRANCH_POINT, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted. LAG_EVENT_ITERATION_FAILED and what
- * follows it there: an event came to no good end. What callbacks return other than LAG_OK comes back.
+ * follows it there: an event failed. What callbacks return other than LAG_OK comes back.
  */
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
 

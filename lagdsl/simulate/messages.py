@@ -158,7 +158,7 @@ def _power_note(course: Course, fault: Fault) -> str:
 
 
 def _of_event(course: Course, status: _EventStatus, fault: Fault) -> tuple[str, Item, str]:
-    """Code, place and name of what came to no good end at an instant."""
+    """Code, place and name of the clause that failed at an instant."""
     flat = course.flat
     actions = [action for branch in branches(flat) for action in branch.actions]
     resets = [action for action in actions if isinstance(action, Reset)]
