@@ -26,8 +26,10 @@ def make(folder: Path, objects: Path, *arguments: str) -> Done:
 
 def _copy(source: Path, target: Path) -> None:
     """What is not there yet; another process sees no file before it is whole."""
-    for path in sorted(source.glob("*.o")):
-        if not (target / path.name).exists():
-            draft = target / f"{path.name}.{os.getpid()}"
+    for path in sorted(source.rglob("*.o")):
+        wanted = target / path.relative_to(source)
+        if not wanted.exists():
+            wanted.parent.mkdir(exist_ok=True)
+            draft = wanted.with_name(f"{path.name}.{os.getpid()}")
             shutil.copy(path, draft)
-            draft.replace(target / path.name)
+            draft.replace(wanted)

@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 import lagdsl
 from lagdsl.analysis.modes import modes_at
-from lagdsl.analysis.point import Subject, point_of
+from lagdsl.analysis.point import System, point_of
 from lagdsl.diagnostics import Sink
 from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 from models.corpus import compiled, path_of
@@ -31,7 +31,7 @@ def _parameters(name: str) -> dict[str, float]:
 def _eigenvalues(name: str, start: dict[str, float], **parameters: float) -> np.ndarray:
     """About the steady motion that `start` is part of; `der(x)` are rates."""
     flat, program = compiled(name).flat, compiled(name).graph
-    subject = Subject(flat, program, NumpyEngine(program))
+    system = System(flat, program, NumpyEngine(program))
     p = np.array(
         [
             parameters.get(slot.name.replace(".", "_"), value)
@@ -39,7 +39,7 @@ def _eigenvalues(name: str, start: dict[str, float], **parameters: float) -> np.
         ]
     )
     sink = Sink()
-    found = modes_at(subject, point_of(subject, start=start, p=p, given=True, sink=sink), sink)
+    found = modes_at(system, point_of(system, start=start, p=p, given=True, sink=sink), sink)
     assert found is not None and found.steadiness.kind == "steady motion", sink.diagnostics
     return np.asarray(found.eigenvalues)
 
