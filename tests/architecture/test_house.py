@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import json
 import re
 import statistics
@@ -43,24 +42,6 @@ def test_modules_of_tests_have_names_of_their_own(root: Path) -> None:
 def test_files_are_short(root: Path) -> None:
     sizes = [len(p.read_text(encoding="utf-8").splitlines()) for p in _sources(root)]
     assert statistics.median(size for size in sizes if size > 10) <= 170
-
-
-def _makes_mutable(decorator: ast.expr) -> bool:
-    text = ast.unparse(decorator)
-    return text.startswith(("dataclass", "mutable_record")) and "frozen=True" not in text
-
-
-def test_objects_that_change_are_small(root: Path) -> None:
-    """One that is handed through a floor has ten fields at most."""
-    trees = [ast.parse(path.read_text(encoding="utf-8")) for path in _sources(root)]
-    found = {
-        node.name: sum(isinstance(each, ast.AnnAssign) for each in node.body)
-        for tree in trees
-        for node in ast.walk(tree)
-        if isinstance(node, ast.ClassDef) and any(_makes_mutable(each) for each in node.decorator_list)
-    }
-    assert found
-    assert {name: count for name, count in found.items() if count > 10} == {}
 
 
 def test_every_file_says_what_it_is_for(root: Path) -> None:

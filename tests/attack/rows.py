@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 from typing import Any, get_args
 
 import pytest
-from attack.awaited import AWAITED
 
 import lagdsl
 from lagdsl.runtime.engines.engine import EngineName
@@ -53,8 +52,7 @@ def model(body: str, clauses: str = "", units: bool = False) -> str:
 
 def rows(table: list[Attack]) -> pytest.MarkDecorator:
     """Every row with every engine."""
-    ready = [row for row in table if row.name not in AWAITED or os.environ.get("LAGDSL_AWAITED")]
-    cases = [pytest.param(row, engine, id=f"{row.name}-{engine}") for row in ready for engine in ENGINES]
+    cases = [pytest.param(row, engine, id=f"{row.name}-{engine}") for row in table for engine in ENGINES]
     return pytest.mark.parametrize(("row", "engine"), cases)
 
 
