@@ -1,0 +1,237 @@
+"""Shapes that follow from declarations: masses, bodies, springs, ropes, massless rods, loads, frames, and a dial or a
+slider for each coordinate that moves nothing else in the picture.
+
+A `draw` statement of the same instance of a class takes the place of what the rules would draw for it.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.quantity import Spans
+from lagdsl.flat.traversal import postorder
+from lagdsl.scene.drawings import on_frame
+from lagdsl.scene.shapes import Columns, Shape, ShapeKind
+from lagdsl.units.dimension import LENGTH
+
+_WORLD = fx.FrameOrigin("world")
+# A distance is held if it changes by less than this part of itself between positions at random.
+_HELD = 1e-9
+_POSITIONS = 4
+# Drawings beside which a mass is still to be seen.
+_THIN = ("trace", "text", "arrow", "rod", "spring", "damper")
+# Beyond so many, axes of frames cover the picture.
+_MOST_FRAMES = 60
+
+
+def masses(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """A ball at each point mass to which nothing is drawn."""
+    taken = _anchors(flat)
+    for k, item in enumerate(flat.masses, 1):
+        if item.position in taken or _is_drawn(flat, item.spans):
+            continue
+        numbers = (("at", columns.vector(item.position)), ("mass", columns.scalar(item.mass)))
+        yield Shape(kind="mass", name=f"mass {k}", numbers=numbers, spans=item.spans)
+
+
+def bodies(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """The homogeneous ellipsoid of the same mass and inertia, where nothing is drawn on the frame."""
+    taken = _anchors(flat)
+    for k, item in enumerate(flat.bodies, 1):
+        if item.frame in taken or _is_drawn(flat, item.spans):
+            continue
+        numbers = (
+            *on_frame(item.frame, columns),
+            ("com", columns.scalars(item.com)),
+            ("mass", columns.scalar(item.mass)),
+            ("inertia", columns.scalars(item.inertia)),
+        )
+        yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, spans=item.spans)
+
+
+def springs(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """A spring between two points whose distance stands in a potential; a damper likewise, in a dissipation."""
+    named = {item.name: item for item in flat.named}
+    seen: set[tuple[str, fx.FlatExpression, fx.FlatExpression]] = set()
+    for term in flat.energies:
+        if term.kind not in {"potential", "dissipation"} or _is_drawn(flat, term.spans):
+            continue
+        kind: ShapeKind = "spring" if term.kind == "potential" else "damper"
+        for a, b in _distances(term.value, named):
+            if (kind, a, b) not in seen:
+                seen.add((kind, a, b))
+                yield _between(kind, term.label or kind, a, b, term.spans, columns)
+
+
+def ropes(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """A massless rod or rope between two points whose distance a constraint holds."""
+    named = {item.name: item for item in flat.named}
+    for constraint in flat.constraints:
+        if constraint.level != "position" or constraint.closure is not None or _is_drawn(flat, constraint.spans):
+            continue
+        for residual in constraint.residuals:
+            for a, b in _distances(residual, named):
+                yield _between("rope", constraint.name, a, b, constraint.spans, columns)
+
+
+def rods(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """A massless rod to each point mass that keeps its distance from the point it is built on, down to the world."""
+    named = {item.name: item for item in flat.named}
+    taken = _anchors(flat, joined=True)
+    positions = [evaluator_at(flat, seed) for seed in range(_POSITIONS)]
+    done: set[fx.FlatExpression] = set()
+    for item in flat.masses:
+        point = item.position
+        while point not in done and point not in taken and not _is_drawn(flat, item.spans):
+            done.add(point)
+            base = _base(point, named)
+            if base is None or not _is_held(positions, point, base):
+                break
+            yield _between("rod", "massless rod", base, point, item.spans, columns)
+            point = base
+
+
+def loads(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """Forces at their points, torques at the origins of their frames."""
+    for load in flat.loads:
+        match load:
+            case fm.PointForce():
+                numbers = (("at", columns.vector(load.point)), ("vector", columns.vector(load.force)))
+                yield Shape(kind="force", name=load.label or "force", numbers=numbers, spans=load.spans)
+            case fm.FrameTorque():
+                at = columns.vector(fx.FrameOrigin(load.frame))
+                numbers = (("at", at), ("vector", columns.vector(load.torque)))
+                yield Shape(kind="torque", name=load.label or "torque", numbers=numbers, spans=load.spans)
+            case fm.GeneralizedForce():
+                pass  # it acts on a coordinate, which is no place
+
+
+def frames(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """The axes of the world and of the named frames."""
+    found = [item for item in flat.named if isinstance(item, fm.Frame)][:_MOST_FRAMES]
+    yield Shape(kind="frame", name="world", numbers=tuple(on_frame("world", columns)), spans=())
+    for item in found:
+        yield Shape(kind="frame", name=item.name, numbers=tuple(on_frame(item.name, columns)), spans=item.spans)
+
+
+def gauges(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """A slider for each length and a dial for each other coordinate that moves nothing of what is drawn."""
+    drawn = tuple(columns.expressions)
+    before = _numbers(evaluator_at(flat, 0), drawn)
+    for coordinate in flat.coordinates:
+        after = _numbers(evaluator_at(flat, 0, {coordinate.name: 0.1}), drawn)
+        if not np.array_equal(before, after, equal_nan=True):
+            continue
+        kind: ShapeKind = "slider" if coordinate.dimension == LENGTH else "dial"
+        numbers = (("value", columns.scalar(fx.Variable(coordinate.name))),)
+        yield Shape(kind=kind, name=coordinate.name, numbers=numbers, spans=coordinate.spans)
+
+
+def is_planar(flat: fm.FlatModel, columns: Columns, shapes: Iterable[Shape]) -> bool:
+    """Does every place keep z = 0, and every axis the plane, wherever the coordinates are?"""
+    firsts = [first for shape in shapes for role, first in shape.numbers if role in {"at", "to"}]
+    flat_axes = [first for shape in shapes if shape.kind != "frame" for role, first in shape.numbers if role == "z"]
+    for seed in range(2):
+        values = _numbers(evaluator_at(flat, seed), tuple(columns.expressions))
+        sizes = np.abs(values[np.isfinite(values)])
+        room = 1e-12 * float(np.max(sizes, initial=1.0))
+        if any(abs(values[first + 2]) > room for first in firsts):
+            return False
+        if any(abs(abs(values[first + 2]) - 1.0) > 1e-12 for first in flat_axes):
+            return False
+    return True
+
+
+def evaluator_at(flat: fm.FlatModel, seed: int, moved: dict[str, float] | None = None) -> Evaluator:
+    """At coordinates, states and a time at random: the same ones for the same seed, plus what is `moved`."""
+    chance = random.Random(seed)
+    variables = {item.name: chance.uniform(0.2, 1.2) for item in (*flat.coordinates, *flat.states)}
+    variables["time"] = chance.uniform(0.1, 1.0)
+    for name, step in (moved or {}).items():
+        variables[name] += step
+    return Evaluator(flat, Values(variables=variables, rates=dict.fromkeys(variables, 0.0)))
+
+
+def _numbers(at: Evaluator, expressions: tuple[fx.FlatExpression, ...]) -> NDArray[np.float64]:
+    return np.array([_number(at, expression) for expression in expressions])
+
+
+def _number(at: Evaluator, expression: fx.FlatExpression) -> float:
+    try:
+        return at.scalar(expression)
+    except NotEvaluable:
+        return float("nan")
+
+
+def _between(
+    kind: ShapeKind, name: str, a: fx.FlatExpression, b: fx.FlatExpression, spans: Spans, columns: Columns
+) -> Shape:
+    numbers = (("at", columns.vector(a)), ("to", columns.vector(b)))
+    return Shape(kind=kind, name=name, numbers=numbers, spans=spans)
+
+
+def _anchors(flat: fm.FlatModel, *, joined: bool = False) -> set[fx.FlatExpression | str]:
+    """Points and frames that drawings with a body of their own stand at, or, `joined`, those that some reach to."""
+    if joined:
+        return {drawing.anchors[-1] for drawing in flat.drawings if drawing.place == "between"}
+    return {anchor for drawing in flat.drawings if drawing.shape not in _THIN for anchor in drawing.anchors}
+
+
+def _is_drawn(flat: fm.FlatModel, spans: Spans) -> bool:
+    """Does the instance of a class that an item comes from draw itself?"""
+    owner = spans[1:]
+    return bool(owner) and any(drawing.spans[1:] == owner for drawing in flat.drawings)
+
+
+def _distances(
+    expression: fx.FlatExpression, named: dict[str, fm.Named]
+) -> Iterator[tuple[fx.FlatExpression, fx.FlatExpression]]:
+    """Pairs of points whose distance, or its square, stands in an expression or in a definition that it uses."""
+    waiting, seen = [expression], set[str]()
+    while waiting:
+        for node in postorder(waiting.pop()):
+            match node:
+                case fx.Norm(fx.Binary("-", a, b)):
+                    yield a, b
+                case fx.Dot(fx.Binary("-", a, b) as left, right) if left == right:
+                    yield a, b
+                case fx.Variable(name) if name not in seen:
+                    seen.add(name)
+                    item = named.get(name)
+                    if isinstance(item, fm.Definition):
+                        waiting.append(item.value)
+                case _:
+                    pass
+
+
+def _base(point: fx.FlatExpression, named: dict[str, fm.Named]) -> fx.FlatExpression | None:
+    """The point that another one is built on: `A` of `A + r`; the origin of the world for a position of its own."""
+    if isinstance(point, fx.PointReference):
+        item = named[point.name]
+        assert isinstance(item, fm.Point)
+        point = item.position
+    match point:
+        case fx.Binary("+" | "-", fx.PointReference() | fx.FrameOrigin() as base, _):
+            return base
+        case fx.PointReference() | fx.FrameOrigin():
+            return None
+        case _:
+            return _WORLD
+
+
+def _is_held(positions: list[Evaluator], a: fx.FlatExpression, b: fx.FlatExpression) -> bool:
+    """Is their distance the same, and not zero, at all positions, though the point moves?"""
+    try:
+        places = np.array([at.vector(a) for at in positions])
+        lengths = np.linalg.norm(places - [at.vector(b) for at in positions], axis=1)
+    except NotEvaluable:
+        return False
+    moves = np.ptp(places, axis=0).max() > _HELD
+    return bool(moves and lengths.min() > 0.0 and np.ptp(lengths) <= _HELD * lengths.max())
