@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.api.described import Described
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
+from lagdsl.api.shown import Shown
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.diagnostics import Sink
 
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-class Model(Described):
+class Model(Shown):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -138,6 +138,9 @@ class Model(Described):
         from lagdsl.simulate.failure import SimulationFailed
         from lagdsl.simulate.simulate import simulate
 
+        def shown() -> str:
+            return self._page(stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+
         try:
             motion = simulate(
                 self._engine,
@@ -154,9 +157,9 @@ class Model(Described):
                 sink=sink,
             )
         except SimulationFailed as failure:
-            failure.trajectory = Trajectory.of(failure.trajectory)
+            failure.trajectory = Trajectory.of(failure.trajectory, shown)
             raise
-        return Trajectory.of(motion)
+        return Trajectory.of(motion, shown)
 
     def simulate_many(
         self,

@@ -98,6 +98,60 @@ def rods(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
             point = base
 
 
+def grounds(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """The plane that a contact keeps a mass or the origin of a body's frame from, where there is one: its gap then
+    changes as n . P does, with one unit vector n at all positions. A round shape touches it with its rim."""
+    places = [*(mass.position for mass in flat.masses), *_origins(flat)]
+    for contact in flat.events.contacts:
+        for place in places:
+            normal = _normal(flat, contact.gap, place)
+            if normal is None:
+                continue
+            n = fx.Vector(*(fx.Number(float(x)) for x in normal))
+            reach = _radius(flat, place)
+            depth = contact.gap if reach is None else fx.Binary("+", contact.gap, reach)
+            foot = fx.Binary("-", place, fx.Binary("*", depth, n))
+            numbers = (("at", columns.vector(foot)), ("normal", columns.vector(n)))
+            yield Shape(kind="ground", name=contact.name, numbers=numbers, spans=contact.spans)
+            break
+
+
+def _origins(flat: fm.FlatModel) -> list[fx.FlatExpression]:
+    return [fx.FrameOrigin(body.frame) for body in flat.bodies]
+
+
+def _radius(flat: fm.FlatModel, place: fx.FlatExpression) -> fx.FlatExpression | None:
+    """Of what is drawn at a place."""
+    names = {place, place.frame} if isinstance(place, fx.FrameOrigin) else {place}
+    for drawing in flat.drawings:
+        for role, value in drawing.arguments if names & set(drawing.anchors) else ():
+            if role == "radius" and not isinstance(value, str):
+                return value
+    return None
+
+
+def _normal(flat: fm.FlatModel, gap: fx.FlatExpression, place: fx.FlatExpression) -> NDArray[np.float64] | None:
+    """The unit vector n with d(gap)/dq_j = n . d(place)/dq_j for all coordinates, at two positions at random."""
+    found = []
+    for seed in range(2):
+        moves, changes = [], []
+        for coordinate in flat.coordinates:
+            at = evaluator_at(flat, seed, rates={coordinate.name: 1.0})
+            try:
+                moves.append(at.vector(fx.Derivative(place)))
+                changes.append(at.scalar(fx.Derivative(gap)))
+            except NotEvaluable:
+                return None
+        jacobian, change = np.array(moves).reshape(-1, 3), np.array(changes)
+        if not np.isfinite(jacobian).all() or not np.isfinite(change).all():
+            return None
+        n = np.linalg.lstsq(jacobian, change, rcond=None)[0]
+        if abs(np.linalg.norm(n) - 1.0) > _HELD or np.abs(jacobian @ n - change).max() > _HELD:
+            return None
+        found.append(n)
+    return found[0] if np.abs(found[0] - found[1]).max() <= _HELD else None
+
+
 def loads(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
     """Forces at their points, torques at the origins of their frames."""
     for load in flat.loads:
@@ -149,14 +203,16 @@ def is_planar(flat: fm.FlatModel, columns: Columns, shapes: Iterable[Shape]) -> 
     return True
 
 
-def evaluator_at(flat: fm.FlatModel, seed: int, moved: dict[str, float] | None = None) -> Evaluator:
+def evaluator_at(
+    flat: fm.FlatModel, seed: int, moved: dict[str, float] | None = None, rates: dict[str, float] | None = None
+) -> Evaluator:
     """At coordinates, states and a time at random: the same ones for the same seed, plus what is `moved`."""
     chance = random.Random(seed)
     variables = {item.name: chance.uniform(0.2, 1.2) for item in (*flat.coordinates, *flat.states)}
     variables["time"] = chance.uniform(0.1, 1.0)
     for name, step in (moved or {}).items():
         variables[name] += step
-    return Evaluator(flat, Values(variables=variables, rates=dict.fromkeys(variables, 0.0)))
+    return Evaluator(flat, Values(variables=variables, rates=dict.fromkeys(variables, 0.0) | (rates or {})))
 
 
 def _numbers(at: Evaluator, expressions: tuple[fx.FlatExpression, ...]) -> NDArray[np.float64]:

@@ -24,6 +24,7 @@ ShapeKind: TypeAlias = Literal[
     "mass",
     "body",
     "rope",
+    "ground",
     "force",
     "torque",
     "frame",
@@ -37,9 +38,9 @@ ShapeKind: TypeAlias = Literal[
 class Shape:
     """`numbers` tells by role the column of the scene at which a scalar stands or a vector (three columns) begins.
 
-    Roles: `at`, `to` positions [m]; `x`, `y`, `z` axes of a frame; `vector`, `axis` directions, the axis in the axes of
-    the frame; lengths `radius`, `length`, `width`, `height`, `size`, `scale` [m]; `mass` [kg], `com` [m] and `inertia`
-    [kg.m2] (six columns: xx, yy, zz, xy, xz, yz) in the axes of the frame; `value` of a coordinate.
+    Roles: `at`, `to` positions [m]; `x`, `y`, `z` axes of a frame; `vector`, `normal` directions; `axis` a direction in
+    the axes of the frame; lengths `radius`, `length`, `width`, `height`, `size`, `scale` [m]; `mass` [kg], `com` [m]
+    and `inertia` [kg.m2] (six columns: xx, yy, zz, xy, xz, yz) in the axes of the frame; `value` of a coordinate.
     """
 
     kind: ShapeKind

@@ -34,6 +34,7 @@ export interface Sizes {
   torque: number;
   planar: boolean;
   first: number;
+  center: Vector3; // of the machine
 }
 export interface Drawn {
   object: Object3D;
@@ -47,6 +48,7 @@ const COLORS: Record<string, ColorRepresentation> = {
   rod: 0x64748b, rope: 0x64748b, spring: 0x0d9488, damper: 0x7c3aed, mass: 0x2563eb, body: 0x3b82f6, box: 0x3b82f6,
   cylinder: 0x60a5fa, cone: 0x3b82f6, disc: 0x3b82f6, sphere: 0x2563eb, circle: 0x475569, arrow: 0xd97706,
   force: 0xdc2626, torque: 0xea580c, trace: 0xd97706, slider: 0x2563eb, dial: 0x2563eb,
+  ground: 0x94a3b8,
 };
 
 function colour(shape: Shape): ColorRepresentation {
@@ -349,6 +351,29 @@ function tripod(shape: Shape, sizes: Sizes): Drawn {
   };
 }
 
+/** A plane that a contact keeps something from: it lies still, under the machine. */
+function ground(shape: Shape, sizes: Sizes): Drawn {
+  const object = solid(shape, new BoxGeometry(1, 1, 1).translate(0, 0, -0.5));
+  let known: Motion | null = null;
+  return {
+    object,
+    shape,
+    update() {},
+    trace(motion) {
+      if (motion === known) return;
+      known = motion;
+      const frame = { numbers: Float64Array.from({ length: motion.width }, (_, i) => motion.at(0, i)), first: sizes.first };
+      const normal = vector(shape, "normal", frame);
+      const foot = vector(shape, "at", frame);
+      const middle = sizes.center.clone().addScaledVector(normal, normal.dot(foot.sub(sizes.center)));
+      const top = middle.clone().addScaledVector(normal, -1);
+      const size = 1.3 * sizes.length;
+      object.matrix.copy(between(top, middle, size, size)).multiply(new Matrix4().makeTranslation(0, 0, 1));
+      object.matrix.multiply(new Matrix4().makeScale(1, 1, 0.02 * sizes.length));
+    },
+  };
+}
+
 export const MAKERS: Record<string, Maker> = {
   rod: (shape, sizes) => bar(shape, sizes, unitCylinder(), 0.007),
   rope: (shape, sizes) => bar(shape, sizes, unitCylinder(), 0.004),
@@ -368,4 +393,5 @@ export const MAKERS: Record<string, Maker> = {
   trace,
   text: written,
   frame: tripod,
+  ground,
 };

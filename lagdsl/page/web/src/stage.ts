@@ -50,7 +50,7 @@ export class Stage {
     place.append(this.canvas);
     this.box = extent(head, motion);
     const length = Math.max(this.box.getSize(new Vector3()).length() / Math.SQRT2, 1e-9);
-    this.sizes = sizesOf(head, motion, length);
+    this.sizes = sizesOf(head, motion, length, this.box.getCenter(new Vector3()));
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
     this.camera.up.set(...head.up);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -241,7 +241,7 @@ function extent(head: Head, motion: Motion): Box3 {
   return box;
 }
 
-function sizesOf(head: Head, motion: Motion, length: number): Sizes {
+function sizesOf(head: Head, motion: Motion, length: number, center: Vector3): Sizes {
   const largest = (kind: string, role: string, width: number): number => {
     let most = 0;
     for (const shape of head.scene.shapes) {
@@ -263,5 +263,6 @@ function sizesOf(head: Head, motion: Motion, length: number): Sizes {
     torque: scaled(largest("torque", "vector", 3)),
     planar: head.planar,
     first: head.scene.first,
+    center,
   };
 }
