@@ -1,6 +1,7 @@
-// Bundles the page: dist/page.js, dist/worker.js, dist/page.css, dist/licenses.txt. The same sources give the same bytes.
+// Bundles the page into dist/. The same sources give the same bytes; sources.sha256 tells from which they come.
+import { createHash } from "node:crypto";
+import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
-import { mkdir, readFile, writeFile } from "node:fs/promises";
 
 const common = { bundle: true, minify: true, target: "es2022", format: "iife", legalComments: "none", logLevel: "warning" };
 await mkdir("dist", { recursive: true });
@@ -14,3 +15,10 @@ for (const name of ["three", "uplot"]) {
   notices.push(`${name} ${version}\n\n${(await readFile(`node_modules/${name}/LICENSE`, "utf8")).trim()}\n`);
 }
 await writeFile("dist/licenses.txt", notices.join("\n"));
+
+const sources = (await readdir("src")).map((name) => `src/${name}`);
+const digest = createHash("sha256");
+for (const name of [...sources, "build.mjs", "package-lock.json", "package.json", "tsconfig.json"].sort()) {
+  digest.update(`${name}\0`).update(await readFile(name)).update("\0");
+}
+await writeFile("dist/sources.sha256", `${digest.digest("hex")}\n`);
