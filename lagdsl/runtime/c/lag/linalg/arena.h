@@ -1,6 +1,6 @@
 /*
- * Arrays of doubles in memory of the caller: laid out, filled, looked through. Indices and flags in it are doubles, too, exact up to
- * 2^53: a caller may declare the memory as an array of doubles, and C (6.5, effective types) lets nothing else lie in such an array.
+ * Arrays of doubles in memory of the caller: laid out, filled, looked through. Indices in it are doubles, too, exact up to 2^53: a
+ * caller may declare the memory as an array of doubles, and C (6.5, effective types) lets nothing but them and characters lie in it.
  */
 #ifndef LAG_MEMORY_H
 #define LAG_MEMORY_H
@@ -13,6 +13,16 @@ static inline double *lag_take(double **memory, size_t count)
     double *start = *memory;
     *memory += count;
     return start;
+}
+
+/* As many flags, all zero, in the room of `count` doubles. */
+static inline unsigned char *lag_take_flags(double **memory, size_t count)
+{
+    unsigned char *flags = (unsigned char *)(void *)lag_take(memory, count);
+    for (size_t i = 0; i < count; ++i) {
+        flags[i] = 0;
+    }
+    return flags;
 }
 
 /* Every entry of x (count) becomes `value`. */
