@@ -25,6 +25,17 @@ static inline unsigned char *lag_take_flags(double **memory, size_t count)
     return flags;
 }
 
+/* Sizes in bytes, rounded up so that anything may follow. */
+static inline size_t lag_padded(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+static inline size_t lag_larger(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
 /* Every entry of x (count) becomes `value`. */
 static inline void lag_fill(size_t count, double value, double *x)
 {
@@ -33,11 +44,11 @@ static inline void lag_fill(size_t count, double value, double *x)
     }
 }
 
-/* Whether a flag (count) is set. */
-static inline int lag_any(size_t count, const double *flags)
+/* Whether an entry of x (count) is not zero. */
+static inline int lag_any(size_t count, const double *x)
 {
     size_t i = 0;
-    while (i < count && flags[i] == 0.0) {
+    while (i < count && x[i] == 0.0) {
         ++i;
     }
     return i < count;
