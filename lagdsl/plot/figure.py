@@ -114,7 +114,7 @@ def _draw(panel: Axes, trajectory: Trajectory, columns: Sequence[Column]) -> Non
 
 
 def _mark(panel: Axes, trajectory: Trajectory) -> None:
-    """Where something happened, but for clocks: lines, or dashes at the bottom where lines would hide the curves."""
+    """Marks events, except clocks: lines, or dashes at the bottom if lines would hide the curves."""
     times = sorted({event.time for event in trajectory.events if event.kind != "tick"})
     length = float(trajectory.time[-1] - trajectory.time[0])
     apart = [t for k, t in enumerate(times) if k == 0 or t - times[k - 1] > length / _MOST_LINES]

@@ -41,7 +41,7 @@ class Column:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InvariantRecord:
-    """How well a claimed invariant held: its value at the start, the largest drift from it, and what was allowed."""
+    """Drift of a declared invariant: its value at the start, the largest drift from it, and the permitted drift."""
 
     name: str
     start: float

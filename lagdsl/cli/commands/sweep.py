@@ -248,7 +248,7 @@ def _summary(data: xarray.Dataset, plan: Plan) -> str:
 
 
 def _tell_failures(data: xarray.Dataset, plan: Plan) -> int:
-    """How many runs failed; that, the most frequent reasons and where each was met first go to standard error."""
+    """Number of failed runs. Writes it to standard error, with the most frequent reasons and the first run of each."""
     from lagdsl.sweep.dataset import MESSAGE, STATUS, about_runs
     from lagdsl.sweep.plan import place
 

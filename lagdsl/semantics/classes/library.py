@@ -17,8 +17,8 @@ _MAX_BYTES = 4 * MAX_CHARACTERS  # a character of UTF-8 takes at most four
 def read_source(path: Path, sink: Sink) -> SourceFile | None:
     """The text of a file, its line ends normalised to `\\n` and a byte order mark removed.
 
-    What keeps a file from being a model text is reported to `sink`, and None returned: a name that is none, a
-    directory, no permission, too large (no more than the limit is read), not UTF-8, the character NUL.
+    Reports to `sink` and returns None if the file is no model text: an invalid name, a directory, no permission, too
+    large (no more than the limit is read), not UTF-8, the character NUL.
     """
     return _read(path, str(path), sink)
 

@@ -11,7 +11,7 @@ from lagdsl.syntax.reductions.declarations import doc, label
 
 
 class _Place(NamedTuple):
-    """Where a load acts, or from where it reacts."""
+    """Place at which a load acts, or from which it reacts."""
 
     at: nodes.Expression | None
     on: nodes.Expression | None
@@ -70,7 +70,7 @@ def _invariant(c: list[Any], span: Span) -> nodes.Invariant:
 
 
 class _Anchors(NamedTuple):
-    """Where something is drawn."""
+    """Anchors of a drawing."""
 
     place: str
     expressions: tuple[nodes.Expression, ...]

@@ -64,7 +64,7 @@ static double product(size_t n, const double *a, const double *b)
     return sum;
 }
 
-/* How rates and speeds answer to unit impulses. */
+/* Responses of rates and speeds to unit impulses. */
 static void respond(lag_impact *impact, lag_system *system, const lag_blow *blow)
 {
     const size_t n = impact->motion->model->nq;

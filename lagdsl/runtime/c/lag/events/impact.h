@@ -24,7 +24,7 @@ typedef struct lag_impact {
     double *system, *search;
 } lag_impact;
 
-/* What takes part in one impact. */
+/* Participants of one impact. */
 typedef struct lag_blow {
     size_t count;
     const double *rows;   /* (count, nq) dgap/dq */

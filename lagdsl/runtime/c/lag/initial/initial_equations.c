@@ -110,7 +110,7 @@ static void choose(const traits *t, lag_joint *joint)
 
 /* ---- the search ---- */
 
-/* Those of the problem, by what its rows depend on. */
+/* Independent parts of the problem, by the unknowns that its rows depend on. */
 static lag_parts parts_of(const lag_joint *joint, double *pattern, double *memory)
 {
     for (size_t i = 0; i < joint->rows; ++i) {
@@ -133,7 +133,7 @@ static void draw(const lag_joint *joint, unsigned long long *seed, size_t which,
     }
 }
 
-/* Whether the equations of some part leave a choice at the point where the descent ended. */
+/* True if the equations of some part leave a choice at the point where the descent ended. */
 static int leaves_choice(const lag_parts *parts, const lag_levenberg_marquardt *minimizer, double *block, double *svd_memory)
 {
     for (size_t which = 0; which < parts->count; ++which) {
@@ -294,7 +294,7 @@ static void find_undecided(const traits *t, lag_joint *joint)
 
 /* ---- rates ---- */
 
-/* How initial equations change with rates, in natural sizes. */
+/* Derivatives of the initial equations by rates, in natural sizes. */
 static void find_slopes(const traits *t, lag_joint *joint)
 {
     const lag_initialization *b = joint->b;

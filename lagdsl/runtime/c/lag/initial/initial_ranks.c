@@ -156,7 +156,7 @@ static double product(size_t n, const double *a, const double *b)
     return sum;
 }
 
-/* What is left of a row beside the orthonormal ones, into w->part, as a part of its length. */
+/* Writes the part of a row that is orthogonal to the orthonormal ones into w->part; returns its share of the length. */
 static double left_of(walk *w, const double *row, size_t count)
 {
     const size_t n = w->b->motion->model->nq;

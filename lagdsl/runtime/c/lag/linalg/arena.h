@@ -23,7 +23,7 @@ static inline void lag_fill(size_t count, double value, double *x)
     }
 }
 
-/* Whether a flag (count) is set. */
+/* True if one of the flags (count) is set. */
 static inline int lag_any(size_t count, const double *flags)
 {
     size_t i = 0;
