@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lagdsl.diagnostics import Diagnostic, Label, Sink
+from lagdsl.diagnostics.suggest import nearest
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
 from lagdsl.syntax.limits import MAX_CHARACTERS
@@ -50,11 +51,21 @@ def _content(path: Path, name: str, sink: Sink) -> bytes | None:
         with path.open("rb") as file:
             return file.read(_MAX_BYTES + 1)
     except FileNotFoundError:
-        sink.report("E0133", None, name=name)
+        sink.report("E0133", None, name=name, help=_nearest_file(path))
     except (OSError, ValueError) as fault:  # ValueError: a name that no file can have
         reason = fault.strerror if isinstance(fault, OSError) and fault.strerror else str(fault)
         sink.report("E0134", None, name=name, reason=reason)
     return None
+
+
+def _nearest_file(path: Path) -> str | None:
+    """Help that proposes the file of the same folder with the most similar name."""
+    try:
+        stems = {file.stem for file in path.parent.iterdir() if file.suffix == ".lag" and file.is_file()}
+    except OSError:
+        return None
+    meant = path.stem if path.stem in stems else nearest(path.stem, stems)
+    return f"did you mean `{path.with_name(meant + '.lag')}`?" if meant else None
 
 
 # Trees by path, with time and size of the file when it was read and what was found in it.
