@@ -50,7 +50,7 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
     except ModuleNotFoundError as missing:
-        raise ModuleNotFoundError(f"figures need matplotlib: pip install 'lagdsl[plot]' ({missing})") from missing
+        raise ModuleNotFoundError(f"figures need matplotlib: pip install matplotlib ({missing})") from missing
 
     trajectory = trajectory.drawn()
     panels = _panels(trajectory)

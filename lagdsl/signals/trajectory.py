@@ -147,7 +147,7 @@ class Trajectory:
         try:
             import pandas as pd
         except ModuleNotFoundError as missing:
-            raise ModuleNotFoundError(f"data frames need pandas: pip install 'lagdsl[table]' ({missing})") from missing
+            raise ModuleNotFoundError(f"data frames need pandas: pip install pandas ({missing})") from missing
         return pd.DataFrame({column.name: column.values for column in self.columns})
 
     def crossings(self, name: str, level: float = 0.0, *, direction: int = 0) -> Floats:

@@ -65,7 +65,7 @@ def require_writer(path: Path) -> None:
     if path.suffix.lower() not in ENDINGS:
         raise ValueError(f"{path.name}: sweeps are written as {', '.join(ENDINGS)}")
     if path.suffix.lower() == ".parquet" and find_spec("pyarrow") is None:
-        raise ModuleNotFoundError("writing Parquet needs pyarrow: pip install 'lagdsl[table]'")
+        raise ModuleNotFoundError("writing Parquet needs pyarrow: pip install pyarrow")
 
 
 def require_room(runs: int, rows: int, columns: int, path: Path | None) -> None:

@@ -137,7 +137,7 @@ def _require_packages(output: Path | None, scheduler: str | None) -> None:
     from importlib.util import find_spec
 
     if find_spec("xarray") is None or (scheduler is not None and find_spec("distributed") is None):
-        raise click.UsageError("sweeps need more packages: pip install 'lagdsl[sweep]'")
+        raise click.UsageError("sweeps need more packages: pip install xarray 'dask[distributed]' pyarrow pandas")
     from lagdsl.sweep.dataset import require_writer
 
     if output is not None:

@@ -5,7 +5,7 @@
  *
  * Newton's law of impact as a linear complementarity problem, whose matrix is symmetric and positive semidefinite.
  *
- * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts, 1996, ch. 8.
+ * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts, 1996.
  */
 #ifndef LAG_IMPACT_H
 #define LAG_IMPACT_H

@@ -8,7 +8,7 @@
  * vanishing combination of rows decides whether branches meet.
  *
  * Sources: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.7; Rheinboldt, Numerical Analysis
- * of Parametrized Nonlinear Equations, 1986, chapter 5.
+ * of Parametrized Nonlinear Equations, 1986.
  */
 #ifndef LAG_SINGULAR_H
 #define LAG_SINGULAR_H
