@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from lagdsl.structure.structure import Structure
 
 Route: TypeAlias = Literal["graph", "textbook"]
-"""How the functions are derived: on the graph, or literally as in a textbook, by SymPy."""
+"""The derivation of the functions: on the graph, or literally as in a textbook, by SymPy."""
 
 
 @record(kw_only=True)

@@ -39,7 +39,7 @@ def share_positions(lowering: Lowering, flat: FlatModel) -> None:
 
 
 class _Plain:
-    """Which expressions are arithmetic of coordinates, parameters, time and of other such expressions."""
+    """Recognizes expressions that are arithmetic of coordinates, parameters, time and other such expressions."""
 
     def __init__(self, flat: FlatModel) -> None:
         moving = (*flat.states, *flat.inputs)

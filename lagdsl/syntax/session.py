@@ -208,7 +208,7 @@ class Session:
     # ---- the statement at fault ------------------------------------------------------------------------------------
 
     def statement_start(self, token: Token) -> int:
-        """Where the statement that holds the error at `token` begins."""
+        """Start of the statement that contains the error at `token`."""
         unfinished = self.stack.above(self.stack.boundary() or 1)
         return int(unfinished[0].start_pos) if unfinished else start_of(token)
 

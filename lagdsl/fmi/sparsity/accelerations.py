@@ -157,7 +157,7 @@ def bits_of(number: int) -> Iterator[int]:
 
 
 def _completed(match: list[int], size: int) -> list[int]:
-    """What found no partner gets one that is left: of a system that is singular nothing can be said."""
+    """An unknown without a partner gets a free one: the system is singular, and any choice will do."""
     free = iter(sorted(set(range(size)) - set(match)))
     return [next(free) if unknown < 0 else unknown for unknown in match]
 

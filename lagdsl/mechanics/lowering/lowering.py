@@ -58,9 +58,9 @@ def _items(model: FlatModel) -> _Items:
 class Lowering:
     """Values of expressions of one model on one graph, memoised by identity.
 
-    With `release` points and frames are displaced by symbols that stand for zero, see `reactions`. What the mechanics
-    provides (energies, momenta, reactions) is asked of `provide`, which is set once the equations are formed. `place`
-    is where the item stands that is being lowered, for what may be wrong with it.
+    With `release` points and frames are displaced by symbols that stand for zero, see `reactions`. `provide` computes
+    quantities of the mechanics (energies, momenta, reactions); it is set once the equations are formed. `place` is the
+    span of the item that is being lowered, for diagnostics.
     """
 
     def __init__(self, graph: Graph, model: FlatModel, symbols: Symbols, release: Release | None = None) -> None:

@@ -39,7 +39,7 @@ class Given:
 
 @record()
 class Step:
-    """How a node was reached: over an edge (`backward`: from its b to its a), or by one of the givens."""
+    """The way to a node: over an edge (`backward`: from its b to its a), or by one of the givens."""
 
     node: int
     edge: int | None = None

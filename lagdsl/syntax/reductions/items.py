@@ -10,14 +10,14 @@ from lagdsl.syntax.reductions.action import Action, maker
 
 
 class _Place(NamedTuple):
-    """Where a load acts, or from where it reacts."""
+    """Place at which a load acts, or from which it reacts."""
 
     at: nodes.Expression | None
     on: nodes.Expression | None
 
 
 class _Anchors(NamedTuple):
-    """Where something is drawn."""
+    """Anchors of a drawing."""
 
     place: str | None
     expressions: tuple[nodes.Expression, ...]

@@ -156,7 +156,7 @@ static void remove_excess(lag_delassus *s, double *lam)
     }
 }
 
-/* Whether a unit of kept multiplier i adds to others. */
+/* True if a unit of kept multiplier i changes other multipliers. */
 static int adds(const lag_delassus *s, size_t i)
 {
     size_t j = 0;

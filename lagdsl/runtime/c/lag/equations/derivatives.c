@@ -24,7 +24,7 @@ size_t lag_derivatives_memory(const lag_model *model)
     return variables(model) + timed(model) + n * n + 2 * m * n + 5 * n + 7 * m + lag_system_memory(n, m);
 }
 
-/* What the accelerations alone need; less than lag_jacobian_memory(). */
+/* Memory that the accelerations alone need; less than lag_jacobian_memory(). */
 static void place_system(lag_derivatives *d, const lag_model *model, double **memory)
 {
     const size_t n = model->nq;
@@ -192,7 +192,7 @@ static lag_status add_time(lag_derivatives *d, size_t first, size_t count, doubl
     return status;
 }
 
-/* How the residuals of the constraints change. */
+/* Derivatives of the constraint residuals along the direction. */
 lag_status lag_derivatives_residuals(lag_derivatives *d, double *phi, double *residual)
 {
     const size_t first = d->model->nq + d->model->nc;

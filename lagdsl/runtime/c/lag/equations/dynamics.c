@@ -6,7 +6,7 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 
-/* Where the functions of this file keep what. */
+/* Arrays that the functions of this file work in. */
 typedef struct places {
     double *mass, *force, *jacobian, *gamma; /* (nq, nq) (nq) (nc, nq) (nc) */
     double *response, *lam_response;         /* (nk, nq) (nk, nc) */
@@ -79,11 +79,11 @@ static lag_status solve(
 }
 
 /*
- * Where eliminating left less than this part of a pivot, the dense system tells whether it is singular. Down to there subtraction
- * loses no more digits than the condition of the matrix costs the dense system, and the same ones at neighboring states: a
- * transformer of coupling 1 - 1e-7 is one whose leakage is off by 1e-9, where the dense system has a noise that stops implicit
- * methods. With rows left, their multipliers take back much of the accelerations without them, and what these lost shows in what is
- * left.
+ * If elimination leaves less than this part of a pivot, the dense system decides whether the position is singular. Down to
+ * this part, subtraction loses no more digits than the condition of the matrix costs the dense system, and the same ones at
+ * neighboring states: a transformer of coupling 1 - 1e-7 is one whose leakage is off by 1e-9, where the dense system has a
+ * noise that stops implicit methods. With rows left to run time, their multipliers cancel much of the accelerations without
+ * them, and digits that these lost show in the difference.
  */
 static const double smallest_pivot = 1e-8;
 static const double smallest_pivot_with_rows_left = 1e-4;
@@ -195,7 +195,7 @@ static lag_status eliminate(
         : status;
 }
 
-/* Where no row is left to run time, elimination is the whole solution. */
+/* Solves a model without rows left to run time: elimination is the whole solution. */
 static lag_status eliminate_all(const lag_model *model, const lag_arguments *at, double *qdd, double *lam)
 {
     double none = 0.0;

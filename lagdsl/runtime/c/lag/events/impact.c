@@ -56,7 +56,7 @@ static lag_status look(lag_impact *impact, double t, const double *x)
     return status;
 }
 
-/* How rates and speeds answer to unit impulses. */
+/* Responses of rates and speeds to unit impulses. */
 static void respond(lag_impact *impact, lag_system *system, const lag_blow *blow)
 {
     const size_t n = impact->motion->model->nq;

@@ -23,7 +23,7 @@ typedef struct lag_joint_parts {
 
 /* Rows and unknowns of the parts with initial equations; rates only where one depends on them. */
 void lag_joint_choose(const lag_joint_parts *t, lag_joint *joint);
-/* The parts of the problem, by what its rows depend on. */
+/* Independent parts of the problem, by the unknowns that its rows depend on. */
 lag_parts lag_joint_parts_of(const lag_joint *joint, double *pattern, double *memory);
 
 /* The nearest point, if more than one is admissible, in `best`. Returns what is left of the equations. */

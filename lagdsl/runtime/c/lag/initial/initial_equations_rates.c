@@ -9,7 +9,7 @@
 static const double SETTLED = 1e-9;
 enum { ROUNDS = 20 };
 
-/* How initial equations change with rates, in natural sizes. */
+/* Derivatives of the initial equations by rates, in natural sizes. */
 static void find_slopes(const lag_joint_parts *t, lag_joint *joint)
 {
     const lag_initialization *b = joint->b;

@@ -20,7 +20,7 @@ static void draw(const lag_joint *joint, unsigned long long *seed, size_t which,
     }
 }
 
-/* Whether the equations of some part leave a choice at the point where the descent ended. */
+/* True if the equations of some part leave a choice at the point where the descent ended. */
 static int leaves_choice(const lag_parts *parts, const lag_levenberg_marquardt *minimizer, double *block, double *svd_memory)
 {
     for (size_t which = 0; which < parts->count; ++which) {

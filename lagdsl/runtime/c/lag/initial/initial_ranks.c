@@ -148,7 +148,7 @@ static void keep(walk *w, size_t which)
     }
 }
 
-/* What is left of a row beside the orthonormal ones, into w->part, as a part of its length. */
+/* Writes the part of a row that is orthogonal to the orthonormal ones into w->part; returns its share of the length. */
 static double left_of(walk *w, const double *row, size_t count)
 {
     const size_t n = w->b->motion->model->nq;

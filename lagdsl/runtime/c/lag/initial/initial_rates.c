@@ -13,7 +13,7 @@ static const double ROUGH = 1e-7;
 /* A rate that the remaining freedom moves by less than this part is decided by the others (dead centers). */
 static const double INDEPENDENT = 1e-6;
 static const double CONSISTENT = 1e-9;
-/* What was met exactly is handed on exactly, not to within round-off. */
+/* Rates that met their values exactly keep them exactly, not to within round-off. */
 static const double EXACT = 1e-13;
 
 /* Conditions at most. */
@@ -126,7 +126,7 @@ static void find_parts(lag_rates *r)
 
 /* ---- one part ---- */
 
-/* Which condition is off, and by how much; behind all rows the fixed rates. */
+/* Records the condition that is violated, and its residual; fixed rates are counted behind all rows. */
 static void tell(lag_rates *r, size_t which, double residual)
 {
     lag_initialization *b = r->b;

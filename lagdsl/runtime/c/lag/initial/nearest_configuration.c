@@ -84,7 +84,7 @@ static void copy(const lag_nearest_configuration *s, const lag_found *from, lag_
     memcpy(to->distances, from->distances, s->parts->count * sizeof(double));
 }
 
-/* Where `found->point` leads. */
+/* Descends from `found->point` to a solution. */
 static void descend(lag_nearest_configuration *s, lag_found *found)
 {
     lag_descend(&s->minimizer, s->equations, s->parts, TARGET, ITERATIONS, found->point);
@@ -168,7 +168,10 @@ static size_t ranked(const lag_nearest_configuration *s, size_t part, size_t ran
     return 0;
 }
 
-/* The nearest points number `rank` of each part in one; 0: there is none in any part. Where only some parts have one, the first stands in. */
+/*
+ * The nearest points number `rank` of each part in one; 0: there is none in any part. A part without one contributes its
+ * nearest.
+ */
 static int collect(lag_nearest_configuration *s, size_t rank, lag_found *to)
 {
     int any = 0;
@@ -195,7 +198,7 @@ static void refine(lag_nearest_configuration *s, lag_found *found)
     lag_parts_norms(s->parts, 0, found->point, found->distances);
 }
 
-/* Whether coordinates of a part, in its distance and rounded, are larger than others. */
+/* True if the coordinates x of a part, in units of its distance and rounded, come after y in lexical order. */
 static int beyond(const lag_nearest_configuration *s, size_t part, double limit, const double *x, const double *y)
 {
     size_t first = 0;

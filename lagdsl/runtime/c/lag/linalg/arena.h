@@ -44,7 +44,7 @@ static inline void lag_fill(size_t count, double value, double *x)
     }
 }
 
-/* Whether an entry of x (count) is not zero. */
+/* True if an entry of x (count) is not zero. */
 static inline int lag_any(size_t count, const double *x)
 {
     size_t i = 0;

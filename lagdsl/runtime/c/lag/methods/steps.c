@@ -9,7 +9,7 @@
 /* A last step that would leave less than this part of itself is stretched. */
 static const double STRETCH = 1.01;
 
-/* Where the steps are counted from: what begins, and how many followed the first, of this length. */
+/* Origin of the count of steps: start time, length of the first, number of steps of this length after it. */
 typedef struct places {
     double *start, *first, *count;
     double *x, *f;    /* (size) */

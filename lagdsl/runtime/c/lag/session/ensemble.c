@@ -18,7 +18,7 @@ typedef struct keeper {
     double *rows;             /* (count, lag_ensemble_width()) */
 } keeper;
 
-/* What one thread works in. */
+/* Memory of one thread. */
 typedef struct bench {
     lag_run_options options;
     lag_results results;

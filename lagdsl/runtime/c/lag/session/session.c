@@ -23,7 +23,7 @@ static void tell_inputs(void *context, double t, int before, double *u)
     memcpy(u, session->u, session->model->nu * sizeof *u);
 }
 
-/* How many of the lasting rows are independent in general. */
+/* Number of lasting rows that are independent in general. */
 static size_t independent(const lag_session *session)
 {
     const unsigned char *redundant = session->model->redundant;
