@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -125,22 +125,19 @@ class Model(Shown):
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
     ) -> Trajectory:
-        """The motion from the initial state, a row every `interval` and two at each event, `.events` telling what
-        happened; what is left out says the model's experiment.
+        """The motion from the initial state, a row every `interval` and two at each event, which `.events` lists; the
+        model's experiment says what is left out.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
         column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
         length `step`. `progress` is called with the part of the time that is done; warnings go to `sink`. Raises
-        CompilationFailed before the first step, SimulationFailed after it, with the motion so far; KeyError and
-        ValueError for arguments that do not fit.
+        CompilationFailed before the first step, SimulationFailed with the motion so far after it; KeyError, ValueError.
         """
         from lagdsl.api.trajectory import Trajectory
         from lagdsl.simulate.failure import SimulationFailed
         from lagdsl.simulate.simulate import simulate
 
-        def shown() -> str:
-            return self._page(stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
-
+        page = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
         try:
             motion = simulate(
                 self._engine,
@@ -157,9 +154,9 @@ class Model(Shown):
                 sink=sink,
             )
         except SimulationFailed as failure:
-            failure.trajectory = Trajectory.of(failure.trajectory, shown)
+            failure.trajectory = Trajectory.of(failure.trajectory, page)
             raise
-        return Trajectory.of(motion, shown)
+        return Trajectory.of(motion, page)
 
     def simulate_many(
         self,

@@ -1,4 +1,4 @@
-"""What a page is told of a model and its motion, as JSON: the counterpart of web/src/head.ts."""
+"""The description of a model and its motion that a page reads, as JSON: the counterpart of web/src/head.ts."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """The living page: one HTML file that draws the machine, moves it, integrates it anew, and shows its equations.
 
-It asks for nothing from anywhere. What it runs is in web/dist, built from web/src; what it shows stands in it as data.
+It asks for nothing from anywhere. Its program lies in web/dist, built from web/src; model and motion stand in it as
+data.
 A small loader, the only script in the text, inflates the program of the page and starts it; the page's own policy
 (Content-Security-Policy, level 3) allows that script by its hash, scripts of its own making, and WebAssembly.
 """
@@ -48,7 +49,7 @@ _TABS = (
 
 @record(kw_only=True)
 class Wishes:
-    """What the page begins with: values by name in SI units; what is left out says the experiment of the model."""
+    """Values that the page begins with, by name in SI units. The experiment of the model says the others."""
 
     stop: float | None = None
     tolerance: float | None = None

@@ -9,6 +9,10 @@ from lagdsl.flat import model as fm
 from lagdsl.scene.shapes import Columns, Shape, ShapeKind
 
 _AXES = ("x", "y", "z")
+_VECTORS = (
+    *(fx.Vector, fx.PointReference, fx.FrameOrigin, fx.FrameAxis, fx.AngularVelocity, fx.MaterialVelocity),
+    *(fx.Cross, fx.LinearMomentum, fx.AngularMomentum, fx.FrameReaction),
+)
 
 
 def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
@@ -34,7 +38,7 @@ def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
 
 
 def placed(place: str, anchors: tuple[fx.FlatExpression | str, ...], columns: Columns) -> list[tuple[str, int]]:
-    """Where a shape stands: `at` a point, `on` a frame, `between` two points."""
+    """Columns of the place of a shape: `at` a point, `on` a frame, `between` two points."""
     found: list[tuple[str, int]] = []
     for role, anchor in zip(("at", "to"), anchors, strict=False):
         if isinstance(anchor, str):
@@ -53,18 +57,13 @@ def on_frame(frame: str, columns: Columns) -> list[tuple[str, int]]:
 def is_vector(expression: fx.FlatExpression) -> bool:
     """Is it a geometric vector?"""
     while True:
-        match expression:
-            case fx.Vector() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis() | fx.AngularVelocity():
-                return True
-            case fx.MaterialVelocity() | fx.Cross() | fx.LinearMomentum() | fx.AngularMomentum() | fx.FrameReaction():
-                return True
-            case fx.Derivative(operand) | fx.Unary("-", operand):
-                expression = operand
-            case fx.Binary("*", _, right):
-                expression = right
-            case fx.Binary("+" | "-" | "/", left, _):
-                expression = left
-            case fx.Conditional(_, value, _):
-                expression = value
-            case _:
-                return False
+        if isinstance(expression, _VECTORS):
+            return True
+        if isinstance(expression, fx.Derivative | fx.Unary):
+            expression = expression.operand
+        elif isinstance(expression, fx.Binary):  # the vector of a product stands on the right
+            expression = expression.right if expression.operator == "*" else expression.left
+        elif isinstance(expression, fx.Conditional):
+            expression = expression.value
+        else:
+            return False

@@ -253,18 +253,18 @@ def _distances(
     waiting, seen = [expression], set[str]()
     while waiting:
         for node in postorder(waiting.pop()):
-            match node:
-                case fx.Norm(fx.Binary("-", a, b)):
-                    yield a, b
-                case fx.Dot(fx.Binary("-", a, b) as left, right) if left == right:
-                    yield a, b
-                case fx.Variable(name) if name not in seen:
-                    seen.add(name)
-                    item = named.get(name)
-                    if isinstance(item, fm.Definition):
-                        waiting.append(item.value)
-                case _:
-                    pass
+            way = None
+            if isinstance(node, fx.Norm):
+                way = node.vector
+            elif isinstance(node, fx.Dot) and node.left == node.right:
+                way = node.left
+            if isinstance(way, fx.Binary) and way.operator == "-":
+                yield way.left, way.right
+            elif isinstance(node, fx.Variable) and node.name not in seen:
+                seen.add(node.name)
+                item = named.get(node.name)
+                if isinstance(item, fm.Definition):
+                    waiting.append(item.value)
 
 
 def _base(point: fx.FlatExpression, named: dict[str, fm.Named]) -> fx.FlatExpression | None:
@@ -273,13 +273,11 @@ def _base(point: fx.FlatExpression, named: dict[str, fm.Named]) -> fx.FlatExpres
         item = named[point.name]
         assert isinstance(item, fm.Point)
         point = item.position
-    match point:
-        case fx.Binary("+" | "-", fx.PointReference() | fx.FrameOrigin() as base, _):
-            return base
-        case fx.PointReference() | fx.FrameOrigin():
-            return None
-        case _:
-            return _WORLD
+    if isinstance(point, fx.PointReference | fx.FrameOrigin):
+        return None
+    if isinstance(point, fx.Binary) and isinstance(point.left, fx.PointReference | fx.FrameOrigin):
+        return point.left
+    return _WORLD
 
 
 def _is_held(positions: list[Evaluator], a: fx.FlatExpression, b: fx.FlatExpression) -> bool:

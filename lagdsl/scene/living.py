@@ -16,7 +16,7 @@ from lagdsl.scene.shapes import Columns, Scene, Shape
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
 
 START = ".start"
-"""What follows the name of a coordinate in the name of the parameter that is its start value."""
+"""Ending of the name of the parameter that is the start value of a coordinate."""
 
 
 @record(kw_only=True)

@@ -1,4 +1,4 @@
-"""What is drawn of a model: shapes whose numbers are scalars of the flat model, so that they follow every motion."""
+"""The scene of a model: shapes whose numbers are scalars of the flat model, so that they follow every motion."""
 
 from __future__ import annotations
 

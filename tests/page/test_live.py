@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from choice import ALL, chosen
+from page.pages import MODELS, Elements, page_of
 
 from lagdsl import compile as compile_model
 from lagdsl.numerics.rank import Floats
-from page.pages import MODELS, Elements, page_of
 
 needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="node is not installed")
 ROWS = 61

@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from choice import chosen
+from page.pages import MODELS, Elements, page_of
 
 from lagdsl import compile as compile_model
 from lagdsl.diagnostics import CompilationFailed
-from page.pages import MODELS, Elements, page_of
 
 HOSTILE = """model Hostile "</script><script>alert(1)</script><img src=x onerror=alert(2)>"
   parameter Length l = 1 m "</style><b>--></b><!-- \u2028";
@@ -92,7 +92,9 @@ def _places(head: dict, table: np.ndarray, name: str) -> tuple[np.ndarray, np.nd
 
 
 def test_the_same_model_gives_the_same_page() -> None:
-    code = "import hashlib; from page.pages import page_of; print(hashlib.sha256(page_of('clutch').encode()).hexdigest())"
+    code = (
+        "import hashlib; from page.pages import page_of; print(hashlib.sha256(page_of('clutch').encode()).hexdigest())"
+    )
     command = [sys.executable, "-c", code]
     paths = os.pathsep.join([str(Path(__file__).parents[1]), *sys.path])
     told = {

@@ -61,7 +61,8 @@ def test_springs_dampers_and_ropes_follow_from_distances() -> None:
 
 def test_a_contact_has_its_ground() -> None:
     ball = "parameter Angle a = 30 deg; coordinate Length x, h(start = 1 m); gravity = -g_n*world.y;"
-    ball += "point P = {x*cos(a) - h*sin(a), x*sin(a) + h*cos(a)}; mass 1 kg at P; contact floor: h >= 0 with restitution = 0.5;"
+    ball += "point P = {x*cos(a) - h*sin(a), x*sin(a) + h*cos(a)}; mass 1 kg at P;"
+    ball += "contact floor: h >= 0 with restitution = 0.5;"
     flat = compiled(f"model M\n{ball}\nend M;\n").flat
     found = scene_of(flat)
     ground = shape(found, "ground")
@@ -86,12 +87,16 @@ def test_loads_stand_at_their_points() -> None:
 
 
 def test_coordinates_without_a_place_have_gauges() -> None:
-    found = scene("coordinate Angle a; coordinate Length s; kinetic (1 kg.m2)/2*der(a)^2 + (1 kg)/2*der(s)^2; gravity = 0;")
+    found = scene(
+        "coordinate Angle a; coordinate Length s; kinetic (1 kg.m2)/2*der(a)^2 + (1 kg)/2*der(s)^2; gravity = 0;"
+    )
     assert kinds(found) == {"dial": 1, "slider": 1}
 
 
 def test_bodies_are_shown_by_their_inertia() -> None:
-    found = scene("coordinate Angle q; frame f = world.rotz(q); gravity = 0; body b(m = 2 kg, I = {1, 2, 3}*1 kg.m2) on f;")
+    found = scene(
+        "coordinate Angle q; frame f = world.rotz(q); gravity = 0; body b(m = 2 kg, I = {1, 2, 3}*1 kg.m2) on f;"
+    )
     assert kinds(found) == {"body": 1}
     assert dict(shape(found, "body").numbers).keys() >= {"at", "x", "y", "z", "mass", "inertia", "com"}
 
