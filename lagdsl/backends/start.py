@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.record import record
 
-# Where there is no bound.
+# Stands for no bound.
 _LARGEST = 1.7976931348623157e308
 
 
@@ -15,7 +15,7 @@ _LARGEST = 1.7976931348623157e308
 class Start:
     """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
     entries (`minimum` and `maximum`: of q; `free` and what begins with `parameter`: of p), as lag/model.h tells it.
-    What is left out is not said."""
+    None: unknown."""
 
     t: float
     x: tuple[float, ...]

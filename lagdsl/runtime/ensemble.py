@@ -83,7 +83,8 @@ class Stop:
 
 
 class Bench:
-    """Where one thread makes runs; not to be used by several at once. Its memory serves one call after the other."""
+    """Memory in which one thread makes runs; no two threads may use it at once. Its memory serves one call after the
+    other."""
 
     def __init__(self) -> None:
         self._block = aligned(1)
@@ -144,7 +145,7 @@ class Bench:
 
 
 def _teller(layout: Layout, made: Made, hear: Callable[[int, Failed], None]) -> Callable[..., None]:
-    """What C calls where a run failed."""
+    """The function that C calls after the failure of a run."""
     size = 2 * layout.size(Group.Q) + layout.size(Group.Z)
     count = len(layout.constraints)
 

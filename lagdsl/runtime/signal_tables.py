@@ -38,7 +38,7 @@ class TabledInputs:
     tables: Sequence[SignalTable | None]
 
     def tell(self, options: RunOptions, library: Runtime, kept: list[object]) -> None:
-        """What the options need is appended to `kept`."""
+        """Sets them in `options`; memory that these point at is appended to `kept`."""
         signals = (Signal * len(self.tables))(*(Signal() if table is None else table.told for table in self.tables))
         every = Signals(count=len(signals), signal=addressof(signals))
         kept += [self.tables, signals, every]

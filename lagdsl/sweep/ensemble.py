@@ -95,8 +95,8 @@ class Ensemble:
     def _settings(
         self, tasks: Sequence[Task], p: Floats
     ) -> tuple[EnsembleSettings, Callable[[int, float], Floats]] | None:
-        """What C is told, and the inputs (nu,) of a run at a time; None where each run tells by itself what is wrong
-        with its options."""
+        """Settings for C, and the inputs (nu,) of a run at a time; None if each run must report errors of its options
+        by itself."""
         flat, engine, options = self._flat, self._engine, self._options
         t0, sink = flat.experiment.start_time, Sink()
         with np.errstate(all="ignore"):

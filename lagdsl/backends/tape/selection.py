@@ -150,7 +150,7 @@ def _turns(op: Ints, operands: Ints, turned: Flags, computed: Flags) -> tuple[Tu
 
 
 def _levels(operands: Ints, turned: Flags, computed: Flags, angles: Ints) -> Ints:
-    """How many sines are one inside the other in each of `angles`."""
+    """Depth of nested sines in each of `angles`."""
     if not computed[angles].any():
         return np.zeros(len(angles), dtype=np.int64)
     columns = operands.tolist()

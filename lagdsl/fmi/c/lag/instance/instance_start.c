@@ -13,7 +13,7 @@ int lag_instance_is_free(const lag_instance *instance, const lag_variable *varia
     return variable->role == LAG_ROLE_PARAMETER && free != NULL && free[variable->first] != 0;
 }
 
-/* Whether everything that the start depends on is as it was when the model was exported; free parameters are searched anew. */
+/* True if every value that the start depends on is as it was at export. Free parameters are searched anew. */
 static int as_exported(const lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;

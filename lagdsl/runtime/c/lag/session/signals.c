@@ -1,6 +1,6 @@
 #include "lag/signals.h"
 
-/* How many times are less than t, or with `equal` not greater: where t would stand among them. */
+/* Number of times that are less than t, with `equal` not greater. */
 static size_t place_of(const lag_signal *signal, double t, int equal)
 {
     size_t low = 0;
