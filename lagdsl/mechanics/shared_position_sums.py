@@ -35,7 +35,7 @@ def share_positions(lowering: Lowering, flat: FlatModel) -> None:
     for expression in found:
         value = lowering.value(expression)
         roots += (value,) if isinstance(value, int) else value
-    lowering.replace(share_sums(lowering.graph, roots))
+    lowering.values.replace(share_sums(lowering.graph, roots))
 
 
 class _Plain:

@@ -95,22 +95,13 @@ static lag_status form(lag_derivatives *d)
     return status;
 }
 
-static int binds(size_t n, const double *row)
-{
-    size_t j = 0;
-    while (j < n && row[j] == 0.0) {
-        ++j;
-    }
-    return j < n;
-}
-
 /* Independent rows: those of open contacts are zero, and another one that depends on the rest must not take their place. */
 static size_t independent(const lag_derivatives *d)
 {
     const lag_model *model = d->model;
     size_t count = model->rank;
     for (size_t i = 0; i < model->ncontact; ++i) {
-        count -= count > 0 && !binds(model->nq, d->jacobian + model->contact_rows[i] * model->nq);
+        count -= count > 0 && !lag_any(model->nq, d->jacobian + model->contact_rows[i] * model->nq);
     }
     return count;
 }

@@ -93,16 +93,6 @@ double lag_smallest_pivot(const lag_model *model)
     return model->nk > 0 ? smallest_pivot_with_rows_left : smallest_pivot;
 }
 
-/* Rows of open contacts are zero. */
-static int binds(size_t n, const double *row)
-{
-    size_t j = 0;
-    while (j < n && row[j] == 0.0) {
-        ++j;
-    }
-    return j < n;
-}
-
 lag_status lag_factor_eliminated(
     const lag_model *model,
     const double *response,
@@ -118,7 +108,7 @@ lag_status lag_factor_eliminated(
     system->lam_response = lam_response;
     system->jacobian = jacobian;
     for (size_t i = 0; i < model->nk; ++i) {
-        rank += model->redundant[model->kept_rows[i]] == 0 && binds(model->nq, jacobian + i * model->nq);
+        rank += model->redundant[model->kept_rows[i]] == 0 && lag_any(model->nq, jacobian + i * model->nq);
     }
     return pivot > lag_smallest_pivot(model) ? lag_delassus_factor(system, rank) : LAG_MISSING;
 }

@@ -14,17 +14,12 @@ static const double TARGET = 1e-13;
 static const double ROUNDED = 1e6;
 enum { ITERATIONS = 100, RELAXED = 20 };
 
-static size_t larger(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
-
 size_t lag_nearest_configuration_memory(size_t m, size_t n)
 {
     const size_t points = LAG_NEAREST_FOUND + LAG_NEAREST_REFINED + 1;
     return lag_levenberg_marquardt_memory(m, n) + lag_levenberg_marquardt_memory(m + n, n) + lag_parts_memory(m + n, n) + points * (n + 2 * (m + n)) + m +
-           2 * m * n + 5 * n + 9 * (m + n) + 2 * n * n + m + larger(m, n) * n + n + m + 2 * n * n + n +
-           lag_svd_memory(larger(m, n), n);
+           2 * m * n + 5 * n + 9 * (m + n) + 2 * n * n + m + lag_larger(m, n) * n + n + m + 2 * n * n + n +
+           lag_svd_memory(lag_larger(m, n), n);
 }
 
 static void place_found(lag_found *found, size_t m, size_t n, double **memory)
@@ -61,7 +56,7 @@ void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, siz
     s->directions = lag_take(&memory, n * n);
     s->bends = lag_take(&memory, n * n);
     s->weights = lag_take(&memory, m);
-    s->block = lag_take(&memory, larger(m, n) * n);
+    s->block = lag_take(&memory, lag_larger(m, n) * n);
     s->part = lag_take(&memory, n);
     s->weight = lag_take(&memory, m);
     s->hessian = lag_take(&memory, n * n);
