@@ -13,7 +13,7 @@ import pytest
 from simulate.hand import Pendulum, coordinate, flat_model
 
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.signals.table_io import csv_text, parse_inputs, read_inputs, write_events, write_table
+from lagdsl.signals.table_io import Table, csv_text, parse_inputs, read_inputs, write_events, write_table
 from lagdsl.signals.trajectory import Event, Trajectory
 from lagdsl.simulate.simulate import simulate
 from lagdsl.source import SourceFile
@@ -130,7 +130,7 @@ def test_text_is_deterministic(motion: Trajectory) -> None:
 def test_inputs_in_any_column_order(tmp_path: Path) -> None:
     path = tmp_path / "in.csv"
     path.write_bytes(b'\xef\xbb\xbfu, time ,"der(u)"\r\n1,0,3\r\n\r\n2,0.5,-4e-1\r\n')
-    assert read_inputs(path, Sink()) == {"u": ([0.0, 0.5], [1.0, 2.0]), "der(u)": ([0.0, 0.5], [3.0, -0.4])}
+    assert read_inputs(path, Sink()) == {"u": Table([0.0, 0.5], [1.0, 2.0]), "der(u)": Table([0.0, 0.5], [3.0, -0.4])}
 
 
 @pytest.mark.parametrize(

@@ -101,6 +101,8 @@ ROWS: dict[str, Row] = {
     ),
     "E0820": error(
         "cannot read the table `{file}`: {reason}",
+        None,
+        "give the CSV file of a table, or the value of an input as NAME=VALUE",
     ),
     "E0821": error(
         "the table `{file}` has no column {column}",

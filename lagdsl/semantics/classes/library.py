@@ -50,7 +50,8 @@ def _content(path: Path, name: str, sink: Sink) -> bytes | None:
         with path.open("rb") as file:
             return file.read(_MAX_BYTES + 1)
     except FileNotFoundError:
-        sink.report("E0133", None, name=name)
+        found = path.with_name(f"{path.name}.lag")
+        sink.report("E0133", None, name=name, help=f"did you mean `{found}`?" if found.is_file() else None)
     except (OSError, ValueError) as fault:  # ValueError: a name that no file can have
         reason = fault.strerror if isinstance(fault, OSError) and fault.strerror else str(fault)
         sink.report("E0134", None, name=name, reason=reason)
