@@ -37,7 +37,7 @@ def _row(column: Column) -> tuple[str, ...]:
 
 
 def _events(events: tuple[Event, ...]) -> str:
-    """How often what happened, from when to when."""
+    """Kinds of events with their number, first and last time."""
     if not events:
         return ""
     times: dict[tuple[str, str], list[float]] = {}

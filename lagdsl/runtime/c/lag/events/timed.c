@@ -83,7 +83,7 @@ static point at(distance *one, double t)
     return (point){t, one->value, one->rate};
 }
 
-/* How far Hermite's cubic through a and b is off at the middle; not a number where there is none. */
+/* Error of Hermite's cubic through a and b at the middle; not a number if there is no cubic. */
 static double misfit(const point *a, const point *m, const point *b)
 {
     const double h = b->t - a->t;
