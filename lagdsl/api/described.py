@@ -96,7 +96,7 @@ class Described(Interface):
         return known("start value", given, self._named("start"))
 
     def _named(self, *kinds: Kind) -> dict[str, Target]:
-        """What can be set, by the names of the model."""
+        """Targets of values, by the names of the model."""
         return {target.key: target for target in targets(self._compilation.flat, kinds).values()}
 
 

@@ -69,7 +69,7 @@ def run_sweep(
 
 
 def _axes(values: Mapping[str, ArrayLike], known: Mapping[str, Target]) -> tuple[list[Axis], list[Axis]]:
-    """What has one value, and what has many. Raises UnknownName and ValueError."""
+    """Axes with one value, and axes with many. Raises UnknownName and ValueError."""
     single: list[Axis] = []
     many: list[Axis] = []
     sink = Sink()

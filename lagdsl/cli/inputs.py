@@ -19,7 +19,7 @@ from lagdsl.signals.table_io import Tables, in_si, read_inputs
 
 @record()
 class Inputs:
-    """What was given: tables by name, and texts of values by name."""
+    """Arguments of `--input`: tables by name, and texts of values by name."""
 
     tables: Tables
     values: dict[str, str]

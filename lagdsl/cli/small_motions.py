@@ -37,7 +37,7 @@ _ENDINGS: dict[str, Form | Literal["npz"]] = {".json": "json", ".npz": "npz", ".
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
-    """What the options that all three commands have were given."""
+    """Arguments of the options that all three commands have."""
 
     file: Path
     model: str | None

@@ -28,7 +28,7 @@ def values_of(target: Target, text: str, grid: Grid, sink: Sink) -> tuple[float,
 
 
 def varied(flat: FlatModel, name: str, text: str, sink: Sink) -> tuple[str, tuple[float, ...]]:
-    """What the model calls `name`, and the values of a range `0:0.1:3 N`, a list, or an interval `0:3 N`, in SI units.
+    """The name in the model, and the values of a range `0:0.1:3 N`, a list, or an interval `0:3 N`, in SI units.
     N0873 where a range may have been meant as from:to:count. Raises SettingError."""
     target = _varied_target(flat, name)
     whole = f"{name}={short(text)}"

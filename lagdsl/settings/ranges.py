@@ -79,7 +79,7 @@ def rewritten(name: str, parts: list[tuple[str, str]], unit: str) -> str:
 
 
 def counted(name: str, text: str, parts: list[tuple[str, str]], unit: str) -> SettingError:
-    """What is said of a range that seems to be from:to:count: both readings, as they are written."""
+    """The error for a range that seems to be from:to:count, with the texts to write for both readings."""
     first, step, last = (Fraction(number) for number, _ in parts)
     leads = step != 0 and (last - first) / step >= 0
     steps = f", for steps '{name}={':'.join(number for number, _ in parts)} {unit}'" if leads else ""

@@ -48,7 +48,7 @@ class Target:
 
     @property
     def display(self) -> Display:
-        """How people see it."""
+        """The unit of summaries and figures."""
         if isinstance(self.quantity, Coordinate) and self.rate:
             shown = display_rate(self.quantity)
             return shown if shown.scale != 1.0 else Display(self.unit)
@@ -56,7 +56,7 @@ class Target:
 
 
 def targets(flat: FlatModel, kinds: Iterable[Kind] = SETTABLE) -> dict[str, Target]:
-    """What can be set in `flat`, by name."""
+    """Everything in `flat` that takes a value, by name."""
     wanted = set(kinds)
     found = [
         *(

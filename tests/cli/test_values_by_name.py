@@ -330,7 +330,7 @@ class TestSilence:
         assert "N0701" not in invoke("run", four_bar, "--stop", "0.01").stderr
 
     def test_structural_values_have_their_own_warnings(self, invoke: Invoke, tmp_path: Path) -> None:
-        """What is said is about the model that runs, not the one with other structural parameters."""
+        """Notes are about the model that runs, not about the one with other structural parameters."""
         path = tmp_path / "some.lag"
         path.write_text(
             """model Some

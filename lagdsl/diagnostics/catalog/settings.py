@@ -24,7 +24,7 @@ ROWS: dict[str, Row] = {
     "N0875": note(
         "no value is given for {names}: {zero}",
         "an input without a default",
-        "give a value, as in --input '{first}={example}' or a table of values over time, or a default in the model",
+        "give one: --input '{first}={example}', a table of values over time, or a default in the model",
         "an input without a default",
     ),
     "N0876": note(
