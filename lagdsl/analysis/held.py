@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from lagdsl.diagnostics import Label, Sink
+from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 
 _MOST_TOLD = 4
-_SAMPLED = (
-    "an input or a state that acts through it has zero entries, and the loop is open here; "
-    "to see it in the modes, write the continuous law in its place"
-)
-_OTHER = "what acts through it has zero entries; start the model in the mode that you mean"
+_SAMPLED = "the sampled loop is open here, its entries are zero; write the continuous law in its place to see it closed"
+_OTHER = "entries of what acts through them are zero; start the model in the mode that you mean"
 
 
 def report_held(flat: FlatModel, sink: Sink) -> None:
@@ -21,11 +18,9 @@ def report_held(flat: FlatModel, sink: Sink) -> None:
     names = [f"`{item.name}`" for item in discretes[:_MOST_TOLD]]
     more = f" and {len(discretes) - len(names)} more" if len(discretes) > len(names) else ""
     by = f", which `{clocks[0].name}` sets" if len(clocks) == 1 else ", set by clocks" if clocks else ""
-    places = [Label(item.spans[0]) for item in discretes[:_MOST_TOLD] if item.spans]
     sink.report(
         "N0876",
-        places[0] if places else None,
-        *places[1:],
+        discretes[0].spans[0] if discretes[0].spans else None,
         held=f"{', '.join(names)}{more}{by}",
         advice=_SAMPLED if clocks else _OTHER,
     )

@@ -18,9 +18,7 @@ def values_of(target: Target, text: str, grid: Grid, sink: Sink) -> tuple[float,
     """The values of a grid in SI units; N0871 where they lack a unit, N0872 where steps do not meet the last value.
     Raises SettingError."""
     given = [value_of(target, each) for each in grid.texts()]
-    bare = [each for each in given if lacks_unit(target, each)]
-    if bare:
-        _note_lacking_unit(target, text, bare, sink)
+    note_bare(target, text, given, sink)
     if grid.missed:
         whole = f"{target.name}={text}"
         sink.report("N0872", None, what=whole, given=grid.shown, last=grid.missed, count=grid.count)
@@ -45,8 +43,11 @@ def varied(flat: FlatModel, name: str, text: str, sink: Sink) -> tuple[str, tupl
     return target.key, values
 
 
-def _note_lacking_unit(target: Target, text: str, bare: list[Literal], sink: Sink) -> None:
-    """One note for all values, with the largest of them."""
+def note_bare(target: Target, text: str, given: list[Literal], sink: Sink) -> None:
+    """N0871, once, where some of these values lack a unit; with the largest of them."""
+    bare = [each for each in given if lacks_unit(target, each)]
+    if not bare:
+        return
     largest = max(bare, key=lambda each: abs(each.value))
     if len(bare) == 1 and bare[0].text == text:
         note_lacking_unit(target, text, largest.value, sink)

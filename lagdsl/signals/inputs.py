@@ -9,7 +9,7 @@ from typing import Any, TypeAlias, cast
 
 import numpy as np
 
-from lagdsl.diagnostics import Label, Sink
+from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.numerics.rank import Floats
@@ -84,11 +84,9 @@ def report_missing(flat: FlatModel, given: Collection[str], sink: Sink) -> None:
     more = f" and {len(missing) - len(names)} more" if len(missing) > len(names) else ""
     unit = missing[0].unit if missing[0].unit != "1" else ""
     zero = f"it is 0 {unit}".rstrip() if len(missing) == 1 else "they are zero"
-    places = [Label(item.spans[0]) for item in missing[:_MOST_NAMED] if item.spans]
     sink.report(
         "N0875",
-        places[0] if places else None,
-        *places[1:],
+        missing[0].spans[0] if missing[0].spans else None,
         names=f"the input{'' if len(missing) == 1 else 's'} {', '.join(names)}{more}",
         zero=zero,
         first=missing[0].name,

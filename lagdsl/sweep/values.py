@@ -14,8 +14,9 @@ from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.numerics.rank import Floats
 from lagdsl.settings.arrays import spread
-from lagdsl.settings.axis import values_of
+from lagdsl.settings.axis import note_bare, values_of
 from lagdsl.settings.failure import SettingError, short
+from lagdsl.settings.literal import Literal
 from lagdsl.settings.pieces import QUANTITY
 from lagdsl.settings.ranges import CALL, grid_of
 from lagdsl.settings.target import Target, find, targets, value_of
@@ -51,7 +52,7 @@ def plan(flat: FlatModel, pairs: Mapping[str, str], random: int | None, seed: in
             if random is None:
                 raise SettingError(f"{name}={short(text)}: give the number of draws with --random N")
             # A stream of its own for every name: one more name changes no other draws.
-            samples.append(_drawn(target, text, call, random, np.random.default_rng([seed, number])))
+            samples.append(_drawn(target, text, call, random, np.random.default_rng([seed, number]), sink))
         else:
             axis = axis_of(target, text, sink, runs)
             runs *= len(axis.values)
@@ -85,14 +86,17 @@ def axis(target: Target, values: tuple[float, ...]) -> Axis:
     )
 
 
-def _drawn(target: Target, text: str, call: re.Match[str], count: int, generator: np.random.Generator) -> Axis:
-    """`count` draws; those that a parameter may not have fail as runs, not here."""
+def _drawn(
+    target: Target, text: str, call: re.Match[str], count: int, generator: np.random.Generator, sink: Sink
+) -> Axis:
+    """`count` draws; those that a parameter may not have fail as runs, not here. N0871 for numbers that lack a unit."""
     name = target.name
     if target.kind == "structural":
         raise SettingError(f"`{name}` is structural: it takes ranges and lists, not distributions")
     meanings, draw = _DISTRIBUTIONS[call[1]]
     given = [piece.strip() for piece in call[2].split(",")]
     arguments: list[float] = []
+    literals: list[Literal] = []
     free = _unbounded(target)
     for meaning, piece in zip(meanings, given, strict=True):
         found = QUANTITY.fullmatch(piece)
@@ -102,8 +106,9 @@ def _drawn(target: Target, text: str, call: re.Match[str], count: int, generator
             arguments.append(float(found[1]))
             continue
         unit = found[2] or call[3]
-        value = value_of(free, f"{found[1]} {unit}".strip()).value
-        arguments.append(_amount(found[1], unit) if meaning == "deviation" else value)
+        literals.append(value_of(free, f"{found[1]} {unit}".strip()))
+        arguments.append(_amount(found[1], unit) if meaning == "deviation" else literals[-1].value)
+    note_bare(target, text, literals, sink)
     _require_drawable(name, text, call[1], arguments)
     return axis(target, tuple(float(value) for value in draw(generator, count, arguments)))
 

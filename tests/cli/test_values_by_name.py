@@ -144,6 +144,10 @@ class TestUnits:
         assert result.stderr.count("N0871") == 1
         assert "in rad, up to 0.2 rad = 11.46 deg" in words(result)
 
+    def test_draws_draw_it_too(self, invoke: Invoke, pendulum: Path) -> None:
+        result = invoke("sweep", pendulum, *SHORT, "--set", "theta.start=normal(0, 5)", "--random", "2")
+        assert "in rad, up to 5 rad = 286.5 deg help: write `normal(0, 5) deg`" in words(result)
+
     def test_sweeps_and_runs_show_the_same_units(self, invoke: Invoke, pendulum: Path) -> None:
         one = invoke("run", pendulum, *SHORT).stdout.splitlines()
         (row,) = (line.split() for line in one if line.startswith("theta"))

@@ -25,13 +25,11 @@ ROWS: dict[str, Row] = {
         "no value is given for {names}: {zero}",
         "an input without a default",
         "give one: --input '{first}={example}', a table of values over time, or a default in the model",
-        "an input without a default",
     ),
     "N0876": note(
         "the linearization holds what changes at events only: {held}",
-        "acts at instants, between which it is constant",
+        "changes at instants, constant between them",
         "{advice}",
-        "acts at instants, between which it is constant",
     ),
     "E0878": error(
         "the column `{name}` of the table has the unit `{unit}`: {why}",
