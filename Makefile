@@ -24,8 +24,9 @@ $(READY): pyproject.toml
 check:  ## what must hold before a merge, in six minutes: style, types, floors, C under sanitizers, tests with one of each kind
 	$(MAKE) --jobs=3 lint c-check test
 
-check-all:  ## everything, in an hour: `check` with all models, all compilers that are installed, threads, valgrind
+check-all:  ## everything, in an hour: `check` with all models, all compilers that are installed, threads, valgrind; the site
 	$(MAKE) --jobs=3 lint c-test test-all
+	$(MAKE) docs
 
 lint: $(READY)
 	$(BIN)/ruff check .

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.diagnostics import CompilationFailed, Sink, failed
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.settings.arrays import family
 from lagdsl.settings.target import Target, value_of
 
@@ -60,8 +60,9 @@ def keys_of(what: str, name: str, targets: Mapping[str, Target]) -> list[str]:
         if elements and (candidate == name or targets[elements[0]].kind == "start"):
             return elements
     names = list(targets)
-    likely = nearest(name, names) if isinstance(name, str) else None
-    raise _unknown(what, name, f"did you mean `{likely}`?" if likely else f"there are {', '.join(names) or 'none'}")
+    listing = f"there are {', '.join(names) or 'none'}"
+    hint = did_you_mean(name, names, listing) if isinstance(name, str) else listing
+    raise _unknown(what, name, hint or listing)
 
 
 def _unknown(what: str, name: str, hint: str) -> CompilationFailed:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import click
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.model import FlatModel
 from lagdsl.settings.arrays import family
 from lagdsl.simulate.table import heads_of
@@ -19,8 +19,7 @@ def columns_of(names: tuple[str, ...], models: Iterable[FlatModel]) -> tuple[str
     for name in names:
         elements = [name] if name in known else family(name, known)
         if not elements:
-            likely = nearest(name, known)
-            hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(known)}"
+            hint = did_you_mean(name, known, f"there are {', '.join(known)}")
             raise click.UsageError(f"there is no column `{name}`; {hint}")
         kept |= dict.fromkeys(elements)
     return tuple(kept) or None

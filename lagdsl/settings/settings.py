@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 
 from lagdsl.diagnostics import Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.model import FlatModel
 from lagdsl.record import record
 from lagdsl.settings.arrays import spread
@@ -58,8 +58,7 @@ def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str
     values: dict[str, float] = {}
     for name, text in spread(pairs, known).items():
         if name not in known:
-            likely = nearest(name, known)
-            hint = f"did you mean `{likely}`?" if likely else f"inputs: {', '.join(known) or 'none'}"
+            hint = did_you_mean(name, known, f"inputs: {', '.join(known) or 'none'}")
             raise UnknownSettingError(f"{flat.name} has no input `{short(name)}`; {hint}")
         given = value_of(known[name], text)
         if lacks_unit(known[name], given):

@@ -7,7 +7,7 @@ from typing import Literal as OneOf
 from typing import TypeAlias
 
 from lagdsl.diagnostics import Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.admissible import require_value
 from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import Coordinate, FlatModel, Parameter
@@ -129,10 +129,8 @@ def _unknown(flat: FlatModel, name: str, known: Mapping[str, Target]) -> str:
     if elements:
         whole, first = f"--set '{name}={{...}}'", f"--set '{elements[0]}=...'"
         return f"`{name}` is an array; set it with {whole}, or its elements, as in {first}"
-    likely = nearest(name, known)
-    if likely is not None:
-        return f"{flat.name} has no parameter `{name}`; did you mean `{likely}`?"
     names = list(known)
     more = f" and {len(names) - _MOST_TOLD} more" if len(names) > _MOST_TOLD else ""
     listing = ", ".join(names[:_MOST_TOLD]) + more if names else "none"
-    return f"{flat.name} has no parameter `{short(name)}`; what can be set: {listing}"
+    hint = did_you_mean(name, known, f"what can be set: {listing}")
+    return f"{flat.name} has no parameter `{short(name)}`; {hint}"

@@ -111,7 +111,6 @@ def _motion(
 ) -> tuple[Trajectory, Floats]:
     """With rows at `times`; and how often every number of the state turns around."""
     flat, engine, given, t0 = asked.flat, asked.engine, asked.signals, float(times[0])
-    course = given.at(t0) if given.constant else lambda t, before: given.at(t, before=before)
     with np.errstate(all="ignore"), warnings.catch_warnings():
         # Checks of the values detect those that are not numbers.
         warnings.simplefilter("ignore", RuntimeWarning)
@@ -119,7 +118,7 @@ def _motion(
             flat,
             engine,
             asked.p,
-            course,
+            given.course(t0),
             t0=t0,
             times=times,
             tolerance=asked.tolerance,

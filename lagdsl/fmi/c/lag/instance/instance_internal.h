@@ -59,7 +59,8 @@ struct lag_instance {
     double *kept;           /* (kept_count) the arrays that follow up to `turned` */
     size_t kept_count;
     double *x;              /* (2 nq + nz) */
-    double *p;              /* (np) */
+    double *p;              /* (np) those of the motion, found ones among them */
+    double *guess;          /* (np) those that were set: free ones are searched from them */
     double *begin, *given;  /* (2 nq + nz) start values that were set, and flags: this one was */
     double *course;         /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
     double *given_inputs;   /* (nu) flags: this one was set */
