@@ -119,6 +119,11 @@ def test_values_that_do_not_fit(two: lagdsl.Model, ask: Any, words: str) -> None
         ask(two)
 
 
+def test_the_nearest_name_is_proposed(two: lagdsl.Model) -> None:
+    with pytest.raises(lagdsl.UnknownName, match=r"E0874.*no parameter `gian`; did you mean `gain`"):
+        two.simulate(parameters={"gian": 2})
+
+
 def test_notes_go_to_the_sink(two: lagdsl.Model) -> None:
     from lagdsl.diagnostics import Sink
 

@@ -79,7 +79,7 @@ class TestRanges:
         assert result.exit_code == 2
         assert "write 'l=0.1:0.1:1 m'" in words(result)
         result = invoke("sweep", pendulum, "--set", "l=1:2:2", *SHORT)
-        assert "1 run" in result.stdout and "do not meet 2" in words(result)
+        assert "1 run" in result.stdout and "N0872" in result.stderr and "do not meet 2" in words(result)
 
     def test_a_search_over_a_range_looks_at_all_its_values(self, invoke: Invoke) -> None:
         """Earlier versions looked at three values of 0:0.1:3, and found no threshold."""
@@ -90,7 +90,7 @@ class TestRanges:
 
     def test_numbers_without_unit_draw_a_note(self, invoke: Invoke, two: Path) -> None:
         result = invoke("modes", two, "--set", "q.start={0, 0} deg", "--vary", "gain=0:3:30")
-        assert "11 values" in words(result)
+        assert "note[N0873]" in result.stderr and "11 values" in words(result)
         assert "for 30 values from the first number to the second write `gain=linspace(0, 3, 30)`" in words(result)
 
     @pytest.mark.parametrize(
