@@ -11,8 +11,8 @@ from lagdsl.record import record
 @record()
 class Start:
     """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
-    entries (`minimum` and `maximum`: of q; `free` and `parameter_nominal`: of p), as lag/model.h tells it. What is left
-    out is not said."""
+    entries (`minimum` and `maximum`: of q; `free` and `parameter_nominal`: of p), as lag/model.h tells it; `turning`
+    flags outputs that are angles known up to whole turns. What is left out is not said."""
 
     t: float
     x: tuple[float, ...]
@@ -23,6 +23,7 @@ class Start:
     maximum: tuple[float, ...] = ()
     free: tuple[bool, ...] = ()
     parameter_nominal: tuple[float, ...] = ()
+    turning: tuple[bool, ...] = ()
 
 
 def free_parameters(flat: FlatModel) -> tuple[Parameter, ...]:
@@ -48,4 +49,5 @@ def start_of(flat: FlatModel, t: float, x: Sequence[float], changed: Collection[
         maximum=tuple(1.7976931348623157e308 if c.maximum is None else c.maximum for c in q),
         free=tuple(p.free for p in independent),
         parameter_nominal=tuple(abs(p.nominal or 0.0) for p in independent),
+        turning=tuple(output.turning for output in flat.outputs),
     )
