@@ -1,6 +1,6 @@
 /*
- * Without arguments: the accelerations of the model at its start values. With a stop time and an interval: its motion, as CSV,
- * with two rows at each event, before and after. What happened goes to the error output as CSV, or to the file that a fourth
+ * Without arguments: the accelerations of the model at its start values. With a stop time and an interval: its motion, as
+ * CSV, with two rows at each event, before and after. Events go to the error output as CSV, or to the file that a fourth
  * argument names. The third is the tolerance.
  */
 #include <math.h>
@@ -15,7 +15,7 @@ static const double TURN = 6.283185307179586;
 /* Outputs that are angles known up to whole turns. */
 static const unsigned char turning[] = TURNING;
 
-/* Where rows and events go, room for the outputs, the angles of the last row, and the time of the last event. */
+/* Files of the rows and events, memory for the outputs, the angles of the last row, and the time of the last event. */
 typedef struct tables {
     FILE *rows, *events;
     double *y, *angle;

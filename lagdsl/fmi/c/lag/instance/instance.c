@@ -35,7 +35,7 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) +
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) +
            model->ncorner + model->ny;
 }
 
@@ -47,7 +47,7 @@ static size_t doubles(const lag_fmu *fmu)
            lag_derivatives_memory(fmu->model) + 1;
 }
 
-/* Which `terminate` it was. */
+/* Remembers which `terminate` acted. */
 static lag_status hear(void *context, lag_run *run, const lag_event_notice *notice)
 {
     lag_instance *instance = context;
@@ -95,6 +95,7 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->kept = memory;
     instance->x = lag_take(&memory, size);
     instance->p = lag_take(&memory, model->np);
+    instance->guess = lag_take(&memory, model->np);
     instance->begin = lag_take(&memory, size);
     instance->given = lag_take(&memory, size);
     instance->course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
@@ -138,6 +139,7 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     }
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
+        memcpy(instance->guess, model->defaults, model->np * sizeof(double));
     }
     lag_instance_renew(instance);
     return instance;

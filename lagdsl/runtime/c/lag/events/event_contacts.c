@@ -11,7 +11,7 @@ lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, 
     return lag_event_iteration_tell(iteration, t, x, what, i);
 }
 
-/* What a contact that struck or changed did. One that is held for the rest of its bounces has struck. */
+/* Reports the impact, opening or closing of a contact. A contact that is held for the rest of its bounces has struck. */
 static lag_status tell_contact(const lag_event_iteration *iteration, double t, const double *x, int before, size_t i)
 {
     const int now = iteration->motion->w[iteration->places.contact + i] != 0.0;

@@ -6,7 +6,7 @@
 #include "lag/linalg/arena.h"
 
 enum { MOST_PASSES = 100 };
-/* What a constraint that discretes switch may be off the positions, as a part of the size of its row. */
+/* Largest residual at which a constraint that discretes switch may become active, as a part of the size of its row. */
 static const double TORN = 1e-6;
 
 size_t lag_event_iteration_memory(const lag_model *model)
@@ -199,8 +199,9 @@ static const double *settled_before(lag_event_iteration *iteration)
 }
 
 /*
- * Discretes that stand in constraints, masses or prescribed motions may have changed, whoever changed them: momenta are balanced. Else, after
- * resets, rates go onto the constraints. Those that were reset stay as far as that can be; contacts follow, they only push.
+ * If discretes in constraints, masses or prescribed motions have changed, balances the momenta. Otherwise, after resets,
+ * projects the rates onto the constraints. Rates that were reset keep their values where the constraints permit it; contacts
+ * adapt, because they only push.
  */
 static lag_status take_hold(lag_event_iteration *iteration, double t, double *x, int acted)
 {

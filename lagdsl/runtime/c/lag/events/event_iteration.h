@@ -77,7 +77,7 @@ void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const
  */
 lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned);
 
-/* A contact has opened, or closed. What was told of it for later does not come. */
+/* A contact has opened, or closed. A rest that was announced for later is canceled. */
 lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i);
 
 /* Impacts, those of clauses (ncollision flags, or null) first, and what they did; 1 in `acted` where there were any. */
