@@ -1,5 +1,5 @@
-"""An exported model with a time event and a corner of place moves as closed forms say, through FMPy: corners of place are
-event indicators of model exchange."""
+"""An exported model with a time event and a corner of place moves as closed forms say, through FMPy: corners of place
+are event indicators of model exchange."""
 
 from __future__ import annotations
 
