@@ -9,7 +9,7 @@ from typing import Any, TypeAlias, cast
 import numpy as np
 
 from lagdsl.diagnostics import Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
@@ -73,8 +73,7 @@ def signals(
     names = [item.name for item in flat.inputs]
     for name in inputs:
         if name not in names:
-            likely = nearest(name, names)
-            help = f"did you mean `{likely}`?" if likely else None
+            help = did_you_mean(name, names)
             sink.report("E0819", None, help=help, name=name, known=", ".join(names) or "none")
     functions: list[_Function] = []
     breaks: set[float] = set()
