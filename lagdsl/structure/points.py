@@ -197,7 +197,7 @@ def _largest_beside(row_sizes: Floats, entries_of: Floats, components: Sequence[
     own = of_coordinate[np.argmax(entries_of, axis=1)]
     most = np.zeros(int(np.max(own)) + 1)
     np.maximum.at(most, own, row_sizes)
-    return most[own]
+    return np.asarray(most[own])
 
 
 def _usual(lengths: Floats) -> Floats:
