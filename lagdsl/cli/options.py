@@ -49,15 +49,13 @@ takes_derivation: Decorator = click.option(
 )
 
 
-def takes_span(command: Command) -> Command:
-    """Add `--stop`, `--interval` and `--tolerance`."""
-    return combined(
-        click.option(
-            "--stop", metavar="T", help="End of the motion [s], e.g. 10, '500 ms'; default: the model's experiment."
-        ),
-        click.option("--interval", metavar="H", help="Time between rows [s]."),
-        click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration."),
-    )(command)
+takes_stop: Decorator = click.option(
+    "--stop", metavar="T", help="End of the motion [s], e.g. 10, '500 ms'; default: the model's experiment."
+)
+takes_interval: Decorator = click.option("--interval", metavar="H", help="Time between rows [s].")
+takes_tolerance: Decorator = click.option(
+    "--tolerance", type=float, metavar="R", help="Relative tolerance of the integration."
+)
 
 
 def combined(*options: Decorator) -> Decorator:
@@ -69,3 +67,6 @@ def combined(*options: Decorator) -> Decorator:
         return command
 
     return decorate
+
+
+takes_span: Decorator = combined(takes_stop, takes_interval, takes_tolerance)
