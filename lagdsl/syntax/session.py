@@ -45,7 +45,7 @@ _HEADERS = {"for": "for i in i loop", "if": "if true then", "when": "when true t
 
 
 @mutable_record()
-class Faults:
+class ErrorState:
     """`last` is the place of the last thing that is no token; `failures` by place how often the parser could not go on
     there; `told` (code, place) of what is said once for many statements."""
 
@@ -68,7 +68,7 @@ class Session:
         self.finished = False
         self.previous = token_at(END_OF_TEXT, "", 0, 0)
         self.brackets: list[Token] = []
-        self.faults = Faults()
+        self.faults = ErrorState()
         self._tokens = self._contextual_tokens()
 
     # ---- reading --------------------------------------------------------------------------------------------------
