@@ -127,7 +127,7 @@ def _motion(
         initial = find_start(flat, engine, run, t0, given.at(t0), asked.start, sink)
         sink.raise_if_errors()
         task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress)
-        return Motion(task).trajectory(), run.turns()
+        return Motion(task).trajectory(), run.results.turns(run.size)
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:

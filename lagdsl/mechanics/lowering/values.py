@@ -1,4 +1,4 @@
-"""Nodes of the expressions of one model on the graph, by identity."""
+"""Nodes of the graph that expressions of one model became, by identity."""
 
 from __future__ import annotations
 
