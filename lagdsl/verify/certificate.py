@@ -6,6 +6,7 @@ from typing import Literal, TypeAlias
 
 from lagdsl.record import record
 
+_MARKS = {"held": "ok", "failed": "FAILED", "measured": "..", "left out": "--"}
 Verdict: TypeAlias = Literal["held", "failed", "measured", "left out"]
 
 
@@ -30,6 +31,13 @@ class Line:
             return "measured"
         return "held" if self.figure <= self.limit else "failed"
 
+    @property
+    def figures(self) -> str:
+        """Figure and limit as people read them."""
+        if self.figure is None:
+            return ""
+        return f"{self.figure:.1e}" + (f"  (at most {self.limit:.0e})" if self.limit is not None else "")
+
 
 @record(kw_only=True)
 class Certificate:
@@ -44,7 +52,18 @@ class Certificate:
     def holds(self) -> bool:
         return all(line.verdict != "failed" for line in self.lines)
 
-    def __str__(self) -> str:
-        from lagdsl.verify.forms import text
+    @property
+    def summary(self) -> str:
+        failed = sum(line.verdict == "failed" for line in self.lines)
+        held = sum(line.verdict == "held" for line in self.lines)
+        return f"{failed} of {failed + held} lines failed" if failed else f"all {held} lines held"
 
-        return text(self)
+    def __str__(self) -> str:
+        """A line for each comparison: mark, name, figure, limit; its meaning below."""
+        width = max(len(line.name) for line in self.lines)
+        pieces = [f"{self.model}: {self.summary}", ""]
+        for line in self.lines:
+            pieces.append(f"{_MARKS[line.verdict]:>6}  {line.name:<{width}}  {line.figures}".rstrip())
+            pieces.append(f"        {line.says}" + (f" ({line.note})" if line.note else ""))
+        pieces += ["", f"text {self.digest[:16]}; " + ", ".join(" ".join(pair) for pair in self.versions)]
+        return "\n".join(pieces) + "\n"

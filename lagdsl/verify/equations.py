@@ -71,7 +71,7 @@ def engines(program: Program, states: Arrays) -> Iterator[Line]:
 
 
 def solutions(program: Program, engine: Engine, states: Arrays) -> Line:
-    """What the accelerations and multipliers leave in M qdd - f - J' lam and J qdd - gamma."""
+    """M qdd - f - J' lam and J qdd - gamma with the computed accelerations and multipliers, against zero."""
     found = [engine.solve(*arguments) for arguments in _arguments(program, "dynamics", states)]
     qdd, lam = (np.array([solution[k] for solution in found]) for k in (0, 1))
     mass, force = values(program, "dynamics", states)[:2]

@@ -8,24 +8,12 @@ from html import escape
 
 from lagdsl.verify.certificate import Certificate, Line
 
-_MARKS = {"held": "ok", "failed": "FAILED", "measured": "..", "left out": "--"}
 _STYLE = """body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
 table { border-collapse: collapse; width: 100%; }
 td, th { padding: 0.3rem 0.6rem; text-align: left; vertical-align: top; font-variant-numeric: tabular-nums; }
 tr { border-bottom: 1px solid #cbd5e1; }
 .failed { color: #b91c1c; font-weight: 600; }
 :root { color-scheme: light dark; }"""
-
-
-def text(certificate: Certificate) -> str:
-    """A line for each comparison: mark, name, figure, limit; what it shows below."""
-    width = max(len(line.name) for line in certificate.lines)
-    pieces = [f"{certificate.model}: {_summary(certificate)}", ""]
-    for line in certificate.lines:
-        pieces.append(f"{_MARKS[line.verdict]:>6}  {line.name:<{width}}  {_figures(line)}".rstrip())
-        pieces.append(f"        {line.says}" + (f" ({line.note})" if line.note else ""))
-    pieces += ["", f"text {certificate.digest[:16]}; " + ", ".join(" ".join(pair) for pair in certificate.versions)]
-    return "\n".join(pieces) + "\n"
 
 
 def as_json(certificate: Certificate) -> str:
@@ -61,7 +49,7 @@ def html(certificate: Certificate) -> str:
 </head>
 <body>
 <h1>{escape(certificate.model)}</h1>
-<p>{escape(_summary(certificate))}</p>
+<p>{escape(certificate.summary)}</p>
 <table>
 <tr><th>verdict</th><th>line</th><th>figure, limit</th><th>shows</th></tr>
 {rows}
@@ -73,23 +61,11 @@ def html(certificate: Certificate) -> str:
 
 
 def _row(line: Line) -> str:
-    cells = (line.verdict, line.name, _figures(line), line.says + (f" ({line.note})" if line.note else ""))
+    cells = (line.verdict, line.name, line.figures, line.says + (f" ({line.note})" if line.note else ""))
     return f'<tr class="{line.verdict.replace(" ", "-")}">' + "".join(f"<td>{escape(c)}</td>" for c in cells) + "</tr>"
 
 
-FORMS: dict[str, Callable[[Certificate], str]] = {"text": text, "json": as_json, "html": html}
-
-
-def _summary(certificate: Certificate) -> str:
-    failed = sum(line.verdict == "failed" for line in certificate.lines)
-    held = sum(line.verdict == "held" for line in certificate.lines)
-    return f"{failed} of {failed + held} lines failed" if failed else f"all {held} lines held"
-
-
-def _figures(line: Line) -> str:
-    if line.figure is None:
-        return ""
-    return f"{line.figure:.1e}" + (f"  (at most {line.limit:.0e})" if line.limit is not None else "")
+FORMS: dict[str, Callable[[Certificate], str]] = {"text": str, "json": as_json, "html": html}
 
 
 def _number(value: float | None) -> float | str | None:
