@@ -126,7 +126,7 @@ OSCILLATORS = [
 ]
 
 
-# Thrown back by a clause, times become a geometric series: the model says nothing beyond its sum, so the run ends there.
+# Thrown back by a clause, times become a geometric series: the model says nothing beyond its sum, where the run ends.
 THROWN_BACK = [
     Attack(
         f"bounces_of_{e}_by_a_clause",
