@@ -68,6 +68,13 @@ def test_commands_and_their_options_exist() -> None:
     assert wrong == []
 
 
+def test_the_example_of_the_readme_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "models").symlink_to(ROOT / "models")
+    monkeypatch.chdir(tmp_path)
+    [text] = re.findall(r"^```python\n(.*?)^```", (ROOT / "README.md").read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    exec(compile(text, "README.md", "exec"), {})
+
+
 def test_extras_exist_and_are_installed_from_the_sources() -> None:
     """No index has a package lagdsl: documents and messages install the folder, or the packages that are missing."""
     known = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
