@@ -103,7 +103,7 @@ ROWS: dict[str, Row] = {
     "E0820": error(
         "cannot read the table `{file}`: {reason}",
         None,
-        "check the name and the permissions of the file",
+        "check the name of the file; the value of an input is written NAME=VALUE",
     ),
     "E0821": error(
         "the table `{file}` has no column {column}",
