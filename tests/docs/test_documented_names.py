@@ -153,3 +153,5 @@ def test_every_class_has_a_doc_string(folder: Path) -> None:
 
 def test_every_command_says_what_it_does() -> None:
     assert [name for name, command in commands().items() if not command.help] == []
+    options = [(name, p) for name, command in commands().items() for p in command.params if isinstance(p, click.Option)]
+    assert [(name, option.opts) for name, option in options if not option.help] == []
