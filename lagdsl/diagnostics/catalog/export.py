@@ -38,4 +38,8 @@ ROWS: dict[str, Row] = {
         label="lagdsl solves for it at initialization",
         help="read its value from `lag run`, and write `{name} = ...` instead of `fixed = false`",
     ),
+    "N0910": note(
+        "the files and constants of `{name}` are named `{stem}`: {reason}",
+        help="rename the model to have files of its name",
+    ),
 }
