@@ -11,6 +11,7 @@ from lagdsl.flat.expression_text import flat_expression_text, number_text
 from lagdsl.flat.traversal import operands
 from lagdsl.units.dimension import BASE_UNITS, Dimension
 
+_ZERO, _ONE = Number(0.0), Number(1.0)
 # An expression that is zero where the residual is, with the power of its unit that the residual has.
 _Root = tuple[FlatExpression, Fraction]
 
@@ -26,58 +27,71 @@ def restated(residual: FlatExpression, dimension: Dimension) -> str | None:
 
 
 def _roots(residual: FlatExpression, power: Fraction) -> Iterator[_Root]:
-    match residual:
-        case Unary("-", inner) | Binary("-", inner, Number(0.0)) | Binary("-", Number(0.0), inner):
-            yield from _roots(inner, power)
-        case Binary("^", base, Number(exponent)) if exponent > 0.0:
-            yield from _roots(base, power * Fraction(exponent))
-        case Binary("*", left, right) if left == right:
-            yield from _roots(left, 2 * power)
-        case Binary("*", Number(factor), inner) if factor != 0.0:
-            yield from _roots(inner, power)
-        case Binary("+", left, right) if _is_square(left) and _is_square(right):
-            yield from _roots(left, power)
-            yield from _roots(right, power)
-        case Function("abs", (inner,)):
-            yield from _roots(inner, power)
-        case Function("sqrt", (inner,)):
-            yield from _roots(inner, power / 2)
-        case Binary("-", Number(1.0), Function("cos", (angle,))) | Binary("-", Function("cos", (angle,)), Number(1.0)):
-            yield angle, Fraction(0)
-        case Norm(Vector(x, y, z), _):
-            yield from ((component, power) for component in (x, y, z) if component != Number(0.0))
-        case Dot(Vector(x, y, z), right) if right == Vector(x, y, z):
-            yield from ((component, 2 * power) for component in (x, y, z) if component != Number(0.0))
-        case _:
-            yield residual, power
+    """Of an expression of no known form itself."""
+    if isinstance(residual, Binary):
+        found = _of_binary(residual, power)
+    elif isinstance(residual, Unary) and residual.operator == "-":
+        found = [(residual.operand, power)]
+    elif isinstance(residual, Function) and residual.name in ("abs", "sqrt"):
+        found = [(residual.arguments[0], power if residual.name == "abs" else power / 2)]
+    elif isinstance(residual, Norm) and isinstance(residual.vector, Vector):
+        found = _of_vector(residual.vector, power)
+    elif isinstance(residual, Dot) and isinstance(residual.left, Vector) and residual.left == residual.right:
+        found = _of_vector(residual.left, 2 * power)
+    else:
+        found = []
+    for root, of in found:
+        yield from _roots(root, of) if of else [(root, of)]
+    if not found:
+        yield residual, power
+
+
+def _of_vector(vector: Vector, power: Fraction) -> list[_Root]:
+    return [(component, power) for component in (vector.x, vector.y, vector.z) if component != _ZERO]
+
+
+def _of_binary(node: Binary, power: Fraction) -> list[_Root]:
+    left, right = node.left, node.right
+    if node.operator == "-":
+        if _ZERO in (left, right):
+            return [(left if right == _ZERO else right, power)]
+        other = right if left == _ONE else left if right == _ONE else None
+        if isinstance(other, Function) and other.name == "cos":
+            return [(other.arguments[0], Fraction(0))]
+    if node.operator == "^" and isinstance(right, Number) and right.value > 0.0:
+        return [(left, power * Fraction(right.value))]
+    if node.operator == "*" and left == right:
+        return [(left, 2 * power)]
+    if node.operator == "*" and isinstance(left, Number) and left.value != 0.0:
+        return [(right, power)]
+    if node.operator == "+" and _is_square(left) and _is_square(right):
+        return [(left, power), (right, power)]
+    return []
 
 
 def _is_square(term: FlatExpression) -> bool:
-    """A power of an even number, a product with itself, or a sum of such."""
-    match term:
-        case Binary("^", _, Number(exponent)):
-            return exponent > 0.0 and exponent % 2.0 == 0.0
-        case Binary("*", left, right):
-            return left == right or (isinstance(left, Number) and _is_square(right))
-        case Binary("+", left, right):
-            return _is_square(left) and _is_square(right)
-        case Function("abs", _):
-            return True
-        case _:
-            return False
+    """A power of an even number, a product with itself, an absolute value, or a sum of such."""
+    if isinstance(term, Function):
+        return term.name == "abs"
+    if not isinstance(term, Binary):
+        return False
+    left, right = term.left, term.right
+    if term.operator == "^":
+        return isinstance(right, Number) and right.value > 0.0 and right.value % 2.0 == 0.0
+    if term.operator == "*":
+        return left == right or (isinstance(left, Number) and _is_square(right))
+    return term.operator == "+" and _is_square(left) and _is_square(right)
 
 
 def _equation(root: FlatExpression, power: Fraction, dimension: Dimension) -> str | None:
-    match root:
-        case Binary("-", left, Number(value)) if not _has_numbers(left):
+    if isinstance(root, Binary) and root.operator == "-" and not _has_numbers(root.left):
+        left, right = flat_expression_text(root.left), root.right
+        if isinstance(right, Number):
             unit = _unit(dimension, power)
-            return None if unit is None else f"{flat_expression_text(left)} = {number_text(value)}{unit}"
-        case Binary("-", left, right) if not _has_numbers(root):
-            return f"{flat_expression_text(left)} = {flat_expression_text(right)}"
-        case _ if not _has_numbers(root):
-            return f"{flat_expression_text(root)} = 0"
-        case _:
-            return None
+            return None if unit is None else f"{left} = {number_text(right.value)}{unit}"
+        if not _has_numbers(right):
+            return f"{left} = {flat_expression_text(right)}"
+    return None if _has_numbers(root) else f"{flat_expression_text(root)} = 0"
 
 
 def _unit(dimension: Dimension, power: Fraction) -> str | None:
