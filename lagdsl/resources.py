@@ -37,7 +37,7 @@ def c_folder() -> Path:
 
 
 def runtime_library_folder() -> Path:
-    """Where the C runtime lies as a shared library."""
+    """Folder of the C runtime as a shared library."""
     return _PACKAGE / "runtime" / "lib"
 
 

@@ -11,8 +11,8 @@ from lagdsl.record import record
 @record()
 class Start:
     """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
-    entries (`minimum` and `maximum`: of q; `free` and `parameter_nominal`: of p), as lag/model.h tells it. What is left
-    out is not said."""
+    entries (`minimum` and `maximum`: of q; `free` and `parameter_nominal`: of p), as lag/model.h tells it. None:
+    unknown."""
 
     t: float
     x: tuple[float, ...]

@@ -1,4 +1,5 @@
-"""What the standards cannot say, told before anything is compiled; and what an importer must know."""
+"""Checks, before anything is compiled, for models that the standards cannot express; notes that an importer must
+know."""
 
 from __future__ import annotations
 

@@ -65,7 +65,8 @@ class Stop:
 
 
 class Bench:
-    """Where one thread makes runs; not to be used by several at once. Its memory serves one call after the other."""
+    """Memory in which one thread makes runs; no two threads may use it at once. Its memory serves one call after the
+    other."""
 
     def __init__(self) -> None:
         self._block = aligned(1)

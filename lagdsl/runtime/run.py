@@ -70,7 +70,7 @@ class Fault:
 
 
 class Run:
-    """Not to be used by several threads at once. What inputs raise is raised by the call that asked for them.
+    """Not to be used by several threads at once. The call that asked for inputs raises their exceptions.
 
     `p` are the parameters, those that are found with the start too. `notes` are what happened: time, kind (one of
     WHAT), number of the clock, relation, contact, reset or `terminate`.
@@ -198,7 +198,7 @@ class Run:
         return self._done(self._library.run_begin(self._run, t, self._state(x)))
 
     def enter(self, t: float, x: Floats) -> Status:
-        """What happens at the start of a motion, and no more."""
+        """Carries out the events at the start of a motion, and no more."""
         moved = self._done(self._library.run_move(self._run, t, self._state(x), 0.0))
         return moved or self._done(self._library.run_enter(self._run))
 
@@ -207,7 +207,7 @@ class Run:
         return self._done(self._library.run_to(self._run, stop, steps))
 
     def jump(self) -> Status:
-        """What inputs bring that jump now."""
+        """Carries out the changes that inputs which jump now cause."""
         return self._done(self._library.run_jump(self._run))
 
     def change(self, model: NativeModel) -> None:
@@ -248,7 +248,7 @@ class Run:
         return self._extreme_memory[:count].copy(), self._extreme_memory[count : 2 * count].copy()
 
     def turns(self) -> Floats:
-        """How often every number of the state turned around."""
+        """Number of reversals of every number of the state."""
         first = 2 * self._extremes.count
         return self._extreme_memory[first : first + self.size].copy()
 

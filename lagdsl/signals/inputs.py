@@ -74,7 +74,7 @@ def signals(
 
 
 def given_inputs(flat: FlatModel, inputs: Mapping[str, Signal]) -> list[bool]:
-    """Which inputs of the model these signals tell; all others have their defaults."""
+    """Flags of the inputs that these signals determine; all others have their defaults."""
     return [_source(item.name, inputs)[0] is not None for item in flat.inputs]
 
 
@@ -90,7 +90,7 @@ def _source(name: str, inputs: Mapping[str, Signal]) -> tuple[str | None, int]:
 
 
 def _derivatives_left(name: str, names: list[str], inputs: Mapping[str, Signal]) -> int:
-    """How many further derivatives the same signal has to give."""
+    """Number of further derivatives that the same signal must provide."""
     count = 0
     while (name := f"der({name})") in names and name not in inputs:
         count += 1

@@ -41,7 +41,7 @@ class Column:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InvariantRecord:
-    """How well a claimed invariant held: its value at the start, the largest drift from it, and what was allowed."""
+    """Drift of a declared invariant: its value at the start, the largest drift from it, and the permitted drift."""
 
     name: str
     start: float
@@ -147,7 +147,7 @@ class Trajectory:
         try:
             import pandas as pd
         except ModuleNotFoundError as missing:
-            raise ModuleNotFoundError(f"data frames need pandas: pip install 'lagdsl[table]' ({missing})") from missing
+            raise ModuleNotFoundError(f"data frames need pandas: pip install pandas ({missing})") from missing
         return pd.DataFrame({column.name: column.values for column in self.columns})
 
     def crossings(self, name: str, level: float = 0.0, *, direction: int = 0) -> Floats:

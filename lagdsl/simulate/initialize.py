@@ -55,9 +55,9 @@ def initial_state(
 ) -> InitialState:
     """The state nearest to the starts that satisfies constraints, fixed values and initial equations.
 
-    `p` are the independent parameters (default: the model's), `u` the inputs at the start, `start` further start
-    values by name in SI units, also `der(theta)`. What is wrong or was moved is reported to `sink`; without one,
-    errors raise CompilationFailed.
+    `p` are the independent parameters (default: the model's), `u` the inputs at the start, `start` further start values
+    by name in SI units, also `der(theta)`. Reports errors and moved starts to `sink`; without one, errors raise
+    CompilationFailed.
     """
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else p

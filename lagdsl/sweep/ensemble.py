@@ -88,7 +88,7 @@ class Ensemble:
         return None if sink.diagnostics else p
 
     def _settings(self, tasks: Sequence[Task], p: Floats) -> EnsembleSettings | None:
-        """What C is told; None where each tells by itself what is wrong with its options or what it finds."""
+        """Settings for C; None if each run must report errors of its options or diagnostics by itself."""
         if any(p.free and (p.minimum, p.maximum) != (None, None) for p in self._flat.parameters):
             return None
         flat, engine, options = self._flat, self._engine, self._options

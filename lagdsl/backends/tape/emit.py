@@ -36,7 +36,7 @@ SIZES: Final = (
 )
 _ROWS: Final = SIZES[-7:-1]
 
-# What may be there beside the functions of one state, and the functions of each part.
+# Optional parts beside the functions of one state, and the functions of each part.
 PARTS: Final = ("tangents", "parameter_tangents")
 ALONG: Final = ("residual", "acceleration", "state_derivative", "output")
 
@@ -135,7 +135,7 @@ def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[l
 
 
 def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
-    """What `roots` are computed from, as far as what is in the row."""
+    """Nodes from which `roots` are computed, down to those that are in the row already."""
     given = frozenset(np.flatnonzero(settled.place >= 0).tolist())
     return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
 

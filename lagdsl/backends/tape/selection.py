@@ -149,7 +149,7 @@ def _turns(op: Ints, operands: Ints, turned: Flags, computed: Flags) -> tuple[Tu
 
 
 def _levels(operands: Ints, turned: Flags, computed: Flags, angles: Ints) -> Ints:
-    """How many sines are one inside the other in each of `angles`."""
+    """Depth of nested sines in each of `angles`."""
     columns = operands.tolist()
     wanted = set[int]()
     stack: list[int] = angles.tolist()

@@ -137,7 +137,7 @@ def _require_packages(output: Path | None, scheduler: str | None) -> None:
     from importlib.util import find_spec
 
     if find_spec("xarray") is None or (scheduler is not None and find_spec("distributed") is None):
-        raise click.UsageError("sweeps need more packages: pip install 'lagdsl[sweep]'")
+        raise click.UsageError("sweeps need more packages: pip install xarray 'dask[distributed]' pyarrow pandas")
     from lagdsl.sweep.dataset import require_writer
 
     if output is not None:
@@ -248,7 +248,7 @@ def _summary(data: xarray.Dataset, plan: Plan) -> str:
 
 
 def _tell_failures(data: xarray.Dataset, plan: Plan) -> int:
-    """How many runs failed; that, the most frequent reasons and where each was met first go to standard error."""
+    """Number of failed runs. Writes it to standard error, with the most frequent reasons and the first run of each."""
     from lagdsl.sweep.dataset import MESSAGE, STATUS, about_runs
     from lagdsl.sweep.plan import place
 

@@ -15,11 +15,11 @@ ROWS: dict[str, Row] = {
     ),
     "E0904": error(
         "FMUs need the package `{package}`, which is not installed",
-        help="install it: pip install 'lagdsl[fmi]'",
+        help="install it: `pip install {package}`",
     ),
     "E0905": error(
         "no compiler for the platform {platform} was found",
-        help="`pip install ziglang` brings one for every platform: pip install 'lagdsl[fmi]'",
+        help="`pip install ziglang` brings one for every platform",
     ),
     "E0906": error(
         "the C compiler `{compiler}` failed for the platform {platform}",

@@ -23,12 +23,12 @@ class Accelerations:
         self, program: Program, influences: Influences, first: int, zeros: frozenset[int], *, pulled: bool
     ) -> None:
         """`first` is the bit of the first unknown; the others follow. `zeros` are elements of M and J that vanish."""
-        self._program, self._found, self._first, self._pulled = program, influences, first, pulled
+        self._program, self._found, self._first = program, influences, first
         self._zeros = zeros | {program.graph.zero}
         layout = program.layout
         self.n, self.m = len(layout.coordinates), len(layout.constraints)
         self._mask = ((1 << (self.n + self.m)) - 1) << first
-        self._equations = [self._equation(e) for e in range(self.n + self.m)]
+        self._equations = [self._equation(e, pulled) for e in range(self.n + self.m)]
         self._occurring = [[bit - first for bit in bits_of(e[0] & self._mask)] for e in self._equations]
         self.solved = self._solve()
 
@@ -41,7 +41,7 @@ class Accelerations:
 
     # ---- the equations -----------------------------------------------------------------------------------------------
 
-    def _equation(self, number: int) -> Influence:
+    def _equation(self, number: int, pulled: bool) -> Influence:
         """Of one equation: as it is evaluated, and no more than the matrices that it is made of allow."""
         program, found = self._program, self._found
         motion, rows = program.function("residual").results
@@ -49,7 +49,7 @@ class Accelerations:
         if program.has("dynamics"):
             other = self._formed(number)
             own = (own[0] & other[0], own[1] & other[1], own[2] & other[2], own[3] & other[3])
-        if number >= self.n and self._pulled:
+        if number >= self.n and pulled:
             for function in ("position_constraint", "velocity_constraint"):
                 own = union(own, found[program.function(function).results[0].elements[number - self.n]])
         return own
@@ -157,7 +157,7 @@ def bits_of(number: int) -> Iterator[int]:
 
 
 def _completed(match: list[int], size: int) -> list[int]:
-    """What found no partner gets one that is left: of a system that is singular nothing can be said."""
+    """An unknown without a partner gets a free one: the system is singular, and any choice will do."""
     free = iter(sorted(set(range(size)) - set(match)))
     return [next(free) if unknown < 0 else unknown for unknown in match]
 

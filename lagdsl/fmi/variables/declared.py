@@ -124,7 +124,7 @@ def contacts(flat: FlatModel) -> Iterator[Scalar]:
 def _computed(
     item: Definition | Output, role: Role, index: int, causality: Causality, variability: Variability
 ) -> Scalar:
-    """A value that nobody sets. What is no Real changes at instants only."""
+    """A computed variable. Variables of other types than Real change at events only."""
     if item.base != "Real" and variability == "continuous":
         variability = "discrete"
     attributes = replace(attributes_of(item, role), causality=causality, variability=variability)

@@ -150,8 +150,8 @@ class _Search:
     # ---- until initialization ends -----------------------------------------------------------------------------------
 
     def _starts(self) -> dict[Entry, Influence]:
-        """What the start values of the states follow from. Where constraints or initial equations move them, each of
-        those that take part depends on all that any of these reads."""
+        """Dependencies of the start values of the states. If constraints or initial equations move them, each of these
+        depends on everything that any of them reads."""
         blocks = self._program.function("start").results[:3]
         nodes = [node for block in blocks for node in block.elements]
         starts = {(Role.STATE, index): self._influences[node] for index, node in enumerate(nodes)}

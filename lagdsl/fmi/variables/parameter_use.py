@@ -1,4 +1,4 @@
-"""Which parameters functions of a program read."""
+"""Parameters that the functions of a program read."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from lagdsl.graph.operation import Group, Op
 from lagdsl.program.program import Function, Program
 
-# What is evaluated when a motion begins, and what only tells values.
+# Functions that are no part of the equations of motion: evaluated at the start, or for quantities with names.
 _BESIDE = (
     "start",
     "start_tangent",

@@ -25,7 +25,7 @@ Cell: TypeAlias = "tuple[Symbol, Indices]"
 
 
 class Merges:
-    """Which elements of coordinates are one; `symbols` are those of the model in order."""
+    """Merges elements of coordinates that are equal; `symbols` are those of the model in order."""
 
     def __init__(self, ctx: Context, symbols: Sequence[Symbol]) -> None:
         self._ctx = ctx

@@ -74,7 +74,7 @@ def check_duplicates(ctx: Context, modifiers: Iterable[nodes.AnyModifier]) -> No
             whole[name] = modifier.span
 
 
-# What a modifier gives a value to: the names on the way, each with its subscripts as written.
+# Target of a modifier: the names on the way, each with its subscripts as written.
 Place: TypeAlias = "tuple[tuple[str, str], ...]"
 
 

@@ -1,4 +1,4 @@
-"""Which model of a file is meant: by name, else the last non-partial one that nothing else in the file uses."""
+"""Selects the model of a file: by name, else the last non-partial one that nothing else in the file uses."""
 
 from __future__ import annotations
 

@@ -327,7 +327,7 @@ def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: S
 
 @record()
 class Located:
-    """Where a relation stands that is located, and the dimension of its sides."""
+    """Span of a relation that is located, and the dimension of its sides."""
 
     ctx: Context
     spans: Spans

@@ -128,7 +128,7 @@ def _within(item: nodes.Import, name: str) -> Span:
 
 
 def root_of(scope: Scope) -> Root:
-    """Where the names of imports begin."""
+    """Origin of the names of imports."""
     return next(step.outside.root for step in scope.chain() if step.outside.root is not None)
 
 

@@ -133,7 +133,7 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
 
 
 def _declared(symbol: Symbol, modifier: nodes.Modifier) -> tuple[Label, ...]:
-    """Where the quantity is declared, for a modifier that stands elsewhere."""
+    """Label at the declaration of the quantity, for a modifier elsewhere."""
     if symbol.declarator is None or modifier in symbol.declarator.modifiers:
         return ()
     return (Label(symbol.span, f"`{symbol.short}` is declared here as {symbol.title}"),)

@@ -12,7 +12,7 @@
 
 #include "lag/equations/motion.h"
 
-/* What stands in the way. */
+/* Faults of a start. */
 typedef enum lag_initial_fault {
     LAG_INITIAL_NONE,
     LAG_INITIAL_NUMBERS,   /* a start value, or a row at the start values, is no number; `which`: entry of (q, qd, z), then of rows */

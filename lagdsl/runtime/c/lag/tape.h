@@ -51,7 +51,7 @@ typedef enum lag_tape_section {
     LAG_TAPE_SECTIONS
 } lag_tape_section;
 
-/* What LAG_TAPE_SIZES holds, in this order: members of lag_model but for the last ones. */
+/* Entries of LAG_TAPE_SIZES, in this order: members of lag_model except the last ones. */
 typedef enum lag_tape_size {
     LAG_TAPE_NQ,
     LAG_TAPE_NZ,
@@ -108,7 +108,7 @@ const lag_states *lag_tape_states(const lag_model *model);
 /* Its functions of several directions at once, of states and inputs or of parameters; null where the tape has none. */
 const lag_tangents *lag_tape_tangents(const lag_model *model, int parameters);
 
-/* Where the motion of such a model starts; null where its tape does not say. */
+/* Start of the motion of such a model; null if its tape does not contain one. */
 const lag_start *lag_tape_start(const lag_model *model);
 
 #endif

@@ -46,7 +46,7 @@ static size_t doubles(const lag_fmu *fmu)
            lag_derivatives_memory(fmu->model) + 1;
 }
 
-/* Which `terminate` it was. */
+/* Remembers which `terminate` acted. */
 static lag_status hear(void *context, lag_run *run, const lag_event_notice *notice)
 {
     lag_instance *instance = context;

@@ -7,7 +7,7 @@
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
 
-/* Whether everything that the start depends on is as it was when the model was exported. */
+/* True if every value that the start depends on is as it was at export. */
 static int as_exported(const lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;

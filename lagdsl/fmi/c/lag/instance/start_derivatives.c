@@ -1,6 +1,6 @@
 /*
- * How the start changes where constraints or initial equations decide about it: it is the end of a search, so it is searched again beside
- * the present values; central differences of tenth order.
+ * Derivatives of a start that constraints or initial equations determine. The start is the result of a search, so the search
+ * is repeated beside the present values: central differences of tenth order.
  */
 #include "lag/instance/instance_internal.h"
 

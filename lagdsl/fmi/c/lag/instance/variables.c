@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What FMI has room for. */
+/* Largest value of the Integer type of FMI. */
 static const double MOST_INTEGER = 2147483647.0;
 
 /* The array that a variable is in, as it is known now; null: its role has none. */
@@ -43,7 +43,7 @@ static const double *array_of(const lag_instance *instance, lag_role role)
     return NULL;
 }
 
-/* What must be known before it can be read; 0: the state is enough. */
+/* Values that must be known before this role can be read; 0 if the state is enough. */
 static unsigned needed(lag_role role)
 {
     switch (role) {

@@ -8,7 +8,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
-/* Where residuals are no larger than this, as a part of the rows' sizes, nothing is moved. */
+/* Up to this residual, as a part of the rows' sizes, the start values are not moved. */
 static const double THERE = 1e-15;
 
 static size_t larger(size_t a, size_t b)
@@ -43,7 +43,7 @@ size_t lag_initialization_q_memory(const lag_model *model)
     return 2 * n + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
 }
 
-/* Whether initial equations decide the coordinates of a row. */
+/* True if initial equations determine coordinates of a row. */
 static int is_joined(const lag_initialization *b, size_t row)
 {
     const size_t n = b->motion->model->nq;

@@ -68,7 +68,7 @@ static int rows_at(const branch_point *it, const double *point)
     return lag_finite(model->nc, s->left) && lag_finite(model->nc * (n + 1), s->wide);
 }
 
-/* Which combinations of rows vanish, and which directions the others leave free; 0: too many do. */
+/* Finds the combinations of rows that vanish and the directions that the others leave free; 0 if too many vanish. */
 static int take_apart(branch_point *it)
 {
     lag_singular *s = it->s;

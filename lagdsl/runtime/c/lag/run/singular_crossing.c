@@ -213,7 +213,7 @@ static size_t seen_before(lag_singular *s, size_t which, const double *jacobian)
     return kept;
 }
 
-/* How far J has turned since `before`: 1 not at all, 0 where a direction is lost, negative where one has changed its sign. */
+/* Turn of J since `before`: 1 for none, 0 if a direction is lost, negative if one has changed its sign. */
 static double turn_since(lag_singular *s, const double *jacobian)
 {
     double least = (double)INFINITY;
@@ -326,7 +326,7 @@ static int goes_across(lag_singular *s, double t, const double *x, double distan
     return lag_fit_across(s, t, x, distance, limit, length) && lag_singular_margin(s, t + *length, s->end, s->now) > LOST;
 }
 
-/* Whether branches can still be told apart. Where none meet rates run away; that shows by itself. */
+/* True if branches can still be distinguished. If no branches meet, rates grow without bound, which the step control detects. */
 static int decided(lag_singular *s, double margin, double t, const double *x, double step)
 {
     const lag_stepper *stepper = &s->run->stepper;

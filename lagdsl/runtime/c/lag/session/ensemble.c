@@ -18,7 +18,7 @@ typedef struct keeper {
     double *rows;             /* (count, lag_ensemble_width()) */
 } keeper;
 
-/* What one thread works in. */
+/* Memory of one thread. */
 typedef struct bench {
     lag_run_options options;
     lag_results results;
@@ -138,7 +138,7 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
     double *rows = lag_take(&memory, ROWS * lag_results_width(model));
     double *angle = lag_take(&memory, model->ny);
     double *row_sizes = lag_take(&memory, model->nc);
-    unsigned char *dependent = (unsigned char *)(void *)lag_take(&memory, model->nc);
+    unsigned char *dependent = lag_take_flags(&memory, model->nc);
     double *x = lag_take(&memory, size);
     lag_fill(model->ny, (double)NAN, angle);
     lag_fill(model->nc, 1.0, row_sizes);

@@ -214,7 +214,7 @@ static int rows_agree(const lag_tape_parts *parts)
            below(parts, LAG_TAPE_RESET_PLACES, 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]);
 }
 
-/* Those that every model has, and those that what it has asks for. */
+/* True if all functions are there that every model has, and those that this model requires. */
 static int functions_there(const lag_tape_parts *parts)
 {
     const uint32_t *n = parts->size;
