@@ -12,6 +12,7 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Found, Run
 from lagdsl.runtime.structures import InitialFault
+from lagdsl.simulate.contradictions import report_contradiction
 from lagdsl.structure.names import Located, configuration, located, place, seat, unit_suffix
 
 # Residuals, as a part of the row's size, above which a constraint is said to be left over (LAG_HOLDS).
@@ -21,7 +22,10 @@ _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", 
 
 
 def report_no_start(flat: FlatModel, layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
-    """E0801, E0802, E0803, E0815, E0816, E0831 or E0837, if there is no start."""
+    """E0801, E0802, E0803, E0815, E0816, E0831, E0837 or E0839, if there is no start."""
+    unmet = found.fault in (InitialFault.POSITIONS, InitialFault.RATES, InitialFault.EQUATIONS)
+    if unmet and flat.initial_equations and report_contradiction(flat, layout, run, t, found, sink):
+        return
     match found.fault:
         case InitialFault.NONE:
             return
@@ -139,6 +143,11 @@ def _report_overdetermined(flat: FlatModel, found: Found, sink: Sink) -> None:
         "E0801",
         Label(spans[-1], _ordinal(len(fixed), fixed[-1])) if spans else None,
         *(Label(span, "fixed as well") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]),
+        *(
+            Label(span, "holds at the start")
+            for span in dict.fromkeys(map(place_of, flat.initial_equations))
+            if span
+        ),
         notes=(f"the mechanism has {degrees}, {can}; fixed are {', '.join(shown)}{more}",),
         excess=found.excess,
     )

@@ -16,6 +16,8 @@ import lagdsl
 from lagdsl.backends.c.emit import stem_of
 from lagdsl.backends.registry import BACKENDS
 from lagdsl.cli.commands.build import command
+from lagdsl.pipeline import check
+from lagdsl.source import SourceFile
 
 TAKEN_BY_PYTHON = (
     *("math", "random", "string", "types", "typing", "collections", "ast", "numpy", "test", "Enum", "ABC", "site"),
@@ -77,7 +79,9 @@ def test_members_have_any_name(tmp_path: Path) -> None:
     model = lagdsl.compile(text)
     total = len(_MEMBERS) * (len(_MEMBERS) + 1) / 2
     np.testing.assert_allclose(model.forward_dynamics(0.0, [0, 0, 0], [0, 0, 0]), total * np.arange(1, 4))
-    program = model.program
+    compilation = check(SourceFile("Names.lag", text))[1]
+    assert compilation is not None
+    program = compilation.program
     (module,) = BACKENDS["numpy"].emit(program).files.values()
     ast.parse(module)
     (tmp_path / "lag").mkdir()

@@ -146,3 +146,15 @@ def test_members_of_arrays_of_components(output: str, expected: list[float]) -> 
 )
 def test_members_that_are_not_there(text: str, code: str) -> None:
     assert set(errors(f"{WHEELS} {text} end M;")) == {code}
+
+
+def test_empty_parentheses_modify_nothing() -> None:
+    """As in Modelica: `Weld j();`."""
+    text = """
+    model Slider parameter Real k() = 1; coordinate Length x(start() = 1 m); kinetic 1/2*k*(1 kg)*der(x)^2; end Slider;
+    model Other = Slider();
+    model M extends Slider(); Other s(x()), t(); end M;
+    """
+    flat, sink = run(text, model="M")
+    assert flat is not None and not sink.has_errors
+    assert [c.name for c in flat.coordinates] == ["x", "s.x", "t.x"]
