@@ -75,6 +75,9 @@ class Input(Quantity):
     default: FlatExpression
     smooth: int = 0
     derivative_of: str | None = None
+    nominal: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
 
 
 @record(kw_only=True)
@@ -96,6 +99,9 @@ class Output(Quantity):
     value: FlatExpression
     joint: str | None = None
     turning: bool = False
+    nominal: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
 
 
 @record(kw_only=True)

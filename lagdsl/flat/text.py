@@ -42,7 +42,7 @@ def flat_text(flat: fm.FlatModel) -> str:
     lines += _section("inputs", [_input(item) for item in flat.inputs])
     lines += _section("parameters", [_parameter(parameter) for parameter in flat.parameters])
     lines += _section("definitions", [_named(item) for item in flat.named])
-    lines += _section("outputs", [_quantity(output, text_of(output.value)) for output in flat.outputs])
+    lines += _section("outputs", [_output(output) for output in flat.outputs])
     for title, found in event_sections(flat.events):
         lines += _section(title, [_Line(text, source) for text, source in found])
     lines += _section("invariants", [_invariant(invariant) for invariant in flat.invariants])
@@ -160,8 +160,15 @@ def _state(state: fm.State) -> _Line:
 
 def _input(item: fm.Input) -> _Line:
     smooth = f", smooth = {item.smooth}" if item.smooth else ""
-    text = f"{item.type_name} {item.name} [{item.unit}], default = {text_of(item.default)}{smooth}{_doc(item.doc)}"
+    limits = "".join(f", {bound}" for bound in _bounds(item.minimum, item.maximum, item.nominal))
+    default = f"default = {text_of(item.default)}{smooth}{limits}"
+    text = f"{item.type_name} {item.name} [{item.unit}], {default}{_doc(item.doc)}"
     return _Line(text, item)
+
+
+def _output(item: fm.Output) -> _Line:
+    limits = "".join(f", {bound}" for bound in _bounds(item.minimum, item.maximum, item.nominal))
+    return _quantity(item, f"{text_of(item.value)}{limits}")
 
 
 def _parameter(parameter: fm.Parameter) -> _Line:

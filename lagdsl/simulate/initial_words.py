@@ -143,11 +143,7 @@ def _report_overdetermined(flat: FlatModel, found: Found, sink: Sink) -> None:
         "E0801",
         Label(spans[-1], _ordinal(len(fixed), fixed[-1])) if spans else None,
         *(Label(span, "fixed as well") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]),
-        *(
-            Label(span, "holds at the start")
-            for span in dict.fromkeys(map(place_of, flat.initial_equations))
-            if span
-        ),
+        *(Label(span, "holds at the start") for span in dict.fromkeys(map(place_of, flat.initial_equations)) if span),
         notes=(f"the mechanism has {degrees}, {can}; fixed are {', '.join(shown)}{more}",),
         excess=found.excess,
     )
