@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.numerics.rank import Floats
 from lagdsl.signals.moved import MovedRow
 from lagdsl.structure.display import Display
@@ -132,8 +132,7 @@ class Trajectory:
         for column in self.columns:
             if column.name == name:
                 return column
-        likely = nearest(name, self.names) if isinstance(name, str) else None
-        hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(self.names)}"
+        hint = did_you_mean(str(name), self.names, f"there are {', '.join(self.names)}")
         raise KeyError(f"no column `{name}`; {hint}")
 
     def __getitem__(self, name: str) -> Floats:

@@ -19,9 +19,10 @@ from lagdsl.numerics.levenberg_marquardt import descend
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.record import record
-from lagdsl.runtime.run import Found, Run
+from lagdsl.runtime.run_view import Found, RunView
 from lagdsl.source import Span
 from lagdsl.structure.names import grammatical_subject, located, place
+from lagdsl.structure.points import natural_sizes
 
 # Residuals, as a part of the row's size, below which a condition counts as met.
 _HOLDS = 1e-7
@@ -45,7 +46,7 @@ class _Condition:
     label: str
 
 
-def report_contradiction(flat: FlatModel, layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> bool:
+def report_contradiction(flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> bool:
     """E0839 that names initial equations, fixed starts and constraints that contradict each other; False if there are
     no such, or the model is too large to look for them."""
     conditions = _conditions(flat, layout)
@@ -113,10 +114,13 @@ def _conditions(flat: FlatModel, layout: Layout) -> list[_Condition]:
 class _System:
     """All rows at a state: phi (nc,), J qd + b (nc,), differences from the starts (2 nq + nz,), equations (ne,)."""
 
-    def __init__(self, flat: FlatModel, layout: Layout, run: Run, t: float, found: Found) -> None:
+    def __init__(self, flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found) -> None:
         self._counts = (len(flat.coordinates), len(layout.constraints), len(flat.initial_equations))
         self._run, self._t, self._found = run, t, found
-        self._sizes = run.settings.natural
+        n = len(flat.coordinates)
+        sizes = natural_sizes(flat.coordinates, layout.components, found.starts[:n])
+        states = [state.nominal or 1.0 for state in flat.states]
+        self._sizes = np.concatenate([sizes, sizes, np.array(states, dtype=np.float64)])
         self._beginnings = [found.x, found.starts]
         generator = np.random.default_rng(20011)
         for _ in range(_TRIES):

@@ -110,7 +110,6 @@ def _motion(
 ) -> tuple[Trajectory, Floats]:
     """With rows at `times`; and how often every number of the state turns around."""
     flat, engine, given, t0 = asked.flat, asked.engine, asked.signals, float(times[0])
-    course = given.at(t0) if given.constant else lambda t, before: given.at(t, before=before)
     with np.errstate(all="ignore"), warnings.catch_warnings():
         # Checks of the values detect those that are not numbers.
         warnings.simplefilter("ignore", RuntimeWarning)
@@ -118,7 +117,7 @@ def _motion(
             flat,
             engine,
             asked.p,
-            course,
+            given.course(t0),
             t0=t0,
             times=times,
             tolerance=asked.tolerance,
@@ -128,7 +127,7 @@ def _motion(
         initial = find_start(flat, engine, run, t0, given.at(t0), asked.start, sink)
         sink.raise_if_errors()
         task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress)
-        return Motion(task).trajectory(), run.turns()
+        return Motion(task).trajectory(), run.results.turns(run.size)
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:

@@ -110,6 +110,18 @@ def test_targets_of_make_exist() -> None:
     assert sorted(named - targets) == []
 
 
+def test_floors_of_the_architecture_are_the_packages() -> None:
+    rows = re.findall(r"^\| (`[^|]+) \|", (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8"), re.MULTILINE)
+    named = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
+    floors = {
+        path.stem for path in (ROOT / "lagdsl").iterdir() if path.suffix in ("", ".py") and path.name[0] not in "_."
+    }
+    rooms = {
+        p.name for folder in ("semantics", "runtime/c/lag") for p in (ROOT / "lagdsl" / folder).iterdir() if p.is_dir()
+    }
+    assert sorted((floors | rooms) - named - {"__pycache__"}) == []
+
+
 def test_codes_of_diagnostics_exist() -> None:
     named = {found for page in pages() for found in re.findall(r"\b[ENW]0\d{3}\b", page.read_text(encoding="utf-8"))}
     assert sorted(named - set(ROWS)) == []

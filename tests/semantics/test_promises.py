@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import time
 
+import numpy as np
 import pytest
 from choice import chosen
 from flattening import run
 
+from lagdsl.diagnostics import Sink
 from lagdsl.flat.evaluate import Evaluator, Values
 from lagdsl.semantics.wellformed.check import check as check_physics
 from lagdsl.signals.inputs import signals

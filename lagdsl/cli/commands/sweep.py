@@ -15,7 +15,7 @@ from lagdsl.cli.output import Unwritable, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, INTERRUPTED, USAGE
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, compile_flat, flatten_file
 from lagdsl.runtime.engines.engine import EngineName
@@ -222,8 +222,7 @@ def _columns(names: tuple[str, ...], subjects: list[SweptModel]) -> tuple[str, .
         known |= dict.fromkeys([*coordinates, *rates, *(slot.name for slot in (*layout.states, *layout.outputs))])
     for name in names:
         if name not in known:
-            likely = nearest(name, known)
-            hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(known)}"
+            hint = did_you_mean(name, known, f"there are {', '.join(known)}")
             raise click.UsageError(f"there is no column `{name}`; {hint}")
     return names or None
 

@@ -33,11 +33,6 @@ ROWS: dict[str, Row] = {
         "the finished FMU does not run, so it was not written: {reason}",
         help="check that `lag run` works from the same start values",
     ),
-    "E0909": error(
-        "an FMU cannot solve for the free parameter `{name}`",
-        label="lagdsl solves for it at initialization",
-        help="read its value from `lag run`, and write `{name} = ...` instead of `fixed = false`",
-    ),
     "N0910": note(
         "the files and constants of `{name}` are named `{stem}`: {reason}",
         help="rename the model to have files of its name",

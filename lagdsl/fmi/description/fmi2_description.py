@@ -36,7 +36,7 @@ def fmi2_description(table: Table, *, identifier: str, source_files: Sequence[st
         description=table.flat.doc,
         generationTool=f"lagdsl {__version__}",
         variableNamingConvention="structured",
-        numberOfEventIndicators=indicator_count(table.flat),
+        numberOfEventIndicators=indicator_count(table.flat, table.program),
     )
     _interfaces(root, table, identifier, source_files)
     types = named_types(table)
