@@ -21,10 +21,13 @@ _MOST_JOINTS = 6
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
 
-def report_no_start(flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> None:
-    """E0801, E0802, E0803, E0815, E0816, E0831, E0837, E0838 or E0839, if there is no start."""
+def report_no_start(
+    flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink, *, searched: bool = True
+) -> None:
+    """E0801, E0802, E0803, E0815, E0816, E0831, E0837, E0838 or E0839, if there is no start; the last one only if it is
+    `searched` for."""
     unmet = found.fault in (InitialFault.POSITIONS, InitialFault.RATES, InitialFault.EQUATIONS)
-    if unmet and flat.initial_equations and report_contradiction(flat, layout, run, t, found, sink):
+    if searched and unmet and flat.initial_equations and report_contradiction(flat, layout, run, t, found, sink):
         return
     match found.fault:
         case InitialFault.NONE:
