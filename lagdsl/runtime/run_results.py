@@ -1,4 +1,4 @@
-"""What a run of the C runtime tells along its way: rows, notes, extremes and the drift of invariants."""
+"""Results of a run of the C runtime along its way: rows, notes, extremes and the drift of invariants."""
 
 from __future__ import annotations
 
@@ -70,6 +70,6 @@ class RunResults:
         return self._extreme_memory[:count].copy(), self._extreme_memory[count : 2 * count].copy()
 
     def turns(self, size: int) -> Floats:
-        """How often every number of the state, which has so many, turned around."""
+        """Number of reversals of every number of a state of this size."""
         first = 2 * self._extremes.count
         return self._extreme_memory[first : first + size].copy()

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import FlatModel
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
 from lagdsl.signals.moved import MovedRow
 from lagdsl.signals.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
-from lagdsl.structure.display import Display, display, display_rate
 
 
 def trajectory(

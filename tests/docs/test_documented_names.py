@@ -31,7 +31,10 @@ IN_THE_GENERATED_LIST = {"TwoPort", "AxisJoint"}
 def pages() -> list[Path]:
     """Pages that a person wrote; decisions speak of their time."""
     own = [ROOT / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md")]
-    return own + [page for page in sorted((ROOT / "docs").rglob("*.md")) if page.parent.name != "adr"]
+    lines = (ROOT / ".gitignore").read_text(encoding="utf-8").splitlines()
+    generated = tuple(line[1:] for line in lines if line.startswith("/docs/"))
+    written = [p for p in sorted((ROOT / "docs").rglob("*.md")) if p.parent.name != "adr"]
+    return own + [page for page in written if not page.relative_to(ROOT).as_posix().startswith(generated)]
 
 
 def commands() -> dict[str, click.Command]:

@@ -130,7 +130,10 @@ static size_t find_pulling(const lag_contacts *contacts, size_t closed)
     return worst;
 }
 
-/* Takes the worst out of the closed contacts in `part` until none pulls; so many are left. Those that opened come behind them. */
+/*
+ * Takes the worst out of the closed contacts in `part` until none pulls; so many are left. Candidates that opened come
+ * behind them.
+ */
 static size_t open_those_that_pull(lag_contacts *contacts, double t, const double *x, size_t closed)
 {
     while (closed > 0) {

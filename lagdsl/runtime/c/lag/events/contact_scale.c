@@ -148,8 +148,8 @@ static lag_status find_forces(lag_contacts *contacts, const double *x)
 }
 
 /*
- * Where contacts touch, what acts on one coordinate acts on the other: magnitudes of forces are handed on along them. Those of bodies on
- * which nothing acts but their neighbours have a scale, too.
+ * A contact that touches passes forces from one coordinate to the other, so magnitudes of forces spread along contacts.
+ * Contacts between bodies on which only their neighbours act then have a scale, too.
  */
 static void hand_on(lag_contacts *contacts)
 {
