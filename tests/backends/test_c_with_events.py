@@ -80,7 +80,7 @@ Row = dict[str, float]
 
 @dataclass(frozen=True)
 class Ran:
-    """What the example printed: rows, events as (time, kind, name), the error output."""
+    """Output of the example: rows, events as (time, kind, name), the error output."""
 
     code: int
     rows: list[Row]

@@ -68,6 +68,13 @@ def test_commands_and_their_options_exist() -> None:
     assert wrong == []
 
 
+def test_the_example_of_the_readme_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "models").symlink_to(ROOT / "models")
+    monkeypatch.chdir(tmp_path)
+    [text] = re.findall(r"^```python\n(.*?)^```", (ROOT / "README.md").read_text("utf-8"), re.DOTALL | re.MULTILINE)
+    exec(compile(text, "README.md", "exec"), {})
+
+
 def test_extras_exist_and_are_installed_from_the_sources() -> None:
     """No index has a package lagdsl: documents and messages install the folder, or the packages that are missing."""
     known = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
@@ -146,3 +153,5 @@ def test_every_class_has_a_doc_string(folder: Path) -> None:
 
 def test_every_command_says_what_it_does() -> None:
     assert [name for name, command in commands().items() if not command.help] == []
+    options = [(name, p) for name, command in commands().items() for p in command.params if isinstance(p, click.Option)]
+    assert [(name, option.opts) for name, option in options if not option.help] == []

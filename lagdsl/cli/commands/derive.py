@@ -22,7 +22,7 @@ _ENDINGS: dict[str, Form] = {".txt": "text", ".md": "markdown", ".tex": "latex",
     "--to",
     "form",
     type=click.Choice(["text", "markdown", "latex", "html"]),
-    help="Form of the result; default: what the ending of the file says, else text.",
+    help="Form of the result; default: that of the file name, else text.",
 )
 @click.option("-o", "--output", type=PATH, help="Write to this .txt, .md, .tex or .html instead.")
 def command(file: Path, model: str | None, style: Format, form: Form | None, output: Path | None) -> None:

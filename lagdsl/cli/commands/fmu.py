@@ -42,7 +42,7 @@ from lagdsl.settings.settings import split
 @takes_settings
 @takes_engine
 @click.option("--with-source", is_flag=True, help="Put the text of the model into the FMU.")
-@click.option("-o", "--output", type=PATH, metavar="F.fmu", help="Default: MODEL.fmu, here.")
+@click.option("-o", "--output", type=PATH, metavar="F.fmu", help="Name of the file; default: MODEL.fmu in this folder.")
 def command(
     file: Path,
     model: str | None,
