@@ -7,11 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 from lagdsl.diagnostics import CompilationFailed
 
-ENGINES = ("tape", "c", "numpy")
+ENGINES = engines(("tape", "c", "numpy"))
 G = 9.80665
 
 CLOCK = """
