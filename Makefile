@@ -36,8 +36,8 @@ lint: $(READY)
 # The jobs of this make are none of those that tests start.
 ALONE := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 
-# Files and groups of tests, in the order of their names: many small ones come last, so that all processes end at about the same time.
-SPREAD := -n auto --dist loadgroup --no-loadscope-reorder
+# Tests of a file share what they compile. In the order of their names many small ones come last: all processes end together.
+SPREAD := -n auto --dist loadfile --no-loadscope-reorder
 
 test: shell-objects  ## the tests, with one of each kind where they repeat a rule
 	$(ALONE) $(BIN)/python -m pytest $(SPREAD)

@@ -16,15 +16,10 @@ ROOT = Path(__file__).parents[1]
 UNTRACED = ("attack", "benchmarks", "fuzz", "models", "oracle", "packaging", "physics", "properties")
 
 
-@pytest.hookimpl(tryfirst=True)  # before the processes of a run are told their groups
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Tests of a file run in one process, where they share what they compile; others have a group of their own."""
     for item in items:
-        path = item.path.relative_to(ROOT / "tests")
-        if path.parts[0] in UNTRACED:
+        if item.path.relative_to(ROOT / "tests").parts[0] in UNTRACED:
             item.add_marker(pytest.mark.no_cover)
-        if item.get_closest_marker("xdist_group") is None:
-            item.add_marker(pytest.mark.xdist_group(path.as_posix()))
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ from fmi.exported import EVERY, VERSIONS, exported, in_versions
 from fmi.importing import Floats, Model, exchanged
 
 BOTH = pytest.mark.parametrize("version", VERSIONS)
-MODELS = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in EVERY])
+MODELS = pytest.mark.parametrize("name", EVERY)
 MODELS_IN_VERSIONS = in_versions(chosen(EVERY, EVERY[::2]))
 # Central differences of tenth order: truncation (0.3 h)^10, rounding 2^-52 / h.
 WEIGHTS = np.array([5 / 6, -5 / 21, 5 / 84, -5 / 504, 1 / 1260])

@@ -42,11 +42,8 @@ OF_EACH_KIND = (
 
 
 def over(names: list[str]) -> pytest.MarkDecorator:
-    """The test for each of these models. All tests of a model run in one process, which compiles it once, and so do
-    those of the four-bars, which have one reference."""
-    groups = {name: "four-bars" if name.startswith("four_bar") else name for name in names}
-    marked = [pytest.param(name, marks=pytest.mark.xdist_group(group)) for name, group in groups.items()]
-    return pytest.mark.parametrize("name", marked)
+    """The test for each of these models."""
+    return pytest.mark.parametrize("name", names)
 
 
 EVERY = over(MODELS)
