@@ -7,7 +7,7 @@ PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
 .PHONY: help check check-all lint test test-all coverage test-fast update c-check runtime-objects shell-objects c-runtime c-shells \
-  c-test fmu-check wheels wasm bench peers docs figures
+  c-test fmu-check wheels page page-check bench peers docs figures
 
 # Many processes import the same modules: the first one that does compiles them for all, whatever the environment says.
 export PYTHONDONTWRITEBYTECODE :=
@@ -24,8 +24,9 @@ $(READY): pyproject.toml
 check:  ## what must hold before a merge, in six minutes: style, types, floors, C under sanitizers, tests with one of each kind
 	$(MAKE) --jobs=3 lint c-check test
 
-check-all:  ## everything, in an hour: `check` with all models, all compilers that are installed, threads, valgrind
+check-all:  ## everything, in an hour: `check` with all models, all compilers that are installed, threads, valgrind; the site
 	$(MAKE) --jobs=3 lint c-test test-all
+	$(MAKE) docs
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -83,8 +84,15 @@ wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
 	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.building.platforms); do \
 	LAGDSL_PLATFORM=$$platform $(BIN)/python -m hatchling build --target wheel; done
 
-wasm: $(READY)  ## the runtime for web pages: dist/lag.wasm
-	$(BIN)/python -m lagdsl.runtime.build_wasm dist
+PAGE := lagdsl/page/web
+
+page: $(READY)  ## what living pages carry, from the TypeScript and C sources: needs node
+	cd $(PAGE) && npm ci --silent && npx tsc --noEmit && node build.mjs
+	$(BIN)/python -m lagdsl.runtime.build_wasm $(PAGE)/dist
+
+page-check: $(READY)  ## pages of all models in a real browser: needs node and Chromium
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check playwright
+	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto tests/page
 
 bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed
 	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py

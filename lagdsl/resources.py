@@ -51,6 +51,11 @@ def fmi_folder() -> Path:
     return _PACKAGE / "fmi" / "c"
 
 
+def page_folder() -> Path:
+    """The living page: TypeScript in `src`, the bundle that the page carries in `dist`."""
+    return _PACKAGE / "page" / "web"
+
+
 def sources_in(folder: Path) -> dict[str, Path]:
     """C sources and headers of the runtime or of FMUs, by their paths as sources include them: `lag/model.h`."""
     files = [file for suffix in ("h", "c") for file in (folder / "lag").rglob(f"*.{suffix}")]

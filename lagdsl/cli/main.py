@@ -20,6 +20,7 @@ from lagdsl.version import __version__
 _COMMANDS = {
     "check": "Find all errors of a model.",
     "run": "Simulate a model.",
+    "show": "Show a machine moving, with sliders and equations, on a page.",
     "sweep": "Simulate a model many times, over values of parameters and starts.",
     "linearize": "Show the matrices of the motion about a state.",
     "modes": "Show frequencies, damping, mode shapes, stability and thresholds.",
@@ -54,6 +55,8 @@ class Commands(click.Group):
             from lagdsl.diagnostics.suggest import nearest
 
             likely = nearest(args[0], _COMMANDS)
+            if args[0].endswith(".lag"):
+                ctx.fail(f"the command comes first: lag run {args[0]}")
             ctx.fail(f"no command `{args[0]}`" + (f"; did you mean `{likely}`?" if likely else ""))
         return super().resolve_command(ctx, args)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.analysis.point import Point, System
 from lagdsl.analysis.steady import Steadiness
-from lagdsl.structure.display import Display, display, display_rate
+from lagdsl.flat.display import Display, display, display_rate
 
 _MOST = 12
 

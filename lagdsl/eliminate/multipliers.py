@@ -21,7 +21,7 @@ class Multipliers:
         self.tied: dict[int, dict[int, int]] = {}
 
     def complete_after(self, variable: int) -> Iterator[int]:
-        """Those for whose pivot `variable` was the last that had to be eliminated."""
+        """Multipliers for whose pivot `variable` was the last that had to be eliminated."""
         for multiplier in self._waiting.get(variable, ()):
             self._open[multiplier] -= 1
             if not self._open[multiplier]:

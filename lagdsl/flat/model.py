@@ -70,9 +70,10 @@ class State(Quantity):
 class Input(Quantity):
     """A top-level input. `smooth` is the number of time derivatives the caller provides, as further inputs `der(name)`,
     `der(der(name))` that follow it directly in the list of inputs: items of their own, each with `derivative_of` naming
-    the input whose time derivative it is (the one before it)."""
+    the input whose time derivative it is (the one before it). `stated`: the model states its default."""
 
     default: FlatExpression
+    stated: bool = False
     smooth: int = 0
     derivative_of: str | None = None
 

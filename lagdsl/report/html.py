@@ -12,17 +12,14 @@ from lagdsl.report.broken import Line, lines, sign_and_rest
 from lagdsl.report.document import (
     Block,
     Bullets,
-    Code,
     Document,
     Equation,
     Equations,
     Heading,
     Inline,
-    Math,
     Paragraph,
-    Strong,
     Table,
-    Text,
+    inline,
 )
 from lagdsl.report.html_style import STYLE
 from lagdsl.report.mathml import element, mathml
@@ -50,7 +47,7 @@ def html(document: Document, picture: bytes | None = None) -> str:
 <p class="kicker">Equations of motion</p>
 <h1>{escape(document.title)}</h1>{subtitle}
 </header>
-{_picture(picture, document.title)}{_sections(document.blocks)}
+{_picture(picture, document.title)}{sections(document.blocks)}
 </main>
 </body>
 </html>
@@ -65,7 +62,7 @@ def _picture(picture: bytes | None, title: str) -> str:
     return f'<figure style="margin: 1.2rem 0">{image}</figure>\n'
 
 
-def _sections(blocks: Sequence[Block]) -> str:
+def sections(blocks: Sequence[Block]) -> str:
     """A section from each heading to the next."""
     pieces: list[str] = []
     is_open = False
@@ -142,15 +139,10 @@ def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str
 
 
 def _inline(content: Inline) -> str:
-    pieces = []
-    for piece in content:
-        match piece:
-            case Math(box):
-                pieces.append(mathml(box))
-            case Text(words):
-                pieces.append(escape(words))
-            case Strong(words):
-                pieces.append(f"<strong>{escape(words)}</strong>")
-            case Code(words):
-                pieces.append(f"<code>{escape(words)}</code>")
-    return "".join(pieces)
+    return inline(
+        content,
+        mathml,
+        escape,
+        strong=lambda words: f"<strong>{escape(words)}</strong>",
+        code=lambda words: f"<code>{escape(words)}</code>",
+    )

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from lagdsl.diagnostics import Diagnostic, Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
@@ -206,5 +206,4 @@ def _check_overrides(ctx: Context, contents: Contents) -> None:
     names = [symbol.name for symbol in contents.symbols if symbol.kind == "structural"]
     for name in ctx.conventions.overrides:
         if name not in names:
-            meant = nearest(name, names)
-            ctx.sink.report("E0222", None, name=name, help=f"did you mean `{meant}`?" if meant else None)
+            ctx.sink.report("E0222", None, name=name, help=did_you_mean(name, names))

@@ -11,7 +11,9 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine
-from lagdsl.runtime.run import Found, Run
+from lagdsl.runtime.run import Run
+from lagdsl.runtime.run_view import Found
+from lagdsl.runtime.structures import InitialFault
 from lagdsl.signals.moved import MovedRow, Starts, found_rows, loops_of, moved_rows, moved_text, report_moved
 from lagdsl.simulate.initial_words import report_found, report_no_start, report_numbers
 from lagdsl.simulate.placed import placed
@@ -82,7 +84,8 @@ def find_start(
         report_no_start(flat, engine.layout, run, t, found, sink)
     n = len(flat.coordinates)
     starts = _starts(flat, run, found, given)
-    report_found(flat, engine.layout, found, sink)
+    if found.fault is InitialFault.NONE:
+        report_found(flat, engine.layout, found.p, sink)
     rows: tuple[MovedRow, ...] = ()
     if not _wrong(sink, before):
         rows = moved_rows(starts, found.x, _cut_joints(flat, run, t, found))

@@ -15,7 +15,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.library import FIXED_METHODS, METHODS
-from lagdsl.signals.inputs import Signal, signals
+from lagdsl.signals.inputs import Signal, report_missing, signals
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.initialize import find_start
 from lagdsl.simulate.instants import equidistant
@@ -66,6 +66,7 @@ def simulate(
         check_limits(flat, dict(zip(names, parameters.tolist(), strict=True)), own)
         own.raise_if_errors()
         defaults = engine.evaluate("start", t0, parameters)[3]
+        report_missing(flat, inputs or {}, own)
         given = signals(flat, defaults, inputs or {}, (t0, end), own)
         own.raise_if_errors()
     asked = Asked(
@@ -110,7 +111,6 @@ def _motion(
 ) -> tuple[Trajectory, Floats]:
     """With rows at `times`; and how often every number of the state turns around."""
     flat, engine, given, t0 = asked.flat, asked.engine, asked.signals, float(times[0])
-    course = given.at(t0) if given.constant else lambda t, before: given.at(t, before=before)
     with np.errstate(all="ignore"), warnings.catch_warnings():
         # Checks of the values detect those that are not numbers.
         warnings.simplefilter("ignore", RuntimeWarning)
@@ -118,7 +118,7 @@ def _motion(
             flat,
             engine,
             asked.p,
-            course,
+            given.course(t0),
             t0=t0,
             times=times,
             tolerance=asked.tolerance,
@@ -128,7 +128,7 @@ def _motion(
         initial = find_start(flat, engine, run, t0, given.at(t0), asked.start, sink)
         sink.raise_if_errors()
         task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress)
-        return Motion(task).trajectory(), run.turns()
+        return Motion(task).trajectory(), run.results.turns(run.size)
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:

@@ -102,16 +102,20 @@ def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
 
 
 def structure_text(structure: Structure) -> str:
-    """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`"""
+    """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`; where conditions
+    such as rolling hold rates only, how many coordinates are left to choose at the start."""
     parts = [_counted(structure.coordinates, "coordinate")]
     if len(structure.redundant) > len(structure.contacts):
         parts.append(f"- {_counted(structure.rank, 'independent constraint')}")
     parts.append(f"= {_counted(structure.freedom, 'degree')} of freedom")
-    if structure.configuration_freedom != structure.freedom:
-        parts.append(f"in the rates, {structure.configuration_freedom} in the configuration")
-    if structure.count is not None:
-        parts.append(f"({count_text(structure.count)})")
-    return " ".join(parts)
+    if structure.configuration_freedom == structure.freedom:
+        parts += [f"({count_text(structure.count)})"] if structure.count is not None else []
+        return " ".join(parts)
+    rates, free = structure.configuration_freedom - structure.freedom, structure.configuration_freedom
+    verb = "holds rates only and leaves" if rates == 1 else "hold rates only and leave"
+    count = f": {count_text(structure.count)}" if structure.count is not None else ""
+    told = f"{rates} of the constraints {verb} {_counted(free, 'coordinate')} to choose at the start{count}"
+    return f"{' '.join(parts)} ({told})"
 
 
 def _counted(number: int, noun: str) -> str:

@@ -159,7 +159,11 @@ def _rows(motion: Trajectory, options: Options) -> NDArray[np.intp]:
     return np.asarray(rows[motion.time[rows] == times])
 
 
+def first_error(diagnostics: Sequence[Diagnostic]) -> str | None:
+    """In one line; None where there is no error."""
+    return next((f"{d.code}: {d.message}" for d in diagnostics if d.severity is Severity.ERROR), None)
+
+
 def _text(diagnostics: Sequence[Diagnostic]) -> str:
-    """The first error in one line."""
-    first = next((d for d in diagnostics if d.severity is Severity.ERROR), diagnostics[0])
-    return f"{first.code}: {first.message}"
+    """The reason of a failure, in one line."""
+    return first_error(diagnostics) or f"{diagnostics[0].code}: {diagnostics[0].message}"

@@ -45,7 +45,7 @@ _HEADERS = {"for": "for i in i loop", "if": "if true then", "when": "when true t
 
 
 @mutable_record()
-class Faults:
+class Reported:
     """`last` is the place of the last thing that is no token; `failures` by place how often the parser could not go on
     there; `told` (code, place) of what is said once for many statements."""
 
@@ -68,7 +68,7 @@ class Session:
         self.finished = False
         self.previous = token_at(END_OF_TEXT, "", 0, 0)
         self.brackets: list[Token] = []
-        self.faults = Faults()
+        self.reported = Reported()
         self._tokens = self._contextual_tokens()
 
     # ---- reading --------------------------------------------------------------------------------------------------
@@ -165,8 +165,8 @@ class Session:
                 self.sink.report("E0107", Span(self.file, start_of(token), start_of(token) + 2))
                 return None
             case "UNCLOSED_STRING":
-                self.faults.last = start_of(token)
-                self.sink.report("E0126", Span(self.file, self.faults.last, self.faults.last + 1))
+                self.reported.last = start_of(token)
+                self.sink.report("E0126", Span(self.file, self.reported.last, self.reported.last + 1))
                 return as_text(token)
             case _:
                 pass
@@ -182,7 +182,7 @@ class Session:
     def _report_character(self, fault: UnexpectedCharacters) -> None:
         """A character or a word that is no token."""
         strange, go_on = strange_text(self.file.text, fault)
-        start = self.faults.last = int(fault.pos_in_stream or 0)
+        start = self.reported.last = int(fault.pos_in_stream or 0)
         spelled = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in strange[:20])
         self.sink.report(
             "E0108", Span(self.file, start, start + len(strange)), character=spelled, help=character_help(strange)

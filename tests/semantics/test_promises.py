@@ -1,4 +1,4 @@
-"""What the text may say: `each` for all inside, both words for a load on a number, sizes met early."""
+"""Promises about texts: `each` for all inside, both words for a load on a number, sizes met early."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from lagdsl.program.passes.along import Along, along, elements, shared
 from lagdsl.program.passes.pattern import jacobian_pattern
 from lagdsl.program.program import Layout, Program, Slot
 
-VERSION: Final = 3
+VERSION: Final = 4
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = ("variable", "contact", "impacts", "relation", "timed", "condition", "clock")
@@ -54,7 +54,7 @@ def tape(program: Program, start: Start | None = None, parts: Collection[str] = 
     roots = [distinct(len(nodes.op), *own) for own in blocks]
     lives = live_sets(nodes, roots)
     settled, constants, hoisted = settle(nodes, len(program.layout.parameters), lives, roots)
-    (live,) = live_sets(nodes, [hoisted])
+    live = np.array(program.graph.live(hoisted.tolist()), dtype=np.int64)
     first, row = preparation(nodes, live, hoisted, settled, len(program.layout.parameters))
     codes, ends = [first], [row]
     made: dict[tuple[tuple[int, bytes], ...], tuple[Ints, int]] = {}  # without constraints two functions are one
@@ -185,14 +185,14 @@ def kind_number(layout: Layout, index: int) -> int:
 def _start(start: Start | None) -> list[bytes]:
     """Time and state, then what is said of their entries; all empty where nothing is known."""
     if start is None:
-        return [b""] * 8
+        return [b""] * 10
     return [
         _doubles([start.t, *start.x]),
         bytes(start.fixed),
         bytes(start.written),
         *(_doubles(numbers) for numbers in (start.nominal, start.minimum, start.maximum)),
         bytes(start.free),
-        _doubles(start.parameter_nominal),
+        *(_doubles(n) for n in (start.parameter_nominal, start.parameter_minimum, start.parameter_maximum)),
     ]
 
 

@@ -31,6 +31,7 @@ ROWS: dict[str, Row] = {
     "E0506": error(
         "the {what} is negative: {value} {unit} with the given parameters",
         label="must be zero or positive",
+        help="give a value of zero or more",
     ),
     "E0507": error(
         "gravity depends on `{name}`",
@@ -61,6 +62,7 @@ ROWS: dict[str, Row] = {
     "E0512": error(
         "`{keyword}` depends on the acceleration `{acceleration}`",
         label="an energy is a function of coordinates, rates and time",
+        help="write it with coordinates, rates and time only",
     ),
     "E0513": error(
         "nothing moves: the model has neither a coordinate nor a state",

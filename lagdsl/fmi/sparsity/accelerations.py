@@ -8,6 +8,7 @@ from lagdsl.fmi.sparsity.coupling import components, matching
 from lagdsl.fmi.sparsity.influence import NONE, Influence, Influences, Kind, kind_of, only, raised, union
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
+from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.program.program import Program
 
 
@@ -128,24 +129,14 @@ class Accelerations:
 
     def _groups_of_rows(self) -> Iterator[list[int]]:
         """Rows that share coordinates, where one depends on the others: multipliers of least length mix them."""
-        group = list(range(self.m))
+        groups = DisjointSets(range(self.m))
         first_row: dict[int, int] = {}
-
-        def root(row: int) -> int:
-            while group[row] != row:
-                group[row] = group[group[row]]
-                row = group[row]
-            return row
-
         for row in range(self.m):
             for unknown in self._occurring[self.n + row]:
                 if unknown < self.n:
-                    group[root(row)] = root(first_row.setdefault(unknown, row))
-        members: dict[int, list[int]] = {}
-        for row in range(self.m):
-            members.setdefault(root(row), []).append(row)
+                    groups.join(row, first_row.setdefault(unknown, row))
         redundant = self._program.layout.redundant
-        return (rows for rows in members.values() if len(rows) > 1 and any(redundant[row] for row in rows))
+        return (rows for rows in groups.all() if len(rows) > 1 and any(redundant[row] for row in rows))
 
 
 def bits_of(number: int) -> Iterator[int]:

@@ -1,4 +1,4 @@
-"""What expressions of one model became on the graph, by identity."""
+"""Nodes of the graph that expressions of one model became, by identity."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from lagdsl.record import mutable_record, record
 
 Cost: TypeAlias = tuple[int, ...]
 
-# What is done next, in this order.
+# Steps that come next, in this order.
 _GIVE, _CROSS, _CROSS_LAST = range(3)
 
 

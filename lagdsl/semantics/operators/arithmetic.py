@@ -50,14 +50,9 @@ class Operand:
 
 
 def negated(value: Numeric) -> Numeric:
-    match value:
-        case Scalar():
-            return replace(value, expression=negative(value.expression))
-        case Vector():
-            return Vector(flat.Unary("-", value.expression), value.dimension, value.variability, value.order)
-        case Array():
-            parts = tuple(negative(part) for part in value.elements)
-            return Array(parts, value.shape, value.dimension, value.variability, value.order, value.kind)
+    if isinstance(value, Array):
+        return replace(value, elements=tuple(map(negative, value.elements)))
+    return replace(value, expression=negative(value.expression))
 
 
 def negative(expression: FlatExpression) -> FlatExpression:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import assert_never
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import FrameStep
 from lagdsl.flat.quantity import Variability
+from lagdsl.semantics.operators.axes import axis_of
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity
 from lagdsl.semantics.scope.scope import Scope
@@ -95,14 +96,8 @@ def _no_member(ctx: Context, node: nodes.Member, target: Value) -> Value:
             names = ()
         case _:
             assert_never(target)
-    meant = nearest(node.name, names)
-    hint = (
-        f"did you mean `.{meant}`?"
-        if meant
-        else f"it has {', '.join(f'`.{name}`' for name in names)}"
-        if names
-        else None
-    )
+    listed = f"it has {', '.join(f'`.{name}`' for name in names)}" if names else None
+    hint = did_you_mean(node.name, names, listed, mark=".")
     ctx.sink.report("E0210", node.name_span, name=node.name, what=kind_of(target).partition(":")[0], help=hint)
     return POISON
 
@@ -113,15 +108,7 @@ def frame_member(ctx: Context, frame: FrameValue, name: str, span: Span) -> Vect
         origin = as_vector(base)
         assert origin is not None
         return Vector(origin.expression, ctx.conventions.dimension(LENGTH), base.variability, base.order)
-    return Vector(_axis(base.name, AXES.index(name)), DIMENSIONLESS, base.variability, base.order)
-
-
-def _axis(frame: str, axis: int) -> FlatExpression:
-    if frame != "world":
-        return flat.FrameAxis(frame, axis)
-    unit = [flat.ZERO, flat.ZERO, flat.ZERO]
-    unit[axis] = flat.ONE
-    return flat.Vector(*unit)
+    return Vector(axis_of(base.name, AXES.index(name)), DIMENSIONLESS, base.variability, base.order)
 
 
 def anchored(ctx: Context, frame: FrameValue, span: Span) -> FrameValue:
@@ -280,7 +267,7 @@ def along_axes(frame: str, offsets: tuple[FlatExpression, ...], start: FlatExpre
     result = start
     for axis, offset in enumerate(offsets):
         if offset != flat.ZERO:
-            term = flat.Binary("*", offset, _axis(frame, axis))
+            term = flat.Binary("*", offset, axis_of(frame, axis))
             result = term if result is None else flat.Binary("+", result, term)
     return result if result is not None else flat.ZERO_VECTOR
 

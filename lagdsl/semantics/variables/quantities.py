@@ -224,12 +224,13 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
         what, info = f"the start of `{symbol.short}`", symbol.info
         start = attributes.expressions(ctx, found["start"], what, dimension, shape, unit=info.unit, base=info.base)
     values = defaults or start or [flat.ZERO] * math.prod(shape)
+    stated = bool(defaults or start)
     smooth = smoothness(ctx, symbol)
     sign = attributes.text(ctx, found.get("symbol"))
     result = []
     for k, indices in enumerate(every(shape)):
         fields = quantity_fields(symbol, indices, sign)
-        result.append(flat_model.Input(**fields, default=values[k], smooth=smooth))
+        result.append(flat_model.Input(**fields, default=values[k], smooth=smooth, stated=stated))
         for level in range(1, smooth + 1):
             rate = quantity_fields(symbol, indices, None)
             base = rate["name"]

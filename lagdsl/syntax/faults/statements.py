@@ -88,8 +88,8 @@ def outside_of_classes(session: Session, token: Token) -> bool:
         return False
     if first.type not in _OPERANDS and first.value not in words:
         return False
-    if ("E0117", 0) not in session.faults.told:
-        session.faults.told.add(("E0117", 0))
+    if ("E0117", 0) not in session.reported.told:
+        session.reported.told.add(("E0117", 0))
         session.sink.report("E0117", session.span(first))
     session.panic(token)
     return True
@@ -124,8 +124,8 @@ def bare_equation(session: Session, token: Token) -> bool:
         return False
     block = session.open_block()
     place = ("E0103", -1 if block is None else start_of(block))
-    if place not in session.faults.told:
-        session.faults.told.add(place)
+    if place not in session.reported.told:
+        session.reported.told.add(place)
         last = list(session.look_ahead(start))[-1]
         span = Span(session.file, start, end_of(last))
         session.sink.report("E0103", span, line=session.file.line_number(start))

@@ -35,6 +35,7 @@ typedef struct lag_start {
     const double *minimum, *maximum; /* (nq) where the search stays; null: anywhere */
     const unsigned char *free;       /* (np) 1: the parameter is found with the start, from its value as a guess; null: none is */
     const double *parameter_nominal; /* (np) what counts as a change of order one; zero, or null: not said */
+    const double *parameter_minimum, *parameter_maximum; /* (np) where a free parameter may be found; null: anywhere */
 } lag_start;
 
 /* Positions of the nonzero elements of a matrix, row by row. */

@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 3u
+#define LAG_TAPE_VERSION 4u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
@@ -41,6 +41,8 @@ typedef enum lag_tape_section {
     LAG_TAPE_START_MAXIMUM,  /* double (nq) */
     LAG_TAPE_START_FREE,     /* bytes (np) */
     LAG_TAPE_START_PARAMETER_NOMINAL, /* double (np) */
+    LAG_TAPE_START_PARAMETER_MINIMUM, /* double (np) */
+    LAG_TAPE_START_PARAMETER_MAXIMUM, /* double (np) */
     LAG_TAPE_SLOTS,          /* uint32 (slots, 3): name, unit and place as first bytes of texts; the place may be 2^32 - 1: none */
     LAG_TAPE_MESSAGES,       /* uint32: assertions (na), resets (nreset), stops (nstop), failures (nfail), as first bytes of texts */
     LAG_TAPE_TEXTS,          /* bytes, every text ended by a zero */

@@ -94,7 +94,7 @@ static lag_status stays(lag_instance *instance, const double *starts, int *still
     const lag_model *model = instance->fmu->model;
     lag_derivatives *d = &instance->derivatives;
     const size_t size = lag_motion_size(model);
-    *still = model->ne == 0;
+    *still = model->ne == 0 && instance->fmu->start->free == NULL;
     for (size_t i = 0; i < size && *still; ++i) {
         *still = d->x[i] == 0.0 && (instance->given[i] != 0.0 || starts[i] == 0.0);
     }
@@ -205,6 +205,10 @@ static lag_status change(lag_instance *instance, changes *to, const lag_known *u
     const size_t index = variable->first + unknown->element;
     const double *array = NULL;
     lag_status status = LAG_OK;
+    if (lag_instance_is_free(instance, variable)) {
+        *value = instance->derivatives.at.dp[index];
+        return LAG_OK;
+    }
     switch ((lag_role)variable->role) {
     case LAG_ROLE_STATE:
         array = instance->derivatives.x;

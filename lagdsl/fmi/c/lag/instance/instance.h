@@ -45,6 +45,8 @@ const char *lag_instance_message(const lag_instance *instance);
 
 /* ---- variables: values of one variable, (count) of it; Booleans are 0 and 1, Integers whole numbers ---- */
 
+/* True if the variable is a free parameter: initialization solves for it, from the value that was set as a guess. */
+int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable);
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values);
 /* Not whether the moment allows it: that is the caller's. Refused: not finite, outside of what a Boolean or Integer may be. */
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values);

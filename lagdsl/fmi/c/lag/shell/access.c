@@ -61,7 +61,11 @@ lag_answer lag_shell_initialized(lag_shell *shell)
 
 static lag_answer ready(lag_shell *shell, uint32_t reference)
 {
-    const lag_role role = (lag_role)shell->fmu->variables[reference].role;
+    const lag_variable *variable = &shell->fmu->variables[reference];
+    const lag_role role = (lag_role)variable->role;
+    if (lag_instance_is_free(shell->instance, variable)) {
+        return lag_shell_initialized(shell);
+    }
     if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the value of the variable with value reference %lu is known from initialization mode on",
             (unsigned long)reference);

@@ -305,6 +305,19 @@ static int differ(size_t count, const double *x, const double *y)
     return i < count;
 }
 
+/* A free parameter beyond its bounds. */
+static void check_bounds(const lag_model *model, const lag_start *start, lag_initial *found)
+{
+    const int bounded = start != NULL && start->free != NULL && start->parameter_minimum != NULL && start->parameter_maximum != NULL;
+    for (size_t i = 0; i < model->np && bounded && found->p != NULL && found->fault == LAG_INITIAL_NONE; ++i) {
+        if (start->free[i] && !(found->p[i] >= start->parameter_minimum[i] && found->p[i] <= start->parameter_maximum[i])) {
+            found->fault = LAG_INITIAL_BOUNDS;
+            found->which = i;
+            found->residual = found->p[i];
+        }
+    }
+}
+
 lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *memory,
     lag_initial *told)
 {
@@ -337,6 +350,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
             copy(model->nc * model->nq, b.pattern, found.pattern);
             found = b.told;
             found.moved = differ(lag_motion_size(model), b.x, x);
+            check_bounds(model, start, &found);
             status = found.fault == LAG_INITIAL_NONE ? LAG_OK : found.fault == LAG_INITIAL_NUMBERS ? LAG_NOT_FINITE : LAG_PROJECTION_FAILED;
         }
         lag_motion_look(motion, t, x);
