@@ -60,7 +60,7 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], fou
         for component, row in enumerate(item.rows):
             if not found.redundant[row] or item.constraint.closure is not None or comes_and_goes(item.constraint):
                 continue
-            if found.empty[row]:
+            if found.empty[row] and not np.any(space.pattern[row]):
                 sink.report("N0605", place(item.constraint), name=item.constraint.name, component=component + 1)
             else:
                 others = _sources(space, points[-1], found, split, row)
@@ -145,6 +145,6 @@ def _sources(space: Geometry, point: Probe, found: Dependence, split: Partition,
     names = [
         f"`{space.functions.layout.constraints[index].name}`"
         for index, weight in zip(kept, weights.tolist(), strict=True)
-        if abs(weight) > 1e-7
+        if abs(weight) > 1e-7 or found.empty[row]
     ]
     return listed(names)
