@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 3u
+#define LAG_TAPE_VERSION 4u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
