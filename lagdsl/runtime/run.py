@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from ctypes import addressof, byref, c_double, c_size_t
 from typing import Any
+from weakref import WeakMethod
 
 import numpy as np
 
@@ -69,6 +71,18 @@ class Fault:
     limit: float
 
 
+def _weakly(method: Callable[..., Any]) -> Callable[..., Any]:
+    """The method for C, which keeps no run alive: its block of memory is free as soon as nobody else needs it."""
+    found = WeakMethod(method)
+
+    def called(*arguments: object) -> Any:
+        bound = found()
+        assert bound is not None
+        return bound(*arguments)
+
+    return called
+
+
 class Run:
     """Not to be used by several threads at once. What inputs raise is raised by the call that asked for them.
 
@@ -108,10 +122,10 @@ class Run:
             for name, values in zip(("start", "size", "drift"), self._drifts, strict=True):
                 setattr(options, f"invariant_{name}", values.ctypes.data)
         if callable(settings.inputs):
-            self._inputs = options.inputs = _CALLED["inputs"](self._tell_inputs)
+            self._inputs = options.inputs = _CALLED["inputs"](_weakly(self._tell_inputs))
         else:
             options.u = address(settings.inputs, self._kept)
-        self._full = _CALLED["full"](self._empty)
+        self._full = _CALLED["full"](_weakly(self._empty))
         self._results = Results(
             most_rows=_ROWS,
             most_notes=_NOTES,
