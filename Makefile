@@ -6,8 +6,8 @@ READY  := $(VENV)/.ready
 PEERS  ?= .peers
 
 .DEFAULT_GOAL := help
-.PHONY: help check check-all lint test test-all coverage test-fast update c-check c-runtime c-shells c-test fmu-check wheels wasm \
-  bench peers docs figures
+.PHONY: help check check-all lint test test-all coverage test-fast update c-check runtime-objects shell-objects c-runtime c-shells \
+  c-test fmu-check wheels page page-check bench peers docs figures
 
 # Many processes import the same modules: the first one that does compiles them for all, whatever the environment says.
 export PYTHONDONTWRITEBYTECODE :=
@@ -24,8 +24,9 @@ $(READY): pyproject.toml
 check:  ## what must hold before a merge, in six minutes: style, types, floors, C under sanitizers, tests with one of each kind
 	$(MAKE) --jobs=3 lint c-check test
 
-check-all:  ## everything, in an hour: `check` with all models, all compilers that are installed, threads, valgrind
+check-all:  ## everything, in an hour: `check` with all models, all compilers that are installed, threads, valgrind; the site
 	$(MAKE) --jobs=3 lint c-test test-all
+	$(MAKE) docs
 
 lint: $(READY)
 	$(BIN)/ruff check .
@@ -36,10 +37,10 @@ lint: $(READY)
 # The jobs of this make are none of those that tests start.
 ALONE := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 
-test: $(READY)  ## the tests, with one of each kind where they repeat a rule
+test: shell-objects  ## the tests, with one of each kind where they repeat a rule
 	$(ALONE) $(BIN)/python -m pytest -n auto --dist loadgroup
 
-test-all: $(READY)  ## the tests, with every model
+test-all: shell-objects  ## the tests, with every model
 	$(ALONE) LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto --dist loadgroup
 
 coverage: $(READY)  ## all tests of the floors, which cover at least 95 % of the branches; tracing takes three times as long
@@ -50,10 +51,17 @@ test-fast: $(READY)  ## the tests of the floors, without models and packaging
 
 c-check: c-runtime c-shells  ## tests of the C runtime and of the shells of FMUs under sanitizers
 
-c-runtime:
+# The tests in Python link these objects, too. The runtime needs no package: it is compiled and tested while they are installed.
+runtime-objects:
+	$(MAKE) --directory=lagdsl/runtime/c objects
+
+shell-objects: runtime-objects $(READY)
+	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) objects
+
+c-runtime: runtime-objects
 	$(MAKE) --directory=lagdsl/runtime/c sanitized
 
-c-shells: c-runtime $(READY)
+c-shells: c-runtime shell-objects
 	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) sanitized
 
 c-test: c-check  ## the same, with warnings of every compiler there is, the sanitizer of threads and ten thousand runs under valgrind
@@ -73,8 +81,15 @@ wheels: $(READY)  ## wheels of five platforms in dist/, compiled on this machine
 	@set -e; for platform in $$($(BIN)/python -m lagdsl.runtime.building.platforms); do \
 	LAGDSL_PLATFORM=$$platform $(BIN)/python -m hatchling build --target wheel; done
 
-wasm: $(READY)  ## the runtime for web pages: dist/lag.wasm
-	$(BIN)/python -m lagdsl.runtime.build_wasm dist
+PAGE := lagdsl/page/web
+
+page: $(READY)  ## what living pages carry, from the TypeScript and C sources: needs node
+	cd $(PAGE) && npm ci --silent && npx tsc --noEmit && node build.mjs
+	$(BIN)/python -m lagdsl.runtime.build_wasm $(PAGE)/dist
+
+page-check: $(READY)  ## pages of all models in a real browser: needs node and Chromium
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check playwright
+	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto tests/page
 
 bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that `make peers` installed
 	PEERS=$(PEERS) $(BIN)/python benchmarks/run.py

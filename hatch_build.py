@@ -46,7 +46,9 @@ class RuntimeLibraryHook(BuildHookInterface[Any]):
             up_to_date(runtime_library_folder() / file_name)
             return
         self._made = tempfile.TemporaryDirectory(prefix="lagdsl-")
-        library = build_library(Path(self._made.name), name)
+        objects = runtime_library_folder() / "objects"  # of an editable install: what is the same is not compiled again
+        kept = objects if name is None and objects.is_dir() else None
+        library = build_library(Path(self._made.name), name, kept)
         build_data["force_include"][str(library)] = f"lagdsl/runtime/lib/{file_name}"
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:

@@ -24,6 +24,7 @@ extensions = [
     "lag_lexer",
 ]
 exclude_patterns = ["_extensions", "**/_*.md"]
+smartquotes = False  # commands can be copied
 default_role = "literal"  # docstrings write `names` as Markdown does
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline"]
 myst_heading_anchors = 4
@@ -32,6 +33,7 @@ myst_links_external_new_tab = False
 # A page of diagnostics may show a character that no lexer knows.
 suppress_warnings = ["toc.not_included", "misc.highlighting_failure"]
 
+autodoc_class_signature = "separated"  # users do not call constructors
 autodoc_member_order = "bysource"
 autodoc_typehints = "description"
 autodoc_typehints_format = "short"

@@ -11,8 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeAlias
@@ -26,6 +25,7 @@ from lagdsl.semantics.wellformed.check import check as check_physics
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
 from lagdsl.syntax.parser import parse
+from lagdsl.syntax.recursion import deep_recursion
 
 if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
@@ -34,9 +34,7 @@ if TYPE_CHECKING:
     from lagdsl.structure.structure import Structure
 
 Route: TypeAlias = Literal["graph", "textbook"]
-"""How the functions are derived: on the graph, or literally as in a textbook, by SymPy."""
-
-_DEEPEST_RECURSION = 20_000
+"""The derivation of the functions: on the graph, or literally as in a textbook, by SymPy."""
 
 
 @record(kw_only=True)
@@ -68,7 +66,7 @@ def read(source: Path | str, sink: Sink) -> SourceFile | None:
 
 def parse_file(file: SourceFile, sink: Sink) -> nodes.Unit | None:
     """None after errors."""
-    with _deep_recursion():
+    with deep_recursion():
         unit = parse(file, sink)
     return None if sink.has_errors else unit
 
@@ -80,7 +78,7 @@ def flatten_unit(
 
     `model` names one of several classes; `structural` gives structural parameters other values, in SI units.
     """
-    with _deep_recursion():
+    with deep_recursion():
         flat = flatten(unit, sink, model=model, structural=structural or {})
         if flat is None or sink.has_errors:
             return None
@@ -107,7 +105,7 @@ def compile_flat(flat: FlatModel, sink: Sink, route: Route = "graph") -> Compila
     from lagdsl.mechanics.solve import solve
     from lagdsl.structure.structure import analyze, flag_redundant
 
-    with _deep_recursion():
+    with deep_recursion():
         equations = form_equations(flat)
         program = _arrange(equations, route)
     structure = analyze(flat, program, sink)
@@ -194,14 +192,3 @@ def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnost
 def findings(sink: Sink, failure: CompilationFailed) -> tuple[Diagnostic, ...]:
     """Everything that is known of a model: what the early stages collected and what a later one raised."""
     return tuple(dict.fromkeys([*sink.diagnostics, *failure.diagnostics]))
-
-
-@contextmanager
-def _deep_recursion() -> Iterator[None]:
-    """Room for expressions nested as deeply as the parser accepts."""
-    limit = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(limit, _DEEPEST_RECURSION))
-    try:
-        yield
-    finally:
-        sys.setrecursionlimit(limit)

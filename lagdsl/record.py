@@ -2,8 +2,8 @@
 
 `dataclass(frozen=True)` compiles six functions for every class, a quarter of the start-up time of `lag check` once. A
 record is completed when its first object is made, and compiles `__init__` alone; comparison, hash and text are shared
-functions over the fields, unless the class has its own. What `dataclasses.fields` and `replace` read of a class is made
-when they first ask. That a record is never changed is checked by mypy, not at run time.
+functions over the fields, unless the class has its own. The attributes that `dataclasses.fields` and `replace` read are
+made at their first call. That a record is never changed is checked by mypy, not at run time.
 """
 
 from __future__ import annotations

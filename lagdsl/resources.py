@@ -37,7 +37,7 @@ def c_folder() -> Path:
 
 
 def runtime_library_folder() -> Path:
-    """Where the C runtime lies as a shared library."""
+    """Folder of the C runtime as a shared library."""
     return _PACKAGE / "runtime" / "lib"
 
 
@@ -49,6 +49,11 @@ def is_checkout() -> bool:
 def fmi_folder() -> Path:
     """The written C of FMUs: `lag/fmu.h`, and one folder for each of its parts."""
     return _PACKAGE / "fmi" / "c"
+
+
+def page_folder() -> Path:
+    """The living page: TypeScript in `src`, the bundle that the page carries in `dist`."""
+    return _PACKAGE / "page" / "web"
 
 
 def sources_in(folder: Path) -> dict[str, Path]:

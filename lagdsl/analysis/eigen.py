@@ -3,7 +3,7 @@
 Motions along ignorable coordinates give zeros with Jordan chains, which a plain eigenvalue routine smears over the
 square root of the round-off. The null space of A is split off by an orthogonal transformation, then that of what is
 left, until nothing is singular (the staircase of Kublanovskaya; Golub and Van Loan, Matrix Computations, 4th ed.,
-section 7.6.5). What remains is solved by the QR algorithm.
+section 7.6). The QR algorithm solves the rest.
 """
 
 from __future__ import annotations

@@ -74,7 +74,7 @@ def partition(system: System, point: Point, held: Sequence[int], sink: Sink) -> 
     place = list(range(len(sizes)))
     dependent = _dependent(rows[list(held)], place)
     position = [j for j in place if j not in set(dependent)]
-    # What the rows of velocity level leave of the rates of independent coordinates.
+    # The rows of velocity level restrict the rates of independent coordinates to this space.
     tangent = _null_basis(rows[list(held)], dependent, position)
     further = _dependent(rows @ tangent, position)
     rate = [j for j in position if j not in set(further)]

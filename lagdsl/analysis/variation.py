@@ -1,8 +1,8 @@
 """Eigenvalues over a parameter, and the thresholds at which they cross the imaginary axis.
 
-A threshold is bracketed by two values with different numbers of growing modes and bisected. Where eigenvalues leave
-the axis by colliding on it (no damping), real parts begin as a square root, and a bound of 1e-7 of the magnitude
-places the threshold to 1e-14; where they cross it with finite slope, the root of the real part is found by secants.
+A threshold is bracketed by two values with different numbers of growing modes and bisected. If eigenvalues leave the
+axis by colliding on it (no damping), real parts begin as a square root, and a bound of 1e-7 of the magnitude places the
+threshold to 1e-14. If they cross it with finite slope, secants find the root of the real part.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _BESIDE = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Threshold:
-    """Where an eigenvalue crosses the imaginary axis: through zero (divergence) or as a pair (flutter).
+    """The value at which an eigenvalue crosses the imaginary axis: through zero (divergence) or as a pair (flutter).
 
     `eigenvalue` [1/s] is the crossing one of non-negative frequency; `unstable_above`: the side that grows.
     """
@@ -168,7 +168,7 @@ def _crossing(spectrum: _Spectrum, value: float, distance: float) -> complex | N
 
 
 def _root(spectrum: _Spectrum, value: float, distance: float, crossing: complex) -> float:
-    """Where the line through the real parts on both sides is zero."""
+    """The zero of the line through the real parts on both sides."""
     beyond, before = spectrum(value + distance), spectrum(value - distance)
     if beyond is None or before is None:
         return value

@@ -1,4 +1,5 @@
-"""Which state is meant: starts and inputs by name, parameters, and whether an equilibrium is looked for from there."""
+"""The state of an analysis: starts and inputs by name, parameters, and the choice to search for an equilibrium from
+there."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ class Described(Interface):
 
     @property
     def redundant(self) -> list[bool]:
-        """Which rows depend on others (their multipliers are those of minimum norm)."""
+        """True for rows that depend on others; multipliers are then those of minimum norm."""
         return list(self._layout.redundant)
 
     @property

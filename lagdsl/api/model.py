@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lagdsl.api.described import Described
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Given, entries, known
+from lagdsl.api.shown import Shown
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.diagnostics import Sink
 
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-class Model(Described):
+class Model(Shown):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -125,19 +125,19 @@ class Model(Described):
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
     ) -> Trajectory:
-        """The motion from the initial state, a row every `interval` and two at each event, `.events` telling what
-        happened; what is left out says the model's experiment.
+        """The motion from the initial state, a row every `interval` and two at each event, which `.events` lists; the
+        model's experiment says what is left out.
 
         `inputs` are constants, functions of time or pairs (times, values), by name, or the path of a CSV file with a
         column `time` and one for each input. `solver`: auto, dop853, radau, or rk4, leapfrog, ros2 in steps of the
         length `step`. `progress` is called with the part of the time that is done; warnings go to `sink`. Raises
-        CompilationFailed before the first step, SimulationFailed after it, with the motion so far; KeyError and
-        ValueError for arguments that do not fit.
+        CompilationFailed before the first step, SimulationFailed with the motion so far after it; KeyError, ValueError.
         """
         from lagdsl.api.trajectory import Trajectory
         from lagdsl.simulate.failure import SimulationFailed
         from lagdsl.simulate.simulate import simulate
 
+        page = partial(self._page, stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
         try:
             motion = simulate(
                 self._engine,
@@ -154,9 +154,9 @@ class Model(Described):
                 sink=sink,
             )
         except SimulationFailed as failure:
-            failure.trajectory = Trajectory.of(failure.trajectory)
+            failure.trajectory = Trajectory.of(failure.trajectory, page)
             raise
-        return Trajectory.of(motion)
+        return Trajectory.of(motion, page)
 
     def simulate_many(
         self,

@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 
 # A vector in the order of the model's names, or some of its entries by name.
 Given: TypeAlias = ArrayLike | Mapping[str, float] | None
@@ -21,8 +21,7 @@ def known(what: str, given: Mapping[str, float] | None, names: Sequence[str]) ->
     values = dict(given or {})
     for name, value in values.items():
         if name not in names:
-            likely = nearest(name, names)
-            hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(names) or 'none'}"
+            hint = did_you_mean(name, names, f"there are {', '.join(names) or 'none'}")
             raise KeyError(f"no {what} `{name}`; {hint}")
         values[name] = _number(name, value)
     return values

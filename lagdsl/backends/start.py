@@ -7,12 +7,15 @@ from collections.abc import Collection, Sequence
 from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.record import record
 
+# Stands for no bound.
+_LARGEST = 1.7976931348623157e308
+
 
 @record()
 class Start:
     """A consistent state x = (q, qd, z) at time t [s], for the default parameters, and what the model says of its
-    entries (`minimum` and `maximum`: of q; `free` and `parameter_nominal`: of p), as lag/model.h tells it. What is left
-    out is not said."""
+    entries (`minimum` and `maximum`: of q; `free` and what begins with `parameter`: of p), as lag/model.h tells it.
+    None: unknown."""
 
     t: float
     x: tuple[float, ...]
@@ -23,6 +26,8 @@ class Start:
     maximum: tuple[float, ...] = ()
     free: tuple[bool, ...] = ()
     parameter_nominal: tuple[float, ...] = ()
+    parameter_minimum: tuple[float, ...] = ()
+    parameter_maximum: tuple[float, ...] = ()
 
 
 def free_parameters(flat: FlatModel) -> tuple[Parameter, ...]:
@@ -44,8 +49,10 @@ def start_of(flat: FlatModel, t: float, x: Sequence[float], changed: Collection[
         fixed=(*(c.fixed for c in q), *(c.rate_fixed for c in q), *(s.fixed for s in z)),
         written=tuple(flag or name in changed for flag, name in zip(written, names, strict=True)),
         nominal=(*nominal, *nominal, *(abs(s.nominal or 0.0) for s in z)),
-        minimum=tuple(-1.7976931348623157e308 if c.minimum is None else c.minimum for c in q),
-        maximum=tuple(1.7976931348623157e308 if c.maximum is None else c.maximum for c in q),
+        minimum=tuple(-_LARGEST if c.minimum is None else c.minimum for c in q),
+        maximum=tuple(_LARGEST if c.maximum is None else c.maximum for c in q),
         free=tuple(p.free for p in independent),
         parameter_nominal=tuple(abs(p.nominal or 0.0) for p in independent),
+        parameter_minimum=tuple(-_LARGEST if p.minimum is None else p.minimum for p in independent),
+        parameter_maximum=tuple(_LARGEST if p.maximum is None else p.maximum for p in independent),
     )

@@ -20,6 +20,7 @@ from lagdsl.version import __version__
 _COMMANDS = {
     "check": "Find all errors of a model.",
     "run": "Simulate a model.",
+    "show": "Show a machine moving, with sliders and equations, on a page.",
     "sweep": "Simulate a model many times, over values of parameters and starts.",
     "linearize": "Show the matrices of the motion about a state.",
     "modes": "Show frequencies, damping, mode shapes, stability and thresholds.",

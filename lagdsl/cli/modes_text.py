@@ -18,7 +18,7 @@ _NEGLIGIBLE = 1e-9
 
 
 def modes_text(system: System, found: Modes) -> str:
-    """Where, eigenvalues, shapes, stability. Of a pair of conjugate eigenvalues one is shown."""
+    """State, eigenvalues, shapes and stability. The text shows one of each pair of conjugate eigenvalues."""
     shown = [i for i, s in enumerate(found.eigenvalues.tolist()) if not s.imag < 0.0 and s != 0.0]
     zeros = int(np.count_nonzero(found.eigenvalues == 0.0))
     header = ["mode", "eigenvalue [1/s]", "frequency [Hz]", "damping", "time constant [s]"]

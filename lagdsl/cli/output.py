@@ -1,4 +1,4 @@
-"""Where results go: standard output, or a file that appears whole or not at all."""
+"""Destinations of results: standard output, or a file that appears whole or not at all."""
 
 from __future__ import annotations
 
@@ -64,4 +64,4 @@ def require_figure(picture: Path) -> None:
     if picture.suffix.lower() not in ("", *FORMS):
         raise click.UsageError(f"{picture.name}: figures are written as {', '.join(FORMS)}")
     if find_spec("matplotlib") is None:
-        raise click.UsageError("figures need matplotlib: pip install 'lagdsl[plot]'")
+        raise click.UsageError("figures need matplotlib: pip install matplotlib")

@@ -48,7 +48,7 @@ def _lines(rows: list[tuple[str, ...]], left: tuple[int, ...]) -> list[str]:
 
 
 def _events(events: tuple[Event, ...]) -> str:
-    """How often what happened, from when to when."""
+    """Kinds of events with their number, first and last time."""
     if not events:
         return ""
     times: dict[tuple[str, str], list[float]] = {}

@@ -7,7 +7,7 @@ from lagdsl.source import Span
 
 
 class Severity(StrEnum):
-    """How much a diagnostic matters; an error stops the compiler after its stage."""
+    """Importance of a diagnostic; an error stops the compiler after its stage."""
 
     ERROR = "error"
     WARNING = "warning"

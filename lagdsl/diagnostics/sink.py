@@ -6,7 +6,7 @@ from lagdsl.source import Span
 
 
 class Sink:
-    """Where the early stages put what they find; later ones raise `CompilationFailed` through it."""
+    """Collects the diagnostics of the early stages; later ones raise `CompilationFailed` through it."""
 
     def __init__(self) -> None:
         self._diagnostics: dict[Diagnostic, None] = {}  # in order; a set would lose it

@@ -41,6 +41,12 @@ def nearest(name: str, candidates: Iterable[str]) -> str | None:
     return min(likely)[2] if likely else None
 
 
+def did_you_mean(name: str, candidates: Iterable[str], otherwise: str | None = None, *, mark: str = "") -> str | None:
+    """The question for the nearest candidate, which is written after `mark`; `otherwise` where none is likely meant."""
+    meant = nearest(name, candidates)
+    return otherwise if meant is None else f"did you mean `{mark}{meant}`?"
+
+
 def _comparable(name: str, candidate: str) -> bool:
     close = len(candidate) <= _LONGEST and abs(len(candidate) - len(name)) <= _allowed(name)
     return close and candidate != name and _alike(name, candidate)

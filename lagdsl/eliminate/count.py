@@ -12,8 +12,8 @@ _PARAMETER = 1 << Group.P
 
 
 def flops(graph: Graph, roots: Iterable[int]) -> int:
-    """Additions, subtractions, multiplications and divisions of one evaluation. What depends on parameters alone is
-    computed once and not counted; nor are functions and changes of sign."""
+    """Additions, subtractions, multiplications and divisions of one evaluation. Nodes that depend on parameters alone
+    are computed once and not counted; nor are functions and changes of sign."""
     return sum(1 for node in graph.live(roots) if graph.op[node] in _COUNTED and graph.groups[node] & ~_PARAMETER)
 
 
@@ -22,7 +22,7 @@ class TooMany(Exception):  # noqa: N818  it is a reason to try something else
 
 
 class Budget:
-    """How many nodes may still be made; None: any number."""
+    """Number of nodes that may still be made; None: no bound."""
 
     def __init__(self, graph: Graph, nodes: int | None) -> None:
         self._graph = graph

@@ -9,100 +9,81 @@ Neither is written here: they are two orders of the same elimination.
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from heapq import heappop, heappush
 
 from lagdsl.eliminate.count import Budget
 from lagdsl.eliminate.definitions import Definitions
 from lagdsl.eliminate.form import NotApplicable
 from lagdsl.eliminate.matrix import SparseSystem
-from lagdsl.eliminate.rotations import Rotation
-from lagdsl.eliminate.rows import Rows, components, is_multiplier, multiplier_of
+from lagdsl.eliminate.multipliers import Multipliers
+from lagdsl.eliminate.rotations import Rotation, Turns
+from lagdsl.eliminate.rows import Rows, is_multiplier
 from lagdsl.eliminate.steps import Defined, Exchanged, Pivoted, Step
 from lagdsl.graph.graph import Graph
+from lagdsl.record import record
+
+
+@record(kw_only=True)
+class Order:
+    """Variables by least `priority` as soon as nothing uses them, `rates` at once, those that are `delayed` last."""
+
+    rates: Sequence[int]
+    priority: Mapping[int, tuple[int, int]]
+    delayed: frozenset[int] = frozenset()
 
 
 class Elimination:
-    """One order: variables by least `priority` as soon as nothing uses them, rates at once, `delayed` ones last, and
-    multipliers of solved rows as soon as the last rate that the row uses is eliminated.
+    """One order, with multipliers of solved rows as soon as the last rate that the row uses is eliminated.
 
-    `steps` are what solving has to take back. By multiplier: `sizes` are what its pivot was before others were
-    eliminated from it, J W^-1 J'; `rests` what they left of it where the row follows from them; `tied` the other
-    multipliers that take part in a solved one.
+    `steps` are what solving has to take back.
     """
 
     def __init__(
-        self,
-        system: SparseSystem,
-        definitions: Definitions,
-        rates: Sequence[int],
-        *,
-        priority: Mapping[int, tuple[int, int]],
-        budget: Budget,
-        delayed: Container[int] = (),
-        rows: Rows | None = None,
+        self, system: SparseSystem, definitions: Definitions, order: Order, budget: Budget, rows: Rows | None = None
     ) -> None:
         self._graph: Graph = system.graph
         self._system, self._terms = system, definitions.terms
-        self._rates, self._delayed = rates, delayed
-        self._left = dict.fromkeys((*rates, *definitions.terms), 0)
-        self._priority, self._budget = priority, budget
+        self._order, self._budget = order, budget
+        self._left = dict.fromkeys((*order.rates, *definitions.terms), 0)
         for terms in definitions.terms.values():
             for p in terms:
                 self._left[p] += 1
-        self._rotation: dict[int, Rotation] = {v: r for r in definitions.rotations for v in r.after}
-        self._group: dict[int, list[Rotation]] = {}
-        groups: dict[tuple[int, int], list[Rotation]] = {}
-        for rotation in definitions.rotations:
-            group = groups.setdefault((rotation.cosine, rotation.sine), [])
-            group.append(rotation)
-            for v in rotation.after:
-                self._group[v] = group
-        rows = rows or Rows()
-        self._following = {multiplier_of(row.index): None for row in rows.following}
-        self._waiting, self._open = _waiting(rows)
-        self.sizes: dict[int, int] = {}
-        self.rests: dict[int, int] = {}
-        self.tied: dict[int, dict[int, int]] = {}
-        self._ready: dict[int, None] = {}
+        self._turns = Turns(definitions.rotations, order.priority)
+        self.multipliers = Multipliers(rows or Rows())
         self._heap: list[tuple[tuple[int, int], int]] = []
         self.steps: list[Step] = []
 
     def run(self) -> list[Step]:
         """Raises NotApplicable where a coordinate has no inertia, and TooMany."""
-        for variable in (*self._terms, *self._rates):
+        for variable in (*self._terms, *self._order.rates):
             if not self._left[variable]:
                 self._release(variable)
-        while self._heap or self._ready:
+        while self._heap or self._turns.ready:
             self._budget.check()
             if self._heap:
                 self._eliminate(heappop(self._heap)[1])
             else:
-                self._turn_some()
-        for rate in reversed(self._rates):
-            if rate in self._delayed:
+                self._turn([self._turns.take_some()])
+        for rate in reversed(self._order.rates):
+            if rate in self._order.delayed:
                 self._budget.check()
                 self._minimize(rate)
         return self.steps
 
     def _release(self, variable: int) -> None:
         """Nothing uses `variable` any more."""
-        if variable in self._group:
-            self._ready[variable] = None
-            group = self._group[variable]
-            if all(v in self._ready for rotation in group for v in rotation.after):
-                for rotation in group:
-                    for v in rotation.after:
-                        del self._ready[v]
-                heappush(self._heap, (self._priority[variable], variable))
+        if variable in self._turns:
+            if self._turns.release(variable):
+                heappush(self._heap, (self._order.priority[variable], variable))
         elif variable in self._terms:
-            heappush(self._heap, (self._priority[variable], variable))
-        elif variable not in self._delayed:
+            heappush(self._heap, (self._order.priority[variable], variable))
+        elif variable not in self._order.delayed:
             self._minimize(variable)
 
     def _eliminate(self, variable: int) -> None:
-        if variable in self._group:
-            self._turn(self._group[variable])
+        if variable in self._turns:
+            self._turn(self._turns.group(variable))
             return
         rate = self._free_rate(variable)
         if rate is not None:
@@ -118,16 +99,6 @@ class Elimination:
             if not self._left[p] and p != done:
                 self._release(p)
 
-    def _turn_some(self) -> None:
-        """Pairs whose group waits for one that waits for them: turned by themselves."""
-        waiting = [self._rotation[v] for v in self._ready if v == self._rotation[v].after[0]]
-        complete = [r for r in waiting if r.after[1] in self._ready]
-        rotation = min(complete, key=lambda r: (self._priority[r.after[0]], r.after))
-        self._group[rotation.after[0]].remove(rotation)
-        for v in rotation.after:
-            del self._ready[v]
-        self._turn([rotation])
-
     def _turn(self, group: Sequence[Rotation]) -> None:
         self._system.rotate(group)
         self.steps += [Defined(v) for rotation in group for v in rotation.after]
@@ -141,7 +112,7 @@ class Elimination:
             return None
         for p, factor in self._terms[variable].items():
             alone = p not in self._terms and self._left[p] == 1 and self._weighs_nothing(p)
-            if alone and p not in self._delayed and self._graph.is_constant(factor):
+            if alone and p not in self._order.delayed and self._graph.is_constant(factor):
                 return p
         return None
 
@@ -165,46 +136,18 @@ class Elimination:
         row = dict(system.rows[variable])
         shares = system.minimize(variable)
         if is_multiplier(variable):
-            self.tied[variable] = {k: share for k, share in shares.items() if is_multiplier(k)}
+            self.multipliers.tied[variable] = {k: share for k, share in shares.items() if is_multiplier(k)}
         else:
-            self._enlarge(row, shares)
-        acting = {k: share for k, share in shares.items() if k not in self._following} if self._following else shares
+            self.multipliers.enlarge(self._graph, row, shares)
+        following = self.multipliers.following
+        acting = {k: share for k, share in shares.items() if k not in following} if following else shares
         self.steps.append(Pivoted(variable, pivot, acting))
-        for multiplier in self._waiting.get(variable if rate is None else rate, ()):
-            self._open[multiplier] -= 1
-            if not self._open[multiplier]:
-                self._complete(multiplier)
-
-    def _complete(self, multiplier: int) -> None:
-        """Everything that its pivot is made from is eliminated."""
-        if multiplier not in self._following:
-            self._minimize(multiplier)
-            return
-        self.rests[multiplier] = self._graph.negate(self._system.pivot(multiplier))
-        self._system.take(multiplier)
-
-    def _enlarge(self, row: Mapping[int, int], shares: Mapping[int, int]) -> None:
-        graph = self._graph
-        for k, share in shares.items():
-            if is_multiplier(k):
-                own = graph.multiply(row[k], share)
-                self.sizes[k] = graph.add(self.sizes.get(k, graph.zero), own)
-
-
-def _waiting(rows: Rows) -> tuple[dict[int, list[int]], dict[int, int]]:
-    """Multipliers by the rates and multipliers that are eliminated before them; and how many these are."""
-    waiting: dict[int, list[int]] = {}
-    solved = {row.index: None for row in rows.solved}
-    for group in components((*rows.solved, *rows.following)):
-        first = [multiplier_of(row.index) for row in group if row.index in solved]
-        for row in group:
-            for variable in (*row.terms, *(() if row.index in solved else first)):
-                waiting.setdefault(variable, []).append(multiplier_of(row.index))
-    counts: dict[int, int] = {}
-    for multipliers in waiting.values():
-        for multiplier in multipliers:
-            counts[multiplier] = counts.get(multiplier, 0) + 1
-    return waiting, counts
+        for multiplier in self.multipliers.complete_after(variable if rate is None else rate):
+            if multiplier in following:
+                self.multipliers.rests[multiplier] = self._graph.negate(system.pivot(multiplier))
+                system.take(multiplier)
+            else:
+                self._minimize(multiplier)
 
 
 def by_creation(definitions: Definitions, rates: Sequence[int]) -> dict[int, tuple[int, int]]:

@@ -9,7 +9,7 @@ from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
 from lagdsl.record import record
 
-# What others leave of a row that follows from them is below this part of its size: its distance from them, squared.
+# A row follows from others if its squared distance from them is below this part of its size.
 _FOLLOWS = 1e-10
 # A row whose size is below this part of the largest one is none: its entries are round-off.
 _SHORT = 1e-6

@@ -1,8 +1,8 @@
 """Multipliers of rows that depend on others: of all that do the same, the shortest.
 
-A unit multiplier of a following row, with what the solved ones of its loop then are, does nothing: J'(e + K') = 0. What
-the multipliers have along these directions is taken away; as no two of them share a following row, the matrix 1 + K K'
-of their products is positive definite, whatever K.
+A unit multiplier of a following row, with what the solved ones of its loop then are, does nothing: J'(e + K') = 0. The
+component of the multipliers along these directions is subtracted. No two of them share a following row, so the matrix 1
++ K K' of their products is positive definite for every K.
 """
 
 from __future__ import annotations

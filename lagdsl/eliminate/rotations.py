@@ -8,7 +8,7 @@ With W in x', y' equal to [a b; b d] and e = s (a - d) + 2 c b, W in x, y is [a 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Op
@@ -69,3 +69,44 @@ def _is_unit_pair(graph: Graph, a: int, b: int) -> bool:
     a = graph.a[a] if graph.op[a] is Op.NEGATE else a
     b = graph.a[b] if graph.op[b] is Op.NEGATE else b
     return {graph.op[a], graph.op[b]} == {Op.COS, Op.SIN} and graph.a[a] == graph.a[b]
+
+
+class Turns:
+    """Rotations in groups of one angle each, which are eliminated together as soon as nothing uses any of them."""
+
+    def __init__(self, rotations: Sequence[Rotation], priority: Mapping[int, tuple[int, int]]) -> None:
+        self._priority = priority
+        self._rotation = {v: r for r in rotations for v in r.after}
+        self._group: dict[int, list[Rotation]] = {}
+        groups: dict[tuple[int, int], list[Rotation]] = {}
+        for rotation in rotations:
+            group = groups.setdefault((rotation.cosine, rotation.sine), [])
+            group.append(rotation)
+            self._group |= dict.fromkeys(rotation.after, group)
+        self.ready: dict[int, None] = {}
+
+    def __contains__(self, variable: int) -> bool:
+        return variable in self._group
+
+    def group(self, variable: int) -> list[Rotation]:
+        return self._group[variable]
+
+    def release(self, variable: int) -> bool:
+        """Nothing uses `variable` any more. True if that holds for its whole group now."""
+        self.ready[variable] = None
+        members = [v for rotation in self._group[variable] for v in rotation.after]
+        if not all(v in self.ready for v in members):
+            return False
+        for v in members:
+            del self.ready[v]
+        return True
+
+    def take_some(self) -> Rotation:
+        """A pair whose group waits for one that waits for it: turned by itself."""
+        waiting = [self._rotation[v] for v in self.ready if v == self._rotation[v].after[0]]
+        complete = [r for r in waiting if r.after[1] in self.ready]
+        rotation = min(complete, key=lambda r: (self._priority[r.after[0]], r.after))
+        self._group[rotation.after[0]].remove(rotation)
+        for v in rotation.after:
+            del self.ready[v]
+        return rotation

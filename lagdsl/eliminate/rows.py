@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 
+from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.record import record
 
 
@@ -62,19 +63,12 @@ def is_multiplier(variable: int) -> bool:
 
 def components(rows: Sequence[Row]) -> list[list[Row]]:
     """Rows that share rates, directly or through others."""
-    leader: dict[int, int] = {}
-
-    def find(x: int) -> int:
-        while leader.setdefault(x, x) != x:
-            leader[x] = leader[leader[x]]
-            x = leader[x]
-        return x
-
+    rates = DisjointSets(rate for row in rows for rate in row.terms)
     for row in rows:
         first, *others = row.terms
         for rate in others:
-            leader[find(rate)] = find(first)
+            rates.join(first, rate)
     found: dict[int, list[Row]] = {}
     for row in rows:
-        found.setdefault(find(next(iter(row.terms))), []).append(row)
+        found.setdefault(rates.first(next(iter(row.terms))), []).append(row)
     return list(found.values())

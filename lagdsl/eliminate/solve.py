@@ -8,7 +8,7 @@ from lagdsl.eliminate.count import Budget, TooMany, flops
 from lagdsl.eliminate.definitions import Definitions, find_definitions
 from lagdsl.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.eliminate.matrix import SparseSystem
-from lagdsl.eliminate.order import Elimination, by_creation, by_depth
+from lagdsl.eliminate.order import Elimination, Order, by_creation, by_depth
 from lagdsl.eliminate.pivots import References, least
 from lagdsl.eliminate.redundant_multipliers import RedundantMultipliers, find_redundant_multipliers, shortest
 from lagdsl.eliminate.rows import Rows, Side, is_multiplier, multiplier_of, velocity_of
@@ -77,9 +77,10 @@ def solve(
     candidates = []
     for delayed in ((), rates) if 1 < len(rates) <= _LARGEST_DELAYED else ((),):
         for priority in (by_depth(definitions, rates), by_creation(definitions, rates)):
+            order = Order(rates=rates, priority=priority, delayed=frozenset(delayed))
             budget = Budget(form.graph, None if most is None else _NODES_PER_OPERATION * (most + _FEWEST))
             try:
-                factor = _factorize(form, definitions, rates, rows, priority, budget, delayed=delayed)
+                factor = _factorize(form, definitions, rows, order, budget)
                 candidates.append(_solve(form, factor, budget))
             except TooMany:
                 continue
@@ -113,16 +114,7 @@ def _solve(form: AccelerationForm, factor: Factor, budget: Budget) -> Solution:
     return Solution(factor=factor, own=own, along=along, flops=flops(form.graph, roots))
 
 
-def _factorize(
-    form: AccelerationForm,
-    definitions: Definitions,
-    rates: Sequence[int],
-    rows: Rows,
-    priority: Mapping[int, tuple[int, int]],
-    budget: Budget,
-    *,
-    delayed: Sequence[int],
-) -> Factor:
+def _factorize(form: AccelerationForm, definitions: Definitions, rows: Rows, order: Order, budget: Budget) -> Factor:
     graph = form.graph
     system = SparseSystem(graph, form.weights)
     for index, weight in rows.stiffened.items():
@@ -130,22 +122,20 @@ def _factorize(
     for row in (*rows.solved, *rows.following):
         for rate, term in row.terms.items():
             system.add(multiplier_of(row.index), rate, graph.negate(term))
-    run = Elimination(
-        system, definitions, rates, priority=priority, budget=budget, delayed=frozenset(delayed), rows=rows
-    )
-    steps = run.run()
+    elimination = Elimination(system, definitions, order, budget, rows)
+    steps, found = elimination.run(), elimination.multipliers
     pivots = {step.variable: step.pivot for step in steps if isinstance(step, Pivoted)}
     inertias = [pivot for variable, pivot in pivots.items() if not is_multiplier(variable)]
     references = References(graph, of_sums=bool(rows.solved))
-    left = run.rests | {v: graph.negate(pivot) for v, pivot in pivots.items() if is_multiplier(v)}
+    left = found.rests | {v: graph.negate(pivot) for v, pivot in pivots.items() if is_multiplier(v)}
     multipliers = {row.index: multiplier_of(row.index) for row in (*rows.solved, *rows.following)}
     return Factor(
         graph=graph,
-        rates=rates,
+        rates=order.rates,
         rows=rows,
         terms=definitions.terms,
         steps=steps,
         pivot=least(graph, [(pivot, references.of(pivot)) for pivot in inertias]),
-        strengths={index: (left[v], run.sizes[v]) for index, v in multipliers.items()},
-        redundant_multipliers=find_redundant_multipliers(graph, rows, run.tied),
+        strengths={index: (left[v], found.sizes[v]) for index, v in multipliers.items()},
+        redundant_multipliers=find_redundant_multipliers(graph, rows, found.tied),
     )

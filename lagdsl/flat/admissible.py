@@ -1,4 +1,4 @@
-"""Which values a parameter may have."""
+"""Admissible values of parameters."""
 
 from __future__ import annotations
 

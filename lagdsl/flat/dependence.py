@@ -89,7 +89,7 @@ class Dependence:
         object.__setattr__(self, "_named", {item.name: item for item in self.flat.named})
 
     def of(self, expression: fx.FlatExpression) -> Orders:
-        """Parameters count too, with order 0. What the mechanics provides (multipliers, energies) has none."""
+        """Parameters count too, with order 0. Quantities of the mechanics (multipliers, energies) have none."""
         known = self._by_node
         for node in postorder(expression, known):
             # The node is kept with its answer, so that its identity is not given to another one.

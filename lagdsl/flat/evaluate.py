@@ -37,7 +37,8 @@ class NotEvaluable(Exception):  # noqa: N818 named after what it says
 class Values:
     """Numbers of a moment: of coordinates, states, inputs and `time`, their rates, second derivatives of coordinates.
 
-    Parameters may be given too; left out they have their defaults. What else is left out is 0, a rate of `time` is 1.
+    Parameters may be given too; left out they have their defaults. Every other missing value is 0; the rate of `time`
+    is 1.
     """
 
     variables: Mapping[str, float] = field(default_factory=dict)

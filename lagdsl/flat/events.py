@@ -58,8 +58,8 @@ class Timed(Item):
 
 @record(kw_only=True)
 class Corner(Item):
-    """Where a force, an energy or a rate has a corner or a jump along the motion: `distance` passes zero there. Steps
-    end there; nothing else happens. `solved`: it reads accelerations or multipliers."""
+    """A place at which a force, an energy or a rate has a corner or a jump along the motion: `distance` passes zero
+    there. Steps end there; nothing else happens. `solved`: it reads accelerations or multipliers."""
 
     distance: FlatExpression
     solved: bool

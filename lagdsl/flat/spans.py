@@ -1,4 +1,4 @@
-"""Where an item of the flat model stands in the text."""
+"""Places in the text of the items of the flat model."""
 
 from __future__ import annotations
 

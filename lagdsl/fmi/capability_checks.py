@@ -1,4 +1,5 @@
-"""What the standards cannot say, told before anything is compiled; and what an importer must know."""
+"""Checks, before anything is compiled, for models that the standards cannot express; notes that an importer must
+know."""
 
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ _INTEGERS = {2: (-(2**31), 2**31 - 1), 3: (-(2**53), 2**53)}
 
 
 def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sink) -> None:
-    """Report what an FMU of this `version` (2 or 3) of the standard cannot hold (E0902, E0909), and which inputs
+    """Report what an FMU of this `version` (2 or 3) of the standard cannot hold (E0902), and which inputs
     belong together (N0903). `values` replace defaults of parameters, by name, in SI units."""
     least, most = _INTEGERS[version]
     counted: tuple[Parameter | Discrete, ...] = (*flat.parameters, *flat.events.discretes)
@@ -35,9 +36,6 @@ def refuse(flat: FlatModel, version: int, values: Mapping[str, float], sink: Sin
                     least=least,
                     most=most,
                 )
-    for parameter in flat.parameters:
-        if parameter.free:
-            sink.report("E0909", place(parameter), *around(parameter), name=parameter.name)
     for driven in flat.inputs:
         if driven.smooth:
             derivatives = ", ".join(f"`{named(name).text}`" for name in _derivatives(flat, driven))

@@ -66,7 +66,15 @@ def export_model(
         plain=plain,
         chosen=start,
         start=where,
-        table=table(whole, version, where, kinds=kinds, engine=computing, redundant=initial.redundant),
+        table=table(
+            whole,
+            version,
+            where,
+            kinds=kinds,
+            engine=computing,
+            redundant=initial.redundant,
+            parameters=[float(value) for value in initial.p],
+        ),
         stem=stem_of(whole.program),
     )
 

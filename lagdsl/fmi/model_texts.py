@@ -25,7 +25,7 @@ def model_texts(flat: FlatModel, source: SourceFile) -> dict[str, str]:
 
 
 def _files(flat: FlatModel) -> list[SourceFile]:
-    """Those of which something stands in the flat model, in its order."""
+    """The files that contributed to the flat model, in its order."""
     parts = [getattr(flat, each.name) for each in fields(flat)]
     items = [item for part in parts if isinstance(part, tuple) for item in part if isinstance(item, Item)]
     return list({id(span.file): span.file for item in items for span in item.spans}.values())

@@ -20,8 +20,7 @@ def evaluate(graph: Graph, roots: Iterable[int], symbols: Symbols) -> list[Value
 
     `symbols` maps a group to its array, the index last: leading axes broadcast. TIME is a number (or an array of the
     leading shape). Arrays may be complex, for derivatives by a complex step. A list of mpmath numbers makes the whole
-    evaluation run at mpmath's working precision. What is not a number comes out as nan or inf, never as an error of
-    NumPy's.
+    evaluation run at mpmath's working precision. Values that do not exist are nan or inf, never an error of NumPy.
     """
     roots = list(roots)
     table: Table = precise() if _is_precise(symbols) else NUMPY

@@ -1,4 +1,4 @@
-"""How rounding errors of arguments, measured by their sizes, show in a result: one rule per operation."""
+"""Propagation of rounding errors from arguments, measured by their sizes, to a result: one rule per operation."""
 
 from __future__ import annotations
 

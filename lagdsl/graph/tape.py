@@ -1,7 +1,7 @@
 """The meaning of a graph on plain numbers, for many evaluations of the same nodes.
 
-What `evaluate` does, prepared once: the nodes in order with their operations, and of the roots only those that are no
-constants. Large matrices that are mostly structural zeros then cost what their entries cost.
+The same as `evaluate`, prepared once: the nodes in order with their operations, and only the roots that are no
+constants. The cost of a large matrix that is mostly structural zeros is then that of its other entries.
 """
 
 from __future__ import annotations

@@ -13,8 +13,9 @@ from lagdsl.mechanics.kinematics.vectors import Vector
 from lagdsl.mechanics.lagrange.energies import SystemEnergies
 from lagdsl.mechanics.lagrange.inertial_elements import angular_momentum, linear_momentum
 from lagdsl.mechanics.lagrange.lagrange import Dynamics
-from lagdsl.mechanics.lowering.lowering import Lowering, Provided, Value
+from lagdsl.mechanics.lowering.lowering import Lowering, Provided
 from lagdsl.mechanics.lowering.symbols import Symbols
+from lagdsl.mechanics.lowering.values import Value
 from lagdsl.mechanics.reactions import Releases, plan_releases, reactions
 
 

@@ -103,8 +103,8 @@ def renamed(lowering: Lowering, flat: FlatModel, known: Mapping[str, int]) -> Lo
 
 
 def _time_events(lowering: Lowering, flat: FlatModel) -> list[Block]:
-    """Entries that time alone changes, with the distance to the next change. Where the second derivative of a distance
-    is zero whatever the time, the distance is affine between events."""
+    """Entries that time alone changes, with the distance to the next change. If the second derivative of a distance is
+    zero at all times, the distance is affine between events."""
     graph = lowering.graph
     timed = flat.events.timed
     places = [place for place, each in enumerate(timed) for _ in each.distances]

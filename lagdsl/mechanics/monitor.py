@@ -1,4 +1,4 @@
-"""How large the terms are that an invariant is the sum of: the measure of its drift."""
+"""Sizes of the terms of an invariant: the measure of its drift."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def _along(program: Program, function: str, groups: tuple[Group, ...]) -> list[B
 
 
 def _in_time(program: Program, values: Sequence[int]) -> list[Block]:
-    """How everything changes with the time alone."""
+    """Partial derivatives by time."""
     graph = program.graph
     tangent = Tangent(graph, (Group.TIME,), lambda symbol: graph.one)
     blocks = [

@@ -1,9 +1,9 @@
 """Reactions by releasing what they hold: d'Alembert's value of forces that do no work.
 
-The model is lowered a second time with a frame or a point displaced by symbols s that stand for zero. What is left over
-in the equation of s at s = 0, its rate and acceleration 0, is the force that keeps s at zero: the reaction. It is
-exerted by the parent's side on all that the frame carries (Lagrange's principle of release; Hamel, *Theoretische
-Mechanik*, 1949).
+The model is lowered a second time with a frame or a point displaced by symbols s that stand for zero. The residual of
+the equation of s at s = 0, with rate and acceleration 0, is the force that keeps s at zero: the reaction. It is exerted
+by the parent's side on all that the frame carries (Lagrange's principle of release; Hamel, *Theoretische Mechanik*,
+1949).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from lagdsl.record import mutable_record
 
 @mutable_record()
 class Releases:
-    """Which release symbol belongs to what: frames take three for the force and three for the torque."""
+    """Assignment of release symbols: a frame takes three for the force and three for the torque."""
 
     release: Release
     along: dict[int, int]

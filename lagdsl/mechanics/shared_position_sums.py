@@ -35,11 +35,11 @@ def share_positions(lowering: Lowering, flat: FlatModel) -> None:
     for expression in found:
         value = lowering.value(expression)
         roots += (value,) if isinstance(value, int) else value
-    lowering.replace(share_sums(lowering.graph, roots))
+    lowering.values.replace(share_sums(lowering.graph, roots))
 
 
 class _Plain:
-    """Which expressions are arithmetic of coordinates, parameters, time and of other such expressions."""
+    """Recognizes expressions that are arithmetic of coordinates, parameters, time and other such expressions."""
 
     def __init__(self, flat: FlatModel) -> None:
         moving = (*flat.states, *flat.inputs)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from lagdsl.eliminate.count import flops
-from lagdsl.mechanics.eliminated import eliminate
 from lagdsl.mechanics.correction import correction
+from lagdsl.mechanics.eliminated import eliminate
 from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.tangent import acceleration_tangent
 from lagdsl.program.program import Program

@@ -1,5 +1,5 @@
-"""How accelerations change along a direction: M dqdd - J' dlam = -dr, J dqdd = -ds, solved before run time as the
-equations of motion are.
+"""Directional derivatives of accelerations: M dqdd - J' dlam = -dr, J dqdd = -ds, solved before run time like the
+equations of motion.
 
 r = M qdd - f - J' lam is differentiated at the accelerations and multipliers that solve it, so that M itself need not
 be. The factor does not depend on the direction: one factor serves many of them.

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.record import record
 
 Floats = NDArray[np.float64]
@@ -50,19 +51,11 @@ class Partition:
 def connected_blocks(pattern: Flags) -> Partition:
     """The finest partition of rows and columns for which entries outside of `pattern` (m, n) are zero."""
     m, n = pattern.shape
-    leader = list(range(m + n))
-
-    def find(x: int) -> int:
-        while leader[x] != x:
-            leader[x] = leader[leader[x]]
-            x = leader[x]
-        return x
-
+    blocks = DisjointSets(range(m + n))
     for row, column in zip(*(index.tolist() for index in np.nonzero(pattern)), strict=True):
-        a, b = find(row), find(m + column)
-        leader[max(a, b)] = min(a, b)
+        blocks.join(row, m + column)
     names: dict[int, int] = {}
-    labels = np.array([names.setdefault(find(x), len(names)) for x in range(m + n)], dtype=np.intp)
+    labels = np.array([names.setdefault(blocks.first(x), len(names)) for x in range(m + n)], dtype=np.intp)
     return labelled(labels[:m], labels[m:], len(names))
 
 

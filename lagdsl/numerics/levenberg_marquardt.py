@@ -23,8 +23,8 @@ _LARGEST_DAMPING = 1e8
 
 @record(kw_only=True)
 class Minimizer:
-    """Where the search ended: the point, the residuals there and their Euclidean norm (infinite where nothing is a
-    number)."""
+    """Result of the search: the point, the residuals there and their Euclidean norm (infinite if they are not
+    numbers)."""
 
     point: Floats
     residual: Floats

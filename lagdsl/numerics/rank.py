@@ -59,8 +59,7 @@ def minimum_norms(
 
 
 def independent_rows(matrix: Floats, order: list[int], count: int) -> list[bool]:
-    """Which rows are kept when rows are taken in `order` and one is left out if it depends on those kept: `count` of
-    them.
+    """Flags of `count` independent rows: rows are taken in `order`, and a row that depends on those kept is left out.
 
     With the right number known, by singular values, no tolerance of its own decides: it is lowered until so many rows
     are found.

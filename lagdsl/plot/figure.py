@@ -50,7 +50,7 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
     except ModuleNotFoundError as missing:
-        raise ModuleNotFoundError(f"figures need matplotlib: pip install 'lagdsl[plot]' ({missing})") from missing
+        raise ModuleNotFoundError(f"figures need matplotlib: pip install matplotlib ({missing})") from missing
 
     trajectory = trajectory.drawn()
     panels = _panels(trajectory)
@@ -114,7 +114,7 @@ def _draw(panel: Axes, trajectory: Trajectory, columns: Sequence[Column]) -> Non
 
 
 def _mark(panel: Axes, trajectory: Trajectory) -> None:
-    """Where something happened, but for clocks: lines, or dashes at the bottom where lines would hide the curves."""
+    """Marks events, except clocks: lines, or dashes at the bottom if lines would hide the curves."""
     times = sorted({event.time for event in trajectory.events if event.kind != "tick"})
     length = float(trajectory.time[-1] - trajectory.time[0])
     apart = [t for k, t in enumerate(times) if k == 0 or t - times[k - 1] > length / _MOST_LINES]

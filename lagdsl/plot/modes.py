@@ -85,7 +85,7 @@ def _panels(rows: int, columns: int, size: tuple[float, float], *, share: bool) 
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
     except ModuleNotFoundError as missing:
-        raise ModuleNotFoundError(f"figures need matplotlib: pip install 'lagdsl[plot]' ({missing})") from missing
+        raise ModuleNotFoundError(f"figures need matplotlib: pip install matplotlib ({missing})") from missing
     with mpl.rc_context(cast(Any, STYLE)):
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)

@@ -43,7 +43,7 @@ _PARAMETERS = (Group.TIME, Group.P)
 
 
 class Presence(Enum):
-    """Which programs have a function."""
+    """Condition under which a program has a function."""
 
     ALWAYS = "always"
     WRITTEN_OUT = "Formed from momentum_tangent() where M is not written out"
@@ -246,13 +246,13 @@ SIGNATURES: dict[str, tuple[Group, ...]] = {
     if function.presence in (Presence.ALWAYS, Presence.WRITTEN_OUT)
 }
 
-# Those of functions that not every program has.
+# Results of functions that not every program has.
 OPTIONAL: dict[str, tuple[Group, ...]] = {
     function.name: function.arguments for function in FUNCTIONS if function.name not in SIGNATURES
 }
 
-# Those that are for many directions at once only: modules of single calls do without.
+# Functions for many directions at once only: modules of single calls do without.
 ALONG_MANY = tuple(function.name for function in FUNCTIONS if not function.single)
 
-# Those that a program may lack where it has `momentum_tangent`.
+# Functions that a program with `momentum_tangent` may lack.
 WRITTEN_OUT = tuple(function.name for function in FUNCTIONS if function.presence is Presence.WRITTEN_OUT)

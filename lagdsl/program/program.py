@@ -115,7 +115,7 @@ class Function:
 
 @record(kw_only=True)
 class Program:
-    """One complete model as functions. Which functions there are is said in `lagdsl/program/functions.py`.
+    """One complete model as functions. `lagdsl/program/functions.py` lists the functions.
 
     `kept_rows` are the rows, ascending, whose multipliers the function `elimination` leaves to run time.
     """

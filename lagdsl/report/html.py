@@ -50,7 +50,7 @@ def html(document: Document, picture: bytes | None = None) -> str:
 <p class="kicker">Equations of motion</p>
 <h1>{escape(document.title)}</h1>{subtitle}
 </header>
-{_picture(picture, document.title)}{_sections(document.blocks)}
+{_picture(picture, document.title)}{sections(document.blocks)}
 </main>
 </body>
 </html>
@@ -65,7 +65,7 @@ def _picture(picture: bytes | None, title: str) -> str:
     return f'<figure style="margin: 1.2rem 0">{image}</figure>\n'
 
 
-def _sections(blocks: Sequence[Block]) -> str:
+def sections(blocks: Sequence[Block]) -> str:
     """A section from each heading to the next."""
     pieces: list[str] = []
     is_open = False

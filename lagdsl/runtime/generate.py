@@ -2,7 +2,7 @@
 
 The table is `lagdsl/program/functions.py`. From it come the function pointers of lag_model, the enumeration
 lag_function and the dispatcher lag_evaluate(), and what tapes check and call, each between two marks in a written
-file. What ctypes sees of the headers (`headers.py`) is written after them.
+file. The ctypes structures for the headers (`headers.py`) are written after them.
 """
 
 from __future__ import annotations

@@ -29,12 +29,18 @@ STRUCTURES = {
     "lag_run_report": ("run", "RunReport"),
     "lag_fault": ("run", "RunFault"),
     "lag_ensemble": ("ensemble", "Ensemble"),
+    "lag_signal": ("signals", "Signal"),
+    "lag_signals": ("signals", "Signals"),
 }
 # Of these Python follows the pointers; elsewhere they are addresses.
 _READ = ("lag_run_report", "lag_fault")
-_ENUMERATIONS = {"Status": ("status", "LAG_"), "InitialFault": ("initial", "LAG_INITIAL_")}
+_ENUMERATIONS = {
+    "Status": ("status", "LAG_"),
+    "InitialFault": ("initial", "LAG_INITIAL_"),
+    "SignalKind": ("signals", "LAG_SIGNAL_"),
+}
 _NUMBERS = {"double": "c_double", "size_t": "c_size_t", "int": "c_int", "unsigned": "c_uint"}
-_ENUMS = ("lag_status", "lag_event_kind", "lag_initial_fault")
+_ENUMS = ("lag_status", "lag_event_kind", "lag_initial_fault", "lag_signal_kind")
 _WIDTH = 80  # of names on one line
 _HEAD = '''"""The structures and enumerations of the C runtime as ctypes sees them.
 

@@ -70,6 +70,8 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "session_jump": (_STATUS, (_AT,)),
     "session_row": (_AT, (_AT,)),
     "session_width": (_SIZE, (_AT,)),
+    "signal_at": (c_double, (_AT, c_double, c_int)),
+    "signals_tell": (None, (_AT, c_double, c_int, _AT)),
     "ensemble_size": (_SIZE, (_AT,)),
     "ensemble_width": (_SIZE, (_AT,)),
     "ensemble_run": (_SIZE, (_AT, _SIZE, _SIZE, _AT)),

@@ -9,8 +9,8 @@ from pathlib import Path
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Hold the lock of the file `path`, which stays. Where there are no locks, nobody waits: who makes a file writes
-    it beside its place and moves it there, and whoever comes last replaces what the others made."""
+    """Hold the lock of the file `path`, which stays. On systems without locks nobody waits: a process writes the file
+    beside its place and moves it there, and the last one replaces the files of the others."""
     try:
         import fcntl
     except ImportError:  # Windows

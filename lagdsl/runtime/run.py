@@ -3,31 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from ctypes import addressof, byref, c_double, c_size_t
+from ctypes import addressof, byref, c_double
 from typing import Any
 from weakref import WeakMethod
 
 import numpy as np
 
 from lagdsl.graph.operation import Group
-from lagdsl.program.functions import ALONG_MANY, OPTIONAL, SIGNATURES
 from lagdsl.program.program import Layout
-from lagdsl.record import record
 from lagdsl.runtime.engines.buffers import Buffers
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.engines.native_model import NativeModel
-from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.run_options import Flags, RunSettings, address, shared_options
+from lagdsl.runtime.run_options import RunSettings, address, shared_options
+from lagdsl.runtime.run_view import Found, RunView, found_of
+from lagdsl.runtime.signal_tables import TabledInputs
 from lagdsl.runtime.structures import (
     WHAT,
     Extremes,
     Initial,
-    InitialFault,
     Note,
     Results,
-    RunFault,
     RunOptions,
-    RunReport,
     Status,
 )
 
@@ -36,39 +32,6 @@ _CALLED: dict[str, Any] = {field[0]: field[1] for structure in (RunOptions, Resu
 _ALIGNED = 16
 # Rows and notes that C keeps before Python takes them.
 _ROWS, _NOTES = 256, 1024
-_FUNCTIONS = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MANY]
-
-
-@record(kw_only=True)
-class Found:
-    """The start that was found, or what stands in the way: lag_initial. x (2 nq + nz,), `starts` are the values that
-    it was looked for from; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq); `p` are the parameters, those
-    that were found too."""
-
-    starts: Floats
-    x: Floats
-    fault: InitialFault
-    which: int
-    residual: float
-    rank: int
-    freedom: int
-    excess: int
-    general: int
-    dependent: Flags
-    row_sizes: Floats
-    pattern: Flags
-    p: Floats
-
-
-@record(kw_only=True)
-class Fault:
-    """Why a run ended: lag_fault."""
-
-    t: float
-    x: Floats
-    which: int
-    value: float
-    limit: float
 
 
 def _weakly(method: Callable[..., Any]) -> Callable[..., Any]:
@@ -83,23 +46,22 @@ def _weakly(method: Callable[..., Any]) -> Callable[..., Any]:
     return called
 
 
-class Run:
-    """Not to be used by several threads at once. What inputs raise is raised by the call that asked for them.
+class Run(RunView):
+    """Not to be used by several threads at once. The call that asked for inputs raises their exceptions.
 
     `p` are the parameters, those that are found with the start too. `notes` are what happened: time, kind (one of
     WHAT), number of the clock, relation, contact, reset or `terminate`.
     """
 
     def __init__(self, model: NativeModel, layout: Layout, settings: RunSettings) -> None:
-        self._library, self._model, self._layout = runtime_library(), model, layout
+        super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
+        self._model = model
         self.settings = settings
-        self.size = 2 * layout.size(Group.Q) + layout.size(Group.Z)
         self._problem: BaseException | None = None
         self._nothing = np.full(layout.size(Group.U), np.nan)
         self._kept: list[object] = []
         count = len(layout.constraints)
         self._row_sizes = np.ones(count)
-        self.p = settings.p
         self._drifts = np.zeros((3, len(layout.invariants)))
         self._width = int(self._library.results_width(model.model))
         self._row_buffer = np.zeros((_ROWS, self._width))
@@ -111,7 +73,6 @@ class Run:
         self._block = np.zeros(size // 8 + _ALIGNED, dtype=np.float64)
         start = -(-self._block.ctypes.data // _ALIGNED) * _ALIGNED
         self._run = self._library.run_place(start, model.model, byref(options))
-        self._report = RunReport()
 
     def _options(self, settings: RunSettings) -> RunOptions:
         options = shared_options(self._library, settings, self._kept)
@@ -121,10 +82,14 @@ class Run:
         if settings.invariant_tolerance is not None:
             for name, values in zip(("start", "size", "drift"), self._drifts, strict=True):
                 setattr(options, f"invariant_{name}", values.ctypes.data)
-        if callable(settings.inputs):
+        inputs = settings.inputs
+        if isinstance(inputs, TabledInputs):
+            inputs.tell(options, self._library, self._kept)
+            options.u = address(inputs.u, self._kept)
+        elif callable(inputs):
             self._inputs = options.inputs = _CALLED["inputs"](_weakly(self._tell_inputs))
         else:
-            options.u = address(settings.inputs, self._kept)
+            options.u = address(inputs, self._kept)
         self._full = _CALLED["full"](_weakly(self._empty))
         self._results = Results(
             most_rows=_ROWS,
@@ -191,28 +156,14 @@ class Run:
         self._checked(self._library.run_find(self._run, t, at, x.ctypes.data, byref(told)))
         if self.settings.start.free:
             self.p = np.array((c_double * len(layout.parameters)).from_address(told.p))
-        return Found(
-            starts=starts,
-            x=x,
-            fault=InitialFault(told.fault),
-            which=told.which,
-            residual=told.residual,
-            rank=told.rank,
-            freedom=told.freedom,
-            excess=told.excess,
-            general=told.general,
-            dependent=dependent.astype(np.bool_),
-            row_sizes=self._row_sizes.copy(),
-            pattern=pattern != 0.0,
-            p=self.p,
-        )
+        return found_of(told, starts, x, self.p, dependent, self._row_sizes, pattern)
 
     def begin(self, t: float, x: Floats) -> Status:
         """The motion begins at the state x, with what happens there."""
         return self._done(self._library.run_begin(self._run, t, self._state(x)))
 
     def enter(self, t: float, x: Floats) -> Status:
-        """What happens at the start of a motion, and no more."""
+        """Carries out the events at the start of a motion, and no more."""
         moved = self._done(self._library.run_move(self._run, t, self._state(x), 0.0))
         return moved or self._done(self._library.run_enter(self._run))
 
@@ -221,7 +172,7 @@ class Run:
         return self._done(self._library.run_to(self._run, stop, steps))
 
     def jump(self) -> Status:
-        """What inputs bring that jump now."""
+        """Carries out the changes that inputs which jump now cause."""
         return self._done(self._library.run_jump(self._run))
 
     def change(self, model: NativeModel) -> None:
@@ -234,10 +185,6 @@ class Run:
     def end(self) -> Status:
         """Evaluates the end of the motion."""
         return self._done(self._library.run_end(self._run))
-
-    def _state(self, x: Floats) -> int:
-        self._at = np.append(x, 0.0)
-        return int(self._at.ctypes.data)
 
     def _checked(self, status: int) -> Status:
         raised = [self._problem] if self._problem is not None else self._model.raised
@@ -262,60 +209,11 @@ class Run:
         return self._extreme_memory[:count].copy(), self._extreme_memory[count : 2 * count].copy()
 
     def turns(self) -> Floats:
-        """How often every number of the state turned around."""
+        """Number of reversals of every number of the state."""
         first = 2 * self._extremes.count
         return self._extreme_memory[first : first + self.size].copy()
-
-    @property
-    def report(self) -> RunReport:
-        self._library.run_tell(self._run, byref(self._report))
-        return self._report
-
-    @property
-    def t(self) -> float:
-        return float(self.report.t)
-
-    @property
-    def x(self) -> Floats:
-        """The present state, a copy."""
-        return np.array(self.report.x[: self.size])
-
-    @property
-    def w(self) -> Floats:
-        """The discretes, a copy."""
-        return np.array(self.report.w[: len(self._layout.discretes)])
-
-    def guilty(self) -> list[int]:
-        """The discretes because of which an event failed."""
-        report = self.report
-        return [k for k in range(len(self._layout.discretes)) if report.guilty[k] != 0.0]
-
-    def changes(self) -> list[tuple[float, bool]]:
-        """Time and kind (to an implicit one) of the first changes of the method."""
-        report = self.report
-        return [(float(report.change[i].t), bool(report.change[i].implicit)) for i in range(min(report.changes, 16))]
 
     def invariants(self) -> tuple[Floats, Floats, Floats]:
         """Of every invariant: its value at the start, its scale, its largest drift."""
         start, size, drift = self._drifts.copy()
         return start, size, drift
-
-    def explain(self, status: Status) -> Fault:
-        """Why it ended with this status."""
-        told = RunFault()
-        self._library.run_explain(self._run, status, byref(told))
-        x = np.array(told.x[: self.size])
-        return Fault(t=told.t, x=x, which=told.which, value=told.value, limit=told.limit)
-
-    def rank(self) -> tuple[int, int, int]:
-        """Independent rows of constraints now and in general, and the row with the largest share in what is lost."""
-        general, weakest = c_size_t(0), c_size_t(0)
-        rank = int(self._library.run_rank(self._run, byref(general), byref(weakest)))
-        return rank, general.value, weakest.value
-
-    def evaluate(self, function: str, t: float, x: Floats, count: int) -> Floats:
-        """The results of a function of the model, `count` numbers one after the other, at the state x with the present
-        discretes."""
-        results = np.zeros(count + 1)
-        self._library.run_evaluate(self._run, _FUNCTIONS.index(function), t, self._state(x), results.ctypes.data)
-        return results[:count]

@@ -12,6 +12,7 @@ from lagdsl.backends.start import Start as StartTold
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Floats
 from lagdsl.runtime.library import Runtime
+from lagdsl.runtime.signal_tables import TabledInputs
 from lagdsl.runtime.structures import RunOptions, Start
 
 Flags = NDArray[np.bool_]
@@ -19,15 +20,15 @@ Flags = NDArray[np.bool_]
 
 @record(kw_only=True)
 class RunSettings:
-    """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), or a function of time and of whether
-    the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic choice;
-    `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,), see
-    lag/methods/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are
+    """Options of a run: lag_run_options. `inputs` are the constant inputs (nu,), tables, or a function of time and of
+    whether the value before a jump is wanted. `method` is the name of one of the runtime, or None for the automatic
+    choice; `step` is the length of the steps of those that do not choose it. `group`, `natural`, `cap`: (2 nq + nz,),
+    see lag/methods/accuracy.h. Of the rows flagged in `lasting` (nc,) `general` are independent in general. Rows are
     wanted at `times`; `invariant_tolerance` (ni,) None: nothing is watched;
     `turning` (ny,) flags outputs that are angles known up to whole turns."""
 
     p: Floats
-    inputs: Floats | Callable[[float, bool], Floats]
+    inputs: Floats | TabledInputs | Callable[[float, bool], Floats]
     start: StartTold
     group: Floats
     natural: Floats
@@ -80,5 +81,6 @@ def _start(told: StartTold, kept: list[object]) -> Start:
     numbers = {name: address(getattr(told, name), kept) for name in ("nominal", "minimum", "maximum")}
     if told.free:
         flags["free"] = address(told.free, kept, np.uint8)
-        numbers["parameter_nominal"] = address(told.parameter_nominal, kept)
+        for name in ("parameter_nominal", "parameter_minimum", "parameter_maximum"):
+            numbers[name] = address(getattr(told, name), kept)
     return Start(t=told.t, **flags, **numbers)

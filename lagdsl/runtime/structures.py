@@ -64,6 +64,16 @@ class InitialFault(IntEnum):
     EQUATIONS = 4
     RANK = 5
     PARAMETERS = 6
+    BOUNDS = 7
+
+
+class SignalKind(IntEnum):
+    """Of lag/signals.h."""
+
+    HELD = 0
+    STEPS = 1
+    LINES = 2
+    POLYNOMIAL = 3
 
 
 class Arguments(Structure):
@@ -128,7 +138,8 @@ class Start(Structure):
 
     _fields_ = [
         *_all(c_double, "t"),
-        *_all(c_void_p, "x fixed written nominal minimum maximum free parameter_nominal"),
+        *_all(c_void_p, "x fixed written nominal minimum maximum free parameter_nominal parameter_minimum"),
+        *_all(c_void_p, "parameter_maximum"),
     ]
 
 
@@ -280,5 +291,26 @@ class Ensemble(Structure):
         *_all(c_void_p, "at"),
         *_all(c_size_t, "first_piece piece most_steps"),
         *_all(c_int, "equations"),
-        *_all(c_void_p, "set turning stopped p u natural x rows kept ended status"),
+        *_all(c_void_p, "set turning stopped p u natural x rows kept ended status found"),
+        *_all(CFUNCTYPE(None, c_void_p, c_size_t, c_void_p, c_int, _Numbers, _Numbers, c_void_p), "failed"),
+        *_all(c_void_p, "context"),
+    ]
+
+
+class Signal(Structure):
+    """lag_signal."""
+
+    _fields_ = [
+        *_all(c_int, "kind"),
+        *_all(c_size_t, "count terms"),
+        *_all(c_void_p, "time value"),
+    ]
+
+
+class Signals(Structure):
+    """lag_signals."""
+
+    _fields_ = [
+        *_all(c_size_t, "count"),
+        *_all(c_void_p, "signal"),
     ]

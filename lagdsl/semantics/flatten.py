@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import replace
 
 from lagdsl.diagnostics import Diagnostic, Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.limits import check_limits
 from lagdsl.flat.model import Coordinate, FlatModel, Input, Output, Parameter, State
@@ -40,8 +38,9 @@ from lagdsl.semantics.variables.scale_points import check_difference
 from lagdsl.semantics.wellformed.corners import check_changing_inertia, check_corners, corners_of_motion
 from lagdsl.source import SourceFile
 from lagdsl.syntax import nodes
+from lagdsl.syntax.recursion import deep_recursion
 
-_DEEPEST = 100_000
+_DEEPEST = 100_000  # definitions may stand in the reverse of their order
 
 
 def flatten(
@@ -55,7 +54,7 @@ def flatten(
     found = InstanceSink(current)
     ctx = Context(found, Definitions(), elaborate, Conventions(unit.span.file, structural or {}), current)
     flat = None
-    with _deep_recursion():
+    with deep_recursion(_DEEPEST):
         try:
             flat = _flatten(ctx, unit, model)
         except RecursionError:
@@ -71,17 +70,6 @@ def _position(diagnostic: Diagnostic, file: SourceFile) -> tuple[bool, str, int]
         return False, "", -1
     span = diagnostic.labels[0].span
     return span.file is not file, span.file.name if span.file is not file else "", span.start
-
-
-@contextmanager
-def _deep_recursion() -> Iterator[None]:
-    """Room for definitions that stand in the reverse of their order."""
-    before = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(before, _DEEPEST))
-    try:
-        yield
-    finally:
-        sys.setrecursionlimit(before)
 
 
 def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | None:
@@ -218,5 +206,4 @@ def _check_overrides(ctx: Context, contents: Contents) -> None:
     names = [symbol.name for symbol in contents.symbols if symbol.kind == "structural"]
     for name in ctx.conventions.overrides:
         if name not in names:
-            meant = nearest(name, names)
-            ctx.sink.report("E0222", None, name=name, help=f"did you mean `{meant}`?" if meant else None)
+            ctx.sink.report("E0222", None, name=name, help=did_you_mean(name, names))

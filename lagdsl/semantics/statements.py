@@ -6,7 +6,7 @@ from dataclasses import field
 from typing import Literal, assert_never
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.record import mutable_record
@@ -210,8 +210,7 @@ def _invariant(ctx: Context, physics: Physics, scope: Scope, node: nodes.Invaria
 def _tolerance(ctx: Context, scope: Scope, node: nodes.Invariant) -> float | None:
     for option in node.options:
         if option.name != "tol":
-            meant = nearest(option.name, ["tol"])
-            hint = f"did you mean `{meant}`?" if meant else None
+            hint = did_you_mean(option.name, ["tol"])
             ctx.sink.report("E0202", name_span(option), name=option.name, type="invariant", attributes="tol", help=hint)
             continue
         value = ctx.elaborate(ctx, scope, option.value, False)

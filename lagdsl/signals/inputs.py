@@ -3,17 +3,18 @@ smooth."""
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeAlias, cast
 
 import numpy as np
 
 from lagdsl.diagnostics import Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.model import FlatModel, Input
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
+from lagdsl.runtime.signal_tables import SignalTable, TabledInputs
+from lagdsl.runtime.structures import SignalKind
 
 # A pair is (times, values), or an array of these two rows, see `_of_table`. Two equal times are a jump.
 Signal: TypeAlias = "float | Callable[[float], float] | tuple[Sequence[float], Sequence[float]] | Floats"
@@ -39,6 +40,21 @@ class Signals:
         """True if no input changes."""
         return all(isinstance(function, _Constant) for function in self.functions)
 
+    @property
+    def tables(self) -> tuple[SignalTable | None, ...] | None:
+        """The table of each input, None for constants; None if any input is a function of Python."""
+        if not all(isinstance(function, (_Constant, SignalTable)) for function in self.functions):
+            return None
+        return tuple(function if isinstance(function, SignalTable) else None for function in self.functions)
+
+    def course(self, t0: float) -> Floats | TabledInputs | Callable[[float, bool], Floats]:
+        """As a run that begins at t0 is told of them."""
+        if self.constant:
+            return self.at(t0)
+        if self.tables is not None:
+            return TabledInputs(self.at(t0), self.tables)
+        return lambda t, before: self.at(t, before=before)
+
     def at(self, t: float, *, before: bool = False) -> Floats:
         """u (nu,); at a jump the value after it, or before it."""
         return np.array([function(t, before) for function in self.functions]) if self.functions else _NONE
@@ -57,8 +73,7 @@ def signals(
     names = [item.name for item in flat.inputs]
     for name in inputs:
         if name not in names:
-            likely = nearest(name, names)
-            help = f"did you mean `{likely}`?" if likely else None
+            help = did_you_mean(name, names)
             sink.report("E0819", None, help=help, name=name, known=", ".join(names) or "none")
     functions: list[_Function] = []
     breaks: set[float] = set()
@@ -74,7 +89,7 @@ def signals(
 
 
 def given_inputs(flat: FlatModel, inputs: Mapping[str, Signal]) -> list[bool]:
-    """Which inputs of the model these signals tell; all others have their defaults."""
+    """Flags of the inputs that these signals determine; all others have their defaults."""
     return [_source(item.name, inputs)[0] is not None for item in flat.inputs]
 
 
@@ -90,7 +105,7 @@ def _source(name: str, inputs: Mapping[str, Signal]) -> tuple[str | None, int]:
 
 
 def _derivatives_left(name: str, names: list[str], inputs: Mapping[str, Signal]) -> int:
-    """How many further derivatives the same signal has to give."""
+    """Number of further derivatives that the same signal must provide."""
     count = 0
     while (name := f"der({name})") in names and name not in inputs:
         count += 1
@@ -157,10 +172,10 @@ def _of_table(
     if item.base != "Real":
         _check_whole(item, values, sink)
         breaks.update(times[1:][np.diff(values) != 0.0].tolist())
-        return _steps(times.tolist(), values.tolist())
+        return SignalTable(SignalKind.STEPS, times, values)
     if needed == 0:
         breaks.update(_kinks(times, values))
-        return _lines(times.tolist(), values.tolist())
+        return SignalTable(SignalKind.LINES, times, values)
     kept = np.append(True, (np.diff(times) > 0.0) | (np.diff(values) != 0.0))
     times, values = times[kept], values[kept]  # a row may stand twice for a jump in another column
     jumps = np.flatnonzero(np.diff(times) == 0.0)
@@ -177,8 +192,8 @@ def _of_table(
     if needed == 1:
         slopes = np.diff(values) / np.diff(times)
         if order == 0:
-            return _lines(times.tolist(), values.tolist())
-        return _steps(times.tolist(), [*slopes.tolist(), float(slopes[-1])])
+            return SignalTable(SignalKind.LINES, times, values)
+        return SignalTable(SignalKind.STEPS, times, np.append(slopes, slopes[-1]))
     if order == 2:
         sink.report("N0848", None, name=source, derivative=item.name)
     return _cubics(times, values, order)
@@ -218,30 +233,7 @@ class _Constant:
         return self.value
 
 
-def _lines(times: list[float], values: list[float]) -> _Function:
-    """Straight lines between the points; at equal times a jump."""
-
-    def value(t: float, before: bool) -> float:
-        index = (bisect_left if before else bisect_right)(times, t)
-        index = min(max(index, 1), len(times) - 1)
-        t0, t1 = times[index - 1], times[index]
-        part = (t - t0) / (t1 - t0) if t1 > t0 else 1.0
-        return values[index - 1] + part * (values[index] - values[index - 1])
-
-    return value
-
-
-def _steps(times: list[float], values: list[float]) -> _Function:
-    """Each value from its time on."""
-
-    def value(t: float, before: bool) -> float:
-        index = (bisect_left if before else bisect_right)(times, t)
-        return values[max(index - 1, 0)]
-
-    return value
-
-
-def _cubics(times: Floats, values: Floats, order: int) -> _Function:
+def _cubics(times: Floats, values: Floats, order: int) -> SignalTable:
     """A derivative of cubics that have no extremum where the rows have none (F. N. Fritsch and J. Butland, SIAM J. Sci.
     Stat. Comput. 5 (1984) 300), as `table(..., "monotone")`. At a row the second derivative of the piece after it, or
     before it."""
@@ -249,17 +241,7 @@ def _cubics(times: Floats, values: Floats, order: int) -> _Function:
 
     curve: Any = PchipInterpolator(times, values)
     powers = curve.derivative(order).c if order else curve.c
-    pieces, starts = powers.T.tolist(), times.tolist()
-
-    def value(t: float, before: bool) -> float:
-        index = (bisect_left if before else bisect_right)(starts, t)
-        index = min(max(index - 1, 0), len(pieces) - 1)
-        total, x = 0.0, t - starts[index]
-        for coefficient in pieces[index]:
-            total = total * x + coefficient
-        return float(total)
-
-    return value
+    return SignalTable(SignalKind.POLYNOMIAL, times, powers.T)
 
 
 def _kinks(times: Floats, values: Floats) -> list[float]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.numerics.rank import Floats
 from lagdsl.signals.moved import MovedRow
 from lagdsl.structure.display import Display
@@ -41,7 +41,7 @@ class Column:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InvariantRecord:
-    """How well a claimed invariant held: its value at the start, the largest drift from it, and what was allowed."""
+    """Drift of a declared invariant: its value at the start, the largest drift from it, and the permitted drift."""
 
     name: str
     start: float
@@ -132,8 +132,7 @@ class Trajectory:
         for column in self.columns:
             if column.name == name:
                 return column
-        likely = nearest(name, self.names) if isinstance(name, str) else None
-        hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(self.names)}"
+        hint = did_you_mean(str(name), self.names, f"there are {', '.join(self.names)}")
         raise KeyError(f"no column `{name}`; {hint}")
 
     def __getitem__(self, name: str) -> Floats:
@@ -147,7 +146,7 @@ class Trajectory:
         try:
             import pandas as pd
         except ModuleNotFoundError as missing:
-            raise ModuleNotFoundError(f"data frames need pandas: pip install 'lagdsl[table]' ({missing})") from missing
+            raise ModuleNotFoundError(f"data frames need pandas: pip install pandas ({missing})") from missing
         return pd.DataFrame({column.name: column.values for column in self.columns})
 
     def crossings(self, name: str, level: float = 0.0, *, direction: int = 0) -> Floats:

@@ -1,4 +1,4 @@
-"""How a simulation fails: with time, state, the name at fault, and the motion up to there."""
+"""Failure of a simulation: time, state, the name at fault, and the motion up to there."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from lagdsl.flat.model import Coordinate, FlatModel
 from lagdsl.flat.spans import place as place_of
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
-from lagdsl.runtime.run import Found, Run
+from lagdsl.runtime.run_view import Found, RunView
 from lagdsl.runtime.structures import InitialFault
 from lagdsl.structure.names import Located, configuration, located, place, seat, unit_suffix
 
@@ -20,8 +20,8 @@ _MOST_JOINTS = 6
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
 
-def report_no_start(flat: FlatModel, layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
-    """E0801, E0802, E0803, E0815, E0816, E0831 or E0837, if there is no start."""
+def report_no_start(flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> None:
+    """E0801, E0802, E0803, E0815, E0816, E0831, E0837 or E0838, if there is no start."""
     match found.fault:
         case InitialFault.NONE:
             return
@@ -42,6 +42,8 @@ def report_no_start(flat: FlatModel, layout: Layout, run: Run, t: float, found: 
             name = layout.parameters[found.which].name
             parameter = next(p for p in flat.parameters if p.name == name)
             sink.report("E0837", place_of(parameter), name=name)
+        case InitialFault.BOUNDS:
+            _report_bounds(flat, layout, found, sink)
 
 
 def report_numbers(flat: FlatModel, starts: Floats, u: Floats, sink: Sink) -> bool:
@@ -59,11 +61,19 @@ def report_numbers(flat: FlatModel, starts: Floats, u: Floats, sink: Sink) -> bo
     return bool(wrong)
 
 
-def report_found(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> None:
-    """E0838 for a parameter that was found outside of its bounds, E0334 for what is told to events with it."""
-    if found.fault is not InitialFault.NONE or not any(parameter.free for parameter in flat.parameters):
-        return
-    values = {slot.name: value for slot, value in zip(layout.parameters, found.p.tolist(), strict=True)}
+def report_found(flat: FlatModel, layout: Layout, p: Floats, sink: Sink) -> None:
+    """E0334 for what is told to events with the free parameters in p (np,), which were found."""
+    if any(parameter.free for parameter in flat.parameters):
+        check_limits(flat, _values(layout, p), sink)
+
+
+def _values(layout: Layout, p: Floats) -> dict[str, float]:
+    return {slot.name: value for slot, value in zip(layout.parameters, p.tolist(), strict=True)}
+
+
+def _report_bounds(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> None:
+    """Every parameter that was found outside of its bounds."""
+    values = _values(layout, found.p)
     for parameter in flat.parameters:
         low, high = parameter.minimum, parameter.maximum
         value = values.get(parameter.name, parameter.value)
@@ -81,10 +91,9 @@ def report_found(flat: FlatModel, layout: Layout, found: Found, sink: Sink) -> N
                     which=word,
                     limit=f"{bound:g}{unit}",
                 )
-    check_limits(flat, values, sink)
 
 
-def _report_numbers(layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
+def _report_numbers(layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> None:
     """Rows that are no numbers at the start values."""
     count = len(layout.constraints)
     rows = [
@@ -96,7 +105,7 @@ def _report_numbers(layout: Layout, run: Run, t: float, found: Found, sink: Sink
             sink.report("E0816", None, name=slot.name)
 
 
-def _report_positions(flat: FlatModel, layout: Layout, run: Run, t: float, found: Found, sink: Sink) -> None:
+def _report_positions(flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> None:
     n, count = len(layout.coordinates), len(layout.constraints)
     phi = run.evaluate("position_constraint", t, found.x, count * (1 + n))[:count]
     sizes = np.where(np.isfinite(phi), np.abs(phi) / found.row_sizes, np.inf)

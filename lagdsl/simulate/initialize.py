@@ -11,7 +11,9 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.runtime.engines.engine import Engine
-from lagdsl.runtime.run import Found, Run
+from lagdsl.runtime.run import Run
+from lagdsl.runtime.run_view import Found
+from lagdsl.runtime.structures import InitialFault
 from lagdsl.signals.moved import MovedRow, Starts, found_rows, loops_of, moved_rows, moved_text, report_moved
 from lagdsl.simulate.initial_words import report_found, report_no_start, report_numbers
 from lagdsl.simulate.placed import placed
@@ -55,9 +57,9 @@ def initial_state(
 ) -> InitialState:
     """The state nearest to the starts that satisfies constraints, fixed values and initial equations.
 
-    `p` are the independent parameters (default: the model's), `u` the inputs at the start, `start` further start
-    values by name in SI units, also `der(theta)`. What is wrong or was moved is reported to `sink`; without one,
-    errors raise CompilationFailed.
+    `p` are the independent parameters (default: the model's), `u` the inputs at the start, `start` further start values
+    by name in SI units, also `der(theta)`. Reports errors and moved starts to `sink`; without one, errors raise
+    CompilationFailed.
     """
     own = Sink() if sink is None else sink
     parameters = np.array(engine.layout.defaults, dtype=np.float64) if p is None else p
@@ -82,7 +84,8 @@ def find_start(
         report_no_start(flat, engine.layout, run, t, found, sink)
     n = len(flat.coordinates)
     starts = _starts(flat, run, found, given)
-    report_found(flat, engine.layout, found, sink)
+    if found.fault is InitialFault.NONE:
+        report_found(flat, engine.layout, found.p, sink)
     rows: tuple[MovedRow, ...] = ()
     if not _wrong(sink, before):
         rows = moved_rows(starts, found.x, _cut_joints(flat, run, t, found))

@@ -12,7 +12,7 @@ from lagdsl.flat.quantity import Item
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.record import record
-from lagdsl.runtime.run import Fault, Run
+from lagdsl.runtime.run_view import Fault, RunView
 from lagdsl.runtime.structures import Status
 from lagdsl.simulate.state_words import component_name, state_text, time_text, zero_norm
 from lagdsl.structure.names import located, place
@@ -36,7 +36,7 @@ class Course:
 
     flat: FlatModel
     layout: Layout
-    run: Run
+    run: RunView
     last: float
     most_steps: int
 

@@ -13,6 +13,7 @@ from lagdsl.program.program import Layout
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.run import Run
 from lagdsl.runtime.run_options import RunSettings
+from lagdsl.runtime.signal_tables import TabledInputs
 from lagdsl.simulate.scales import scales_of
 from lagdsl.structure.names import contact_rows
 
@@ -26,7 +27,7 @@ def placed(
     flat: FlatModel,
     engine: Engine,
     p: Floats,
-    inputs: Floats | Callable[[float, bool], Floats],
+    inputs: Floats | TabledInputs | Callable[[float, bool], Floats],
     *,
     t0: float | None = None,
     times: Floats | None = None,
@@ -48,7 +49,7 @@ def settings_of(
     layout: Layout,
     p: Floats,
     q: Floats,
-    inputs: Floats | Callable[[float, bool], Floats],
+    inputs: Floats | TabledInputs | Callable[[float, bool], Floats],
     *,
     t: float,
     times: Floats | None,

@@ -15,7 +15,7 @@ from lagdsl.signals.trajectory import Trajectory
 DEFAULT_ROWS = 500
 # Rows from one turning point of the motion to the next: fewer hide what it does, so many draw it.
 _LEAST, _ENOUGH = 4, 8
-# What turns around by this part as often as another one does so as often.
+# A quantity with at least this part of another one's reversals is as fast as that one.
 _AS_OFTEN = 0.9
 # Of a motion that turns more often no more are made without being asked for.
 _MOST_ROWS = 50_000

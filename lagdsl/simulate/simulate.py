@@ -50,8 +50,8 @@ def simulate(
 
     `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start`
     further start values; SI units. `step` is the length of the steps of rk4, leapfrog and ros2. `progress` is called
-    with the part of the time that is done. What is wrong before the first step raises CompilationFailed (warnings go to
-    `sink`), what goes wrong on the way SimulationFailed, bad options ValueError.
+    with the part of the time that is done. An error before the first step raises CompilationFailed (warnings go to
+    `sink`), a failure on the way SimulationFailed, a bad option ValueError.
     """
     experiment = flat.experiment
     t0 = experiment.start_time
@@ -110,15 +110,14 @@ def _motion(
 ) -> tuple[Trajectory, Floats]:
     """With rows at `times`; and how often every number of the state turns around."""
     flat, engine, given, t0 = asked.flat, asked.engine, asked.signals, float(times[0])
-    course = given.at(t0) if given.constant else lambda t, before: given.at(t, before=before)
     with np.errstate(all="ignore"), warnings.catch_warnings():
-        # What is not a number is found by looking at the numbers.
+        # Checks of the values detect those that are not numbers.
         warnings.simplefilter("ignore", RuntimeWarning)
         run = placed(
             flat,
             engine,
             asked.p,
-            course,
+            given.course(t0),
             t0=t0,
             times=times,
             tolerance=asked.tolerance,

@@ -24,7 +24,7 @@ def standing(
     flat: FlatModel, engine: Engine, t: float, state: tuple[Floats, Floats, Floats], u: Floats, p: Floats
 ) -> Standing:
     """At t and `state` (q, qd, z): relations as they stand, contacts that carry closed, clauses of the start and clocks
-    that tick there gone through. What they would do to rates and states is left out."""
+    that tick there gone through. Their effects on rates and states are left out."""
     if not engine.layout.discretes:
         return Standing(np.zeros(0))
     with np.errstate(all="ignore"):

@@ -40,7 +40,7 @@ def trajectory(
 
 
 def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
-    """How every invariant held."""
+    """Drift of every invariant."""
     start, size, drift = run.invariants()
     tolerance = run.settings.invariant_tolerance
     limits = [] if tolerance is None else (tolerance * size).tolist()

@@ -20,8 +20,8 @@ _TRIES = 24
 _MANY = 60
 _FEWER_TRIES = 8
 _LEAST_TRIES = 2
-# What moves by itself less than this part of its size per second stands still: in a loop on a base that moves, the
-# motion of the base cancels but for round-off.
+# A bias rate below this part of its size per second is zero: in a loop on a base that moves, the motion of the base
+# cancels but for round-off.
 _ROUNDING = 1e-12
 # So many independent parts of a mechanism that cannot be assembled are looked into.
 _EXAMINED = 2

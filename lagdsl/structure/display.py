@@ -21,7 +21,8 @@ class Display:
 
 
 def display(quantity: Quantity) -> Display:
-    """How a value of `quantity` is shown. Plain angles (type Angle without a display unit) are shown in degrees."""
+    """Unit and factor in which a value of `quantity` is shown. Plain angles (type Angle without a display unit) are
+    shown in degrees."""
     text = quantity.display_unit or ("deg" if quantity.type_name == "Angle" else None)
     if text is None:
         return Display("" if quantity.unit == "1" else quantity.unit)
@@ -30,7 +31,7 @@ def display(quantity: Quantity) -> Display:
 
 
 def display_rate(coordinate: Coordinate) -> Display:
-    """How a rate of `coordinate` is shown: its display unit per second (an offset does not matter to a rate)."""
+    """Unit and factor in which a rate of `coordinate` is shown: its display unit per second, without offset."""
     shown = display(coordinate)
     return Display(f"{shown.unit or '1'}/s", shown.scale)
 

@@ -61,7 +61,7 @@ def _weightless(mass: Floats, sizes: Floats) -> Floats:
 
 
 def _held(reach: Floats, rows: Sequence[int]) -> Floats:
-    """How much the rows give of directions, the largest first."""
+    """Singular values of directions in the rows, the largest first."""
     return np.asarray(np.linalg.svd(reach[list(rows)], compute_uv=False)) if len(rows) else np.zeros(0)
 
 

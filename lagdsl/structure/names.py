@@ -41,7 +41,7 @@ def comes_and_goes(constraint: Constraint) -> bool:
 
 
 def place(constraint: Constraint) -> Span | None:
-    """Where it is to be pointed at: the `connect` of a closure, else the declaration."""
+    """Place to which diagnostics point: the `connect` of a closure, else the declaration."""
     if constraint.closure is not None:
         return constraint.closure.span
     return constraint.spans[0] if constraint.spans else None
@@ -89,7 +89,7 @@ def configuration(flat: FlatModel, q: Floats, columns: list[int] | None = None) 
 
 
 def seat(constraint: Constraint) -> str:
-    """Where a constraint acts: the joint that closes the loop, else its own name."""
+    """Name of the place at which a constraint acts: the joint that closes the loop, else its own name."""
     return constraint.name if constraint.closure is None else constraint.closure.joint or constraint.name
 
 

@@ -30,7 +30,7 @@ _ROW = 1e-3
 _ROUNDING = 1e-12
 # An entry of J that is smaller, as a part of its row, at every point looked at is none.
 _ABSENT = 1e-13
-# What subtraction must leave of every pivot to tell that M is positive definite.
+# Subtraction must leave this part of every pivot to show that M is positive definite.
 _SAFE_PIVOT = 1e-6
 # So many points that the median of a row's lengths hardly depends on which they are.
 _SIZED_AT = 8
@@ -242,7 +242,7 @@ def probes(
     independent beside it by as much as the residual, so points where the rows hold by and large are taken only if there
     are no others.
 
-    Where the functions exist near the start only (roots, logarithms) the steps become shorter and shorter; the start
+    If the functions exist near the start only (roots, logarithms), the steps become shorter and shorter; the start
     itself is the last resort.
     """
     found: list[Probe] = []

@@ -1,4 +1,4 @@
-"""Which multipliers are eliminated with the accelerations: from numbers at points of the constraint set, as rows may
+"""Choice of multipliers to eliminate with the accelerations, from numbers at points of the constraint set: rows may
 depend on each other there and nowhere else.
 """
 
@@ -71,7 +71,8 @@ def without_weak_rows(factor: Factor, strengths: Strengths) -> Rows | None:
 
 
 def least_pivot(factor: Factor, strengths: Strengths) -> int:
-    """What subtraction left of the smallest pivot, and how weakly a row holds against the others of its loop.
+    """The smallest of two kinds of measures, as a node: the part that subtraction left of a pivot, and the strength of
+    a row against the others of its loop.
 
     Rows are compared in their usual sizes: one that is short is no row in a singular position, whatever its direction.
     """
@@ -92,7 +93,7 @@ def _usual(sizes: Floats) -> float:
 
 
 def strengths_at_points(factor: Factor, structure: Structure) -> Strengths:
-    """Those of the factor in numbers."""
+    """Strengths of the factor in numbers."""
     nodes = [node for pair in factor.strengths.values() for node in pair]
     values = evaluate(factor.graph, nodes, _symbols(structure.space, structure.points))
     count = len(structure.points)

@@ -28,8 +28,8 @@ _LARGEST_VARIABLE = 2**31 - 4  # bytes, of the classic format, which SciPy write
 def dataset(plan: Plan, times: Floats, outcomes: Iterable[Outcome], *, model: str) -> xarray.Dataset:
     """Every column over the axes of the plan, `sample` and `time`; `status`, `message` and `ended` [s] of every run.
 
-    What was set are coordinates, with their units. Rows after the end of a run that failed, and columns that a model
-    lacks, are nan. A name that the model has itself ends in `_`.
+    Quantities that the plan set are coordinates, with their units. Rows after the end of a run that failed, and columns
+    that a model lacks, are nan. A name that the model has itself ends in `_`.
     """
     import xarray
 
@@ -65,7 +65,7 @@ def require_writer(path: Path) -> None:
     if path.suffix.lower() not in ENDINGS:
         raise ValueError(f"{path.name}: sweeps are written as {', '.join(ENDINGS)}")
     if path.suffix.lower() == ".parquet" and find_spec("pyarrow") is None:
-        raise ModuleNotFoundError("writing Parquet needs pyarrow: pip install 'lagdsl[table]'")
+        raise ModuleNotFoundError("writing Parquet needs pyarrow: pip install pyarrow")
 
 
 def require_room(runs: int, rows: int, columns: int, path: Path | None) -> None:

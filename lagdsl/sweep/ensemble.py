@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -14,14 +14,16 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.runtime.engines.auto_engine import AutoEngine
 from lagdsl.runtime.engines.broadcast import BatchEngine
 from lagdsl.runtime.ensemble import Bench, EnsembleSettings, Made, Stop
+from lagdsl.runtime.signal_tables import TabledInputs
 from lagdsl.signals.inputs import given_inputs, signals
 from lagdsl.simulate.initialize import places_of
 from lagdsl.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.simulate.placed import settings_of
 from lagdsl.simulate.simulate import grid
 from lagdsl.simulate.table import heads_of
+from lagdsl.sweep.failure_words import FailureWords
 from lagdsl.sweep.plan import Task
-from lagdsl.sweep.run import Options, Outcome, parameters_of
+from lagdsl.sweep.run import Options, Outcome, failed, parameters_of
 
 # In the rows of one call of C.
 _NUMBERS = 4_000_000
@@ -61,12 +63,15 @@ class Ensemble:
         with self._lock:
             told = self._settings([tasks[k] for k in known], np.array([tellable[k] for k in known]))
             model = self._engine.native
-        made = None if told is None else bench.run(model, told, stop)
-        if told is not None and made is None:
+        if told is None:
+            return outcomes
+        settings, inputs = told
+        words = FailureWords(self._flat, self._engine.layout, settings, inputs)
+        made = bench.run(model, self._engine.layout, settings, stop, words.hear)
+        if made is None:
             return []
         for row, k in enumerate(known):
-            if made is not None and made.went_well(row):
-                outcomes[k] = self._outcome(tasks[k].index, made, row)
+            outcomes[k] = self._outcome(tasks[k].index, made, row, words)
         return outcomes
 
     def worked(self, seconds: float, left: float) -> None:
@@ -87,20 +92,22 @@ class Ensemble:
         check_limits(self._flat, dict(zip(names, p.tolist(), strict=True)), sink)
         return None if sink.diagnostics else p
 
-    def _settings(self, tasks: Sequence[Task], p: Floats) -> EnsembleSettings | None:
-        """What C is told; None where each tells by itself what is wrong with its options or what it finds."""
-        if any(p.free and (p.minimum, p.maximum) != (None, None) for p in self._flat.parameters):
-            return None
+    def _settings(
+        self, tasks: Sequence[Task], p: Floats
+    ) -> tuple[EnsembleSettings, Callable[[int, float], Floats]] | None:
+        """Settings for C, and the inputs (nu,) of a run at a time; None if each run must report errors of its options
+        by itself."""
         flat, engine, options = self._flat, self._engine, self._options
         t0, sink = flat.experiment.start_time, Sink()
         with np.errstate(all="ignore"):
             q, _, _, u = engine.evaluate_many("start", t0, p)
         inputs = signals(flat, u[0], options.inputs, (t0, options.stop), sink)
         places = places_of(flat)
-        if sink.has_errors or not inputs.constant or not all(name in places for name in tasks[0].start):
+        if sink.has_errors or inputs.tables is None or not all(name in places for name in tasks[0].start):
             return None
         outside = given_inputs(flat, options.inputs)
         u = np.where(outside, inputs.at(t0), u)
+        tables = None if inputs.constant else TabledInputs(u, inputs.tables)
         given = np.zeros(len(places), dtype=np.bool_)
         x = np.zeros((len(tasks), len(places)))
         for name in tasks[0].start:
@@ -111,19 +118,18 @@ class Ensemble:
             engine.layout,
             p,
             q,
-            u,
+            tables or u,
             t=t0,
             times=grid(t0, options.stop, options.interval),
             tolerance=options.tolerance,
             solver=options.solver,
             step=None,
         )
-        return EnsembleSettings(
+        told = EnsembleSettings(
             settings=settings,
             t=t0,
             stop=float(settings.times[-1]),
             breaks=tuple(b for b in inputs.breaks if b > t0),
-            u=u,
             x=x,
             given=given,
             equations=bool(flat.initial_equations),
@@ -131,13 +137,25 @@ class Ensemble:
             piece=STEPS,
             most_steps=MOST_STEPS,
         )
+        return told, lambda run, t: np.where(outside, inputs.at(t), u[run])
 
-    def _outcome(self, index: int, made: Made, row: int) -> Outcome:
+    def _outcome(self, index: int, made: Made, row: int, words: FailureWords) -> Outcome | None:
+        """None where nothing is known of a failure."""
+        ended: float | None = float(made.ended[row])
+        if made.went_well(row):
+            message = words.wrong(made.p[row])
+            ended = ended if message is None else None
+        elif row in words.told:
+            message, ended = words.told[row]
+        else:
+            return None
+        if ended is None:
+            return failed(index, message or "")
         return Outcome(
             index=index,
-            status="ok",
-            ended=float(made.ended[row]),
-            message="",
+            status="ok" if message is None else "failed",
+            ended=ended,
+            message=message or "",
             names=self._names,
             units=self._units,
             values=made.rows[row, : made.kept[row], self._columns].T.copy(),

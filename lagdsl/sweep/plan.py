@@ -1,4 +1,4 @@
-"""Which runs a sweep has: every combination of the values of its axes, each with all samples."""
+"""The runs of a sweep: every combination of the values of its axes, each with all samples."""
 
 from __future__ import annotations
 

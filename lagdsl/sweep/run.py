@@ -30,7 +30,7 @@ Status: TypeAlias = Literal["ok", "failed"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
-    """How every run is made; times in s. `columns` are the names to keep, None for all."""
+    """Options of every run; times in s. `columns` are the names to keep, None for all."""
 
     stop: float
     interval: float | None
@@ -71,8 +71,8 @@ class Interrupted(BaseException):
 
 
 class Runner:
-    """Makes runs, one after the other; every model is built when it is first needed. What `progress` raises, which is
-    called with the part of a run that is done, must be Interrupted."""
+    """Makes runs, one after the other; every model is built when it is first needed. `progress` is called with the part
+    of a run that is done; it may raise Interrupted only."""
 
     def __init__(
         self, subjects: Sequence[SweptModel], options: Options, progress: Callable[[float], None] | None = None
@@ -159,7 +159,11 @@ def _rows(motion: Trajectory, options: Options) -> NDArray[np.intp]:
     return np.asarray(rows[motion.time[rows] == times])
 
 
+def first_error(diagnostics: Sequence[Diagnostic]) -> str | None:
+    """In one line; None where there is no error."""
+    return next((f"{d.code}: {d.message}" for d in diagnostics if d.severity is Severity.ERROR), None)
+
+
 def _text(diagnostics: Sequence[Diagnostic]) -> str:
-    """The first error in one line."""
-    first = next((d for d in diagnostics if d.severity is Severity.ERROR), diagnostics[0])
-    return f"{first.code}: {first.message}"
+    """The reason of a failure, in one line."""
+    return first_error(diagnostics) or f"{diagnostics[0].code}: {diagnostics[0].message}"

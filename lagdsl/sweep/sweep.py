@@ -31,7 +31,7 @@ class Unfinished(ValueError):  # noqa: N818  it is not the sweep that is wrong
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Work:
-    """Who makes the runs and what is kept: `jobs` threads (None: one per core) or the scheduler at an address."""
+    """Resources of a sweep: `jobs` threads (None: one per core) or the scheduler at an address."""
 
     jobs: int | None = None
     scheduler: str | None = None
@@ -83,7 +83,7 @@ def sweep(
 
 
 def journal_path(output: Path) -> Path:
-    """Where the finished runs of an unfinished sweep are: `out.nc.partial`."""
+    """Path of the finished runs of an unfinished sweep: `out.nc.partial`."""
     return output.with_name(f"{output.name}.partial")
 
 

@@ -21,8 +21,8 @@ _PARTS = re.compile(r'//[^\n]*|/\*.*?(?:\*/|\Z)|"(?:[^"\\\n]|\\.)*"', re.DOTALL)
 
 
 def turned_text(file: SourceFile, sink: Sink) -> bool:
-    """E0137, once for each line, unless the characters stand in a string that is written from right to left and are
-    closed there. Whether there was any."""
+    """Reports E0137, once for each line, unless the characters stand in a string that is written from right to left and
+    are closed there. True if it reported any."""
     if not _CONTROLS.search(file.text):
         return False
     allowed = [part.span() for part in _PARTS.finditer(file.text) if part[0].startswith('"') and _needs(part[0])]

@@ -1,4 +1,4 @@
-"""How large a text may be. Every bound has a diagnostic; none is met by a model that people write."""
+"""Largest size of a text. Every bound has a diagnostic; none is met by a model that people write."""
 
 MAX_CHARACTERS = 1_000_000
 MAX_DEPTH = 1000

@@ -50,7 +50,7 @@ def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
 
 
 def _read(session: Session) -> None:
-    while not session.finished and not session.stopped:
+    while not session.finished:
         if len(session.sink.diagnostics) >= limits.MAX_ERRORS:
             return
         token = session.take()

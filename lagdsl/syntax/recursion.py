@@ -8,14 +8,14 @@ from contextlib import contextmanager
 
 from lagdsl.syntax.limits import MAX_DEPTH
 
-_FRAMES_PER_LEVEL = 10
+_DEEPEST = 20 * MAX_DEPTH
 
 
 @contextmanager
-def deep_recursion() -> Iterator[None]:
-    """Raise Python's recursion limit while the block runs."""
+def deep_recursion(deepest: int = _DEEPEST) -> Iterator[None]:
+    """Raise Python's recursion limit to `deepest` while the block runs."""
     before = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(before, _FRAMES_PER_LEVEL * MAX_DEPTH))
+    sys.setrecursionlimit(max(before, deepest))
     try:
         yield
     finally:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import field
 from itertools import islice, pairwise, takewhile
 from typing import Any
 
@@ -11,6 +12,7 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedToken
 
 from lagdsl.diagnostics import Sink
 from lagdsl.diagnostics.catalog.syntax import character_help
+from lagdsl.record import mutable_record
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import limits
 from lagdsl.syntax.builder import Builder, Part, TooDeep
@@ -42,6 +44,16 @@ _BRANCHES = ("elseif", "elsewhen")
 _HEADERS = {"for": "for i in i loop", "if": "if true then", "when": "when true then"}
 
 
+@mutable_record()
+class Reported:
+    """`last` is the place of the last thing that is no token; `failures` by place how often the parser could not go on
+    there; `told` (code, place) of what is said once for many statements."""
+
+    last: int = -1
+    failures: dict[int, int] = field(default_factory=dict)
+    told: set[tuple[str, int]] = field(default_factory=set)
+
+
 class Session:
     """Lark's parser with its lexer, and what is known of the text besides to report and repair."""
 
@@ -49,18 +61,14 @@ class Session:
         self.file = file
         self.sink = sink
         self.builder = Builder(file, sink)
-        self.parser: Any = language().parser(file.text, start)
-        conf: Any = self.parser.parser_state.parse_conf
+        self.stack = Stack(language().parser(file.text, start))
+        conf: Any = self.stack.parser.parser_state.parse_conf
         conf.callbacks = self.builder
-        self.stack = Stack(self.parser)
         self.tree: object | None = None
         self.finished = False
-        self.stopped = False
         self.previous = token_at(END_OF_TEXT, "", 0, 0)
         self.brackets: list[Token] = []
-        self.fault_at = -1  # where the last thing was that is no token
-        self.failures: dict[int, int] = {}  # by place: how often the parser could not go on there
-        self.told: set[tuple[str, int]] = set()  # (code, place) of what is said once for many statements
+        self.reported = Reported()
         self._tokens = self._contextual_tokens()
 
     # ---- reading --------------------------------------------------------------------------------------------------
@@ -86,7 +94,7 @@ class Session:
         """The next token as it is without a parser; what is no token is reported."""
         while True:
             try:
-                token = next(plain_lexer().lex(self.parser.lexer_thread.state, None), None)
+                token = next(plain_lexer().lex(self.stack.parser.lexer_thread.state, None), None)
             except UnexpectedCharacters as fault:
                 self._report_character(fault)
                 continue
@@ -101,7 +109,7 @@ class Session:
         if token.type == END_OF_TEXT and self.stack.is_complete():
             return self._finish(self.stack.values[-1])
         try:
-            result = self.parser.feed_token(token)
+            result = self.stack.parser.feed_token(token)
         except UnexpectedToken:
             return False
         if token.type == END_OF_TEXT:
@@ -125,7 +133,7 @@ class Session:
 
     def rewind(self, position: int) -> None:
         """Go on from another place of the text."""
-        self.parser.lexer_thread.state.line_ctr.char_pos = position
+        self.stack.parser.lexer_thread.state.line_ctr.char_pos = position
         self._tokens = self._contextual_tokens()
 
     def look_ahead(self, position: int) -> Iterator[Token]:
@@ -134,7 +142,7 @@ class Session:
         return takewhile(lambda token: token.type != "SEMICOLON", ahead)
 
     def _contextual_tokens(self) -> Iterator[Token]:
-        tokens: Iterator[Token] = self.parser.lexer_thread.lex(self.parser.parser_state)
+        tokens: Iterator[Token] = self.stack.parser.lexer_thread.lex(self.stack.parser.parser_state)
         return tokens
 
     def _end_of_text(self) -> Token:
@@ -157,8 +165,8 @@ class Session:
                 self.sink.report("E0107", Span(self.file, start_of(token), start_of(token) + 2))
                 return None
             case "UNCLOSED_STRING":
-                self.fault_at = start_of(token)
-                self.sink.report("E0126", Span(self.file, self.fault_at, self.fault_at + 1))
+                self.reported.last = start_of(token)
+                self.sink.report("E0126", Span(self.file, self.reported.last, self.reported.last + 1))
                 return as_text(token)
             case _:
                 pass
@@ -174,7 +182,7 @@ class Session:
     def _report_character(self, fault: UnexpectedCharacters) -> None:
         """A character or a word that is no token."""
         strange, go_on = strange_text(self.file.text, fault)
-        start = self.fault_at = int(fault.pos_in_stream or 0)
+        start = self.reported.last = int(fault.pos_in_stream or 0)
         spelled = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in strange[:20])
         self.sink.report(
             "E0108", Span(self.file, start, start + len(strange)), character=spelled, help=character_help(strange)
@@ -200,7 +208,7 @@ class Session:
     # ---- the statement at fault ------------------------------------------------------------------------------------
 
     def statement_start(self, token: Token) -> int:
-        """Where the statement that holds the error at `token` begins."""
+        """Start of the statement that contains the error at `token`."""
         unfinished = self.stack.above(self.stack.boundary() or 1)
         return int(unfinished[0].start_pos) if unfinished else start_of(token)
 
@@ -237,7 +245,7 @@ class Session:
 
     def give_up(self) -> None:
         """No more can be learned from this text."""
-        self.stopped = True
+        self.finished = True
 
     def panic(self, token: Token) -> None:
         """Forget the statement and read on behind its `;`, or before the next `end` or statement keyword."""
@@ -272,7 +280,7 @@ class Session:
         self.rewind(start_of(token))
 
     def _fits(self, token: Token) -> bool:
-        return any(terminal in self.parser.choices() for terminal in vocabulary().words.get(token.value, ()))
+        return any(terminal in self.stack.parser.choices() for terminal in vocabulary().words.get(token.value, ()))
 
     def _separates_rows(self, token: Token) -> bool:
         """A `;` with more text on its line stands in a matrix if a `]` follows there."""

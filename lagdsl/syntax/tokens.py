@@ -102,7 +102,7 @@ def comments(text: str) -> list[Comment]:
 
 
 def strange_text(text: str, fault: UnexpectedCharacters) -> tuple[str, int]:
-    """What begins no token, and where to go on.
+    """Text that begins no token, and the position behind it.
 
     A character or a whole word in letters of another alphabet; `#` begins what other languages take for a comment.
     """

@@ -99,7 +99,7 @@ class _NotDerivedYetError(Exception):
 
 @record(kw_only=True)
 class Style:
-    """How expressions are written: `opaque` names definitions that are to stay symbols."""
+    """Notation of expressions: `opaque` names definitions that stay symbols."""
 
     number: Callable[[float], Expr] = plain_number
     tidy: Callable[[Expr], Expr] = as_it_is

@@ -1,4 +1,4 @@
-"""How large a derivation on paper would become, judged before anything is differentiated."""
+"""Estimate of the size of a derivation on paper, before anything is differentiated."""
 
 from __future__ import annotations
 

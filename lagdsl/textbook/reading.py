@@ -1,6 +1,6 @@
-"""How a model is converted for people: exact numbers, named constants, definitions kept as symbols, everything tidied.
+"""Conversion of a model for people: exact numbers, named constants, definitions kept as symbols, everything tidied.
 
-The numbers of a simulation come from `derive`; what is made here is read, and checked against it by a test.
+The numbers of a simulation come from `derive`; people read this form, and a test checks it against `derive`.
 """
 
 from __future__ import annotations

@@ -246,7 +246,7 @@ def _common(factors: list[Expr]) -> Expr:
 
 
 def size(expression: Expr) -> int:
-    """How long it reads: nodes of the tree, shared ones counted as often as they stand there; at most a thousand."""
+    """Length of the text: nodes of the tree, shared ones counted as often as they occur; at most a thousand."""
     total, stack = 0, [expression]
     while stack and total < 1000:
         node = stack.pop()

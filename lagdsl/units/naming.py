@@ -9,8 +9,8 @@ from lagdsl.units.definition import from_si
 from lagdsl.units.dimension import BASE_UNITS, TIME, Dimension
 from lagdsl.units.parse import parse_unit
 
-# What a quantity of this unit is called, and the unit text it is shown in. Where quantities share a dimension (energy
-# and moment, stiffness and surface tension) mechanics comes first.
+# Name of a quantity of this unit, and the unit text it is shown in. If quantities share a dimension (energy and moment,
+# stiffness and surface tension), mechanics comes first.
 _NAMED = (
     ("1", "a number"),
     ("m", "a length"),
@@ -113,7 +113,7 @@ def _powers(dimension: Dimension) -> dict[str, Fraction]:
 
 
 def _length(powers: dict[str, Fraction]) -> Fraction:
-    """How long the text reads: number of factors, and the size of exponents beyond 1."""
+    """Length of the text: number of factors, and the size of exponents beyond 1."""
     denominators = sum(1 for power in powers.values() if power.denominator > 1)
     return sum((abs(power) for power in powers.values()), Fraction(len(powers) + 5 * denominators))
 

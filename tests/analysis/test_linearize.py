@@ -7,6 +7,7 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
+from choice import chosen
 
 import lagdsl
 from lagdsl.runtime.engines.selection import engine_of
@@ -122,16 +123,16 @@ def _flow(model: lagdsl.Model, found, names: list[str], independent: list[float]
     """Rates of the minimal state where its entries have these values: dependent ones by Newton's method."""
     point, n = found.point, len(model.coordinates)
     q, qd, z = point.q.copy(), point.qd.copy(), point.z.copy()
-    chosen = [names.index(s.name) for s in found.states]
-    for i, value in zip(chosen, independent, strict=True):
+    picked = [names.index(s.name) for s in found.states]
+    for i, value in zip(picked, independent, strict=True):
         if i < n:
             q[i] = value
         elif i < 2 * n:
             qd[i - n] = value
         else:
             z[i - 2 * n] = value
-    rest = [j for j in range(n) if j not in chosen]
-    slow = [j for j in range(n) if n + j not in chosen]
+    rest = [j for j in range(n) if j not in picked]
+    slow = [j for j in range(n) if n + j not in picked]
     evaluate = model._engine.evaluate
     w = point.w
     rows = list(np.flatnonzero(model._layout.position_level))
@@ -143,18 +144,22 @@ def _flow(model: lagdsl.Model, found, names: list[str], independent: list[float]
         qd[slow] -= np.linalg.lstsq(jacobian[:, slow], drift, rcond=1e-10)[0]
     qdd = model.forward_dynamics(point.t, q, qd, z, point.u, p=point.p)
     zd = evaluate("state_derivative", point.t, q, qd, z, point.u, w, point.p, qdd, np.zeros(len(model.constraints)))[0]
-    return np.concatenate([qd, qdd, zd])[chosen]
+    return np.concatenate([qd, qdd, zd])[picked]
+
+
+NONHOLONOMIC = {"bicycle": {"phi": 0.1, "delta": 0.05}, "rolling_coin": {"lean": 0.3, "psi": 0.2}}
 
 
 @pytest.mark.no_cover
-def test_engines_and_derivations_agree() -> None:
-    path = MODELS / "bicycle.lag"
+@pytest.mark.parametrize("name", chosen(NONHOLONOMIC, ["rolling_coin"]))
+def test_engines_and_derivations_agree(name: str) -> None:
+    path, q = MODELS / f"{name}.lag", NONHOLONOMIC[name]
     model = lagdsl.compile(path)
-    one = model.linearize(q={"phi": 0.1, "delta": 0.05})
-    by_text = lagdsl.compile(path, derivation="textbook").linearize(q={"phi": 0.1, "delta": 0.05})
+    one = model.linearize(q=q)
+    by_text = lagdsl.compile(path, derivation="textbook").linearize(q=q)
     np.testing.assert_allclose(by_text.A, one.A, atol=1e-9 * float(np.max(np.abs(one.A))))
     other = lagdsl.Model(model._compilation, engine_of(model._compilation.program, "c"))
-    np.testing.assert_allclose(other.linearize(q={"phi": 0.1, "delta": 0.05}).A, one.A, atol=1e-9)
+    np.testing.assert_allclose(other.linearize(q=q).A, one.A, atol=1e-9)
 
 
 def test_a_moving_constraint_and_its_input() -> None:

@@ -13,6 +13,13 @@ Made = Callable[..., Done]
 # Tests share these, and with them the object files of the runtime. Without optimization compiling takes half the time.
 PLAIN = "-O1"
 SANITIZED = "-O0 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+_RUNTIME = Path(__file__).parents[2] / "lagdsl" / "runtime" / "c"
+
+
+def sanitized_objects() -> Path:
+    """The object files that the C tests of the runtime are linked with."""
+    subprocess.run(["make", "--silent", "--directory", str(_RUNTIME), "objects"], check=True)
+    return _RUNTIME / "build" / "sanitized"
 
 
 def make(folder: Path, objects: Path, *arguments: str) -> Done:

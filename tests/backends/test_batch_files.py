@@ -6,7 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from made_modules import Made
+from made_modules import PLAIN, Made
 from sample_programs import chain, closed_chain
 
 from lagdsl.backends.c.emit import CBackend
@@ -25,6 +25,6 @@ def test_the_files_of_the_batch_build_and_agree(tmp_path: Path, made: Made, prog
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")
     (tmp_path / "main.c").write_text(_PROGRAM.read_text(encoding="utf-8").replace("STEM", stem), encoding="utf-8")
-    done = made(tmp_path, stem)
+    done = made(tmp_path, stem, f"CFLAGS={PLAIN}")
     assert (done.returncode, done.stderr) == (0, "")
     assert subprocess.run([str(tmp_path / stem)], check=False).returncode == 0

@@ -50,7 +50,7 @@ def _random() -> Program:
 
 PROGRAMS: dict[str, Callable[[], Program]] = {
     "pendulum": pendulum,
-    "chain": lambda: chain(12),
+    "chain": lambda: chain(6),
     "closed_chain": lambda: closed_chain(3),
     "quaternion_body": quaternion_body,
     "random": _random,

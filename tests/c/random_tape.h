@@ -291,7 +291,9 @@ static inline size_t write_random_tape(random_tape *tape)
     put_section(tape, numbers, 0);
     put_section(tape, numbers, started ? n[LAG_TAPE_NQ] * sizeof(double) : 0);
     put_section(tape, flags, started ? n[LAG_TAPE_NP] : 0);
-    put_section(tape, numbers, started ? n[LAG_TAPE_NP] * sizeof(double) : 0);
+    for (int i = 0; i < 3; ++i) {
+        put_section(tape, numbers, started ? n[LAG_TAPE_NP] * sizeof(double) : 0);
+    }
     const uint32_t slots = n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ] + n[LAG_TAPE_NU] + n[LAG_TAPE_NW] + n[LAG_TAPE_NP] + n[LAG_TAPE_NC] +
                            n[LAG_TAPE_NY] + n[LAG_TAPE_NI] + n[LAG_TAPE_ND];
     for (uint32_t i = 0; i < 3 * slots; ++i) {

@@ -138,7 +138,7 @@ def test_a_full_disk(invoke: Invoke, asked: Asked, pendulum: Path, tmp_path: Pat
 @pytest.mark.parametrize(
     ("failure", "said"),
     [
-        (failed("E0904", package="fmpy"), ["`fmpy`", "pip install 'lagdsl[fmi]'"]),
+        (failed("E0904", package="fmpy"), ["`fmpy`", "pip install fmpy"]),
         (failed("E0905", platform="macos-aarch64"), ["macos-aarch64", "ziglang"]),
         (failed("E0906", platform="linux-x86_64", compiler="cc", notes=("x.c:1: no",)), ["`cc`", "x.c:1: no"]),
         (failed("E0907", notes=("start of `x` is missing",)), ["standard", "start of `x` is missing"]),

@@ -301,7 +301,7 @@ class TestFailures:
         option = ["-o", tmp_path / "out.parquet"] if package == "pyarrow" else ["--plot", tmp_path / "out.png"]
         result = invoke("run", pendulum, *option)
         assert result.exit_code == 2
-        assert "pip install 'lagdsl[" in " ".join(result.stderr.split())
+        assert f"pip install {package}" in " ".join(result.stderr.split())
 
     @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
     def test_a_full_disk_is_status_2(self, invoke: Invoke, pendulum: Path) -> None:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 
 import numpy as np
 import pytest
+from choice import ALL, EXPLORE
 from fuzz.agreement import compare
 from fuzz.event_models import event_model
 
 import lagdsl
 
-COUNT = 1000 if os.environ.get("LAGDSL_EXPLORE") else 24
+COUNT = 1000 if EXPLORE else 24 if ALL else 8
 # Where an engine does not agree with itself at a tenth of the tolerance: an event hinges on less than the tolerance.
 MOST_GRAZING = 0.1
 

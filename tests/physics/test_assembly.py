@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from choice import spread
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -195,7 +196,7 @@ def test_coordinates_and_reactions_of_cut_joints(kind):
     against_a_free_body("", f"{kind} j({modifiers});", names)
 
 
-@pytest.mark.parametrize("sequence", SEQUENCES)
+@pytest.mark.parametrize("sequence", spread(SEQUENCES, 4))
 def test_angles_of_every_sequence(sequence):
     starts = "a(start = 0.3 rad, der(start = 1 rad/s)%s), b(start = -0.7 rad), c(start = 0.5 rad)"
     against_a_free_body(ANY_SEQUENCE % sequence, f"Turned j({starts});", ["a", "b", "c"])
@@ -288,11 +289,15 @@ end Pin;
 
 def test_a_loop_on_a_moving_base_is_seen_from_there():
     """The same motion and reactions in the world, whether the closure is formed there or on the swing."""
-    outputs = "\n  ".join(
-        f"output {quantity} {kind}_{part}[3] = reaction({part}).{word};"
-        for part in ("hinge", "arm", *JOINTS, *LINKS, "base")
-        for kind, quantity, word in (("f", "Force", "force"), ("t", "Torque", "torque"))
-    )
+
+    def reactions(*parts: str) -> str:
+        return "\n  ".join(
+            f"output {quantity} {kind}_{part}[3] = reaction({part}).{word};"
+            for part in parts
+            for kind, quantity, word in (("f", "Force", "force"), ("t", "Torque", "torque"))
+        )
+
+    outputs = reactions("hinge", "arm", *JOINTS, *LINKS, "base")
     here = lagdsl.compile(ON_A_SWING % ("", "Revolute", "never", outputs))
     there = lagdsl.compile(ON_A_SWING % (IN_THE_WORLD, "Pin", "never", outputs))
     one, two = (model.simulate(stop=0.6, interval=0.1, tolerance=1e-11) for model in (here, there))
@@ -301,10 +306,12 @@ def test_a_loop_on_a_moving_base_is_seen_from_there():
         np.testing.assert_allclose(two[name], one[name], rtol=0, atol=1e-9, err_msg=name)
     for name in here.outputs:
         np.testing.assert_allclose(two[name], one[name], rtol=0, atol=3e-8, err_msg=name)
-    by_text = lagdsl.compile(ON_A_SWING % ("", "Revolute", "never", outputs), derivation="textbook")
+    by_text = lagdsl.compile(ON_A_SWING % ("", "Revolute", "never", reactions("hinge", "B")), derivation="textbook")
     q = np.array([[one[name][3] for name in here.coordinates]])
     qd = np.array([[one[f"der({name})"][3] for name in here.coordinates]])
-    np.testing.assert_allclose(by_text.output(0.3, q, qd), here.output(0.3, q, qd), rtol=0, atol=1e-9)
+    found, expected = by_text.output(0.3, q, qd)[0], here.output(0.3, q, qd)[0]
+    for name in by_text.outputs:
+        assert found[by_text.outputs.index(name)] == pytest.approx(expected[here.outputs.index(name)], abs=1e-9), name
 
 
 def test_pin_forces_against_points_and_constraints():

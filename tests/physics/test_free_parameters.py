@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -202,13 +201,6 @@ def test_diagnostics(text: str, code: str) -> None:
     with pytest.raises(CompilationFailed) as failure:
         lagdsl.compile(text).simulate(stop=0.01)
     assert code in [diagnostic.code for diagnostic in failure.value.diagnostics]
-
-
-def test_an_fmu_refuses(tmp_path: Path) -> None:
-    with pytest.raises(CompilationFailed) as failure:
-        lagdsl.compile(CLOCK).export_fmu(tmp_path / "clock.fmu")
-    assert [d.code for d in failure.value.diagnostics if d.severity == "error"] == ["E0909"]
-    assert not list(tmp_path.iterdir())
 
 
 def test_the_summary_tells_the_value() -> None:

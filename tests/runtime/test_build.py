@@ -35,14 +35,12 @@ def _own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(scope="module")
-def runtime(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the object files of the runtime."""
-    base = tmp_path_factory.mktemp("runtime")
+def runtime() -> Path:
+    """The cache of all other tests, with the object files of the runtime."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_CACHE_HOME", str(base))
         patch.delenv("CC", raising=False)
         build(sources(pendulum("First")))
-    return base / "lagdsl"
+        return cache_folder()
 
 
 @pytest.fixture

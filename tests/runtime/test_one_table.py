@@ -17,7 +17,7 @@ from lagdsl.runtime.building.build import build
 from lagdsl.runtime.engines.c_engine import VECTORS
 from lagdsl.runtime.engines.native_model import native_model
 from lagdsl.runtime.headers import STRUCTURES, structures_text
-from lagdsl.runtime.structures import VERSION, WHAT, InitialFault, Model, Status
+from lagdsl.runtime.structures import VERSION, WHAT, InitialFault, Model, SignalKind, Status
 
 MIRRORED: dict[str, type[Structure]] = {name: getattr(structures, mirror) for name, (_, mirror) in STRUCTURES.items()}
 
@@ -43,7 +43,7 @@ def test_a_file_without_marks_is_not_written(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def layouts() -> dict[str, list[tuple[int, int]]]:
     """For every structure its size, then the offsets and sizes of its members, as C has them."""
-    headers = ["model.h", "batch.h", "run.h", "initial.h", "ensemble.h"]
+    headers = ["model.h", "batch.h", "run.h", "initial.h", "ensemble.h", "signals.h"]
     lines = ["#include <stddef.h>", *(f'#include "lag/{name}"' for name in headers)]
     for name, mirror in MIRRORED.items():
         members = [f"{{offsetof({name}, {field[0]}), sizeof((({name} *)0)->{field[0]})}}" for field in mirror._fields_]
@@ -70,6 +70,7 @@ def test_structures_lie_as_in_c(name: str, layouts: dict[str, list[tuple[int, in
     [
         ("status.h", "LAG", [each.name for each in Status]),
         ("initial.h", "LAG_INITIAL", [each.name for each in InitialFault]),
+        ("signals.h", "LAG_SIGNAL", [each.name for each in SignalKind]),
         ("event_notice.h", "LAG", [each.upper() for each in WHAT]),
     ],
 )

@@ -12,7 +12,7 @@ PENDULUM = "model P coordinate Angle q; kinetic (1 kg.m2)*der(q)^2; potential (1
 
 def test_every_buffer_of_an_engine_is_a_field_of_a_batch() -> None:
     model = lagdsl.compile(PENDULUM, engine="tape")
-    own = vars(model._engine._buffers)  # type: ignore[attr-defined]
+    own = vars(model._engine._one.buffers)  # type: ignore[attr-defined]
     assert set(own) <= {name for name, _ in Batch._fields_}
 
 

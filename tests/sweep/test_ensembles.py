@@ -84,11 +84,11 @@ def _tasks(compilation: Compilation) -> list[Task]:
 
 
 def test_memory_stays() -> None:
-    """Runs leave nothing behind: of a thousand of them no more memory is kept than of a hundred."""
+    """Runs leave nothing behind: of two hundred of them no more memory is kept than of forty."""
     compilation = lagdsl.compile(MODELS / "bouncing_ball.lag")._compilation
     options = Options(stop=1.0, interval=0.5, tolerance=None, solver="auto", engine="tape", inputs={})
     ensemble, bench = Ensemble(compilation.flat, TapeEngine(compilation.program), options), Bench()
-    tasks = _tasks(compilation) * 25
+    tasks = _tasks(compilation) * 5
     tracemalloc.start()
     sizes = []
     for _ in range(10):

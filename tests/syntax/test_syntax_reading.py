@@ -63,6 +63,28 @@ def test_places_that_are_no_files(tmp_path):
     assert read(tmp_path / "file" / "below.lag") == (None, ["E0134"])
 
 
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("pendulun.lag", "pendulum.lag"),
+        ("Pendulum.lag", "pendulum.lag"),
+        ("pendulum", "pendulum.lag"),
+        ("pendulum.mo", "pendulum.lag"),
+        ("four_ba.lag", "four_bar.lag"),
+        ("crane.lag", None),
+        ("notes.lag", None),
+    ],
+)
+def test_a_file_that_does_not_exist_names_the_nearest_one_beside_it(tmp_path, typed, meant):
+    for name in ("pendulum.lag", "four_bar.lag", "note.txt"):
+        (tmp_path / name).write_text("")
+    sink = Sink()
+    assert read_source(tmp_path / typed, sink) is None
+    [told] = sink.diagnostics
+    proposed = f"did you mean `{tmp_path / meant}`?" if meant else "check the name; `lag new NAME` makes a first model"
+    assert (told.code, told.help) == ("E0133", proposed)
+
+
 def test_endless_device():
     assert read(Path("/dev/zero"))[1] == ["E0130"]
 

@@ -1,4 +1,4 @@
-"""Where a loop finds what differs from lap to lap: in its text, in the head of its table, or in a row per lap."""
+"""Operands of a loop that differ from lap to lap: in its text, in the head of its table, or in a row per lap."""
 
 from __future__ import annotations
 

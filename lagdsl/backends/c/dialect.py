@@ -1,4 +1,4 @@
-"""How numbers, arrays and functions are written: for one state, or for several in the lanes of vectors."""
+"""Notation of numbers, arrays and functions: for one state, or for several in the lanes of vectors."""
 
 from __future__ import annotations
 

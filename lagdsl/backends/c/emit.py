@@ -115,7 +115,7 @@ def runtime_sources() -> dict[str, str]:
     }
 
 
-_NUMBERS = ("x", "nominal", "minimum", "maximum", "parameter_nominal")
+_NUMBERS = ("x", "nominal", "minimum", "maximum", "parameter_nominal", "parameter_minimum", "parameter_maximum")
 
 
 def _start(stem: str, start: Start | None) -> str:

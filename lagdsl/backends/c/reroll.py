@@ -75,7 +75,7 @@ def reroll(listing: Listing, fused: Mapping[int, int] = MappingProxyType({})) ->
 
 
 def columns(rolled: Rolled, kernel: Kernel, index: int, leaf: int) -> list[list[Leaf]]:
-    """What stands at a leaf of statement `index` of a lap: per run, per lap; variables by their place in scratch."""
+    """The leaves at one place of statement `index`: per run, per lap; variables by their place in scratch."""
     return [[_resolved(rolled, rolled.shaped[at].leaves[leaf]) for at in laps(run, index)] for run in kernel.runs]
 
 

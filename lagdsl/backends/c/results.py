@@ -1,4 +1,4 @@
-"""How the results of a function are filled, and the frame around its code."""
+"""Stores of the results of a function, and the frame around its code."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def names_of(function: str) -> list[str]:
 
 @record()
 class Results:
-    """How the results of a function are filled: lines before and after everything, and the stores between."""
+    """Code that fills the results of a function: lines before and after everything, and the stores between."""
 
     first: tuple[str, ...] = ()
     stores: tuple[Store, ...] = ()

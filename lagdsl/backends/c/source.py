@@ -130,7 +130,7 @@ def _tables(program: Program) -> str:
 
 
 def _pattern(program: Program) -> str:
-    """Where J can be nonzero; nothing without constraints."""
+    """The entries of J that can be nonzero; no text without constraints."""
     rows, columns = jacobian_pattern(program)
     if not rows:
         return ""

@@ -9,7 +9,7 @@ from lagdsl.backends.python.body import number
 from lagdsl.program.program import Layout, Program, Slot
 
 _OF_INSTANTS = """\
-# What entries of w are, in this order: values of discrete variables (Booleans are 0 and 1); whether each contact is
+# Entries of w, in this order: values of discrete variables (Booleans are 0 and 1); whether each contact is
 # closed, and how often it closed or bounced; truths of relations, frozen between events; conditions of clauses as they
 # were when last looked at; clocks and the instants initial() and terminal(), 1 in the first pass at their time.
 # With A = (t, q, qd, z, u, w, p) and S = (*A, qdd, lam), lam being `multipliers`:

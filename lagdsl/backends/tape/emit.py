@@ -36,7 +36,7 @@ SIZES: Final = (
 )
 _ROWS: Final = SIZES[-7:-1]
 
-# What may be there beside the functions of one state, and the functions of each part.
+# Optional parts beside the functions of one state, and the functions of each part.
 PARTS: Final = ("tangents", "parameter_tangents")
 ALONG: Final = ("residual", "acceleration", "state_derivative", "output")
 
@@ -54,7 +54,7 @@ def tape(program: Program, start: Start | None = None, parts: Collection[str] = 
     roots = [distinct(len(nodes.op), *own) for own in blocks]
     lives = live_sets(nodes, roots)
     settled, constants, hoisted = settle(nodes, len(program.layout.parameters), lives, roots)
-    (live,) = live_sets(nodes, [hoisted])
+    live = np.array(program.graph.live(hoisted.tolist()), dtype=np.int64)
     first, row = preparation(nodes, live, hoisted, settled, len(program.layout.parameters))
     codes, ends = [first], [row]
     made: dict[tuple[tuple[int, bytes], ...], tuple[Ints, int]] = {}  # without constraints two functions are one
@@ -135,7 +135,7 @@ def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[l
 
 
 def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
-    """What `roots` are computed from, as far as what is in the row."""
+    """Nodes from which `roots` are computed, down to those that are in the row already."""
     given = frozenset(np.flatnonzero(settled.place >= 0).tolist())
     return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
 
@@ -185,14 +185,14 @@ def kind_number(layout: Layout, index: int) -> int:
 def _start(start: Start | None) -> list[bytes]:
     """Time and state, then what is said of their entries; all empty where nothing is known."""
     if start is None:
-        return [b""] * 8
+        return [b""] * 10
     return [
         _doubles([start.t, *start.x]),
         bytes(start.fixed),
         bytes(start.written),
         *(_doubles(numbers) for numbers in (start.nominal, start.minimum, start.maximum)),
         bytes(start.free),
-        _doubles(start.parameter_nominal),
+        *(_doubles(n) for n in (start.parameter_nominal, start.parameter_minimum, start.parameter_maximum)),
     ]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 
 import numpy as np
 
@@ -103,7 +104,7 @@ def _computed(
 
 def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Ints, Ints, int]:
     grouped = groups(selection)
-    order = np.array([step for group in grouped for step in group], dtype=np.int64)
+    order = np.fromiter(chain.from_iterable(grouped), dtype=np.int64)
     count, turns = len(selection.made), selection.turns
     when = np.empty(len(order), dtype=np.int64)
     when[order] = np.arange(len(order))
@@ -125,14 +126,13 @@ def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first:
     place, top = places(np.append(known, [ONE, MINUS_ONE]), loaded.tolist(), writes, several, last, first)
     spare = int(any((values < 0).any() for turn in turns for values in (turn.sines, turn.cosines)))
     padded = np.append(place, top)  # what nothing reads goes behind all others
-    return _assembled(selection, grouped, padded), place, top + spare
+    lengths = np.fromiter(map(len, grouped), dtype=np.int64)
+    return _assembled(selection, order, lengths, padded), place, top + spare
 
 
-def _assembled(selection: Selection, grouped: Sequence[Sequence[int]], place: Ints) -> Ints:
-    """The words of all steps."""
+def _assembled(selection: Selection, order: Ints, lengths: Ints, place: Ints) -> Ints:
+    """The words of the steps in their `order`, in groups of such `lengths`."""
     count = len(selection.made)
-    lengths = np.array([len(group) for group in grouped], dtype=np.int64)
-    order = np.array([step for group in grouped for step in group], dtype=np.int64)
     single = order < count
     width = np.empty(len(order), dtype=np.int64)
     summing = (selection.code == TWO_PRODUCTS) | (selection.code == THREE_PRODUCTS)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from lagdsl.backends.tape.nodes import Ints
+from lagdsl.backends.tape.nodes import Ints, sorted_by
 
 
 def places(
@@ -23,10 +23,9 @@ def places(
     The values `loaded` stand in a row from `top` on, a negative one is no value. Step by step, the value of `writes`
     is stored, or those of `several`.
     """
-    dying = np.flatnonzero((known < 0) & (last >= 0))
-    dying = dying[np.argsort(last[dying], kind="stable")]
-    bounds = np.searchsorted(last[dying], np.arange(len(writes) + 1)).tolist()
-    dies: list[int] = dying.tolist()
+    dying = np.flatnonzero((known < 0) & (last >= 0) & (last < len(writes)))
+    order, firsts = sorted_by(last[dying], len(writes))
+    bounds, dies = firsts.tolist(), dying[order].tolist()
     place: list[int] = known.tolist()
     free: list[int] = []
     for value in loaded:
@@ -35,9 +34,11 @@ def places(
         else:
             place[value] = top
         top += 1
-    for step, written in enumerate(writes):
-        for value in dies[bounds[step] : bounds[step + 1]]:
-            free.append(place[value])
+    end = 0
+    for step, (written, until) in enumerate(zip(writes, bounds[1:], strict=False)):
+        while end < until:
+            free.append(place[dies[end]])
+            end += 1
         for value in several[step] if written < 0 else (written,):
             if place[value] < 0:
                 if free:

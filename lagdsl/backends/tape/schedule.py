@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.backends.tape.instructions import CODE
+from lagdsl.backends.tape.nodes import sorted_by
 from lagdsl.backends.tape.selection import Selection
 
 
@@ -21,14 +22,14 @@ def groups(selection: Selection) -> list[list[int]]:
     for number, turn in enumerate(turns, count):
         maker[turn.sines[turn.sines >= 0]] = number
         maker[turn.cosines[turn.cosines >= 0]] = number
-    rows, columns = np.nonzero(selection.operands >= 0)
-    before = np.concatenate([maker[selection.operands[rows, columns]], *(maker[turn.angles] for turn in turns)])
+    there = selection.operands >= 0
+    rows = np.repeat(np.arange(count), np.count_nonzero(there, axis=1))
+    before = np.concatenate([maker[selection.operands[there]], *(maker[turn.angles] for turn in turns)])
     after = np.concatenate([rows, *(np.full(len(turn.angles), k) for k, turn in enumerate(turns, count))])
     after, before = after[before >= 0], before[before >= 0]
     kinds = [*selection.code.tolist(), *range(len(CODE), len(CODE) + len(turns))]
     height = _heights(len(kinds), after.tolist(), before.tolist())
-    by_maker = np.argsort(before, kind="stable")
-    bounds = np.searchsorted(before[by_maker], np.arange(len(kinds) + 1))
+    by_maker, bounds = sorted_by(before, len(kinds))
     needs = np.bincount(after, minlength=len(kinds))
     return _scheduled(kinds, height, after[by_maker].tolist(), bounds.tolist(), needs.tolist())
 
@@ -37,9 +38,7 @@ def _heights(steps: int, after: list[int], before: list[int]) -> list[int]:
     """The longest chain of steps that waits for each; `after` waits for `before`, pair by pair. Across turns, which
     stand at the end, it is an estimate, which is all that is needed."""
     height = [0] * steps
-    after.reverse()
-    before.reverse()
-    for own, other in zip(after, before, strict=True):
+    for own, other in zip(reversed(after), reversed(before), strict=True):
         if height[other] <= height[own]:
             height[other] = height[own] + 1
     return height
@@ -48,28 +47,29 @@ def _heights(steps: int, after: list[int], before: list[int]) -> list[int]:
 def _scheduled(
     kinds: list[int], height: list[int], readers: list[int], bounds: list[int], needs: list[int]
 ) -> list[list[int]]:
+    """Of the kinds that are `ready`, with the `highest` of their steps. Once for each step and each that waits for it:
+    most of the time that a tape takes."""
     ready: dict[int, list[int]] = {kind: [] for kind in sorted(set(kinds))}
     highest = dict.fromkeys(ready, -1)
     found: list[list[int]] = []
-    group = [step for step, need in enumerate(needs) if not need]
-    for step in group:
-        _release(step, kinds[step], height[step], ready, highest)
+    released = [step for step, need in enumerate(needs) if not need]
     left = len(kinds)
-    while left:
+    while True:
+        for step in released:
+            kind = kinds[step]
+            ready[kind].append(step)
+            if highest[kind] < height[step]:  # noqa: PLR1730, a call for each step
+                highest[kind] = height[step]
+        if not left:
+            return found
         kind = max(highest, key=highest.__getitem__)
         group = ready[kind]
         found.append(group)
         left -= len(group)
         ready[kind], highest[kind] = [], -1
+        released = []
         for step in group:
             for reader in readers[bounds[step] : bounds[step + 1]]:
-                needs[reader] -= 1
-                if not needs[reader]:
-                    _release(reader, kinds[reader], height[reader], ready, highest)
-    return found
-
-
-def _release(step: int, kind: int, height: int, ready: dict[int, list[int]], highest: dict[int, int]) -> None:
-    """From now on `step` waits for nothing."""
-    ready[kind].append(step)
-    highest[kind] = max(highest[kind], height)
+                need = needs[reader] = needs[reader] - 1
+                if not need:
+                    released.append(reader)

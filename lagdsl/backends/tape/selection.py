@@ -121,12 +121,13 @@ def _take_in(made: Ints, code: Ints, own: Ints, signs: Ints, once: Flags) -> Int
 def _apart(pairs: Ints, count: int) -> Ints:
     """Pairs, in the order of their first members, that share no member with the ones before."""
     pairs = pairs[:, np.argsort(pairs[0], kind="stable")]
+    kept = (np.bincount(pairs[:2].ravel(), minlength=count)[pairs[:2]] == 1).all(axis=0)
     used = bytearray(count)
-    kept = []
-    for index, (outer, inner) in enumerate(zip(pairs[0].tolist(), pairs[1].tolist(), strict=True)):
+    shared = np.flatnonzero(~kept)
+    for index, outer, inner in zip(shared.tolist(), *pairs[:2, shared].tolist(), strict=True):
         if not (used[outer] or used[inner]):
             used[outer] = used[inner] = 1
-            kept.append(index)
+            kept[index] = True
     return pairs[:, kept]
 
 
@@ -149,7 +150,9 @@ def _turns(op: Ints, operands: Ints, turned: Flags, computed: Flags) -> tuple[Tu
 
 
 def _levels(operands: Ints, turned: Flags, computed: Flags, angles: Ints) -> Ints:
-    """How many sines are one inside the other in each of `angles`."""
+    """Depth of nested sines in each of `angles`."""
+    if not computed[angles].any():
+        return np.zeros(len(angles), dtype=np.int64)
     columns = operands.tolist()
     wanted = set[int]()
     stack: list[int] = angles.tolist()

@@ -10,7 +10,7 @@ from lagdsl.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.graph.operation import FIRST_UNARY, Group, Op
 from lagdsl.record import record
 
-# Where one and minus one stand: first among the constants.
+# Places of one and minus one: first among the constants.
 ONE = 0
 MINUS_ONE = 1
 _PARAMETER = 1 << Group.P

@@ -91,7 +91,7 @@ def _with_fixed(flat: FlatModel, fixed: tuple[str, ...]) -> FlatModel:
 
 
 def _start(compilation: Compilation) -> Start | None:
-    """Where the motion starts; None where there is no such state, which does not keep the equations from being used.
+    """The start of the motion; None if there is no consistent one, because the equations are useful without it.
     With free parameters there is none for the values that the module brings: it is found when a run begins."""
     from lagdsl.backends.start import free_parameters, start_of
     from lagdsl.simulate.initialize import initial_state

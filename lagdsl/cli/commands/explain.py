@@ -14,7 +14,7 @@ from lagdsl.diagnostics.explain import UnknownCode, explain
 def command(name: str) -> None:
     """Show the manual page of NAME, a diagnostic (E0401) or a component of the library (DCMotor).
 
-    The page of a diagnostic holds its meaning, a model that draws it and the repaired model. The page of a component
+    The page of a diagnostic has its meaning, a model that causes it and the repaired model. The page of a component
     holds its parameters, ports, defaults and equations.
     """
     page = _diagnostic(name) if re.fullmatch(r"(\w+\[)?[A-Za-z]\d+\]?", name.strip()) else _component(name.strip())

@@ -15,7 +15,7 @@ from lagdsl.cli.output import Unwritable, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, INTERRUPTED, USAGE
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, compile_flat, flatten_file
 from lagdsl.runtime.engines.engine import EngineName
@@ -137,7 +137,7 @@ def _require_packages(output: Path | None, scheduler: str | None) -> None:
     from importlib.util import find_spec
 
     if find_spec("xarray") is None or (scheduler is not None and find_spec("distributed") is None):
-        raise click.UsageError("sweeps need more packages: pip install 'lagdsl[sweep]'")
+        raise click.UsageError("sweeps need more packages: pip install xarray 'dask[distributed]' pyarrow pandas")
     from lagdsl.sweep.dataset import require_writer
 
     if output is not None:
@@ -222,8 +222,7 @@ def _columns(names: tuple[str, ...], subjects: list[SweptModel]) -> tuple[str, .
         known |= dict.fromkeys([*coordinates, *rates, *(slot.name for slot in (*layout.states, *layout.outputs))])
     for name in names:
         if name not in known:
-            likely = nearest(name, known)
-            hint = f"did you mean `{likely}`?" if likely else f"there are {', '.join(known)}"
+            hint = did_you_mean(name, known, f"there are {', '.join(known)}")
             raise click.UsageError(f"there is no column `{name}`; {hint}")
     return names or None
 
@@ -248,7 +247,7 @@ def _summary(data: xarray.Dataset, plan: Plan) -> str:
 
 
 def _tell_failures(data: xarray.Dataset, plan: Plan) -> int:
-    """How many runs failed; that, the most frequent reasons and where each was met first go to standard error."""
+    """Number of failed runs. Writes it to standard error, with the most frequent reasons and the first run of each."""
     from lagdsl.sweep.dataset import MESSAGE, STATUS, about_runs
     from lagdsl.sweep.plan import place
 

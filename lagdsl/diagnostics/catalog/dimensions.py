@@ -5,7 +5,7 @@ from lagdsl.diagnostics.catalog.row import Row, error
 # Help of E0401 where a factor made of parameters is what is missing.
 MISSING_FACTOR = "the {which} term is short by `{unit}`; a factor `{factor}` would make it {words}"
 
-# How a bare number stands beside a quantity, by what is done with the two.
+# Phrases for a bare number beside a quantity, by operation.
 BESIDE = {
     "add": "added to",
     "subtract": "in a difference with",

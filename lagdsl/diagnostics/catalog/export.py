@@ -15,11 +15,11 @@ ROWS: dict[str, Row] = {
     ),
     "E0904": error(
         "FMUs need the package `{package}`, which is not installed",
-        help="install it: pip install 'lagdsl[fmi]'",
+        help="install it: `pip install {package}`",
     ),
     "E0905": error(
         "no compiler for the platform {platform} was found",
-        help="`pip install ziglang` brings one for every platform: pip install 'lagdsl[fmi]'",
+        help="`pip install ziglang` brings one for every platform",
     ),
     "E0906": error(
         "the C compiler `{compiler}` failed for the platform {platform}",
@@ -32,10 +32,5 @@ ROWS: dict[str, Row] = {
     "E0908": error(
         "the finished FMU does not run, so it was not written: {reason}",
         help="check that `lag run` works from the same start values",
-    ),
-    "E0909": error(
-        "an FMU cannot solve for the free parameter `{name}`",
-        label="lagdsl solves for it at initialization",
-        help="read its value from `lag run`, and write `{name} = ...` instead of `fixed = false`",
     ),
 }

@@ -124,7 +124,7 @@ ROWS: dict[str, Row] = {
     "E0825": error(
         "{what} needs the package `{package}`",
         None,
-        "install it with: pip install 'lagdsl[table]'",
+        "install it: `pip install {package}`",
     ),
     "E0826": error(
         "cannot write `{file}`: {reason}",

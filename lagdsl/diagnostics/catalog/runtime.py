@@ -19,6 +19,6 @@ ROWS: dict[str, Row] = {
     ),
     "E0914": error(
         "the runtime library of lagdsl cannot be loaded: {reason}",
-        help="install lagdsl again: `pip install --force-reinstall lagdsl`",
+        help="install lagdsl again, from the folder of its sources: `pip install --force-reinstall .`",
     ),
 }

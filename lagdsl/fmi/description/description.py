@@ -12,7 +12,7 @@ from lagdsl.fmi.variables.structure import Unknown
 from lagdsl.fmi.variables.variables import Table
 from lagdsl.record import record
 
-# What instances tell, by category: those of the standard.
+# The log categories of the standard.
 LOG_CATEGORIES = {
     "logEvents": "what happens at instants",
     "logStatusWarning": "warnings",

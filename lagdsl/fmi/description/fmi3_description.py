@@ -24,7 +24,7 @@ from lagdsl.fmi.variables.variables import Table
 from lagdsl.version import __version__
 
 _TAGS = {"REAL": "Float64", "INTEGER": "Int32", "BOOLEAN": "Boolean", "STRING": "String", "ENUMERATION": "Enumeration"}
-# What can be read in the middle of a communication step.
+# Roles of variables that can be read inside a communication step.
 _INTERMEDIATE = (Role.STATE, Role.DERIVATIVE, Role.OUTPUT)
 
 

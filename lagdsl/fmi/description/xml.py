@@ -13,7 +13,7 @@ from lagdsl.fmi.variables.scalar import Type
 Element = ElementTree.Element
 Value = str | int | float | bool | None
 
-# What XML 1.0 cannot hold at all.
+# Characters that XML 1.0 cannot contain.
 _IMPOSSIBLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -46,7 +46,8 @@ def number(value: float) -> str:
 
 
 def start_text(kind: Type, values: Sequence[float | str]) -> str | None:
-    """Start values of one variable, with blanks between; None without. Those of Strings are elements of their own."""
+    """Start values of one variable, with blanks between; None without. Start values of Strings are elements of their
+    own."""
     if not values:
         return None
     match kind:

@@ -1,7 +1,7 @@
 """An FMU tried out by itself, in a process of its own: `python -P self_run.py F.fmu me cs`.
 
 Writes one line of JSON: {"problems": what the validator found} if it did, else {"ran": kind} for each kind that came
-through its first steps. What fails is told on standard error by the exception, or by the death of the process.
+through its first steps. A failure shows as an exception on standard error, or as the death of the process.
 
 The validator does not read the names of variables here, for which it takes 3 ms each: `lagdsl.fmi.variables.names`
 writes them by the grammar, and tests have the validator read them.

@@ -11,7 +11,7 @@ from lagdsl.runtime.building.linking import libraries, link_flags, zig_program
 from lagdsl.runtime.building.platforms import Platform, this_machine
 
 _LONGEST_NOTE = 2000
-# What nobody calls is left out, and all processors round alike.
+# The linker drops functions that nobody calls; all processors round alike.
 _COMPILE = (*FLAGS, "-DLAG_ALIKE", "-g0", "-ffunction-sections", "-fdata-sections", "-I.")
 # Only what the headers of the standard export is seen from outside: in ELF it is the linker that hides the rest, so
 # that an engine can be linked from the same objects.

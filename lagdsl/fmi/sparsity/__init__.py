@@ -1,1 +1,1 @@
-"""Which numbers of a program depend on which, with the zeros that cancellation leaves removed."""
+"""Dependencies between the numbers of a program, without those that cancel."""

@@ -8,6 +8,7 @@ from lagdsl.fmi.sparsity.coupling import components, matching
 from lagdsl.fmi.sparsity.influence import NONE, Influence, Influences, Kind, kind_of, only, raised, union
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
+from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.program.program import Program
 
 
@@ -23,12 +24,12 @@ class Accelerations:
         self, program: Program, influences: Influences, first: int, zeros: frozenset[int], *, pulled: bool
     ) -> None:
         """`first` is the bit of the first unknown; the others follow. `zeros` are elements of M and J that vanish."""
-        self._program, self._found, self._first, self._pulled = program, influences, first, pulled
+        self._program, self._found, self._first = program, influences, first
         self._zeros = zeros | {program.graph.zero}
         layout = program.layout
         self.n, self.m = len(layout.coordinates), len(layout.constraints)
         self._mask = ((1 << (self.n + self.m)) - 1) << first
-        self._equations = [self._equation(e) for e in range(self.n + self.m)]
+        self._equations = [self._equation(e, pulled) for e in range(self.n + self.m)]
         self._occurring = [[bit - first for bit in bits_of(e[0] & self._mask)] for e in self._equations]
         self.solved = self._solve()
 
@@ -41,7 +42,7 @@ class Accelerations:
 
     # ---- the equations -----------------------------------------------------------------------------------------------
 
-    def _equation(self, number: int) -> Influence:
+    def _equation(self, number: int, pulled: bool) -> Influence:
         """Of one equation: as it is evaluated, and no more than the matrices that it is made of allow."""
         program, found = self._program, self._found
         motion, rows = program.function("residual").results
@@ -49,7 +50,7 @@ class Accelerations:
         if program.has("dynamics"):
             other = self._formed(number)
             own = (own[0] & other[0], own[1] & other[1], own[2] & other[2], own[3] & other[3])
-        if number >= self.n and self._pulled:
+        if number >= self.n and pulled:
             for function in ("position_constraint", "velocity_constraint"):
                 own = union(own, found[program.function(function).results[0].elements[number - self.n]])
         return own
@@ -128,24 +129,14 @@ class Accelerations:
 
     def _groups_of_rows(self) -> Iterator[list[int]]:
         """Rows that share coordinates, where one depends on the others: multipliers of least length mix them."""
-        group = list(range(self.m))
+        groups = DisjointSets(range(self.m))
         first_row: dict[int, int] = {}
-
-        def root(row: int) -> int:
-            while group[row] != row:
-                group[row] = group[group[row]]
-                row = group[row]
-            return row
-
         for row in range(self.m):
             for unknown in self._occurring[self.n + row]:
                 if unknown < self.n:
-                    group[root(row)] = root(first_row.setdefault(unknown, row))
-        members: dict[int, list[int]] = {}
-        for row in range(self.m):
-            members.setdefault(root(row), []).append(row)
+                    groups.join(row, first_row.setdefault(unknown, row))
         redundant = self._program.layout.redundant
-        return (rows for rows in members.values() if len(rows) > 1 and any(redundant[row] for row in rows))
+        return (rows for rows in groups.all() if len(rows) > 1 and any(redundant[row] for row in rows))
 
 
 def bits_of(number: int) -> Iterator[int]:
@@ -157,7 +148,7 @@ def bits_of(number: int) -> Iterator[int]:
 
 
 def _completed(match: list[int], size: int) -> list[int]:
-    """What found no partner gets one that is left: of a system that is singular nothing can be said."""
+    """An unknown without a partner gets a free one: the system is singular, and any choice will do."""
     free = iter(sorted(set(range(size)) - set(match)))
     return [next(free) if unknown < 0 else unknown for unknown in match]
 

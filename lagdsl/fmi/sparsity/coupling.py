@@ -1,4 +1,4 @@
-"""Which solutions of a sparse linear system depend on which of its equations, whatever the numbers in it are."""
+"""Dependencies of the solutions of a sparse linear system on its equations, for any numbers in it."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def components(successors: Sequence[Iterable[int]]) -> list[list[int]]:
 
 
 def _last(stack: Sequence[int], node: int) -> int:
-    """Where `node` stands, looked for from the end."""
+    """Last place of `node` in the stack."""
     index = len(stack) - 1
     while stack[index] != node:
         index -= 1

@@ -1,4 +1,4 @@
-"""What does not depend on a symbol that stands in it: the derivative is zero to rounding at random points.
+"""Finds expressions that contain a symbol but do not depend on it: the derivative is zero to rounding at random points.
 
 Kinetic energies are sums of squares of velocities, in which many angles cancel. An analytic expression that is zero at
 a random point is zero everywhere; expressions with kinks keep all that stands in them.

@@ -11,7 +11,7 @@ from lagdsl.graph.operation import FIRST_BINARY, STEPS, Group, Op
 
 
 class Kind(IntEnum):
-    """How a value depends on a symbol: by a factor that is a number, that depends on parameters only, that changes at
+    """Kind of dependency on a symbol: by a factor that is a number, that depends on parameters only, that changes at
     events only, or otherwise."""
 
     CONSTANT = 0

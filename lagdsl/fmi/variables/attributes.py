@@ -45,7 +45,7 @@ def attributes_of(item: Quantity, role: Role) -> Attributes:
 
 
 def bounds(item: Parameter | Coordinate | State | Discrete, start: float | None) -> Bounds:
-    """Those within which the start value is: the standard has no others, and infinite ones are none."""
+    """The finite bounds that contain the start value: the standard permits no others."""
     low, high = item.minimum, item.maximum
     if low is not None and (not math.isfinite(low) or (start is not None and not low <= start)):
         low = None

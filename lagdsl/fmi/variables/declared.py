@@ -18,17 +18,18 @@ from lagdsl.mechanics.named import definitions as named_values
 from lagdsl.program.program import Program
 
 
-def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
-    """Independent ones, in the order of the vector p; texts there have no effect."""
-    changeable = tunable(program)
+def parameters(flat: FlatModel, program: Program, settings: Settings) -> Iterator[Scalar]:
+    """Independent ones, in the order of the vector p; texts there have no effect. Initialization solves for free ones:
+    the start value of these is a guess (`approx`)."""
+    changeable = tunable(flat, program)
     independent = [item for item in flat.parameters if not item.structural]
-    for index, (item, value) in enumerate(zip(independent, program.layout.defaults, strict=True)):
+    for index, (item, value) in enumerate(zip(independent, settings.parameters, strict=True)):
         if item.kind == "String":
             continue
         variability: Variability = "tunable" if index in changeable else "fixed"
         attributes = replace(
             attributes_of(item, Role.PARAMETER),
-            causality="parameter",
+            causality="calculatedParameter" if item.free else "parameter",
             variability=variability,
             setting="TUNABLE" if variability == "tunable" else "START",
             **bounds(item, value),
@@ -37,7 +38,7 @@ def parameters(flat: FlatModel, program: Program) -> Iterator[Scalar]:
             name=named(item.name),
             first=index,
             attributes=attributes,
-            initial="exact",
+            initial="approx" if item.free else "exact",
             start=value,
             key=_but_for_tuning(attributes),
         )
@@ -79,7 +80,7 @@ def outputs(flat: FlatModel) -> Iterator[Scalar]:
 def definitions(flat: FlatModel, program: Program) -> Iterator[Scalar]:
     """Dependent parameters, then what changes. The coordinates of cut joints are outputs already."""
     told = {item.name for item in flat.outputs}
-    changeable = tunable(program)
+    changeable = tunable(flat, program)
     (block,) = program.function("definition").results
     for index, (item, node) in enumerate(zip(named_values(flat), block.elements, strict=True)):
         if item.name in told:
@@ -124,7 +125,7 @@ def contacts(flat: FlatModel) -> Iterator[Scalar]:
 def _computed(
     item: Definition | Output, role: Role, index: int, causality: Causality, variability: Variability
 ) -> Scalar:
-    """A value that nobody sets. What is no Real changes at instants only."""
+    """A computed variable. Variables of other types than Real change at events only."""
     if item.base != "Real" and variability == "continuous":
         variability = "discrete"
     attributes = replace(attributes_of(item, role), causality=causality, variability=variability)

@@ -7,7 +7,7 @@ constraints, everything else follows from the accelerations of the model. Discre
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TypeAlias, assert_never
 
 from lagdsl.fmi.sparsity.accelerations import Accelerations, bits_of
@@ -30,20 +30,23 @@ class Dependencies:
     """By unknown: derivatives, outputs, named values, multipliers, energies, residuals, indicators.
 
     `moving`: on states, inputs, parameters, discretes and time, each with its kind. `initial`: the same until
-    initialization ends, where states are unknowns, too; states whose start values are given are knowns.
+    initialization ends, where states and free parameters are unknowns, too; states whose start values are given are
+    knowns.
     """
 
     moving: Mapping[Entry, Row]
     initial: Mapping[Entry, Row]
 
 
-def dependencies(program: Program) -> Dependencies:
-    """Of a program with all its named values. The cost is about that of one pass over the graph."""
-    return _Search(program).found()
+def dependencies(program: Program, free: Collection[int] = ()) -> Dependencies:
+    """Of a program with all its named values, of which initialization finds the parameters `free`. The cost is about
+    that of one pass over the graph."""
+    return _Search(program, free).found()
 
 
 class _Search:
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, free: Collection[int]) -> None:
+        self._free = [(Role.PARAMETER, index) for index in sorted(free)]
         self._program, graph = program, program.graph
         self._entries: list[Entry] = []
         bits: dict[int, int] = {}
@@ -150,11 +153,12 @@ class _Search:
     # ---- until initialization ends -----------------------------------------------------------------------------------
 
     def _starts(self) -> dict[Entry, Influence]:
-        """What the start values of the states follow from. Where constraints or initial equations move them, each of
-        those that take part depends on all that any of these reads."""
+        """Dependencies of the start values of the states. If constraints or initial equations move them, each of these
+        depends on everything that any of them reads, and so does each free parameter; nothing depends on its guess."""
         blocks = self._program.function("start").results[:3]
         nodes = [node for block in blocks for node in block.elements]
-        starts = {(Role.STATE, index): self._influences[node] for index, node in enumerate(nodes)}
+        known = ~self._bits_of(self._free)
+        starts = {(Role.STATE, index): only(self._influences[node], known) for index, node in enumerate(nodes)}
         asked = self._conditions()
         if not asked[0]:
             return starts
@@ -164,8 +168,8 @@ class _Search:
         coupled = [entry for entry in starts if entry in states or (entry[1] < 2 * n and entry[1] % n in places)]
         for entry in coupled:
             asked = union(asked, union(starts[entry], self._own(entry)))
-        asked = raised(only(asked, ~self._bits(Role.DISCRETE)), Kind.DEPENDENT)
-        return starts | dict.fromkeys(coupled, asked)
+        asked = raised(only(asked, known & ~self._bits(Role.DISCRETE)), Kind.DEPENDENT)
+        return starts | dict.fromkeys([*coupled, *self._free], asked)
 
     def _conditions(self) -> Influence:
         """Arguments of constraints and initial equations."""
@@ -177,11 +181,14 @@ class _Search:
         return self._solution.resolve(total)
 
     def _bits(self, role: Role) -> int:
-        return sum(bit for (own, _), bit in self._bit.items() if own is role)
+        return self._bits_of(entry for entry in self._bit if entry[0] is role)
+
+    def _bits_of(self, entries: Iterable[Entry]) -> int:
+        return sum(self._bit[entry] for entry in entries)
 
     def _from_starts(self, influence: Influence, starts: Mapping[Entry, Influence]) -> Influence:
-        """States followed back to what their start values depend on."""
+        """States and free parameters followed back to what their values at the start depend on."""
         total = influence
-        for bit in bits_of(influence[0] & self._bits(Role.STATE)):
+        for bit in bits_of(influence[0] & (self._bits(Role.STATE) | self._bits_of(self._free))):
             total = union(total, raised(starts[self._entries[bit]], kind_of(influence, 1 << bit)))
         return total

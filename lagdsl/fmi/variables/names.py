@@ -12,7 +12,7 @@ _PART = r"[A-Za-z_][A-Za-z0-9_]*(?:\[[0-9]+(?:,[0-9]+)*\])?"
 _PATH = re.compile(rf"{_PART}(?:\.{_PART})*")
 _LAST_INDICES = re.compile(r"(?P<base>.+)\[(?P<indices>[0-9]+(?:,[0-9]+)*)\]")
 _ABOUT = re.compile(r"(?P<what>[A-Za-z_][A-Za-z0-9_]*)\((?P<of>.+)\)")
-# What a quoted name may hold beside letters and digits; braces stand around numbers of all other characters. The
+# Characters of a quoted name beside letters and digits; all other characters become their number in braces. The
 # escapes of the convention are left alone: importers read them in different ways.
 _PLAIN = frozenset("_!#$%&()*+,-./:;<>=?@[]^|~ ")
 
@@ -52,8 +52,8 @@ def named(text: str, order: int = 0) -> Name:
 
 
 def belonging(owner: str, what: str) -> Name:
-    """What belongs to something with a name of its own: `wire.multiplier`, `pin.multiplier[2]`. Rows that the compiler
-    wrote are named after what they are about: `closure(D)[2]` gives `D.closure.multiplier[2]`."""
+    """Name of a quantity of a named item: `wire.multiplier`, `pin.multiplier[2]`. Rows that the compiler wrote are
+    named after their component: `closure(D)[2]` gives `D.closure.multiplier[2]`."""
     found = _LAST_INDICES.fullmatch(owner)
     base, indices = (found["base"], found["indices"]) if found else (owner, "")
     about = _ABOUT.fullmatch(base)

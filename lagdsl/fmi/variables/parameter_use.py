@@ -1,13 +1,14 @@
-"""Which parameters functions of a program read."""
+"""Parameters that the functions of a program read."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
+from lagdsl.flat.model import FlatModel
 from lagdsl.graph.operation import Group, Op
 from lagdsl.program.program import Function, Program
 
-# What is evaluated when a motion begins, and what only tells values.
+# Functions that are no part of the equations of motion: evaluated at the start, or for quantities with names.
 _BESIDE = (
     "start",
     "start_tangent",
@@ -34,10 +35,17 @@ def start_parameters(program: Program) -> tuple[frozenset[int], ...]:
     return tuple(parameters_of(program, [node]) for block in blocks for node in block.elements)
 
 
-def tunable(program: Program) -> frozenset[int]:
-    """Indices of the parameters that have an effect after the start; periods of clocks stay as they began."""
+def free_places(flat: FlatModel) -> frozenset[int]:
+    """Indices of the free parameters among the independent ones."""
+    return frozenset(i for i, item in enumerate(p for p in flat.parameters if not p.structural) if item.free)
+
+
+def tunable(flat: FlatModel, program: Program) -> frozenset[int]:
+    """Indices of the parameters that may be set after the start and have an effect then; periods of clocks and free
+    parameters stay as they began."""
     lasting = _read(program, [function for function in program.functions if function.name not in _BESIDE])
-    return lasting - _read(program, [function for function in program.functions if function.name == "clock"])
+    settled = _read(program, [function for function in program.functions if function.name == "clock"])
+    return lasting - settled - free_places(flat)
 
 
 def _read(program: Program, functions: Iterable[Function]) -> frozenset[int]:

@@ -23,9 +23,11 @@ from lagdsl.structure.points import geometry
 @record(kw_only=True)
 class Settings:
     """Of `lag_fmu` in lag/fmu.h. `fixed`, `nominal`, `groups`, `natural`, `caps`: (2 nq + nz,) in the order of
-    (q, qd, z); `row_sizes`, `lasting`: (nc,); `inputs` (nu,) are the default inputs at the start; SI units."""
+    (q, qd, z); `row_sizes`, `lasting`: (nc,); `inputs` (nu,) are the default inputs at the start, `parameters`
+    (np) the defaults with free ones as they were found; SI units."""
 
     start: Start
+    parameters: tuple[float, ...]
     inputs: tuple[float, ...]
     fixed: tuple[bool, ...]
     nominal: tuple[float, ...]
@@ -38,10 +40,15 @@ class Settings:
 
 
 def settings(
-    compilation: Compilation, start: Start, engine: Engine | None = None, redundant: Sequence[bool] | None = None
+    compilation: Compilation,
+    start: Start,
+    engine: Engine | None = None,
+    redundant: Sequence[bool] | None = None,
+    parameters: Sequence[float] | None = None,
 ) -> Settings:
     """`start` is the consistent state for the default parameters, near which rows that are `redundant` depend on others
-    (None: those that do in general); `engine`, if there is one, saves an interpreter."""
+    (None: those that do in general), and `parameters` those with the free ones found (None: the defaults); `engine`, if
+    there is one, saves an interpreter."""
     flat, layout = compilation.flat, compilation.program.layout
     functions = ProgramFunctions(compilation.program) if engine is None else engine
     space = geometry(flat, functions)
@@ -50,6 +57,7 @@ def settings(
     natural = scales.sizes
     return Settings(
         start=start,
+        parameters=tuple(layout.defaults if parameters is None else parameters),
         inputs=_floats(space.u),
         fixed=(
             *(c.fixed for c in flat.coordinates),

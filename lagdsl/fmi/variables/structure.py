@@ -9,7 +9,7 @@ from lagdsl.fmi.variables.dependencies import Dependencies, Entry, Row
 from lagdsl.fmi.variables.scalar import Role, Variable
 from lagdsl.record import record
 
-# What is known between events: the rest is computed from these, or held.
+# Roles known between events: all others are computed from these, or constant.
 _KNOWN = (Role.STATE, Role.INPUT, Role.TIME)
 # A factor that depends on parameters changes where these are tuned.
 _WORDS = {Kind.CONSTANT: "constant", Kind.PARAMETER: "tunable", Kind.DISCRETE: "discrete", Kind.DEPENDENT: "dependent"}
@@ -59,7 +59,7 @@ class _Search:
             if v.attributes.type != "STRING"
             for element, entry in enumerate(v.entries, 1)
         }
-        # What initialization starts from.
+        # Values that initialization starts from.
         self._given = {
             index
             for index, v in enumerate(variables)

@@ -13,6 +13,7 @@ from lagdsl.fmi.variables import builtin_variables, continuous_states, declared
 from lagdsl.fmi.variables.arrays import grouped
 from lagdsl.fmi.variables.dependencies import dependencies
 from lagdsl.fmi.variables.names import apart
+from lagdsl.fmi.variables.parameter_use import free_places
 from lagdsl.fmi.variables.scalar import Role, Scalar, Variable
 from lagdsl.fmi.variables.settings import Settings, settings
 from lagdsl.fmi.variables.structure import Structure, structure
@@ -51,11 +52,12 @@ def table(
     kinds: Collection[Kind] = KINDS,
     engine: Engine | None = None,
     redundant: Sequence[bool] | None = None,
+    parameters: Sequence[float] | None = None,
 ) -> Table:
     """Of a program with all its named values. `start` is the consistent state for the default parameters, `redundant`
-    flags rows of constraints near it."""
+    flags rows of constraints near it, `parameters` are the defaults with free ones as they were found."""
     flat, program = compilation.flat, compilation.program
-    known = settings(compilation, start, engine, redundant)
+    known = settings(compilation, start, engine, redundant, parameters)
     scalars = _scalars(flat, program, known, version, kinds)
     variables = grouped(scalars, arrays=version == 3)
     return Table(
@@ -65,7 +67,7 @@ def table(
         program=program,
         settings=known,
         variables=variables,
-        structure=structure(variables, dependencies(program), program.layout.kinds),
+        structure=structure(variables, dependencies(program, free_places(flat)), program.layout.kinds),
     )
 
 
@@ -75,7 +77,7 @@ def _scalars(
     own = list(
         chain(
             [builtin_variables.time()],
-            declared.parameters(flat, program),
+            declared.parameters(flat, program, known),
             declared.constants(flat),
             continuous_states.states(flat, program, known),
             continuous_states.derivatives(flat, known),

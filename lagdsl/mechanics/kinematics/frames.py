@@ -96,7 +96,7 @@ Motion: TypeAlias = "Rotation | Shift | Put | Loosened"
 
 @record()
 class Pose:
-    """Where a frame is, and what moved it since its parent: enough for its velocities."""
+    """Position and orientation of a frame, and its motion relative to its parent: enough for its velocities."""
 
     parent: str | None
     axes: Axes

@@ -66,7 +66,7 @@ class Poses:
     def __init__(self, graph: Graph, rates: Rates, release: Release) -> None:
         self._graph = graph
         self._rates = rates
-        self._release = release
+        self.release = release
         self._poses = {"world": frames.world(graph)}
         self._put: set[str] = set()
         self._released: set[str] = set()
@@ -109,9 +109,9 @@ class Poses:
                 motions.append(motion)
         pose = Pose(frame.parent, axes, origin, tuple(motions))
         within = self._poses[frame.image.within].axes if frame.image is not None else None
-        pose = self._release.move_frame(self._graph, frame.name, pose, within)
+        pose = self.release.move_frame(self._graph, frame.name, pose, within)
         if frame.image is not None and frame.image.of is not None:
-            pose = self._release.move_frame(self._graph, frame.image.of, pose, within)
+            pose = self.release.move_frame(self._graph, frame.image.of, pose, within)
         self._poses[frame.name] = pose
         released = any(isinstance(motion, Loosened | Released) for motion in pose.motions)
         if released or self.is_released(frame.parent):

@@ -1,7 +1,7 @@
 """Rigid bodies that were typed as energies: found again in what the energies say, not in how they are written.
 
-The terms of T in one frame's twist are a quadratic form with 21 entries. Where these are those of a rigid body (one
-mass, its moment, any inertia), its equations are Newton's and Euler's, which need no velocity of the origin.
+The terms of T in one frame's twist are a quadratic form with 21 entries. If these are those of a rigid body (one mass,
+its moment, any inertia), its equations are Newton's and Euler's, which need no velocity of the origin.
 """
 
 from __future__ import annotations

@@ -23,40 +23,36 @@ class Directions:
 
 
 class Symbols:
-    """Symbols of `flat` in the order of the layout."""
+    """Symbols of `flat` in the order of the layout. `input_rate` gives for an input the one that is its derivative."""
 
     def __init__(self, graph: Graph, flat: FlatModel) -> None:
-        self.time = graph.symbol(Group.TIME)
+        time = graph.symbol(Group.TIME)
         self.q = graph.symbols(Group.Q, len(flat.coordinates))
         self.qd = graph.symbols(Group.QD, len(flat.coordinates))
-        self.qdd = graph.symbols(Group.QDD, len(flat.coordinates))
+        graph.symbols(Group.QDD, len(flat.coordinates))
         self.z = graph.symbols(Group.Z, len(flat.states))
         self.u = graph.symbols(Group.U, len(flat.inputs))
         discretes = entries(flat.events)
-        self.w = graph.symbols(Group.W, len(discretes))
+        self.previous = dict(zip((e.name for e in discretes), graph.symbols(Group.W, len(discretes)), strict=True))
         independent = [parameter for parameter in flat.parameters if not parameter.structural]
-        self.p = graph.symbols(Group.P, len(independent))
+        p = graph.symbols(Group.P, len(independent))
         self.rows = [row for constraint in flat.constraints for row in constraint.rows]
         self.lam = graph.symbols(Group.LAMBDA, len(self.rows))
         self.coordinate_index = {item.name: index for index, item in enumerate(flat.coordinates)}
-        self.by_name = {"time": self.time}
+        self.by_name = {"time": time}
         self.by_name |= {item.name: graph.constant(item.value) for item in flat.parameters if item.structural}
-        for items, nodes in (
-            (independent, self.p),
-            (flat.coordinates, self.q),
-            (flat.states, self.z),
-            (flat.inputs, self.u),
-        ):
+        named = ((independent, p), (flat.coordinates, self.q), (flat.states, self.z), (flat.inputs, self.u))
+        for items, nodes in named:
             self.by_name |= {item.name: node for item, node in zip(items, nodes, strict=True)}
-        self.previous = {entry.name: node for entry, node in zip(discretes, self.w, strict=True)}
         self.by_name |= self.previous
+        self.input_rate = _input_rates(graph, flat)
 
     @property
     def directions(self) -> Directions:
         return Directions(tuple(self.q), tuple(self.qd), Group.Q, Group.QD)
 
 
-def input_rates(graph: Graph, flat: FlatModel) -> Callable[[int], int]:
+def _input_rates(graph: Graph, flat: FlatModel) -> Callable[[int], int]:
     """For each input the input that is its time derivative; one without is refused with its declaration."""
     following = {item.derivative_of: index for index, item in enumerate(flat.inputs) if item.derivative_of is not None}
 

@@ -1,4 +1,4 @@
-"""Which coordinates and states move together: the connected components of what the equations couple."""
+"""Coordinates and states that move together: the connected components of the coupling by the equations."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from collections.abc import Collection, Sequence
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import STEPS, Op
 
-# What waiting for an operation costs, in additions; all others are as rare as a root.
+# Latency of operations, in additions; all others are as rare as a root.
 _LATENCY = {Op.NEGATE: 0, Op.ADD: 1, Op.SUBTRACT: 1, Op.MULTIPLY: 1, Op.DIVIDE: 3}
 _SLOW = 5
 

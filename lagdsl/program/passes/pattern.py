@@ -1,4 +1,4 @@
-"""Where the Jacobian of the constraints can be nonzero: searches split it into parts that share nothing."""
+"""Entries of the constraint Jacobian that can be nonzero: searches split it into parts that share nothing."""
 
 from __future__ import annotations
 

@@ -12,14 +12,14 @@ from collections.abc import Collection, Sequence
 from lagdsl.graph.graph import Graph
 from lagdsl.graph.operation import Group, Op
 
-# What waiting for an operation costs, in additions; all others are as rare as a root.
+# Latency of operations, in additions; all others are as rare as a root.
 _LATENCY = {Op.NEGATE: 0, Op.ADD: 1, Op.SUBTRACT: 1, Op.MULTIPLY: 1, Op.DIVIDE: 3}
 _SLOW = 5
 _PARAMETERS = 1 << Group.P
 
 
 def reassociate(graph: Graph, roots: Sequence[int], kept: Collection[int]) -> list[int]:
-    """Nodes that mean the same as `roots`, up to rounding, with the latest operands outermost. Those of `kept` stay."""
+    """Nodes that mean the same as `roots`, up to rounding, with the latest operands outermost. Nodes of `kept` stay."""
     return _Pass(graph, roots, kept).roots
 
 

@@ -9,7 +9,7 @@ from lagdsl.record import record
 # A pattern is looked for among the next occurrences of its first element, so far away at most.
 _CANDIDATES = 16
 _LONGEST_PATTERN = 600
-# What a repetition must save to be worth a loop.
+# Least number of operations that a loop must save.
 _LEAST_SAVING = 8
 
 

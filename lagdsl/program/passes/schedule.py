@@ -33,7 +33,7 @@ def schedule(
 ) -> Schedule:
     """Statements that compute `roots`, where the nodes of `given` are at hand already; `live`, where it is known.
 
-    Those of `repeated` stay inside all expressions that use them, where it is one operation.
+    Nodes of `repeated` that are one operation stay inside all expressions that use them.
     """
     ops, operands = graph.op, graph.operands
     live = graph.live(roots, given) if live is None else live

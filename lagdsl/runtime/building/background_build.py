@@ -14,7 +14,7 @@ from lagdsl.runtime.building.compiler import Cancellation, Cancelled
 class BackgroundBuild:
     """Compiles what `sources` gives into the file `name` of the cache, in a thread of its own.
 
-    `library` is its path once it is there. What fails leaves it None: whoever asks for speed does without.
+    `library` is its path once it is there. It stays None after a failure: the caller continues without the faster code.
     """
 
     def __init__(self, sources: Callable[[], Mapping[str, str]], flags: tuple[str, ...], name: str) -> None:

@@ -26,7 +26,7 @@ from lagdsl.runtime.lock import locked
 
 # Calls within the library stay within it, and may be inlined.
 _COMPILE = (*FLAGS, "-fno-semantic-interposition")
-# What the sources are compiled by: a change of it changes the library, too.
+# Modules that compile the sources: a change of them changes the library, too.
 _BUILDERS = ("build_library.py", "compiler.py", "linking.py", "platforms.py")
 
 

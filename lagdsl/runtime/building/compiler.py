@@ -126,7 +126,7 @@ def native_flags(compiler: Compiler) -> tuple[str, ...]:
 
 @cache
 def processor() -> str:
-    """What makes this machine's processor differ from others that would run the same system; empty if unknown."""
+    """Features that distinguish this machine's processor from others with the same system; empty if unknown."""
     try:
         first = _PROCESSORS.read_text(encoding="utf-8", errors="replace").split("\n\n")[0]
     except OSError:

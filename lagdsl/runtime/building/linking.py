@@ -1,4 +1,5 @@
-"""How ziglang or another compiler links shared libraries on the systems of `lagdsl.runtime.building.platforms`."""
+"""Arguments with which ziglang or another compiler links shared libraries, by system of
+`lagdsl.runtime.building.platforms`."""
 
 from __future__ import annotations
 

@@ -122,7 +122,8 @@ def _has_library(key: str) -> bool:
 
 
 def _building(program: Program, name: str) -> BackgroundBuild:
-    """What writes and compiles C is loaded where it is used: most models run shorter than that takes."""
+    """Starts a build in the background. The modules that write and compile C are imported here, because most runs end
+    before that pays."""
     from lagdsl.backends.c.emit import engine_sources
     from lagdsl.runtime.building.background_build import BackgroundBuild
     from lagdsl.runtime.building.compiler import ALIKE
@@ -148,7 +149,8 @@ def _loaded(library: Path, program: Program) -> NativeModel | None:
 
 @cache
 def _writers() -> str:
-    """What writes C, and what the C is compiled against: a change of them is another library of the same tape."""
+    """Modules that write C, and headers that the C is compiled against: a change of them makes another library of the
+    same tape."""
     digest = hashlib.sha256(__version__.encode())
     emitter = Path(__file__).resolve().parents[2] / "backends"
     for path in sorted([*emitter.rglob("*.py"), *(c_folder() / "lag").rglob("*.h")]):

@@ -22,15 +22,13 @@ from lagdsl.runtime.engines.buffers import Buffers
 from lagdsl.runtime.engines.cores import Part, cores, share_out
 from lagdsl.runtime.engines.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.engines.native_model import NativeModel, load_compiled
+from lagdsl.runtime.engines.one_state import VECTORS, OneState
 from lagdsl.runtime.engines.state_jacobian import StateJacobian
 from lagdsl.runtime.library import runtime_library
-from lagdsl.runtime.structures import Arguments, Batch, Range
+from lagdsl.runtime.structures import Batch, Range
 
-# The vectors of lag_arguments, in its order.
-_NAMED = {name: group for group, name in ARGUMENT_NAMES.items() if group is not Group.TIME}
-VECTORS = tuple(_NAMED[name] for name, *_ in Arguments._fields_ if name in _NAMED)
+_NUMBER = {function.name: index for index, function in enumerate(FUNCTIONS)}
 _SINGULAR = 1
-_STATE_VECTORS = STATE[1:]
 _SOLVED = (Group.QDD, Group.LAMBDA)
 # For so many states it is worth compiling the functions of several at once; results are the same to the bit.
 _CROWD = 2048
@@ -51,39 +49,18 @@ class CEngine:
 
     def __init__(self, program: Program, library: Path | None = None) -> None:
         self.layout = program.layout
-        self._program, self._sizes = program, motion_sizes(program)
+        self._program = program
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
         self._shapes = {name: _formed_shapes(program, name) for name in WRITTEN_OUT}
         self._shapes |= {f.name: tuple(block.shape for block in f.results) for f in program.functions}
         self._width = {name: sum(map(prod, shapes)) for name, shapes in self._shapes.items()}
-        self._number = {function.name: index for index, function in enumerate(FUNCTIONS)}
         self._use(self._provide() if library is None else opened(library, program))
 
     def _use(self, model: NativeModel) -> None:
         """Everything is computed by this model from now on."""
-        layout = self.layout
-        self._model = model
-        self._buffers = Buffers(model)
-        sizes = [layout.size(group) for group in VECTORS]
-        ends = np.cumsum([0, *sizes])
-        # one number more than needed everywhere, so that every pointer points at something
-        self._vectors = np.zeros(int(ends[-1]) + 1)
-        self._view = {group: self._vectors[ends[i] : ends[i + 1]] for i, group in enumerate(VECTORS)}
-        self._state = self._vectors[: ends[len(_STATE_VECTORS)]]
-        self._results = np.zeros(max(*self._width.values(), 1))
-        self._qdd, self._lam = np.zeros(layout.size(Group.Q)), np.zeros(layout.size(Group.LAMBDA))
-        self._coordinate = c_size_t(0)
-        self._arguments = Arguments(workspace=self._buffers.workspace.ctypes.data, context=self._model.context)
-        for i, group in enumerate(VECTORS):
-            setattr(self._arguments, ARGUMENT_NAMES[group], self._vectors.ctypes.data + 8 * int(ends[i]))
-        self._prepared: bytes | None = None
+        self._model, self._one = model, OneState(model, self.layout)
         self._state_jacobian: StateJacobian | None = None
-        at, index = byref(self._arguments), byref(self._coordinate)
-        self._prepare_call = (model.model, at)
-        memory = self._buffers.memory.ctypes.data
-        self._solve_call = (model.model, at, memory, self._qdd.ctypes.data, self._lam.ctypes.data, index)
-        self._evaluate_call = (at, self._results.ctypes.data)
 
     @property
     def native(self) -> NativeModel:
@@ -96,49 +73,36 @@ class CEngine:
         self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats
     ) -> tuple[Floats, Floats]:
         """Accelerations qdd (nq,) and multipliers lam (nc,). Raises SingularSystem."""
-        self._set_state(t, q, qd, z, u, w, p)
-        self._check(self._runtime.forward_dynamics(*self._solve_call))
-        return self._qdd.copy(), self._lam.copy()
+        self._one.set(t, q, qd, z, u, w, p)
+        self._one.prepare(p)
+        status, qdd, lam = self._one.solve()
+        if status == _SINGULAR:
+            raise SingularSystem(self._one.coordinate.value, self.layout)
+        return qdd, lam
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of any function of the program."""
         parameters = None
         for group, argument in zip(BY_NAME[function].arguments, arguments, strict=True):
             if group is Group.TIME:
-                self._arguments.t = argument
+                self._one.arguments.t = argument
             else:
-                self._view[group][...] = argument
+                self._one.view[group][...] = argument
                 parameters = argument if group is Group.P else parameters
-        self._prepare(np.asarray(parameters))
-        self._runtime.evaluate(self._model.model, self._number[function], *self._evaluate_call)
-        return split(self._results[: self._width[function]].copy(), self._shapes[function])
+        self._one.prepare(np.asarray(parameters))
+        return split(self._one.evaluate(_NUMBER[function], self._width[function]), self._shapes[function])
 
     def jacobian(self, t: float, q: Floats, qd: Floats, z: Floats, u: Floats, w: Floats, p: Floats) -> Floats:
         """d(qd, qdd, zd)/d(q, qd, z), exact, shape (2 nq + nz, 2 nq + nz). Raises SingularSystem."""
         if self._state_jacobian is None:
-            size = 2 * self._sizes.q + self._sizes.z
-            self._state_jacobian = StateJacobian(self._part("tangents"), self._arguments, size)
-        np.concatenate((q, qd, z, u, w, p), out=self._state)
-        self._prepared = None  # the parameters of the functions of one state may be others now
+            size = 2 * self.layout.size(Group.Q) + self.layout.size(Group.Z)
+            self._state_jacobian = StateJacobian(self._part("tangents"), self._one.arguments, size)
+        self._one.set(t, q, qd, z, u, w, p)
+        self._one.forget()
         status, jacobian = self._state_jacobian(t, p)
         if status == _SINGULAR:
             raise SingularSystem(self._state_jacobian.coordinate.value, self.layout)
         return jacobian
-
-    def _set_state(self, t: float, *vectors: Floats) -> None:
-        self._arguments.t = t
-        np.concatenate(vectors, out=self._state)
-        self._prepare(vectors[-1])
-
-    def _prepare(self, parameters: Floats) -> None:
-        now = parameters.tobytes()
-        if now != self._prepared:
-            self._runtime.prepare(*self._prepare_call)
-            self._prepared = now
-
-    def _check(self, status: int) -> None:
-        if status == _SINGULAR:
-            raise SingularSystem(self._coordinate.value, self.layout)
 
     # ---- many states -------------------------------------------------------------------------------------------------
 
@@ -149,9 +113,7 @@ class CEngine:
         results = np.empty((many.count, width))
         own = Buffers(self._model)
         batch = self._batch(many, own)
-        self._runtime.batch_evaluate(
-            self._model.model, self._number[function], byref(batch), results.ctypes.data, width
-        )
+        self._runtime.batch_evaluate(self._model.model, _NUMBER[function], byref(batch), results.ctypes.data, width)
         return split(results.reshape((*many.leading, width)), self._shapes[function])
 
     def solve_many(self, *state: ArrayLike) -> tuple[Floats, ...]:
@@ -179,9 +141,10 @@ class CEngine:
         """
         many = self._spread(STATE, state)
         model = self._part("parameter_tangents" if by == "parameter" else "tangents")
-        first_variable, count = variables(self._sizes, by)
+        lengths = motion_sizes(self._program)
+        first_variable, count = variables(lengths, by)
         x = Range(first_variable, count)
-        heights = (2 * self._sizes.q + self._sizes.z, len(self.layout.outputs))
+        heights = (2 * lengths.q + lengths.z, len(self.layout.outputs))
         found = [(np.empty((*many.leading, height, count)), 8 * height * count) for height in heights]
 
         def differentiate(batch: Batch, first: int, coordinate: c_size_t) -> int:
@@ -229,7 +192,7 @@ class CEngine:
             setattr(batch, name, getattr(own, name).ctypes.data)
         for group in VECTORS:
             name = ARGUMENT_NAMES[group]
-            setattr(batch, name, getattr(self._arguments, name))
+            setattr(batch, name, getattr(self._one.arguments, name))
         for name, array, stride in many.arrays:
             setattr(batch, name, array.ctypes.data)
             setattr(batch, f"{name}_stride", stride)

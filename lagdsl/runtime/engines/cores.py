@@ -16,7 +16,7 @@ Part: TypeAlias = Callable[[int, int], None]
 
 
 def cores() -> int:
-    """How many threads of this process can work at the same time."""
+    """Number of threads of this process that can work at the same time."""
     if hasattr(os, "sched_getaffinity"):
         return max(1, len(os.sched_getaffinity(0)))
     return os.cpu_count() or 1

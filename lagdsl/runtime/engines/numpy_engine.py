@@ -29,8 +29,8 @@ from lagdsl.runtime.engines.engine import EngineName, Floats, SingularSystem
 from lagdsl.runtime.engines.native_model import NativeModel
 from lagdsl.runtime.engines.numpy_model import numpy_model
 
-# What bodies call on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat
-# what is no number as NumPy and C do.
+# Functions on plain Python numbers; several times faster than NumPy is on single numbers. The last four treat values
+# that are not numbers as NumPy and C do.
 _ON_NUMBERS = SimpleNamespace(
     **{
         **{name: SCALAR[op] for op, name in ELEMENTARY.items() if op is not Op.SELECT},

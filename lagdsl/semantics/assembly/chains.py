@@ -46,7 +46,7 @@ class Chains:
     def _ports(
         self, scope: Scope, item: nodes.Expression, place: str, taken: list[tuple[int, Span]]
     ) -> tuple[int, int] | None:
-        """Where the chain enters an item and where it leaves it; None after a diagnostic."""
+        """The ports at which the chain enters and leaves an item; None after a diagnostic."""
         target = target_of(self._ctx, scope, item)
         match target:
             case World():

@@ -1,4 +1,4 @@
-"""Which links stay in the tree and which may be cut: the order of preference, lowest first."""
+"""Order of preference of links for the spanning tree, lowest first; the others are cut."""
 
 from __future__ import annotations
 
@@ -73,5 +73,5 @@ def wish_of(ctx: Context, symbol: Symbol) -> Literal["always", "never"] | None:
 
 
 def preferences(ctx: Context, net: Net, solvable: list[bool]) -> list[Preference]:
-    """How much every link is wanted in the tree."""
+    """Preference of every link for the spanning tree."""
     return [preference(ctx, link, solvable=able) for link, able in zip(net.links, solvable, strict=True)]

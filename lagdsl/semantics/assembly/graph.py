@@ -15,6 +15,9 @@ from lagdsl.record import mutable_record, record
 
 Cost: TypeAlias = tuple[int, ...]
 
+# Steps that come next, in this order.
+_GIVE, _CROSS, _CROSS_LAST = range(3)
+
 
 @record()
 class Edge:
@@ -36,7 +39,7 @@ class Given:
 
 @record()
 class Step:
-    """How a node was reached: over an edge (`backward`: from its b to its a), or by one of the givens."""
+    """The way to a node: over an edge (`backward`: from its b to its a), or by one of the givens."""
 
     node: int
     edge: int | None = None
@@ -101,29 +104,23 @@ class _Growth:
         self._pending = [0] * count
         for given in givens:
             self._pending[given.node] += 1
-        self._ready = [number for number, missing in enumerate(self._given_needs.missing) if missing == 0]
-        self._open: list[tuple[Cost, int]] = []
-        self._put_off: list[tuple[Cost, int]] = []
+        self._next: list[tuple[int, Cost, int]] = [
+            (_GIVE, (), number) for number, missing in enumerate(self._given_needs.missing) if not missing
+        ]
         self._surplus: list[int] = []
 
     def grown(self) -> Tree:
-        while self._ready or self._open or self._put_off:
-            if self._ready:
-                self._give(heapq.heappop(self._ready))
-            elif self._open:
-                self._cross(heapq.heappop(self._open), late=False)
+        while self._next:
+            when, cost, number = heapq.heappop(self._next)
+            if when == _GIVE:
+                self._give(number)
             else:
-                self._cross(heapq.heappop(self._put_off), late=True)
+                self._cross(when, cost, number)
         used = {step.edge for step in self._steps}
-        cuts = [
-            number
-            for number, edge in enumerate(self._edges)
-            if number not in used
-            and self._known[edge.a]
-            and self._known[edge.b]
-            and not self._edge_needs.missing[number]
-        ]
-        return Tree(tuple(self._steps), tuple(cuts), tuple(sorted(self._surplus)))
+        known, missing = self._known, self._edge_needs.missing
+        closing = (n for n, edge in enumerate(self._edges) if known[edge.a] and known[edge.b] and not missing[n])
+        cuts = tuple(n for n in closing if n not in used)
+        return Tree(tuple(self._steps), cuts, tuple(sorted(self._surplus)))
 
     def _give(self, number: int) -> None:
         node = self._givens[number].node
@@ -133,22 +130,22 @@ class _Growth:
         else:
             self._reach(Step(node, given=number))
 
-    def _cross(self, entry: tuple[Cost, int], *, late: bool) -> None:
+    def _cross(self, when: int, cost: Cost, number: int) -> None:
         """Reach the far end of an edge; a node that may yet be given is left to the last."""
-        edge = self._edges[entry[1]]
+        edge = self._edges[number]
         if self._known[edge.a] and self._known[edge.b]:
             return
         node = edge.a if self._known[edge.b] else edge.b
-        if self._pending[node] and not late:
-            heapq.heappush(self._put_off, entry)
+        if self._pending[node] and when != _CROSS_LAST:
+            heapq.heappush(self._next, (_CROSS_LAST, cost, number))
             return
-        self._reach(Step(node, edge=entry[1], backward=node == edge.a))
+        self._reach(Step(node, edge=number, backward=node == edge.a))
 
     def _reach(self, step: Step) -> None:
         self._known[step.node] = True
         self._steps.append(step)
         for number in self._given_needs.met(step.node):
-            heapq.heappush(self._ready, number)
+            heapq.heappush(self._next, (_GIVE, (), number))
         for number in self._edge_needs.met(step.node):
             self._offer(number)
         for number in self._at[step.node]:
@@ -158,4 +155,4 @@ class _Growth:
         edge = self._edges[number]
         usable = self._edge_needs.missing[number] == 0 and self._known[edge.a] != self._known[edge.b]
         if usable:
-            heapq.heappush(self._open, (edge.cost, number))
+            heapq.heappush(self._next, (_CROSS, edge.cost, number))

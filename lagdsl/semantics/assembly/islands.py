@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from lagdsl.diagnostics import Label
+from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.semantics.assembly.net import Net
 from lagdsl.semantics.assembly.routes import Routes
 from lagdsl.semantics.scope.context import Context
@@ -42,22 +43,14 @@ def report(ctx: Context, found: list[Instance]) -> None:
 
 def _groups(net: Net, routes: Routes) -> list[list[int]]:
     """Ports of links that are not reached, by what hangs together."""
-    parents = list(range(len(net.ports)))
-
-    def root(port: int) -> int:
-        while parents[port] != port:
-            parents[port] = parents[parents[port]]
-            port = parents[port]
-        return port
-
+    islands = DisjointSets(range(len(net.ports)))
     loose = [link for link in net.links if not routes.reached(link.base) or not routes.reached(link.child)]
     for link in loose:
-        a, b = root(net.root(link.base)), root(net.root(link.child))
-        parents[max(a, b)] = min(a, b)
-    wanted = {root(net.root(link.base)) for link in loose}
+        islands.join(net.root(link.base), net.root(link.child))
+    wanted = {islands.first(net.root(link.base)) for link in loose}
     groups: dict[int, list[int]] = {}
     for number in range(len(net.ports)):
-        group = root(net.root(number))
+        group = islands.first(net.root(number))
         if group in wanted and not routes.reached(number):
             groups.setdefault(group, []).append(number)
     return list(groups.values())

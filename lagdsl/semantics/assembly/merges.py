@@ -11,7 +11,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Coordinate
 from lagdsl.flat.quantity import Variability
-from lagdsl.semantics.assembly.sets import Sets
+from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name
@@ -25,12 +25,12 @@ Cell: TypeAlias = "tuple[Symbol, Indices]"
 
 
 class Merges:
-    """Which elements of coordinates are one; `symbols` are those of the model in order."""
+    """Merges elements of coordinates that are equal; `symbols` are those of the model in order."""
 
     def __init__(self, ctx: Context, symbols: Sequence[Symbol]) -> None:
         self._ctx = ctx
         self._symbols = [symbol for symbol in symbols if symbol.kind == "coordinate"]
-        self._sets: Sets[Cell] = Sets()
+        self._sets: DisjointSets[Cell] = DisjointSets()
         self._entered = False
         self._names: dict[str, str] = {}
         self.merged: dict[Symbol, None] = {}

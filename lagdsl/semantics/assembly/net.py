@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import field
 
+from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.record import mutable_record
 from lagdsl.semantics.assembly.dependencies import Dependencies
 from lagdsl.semantics.scope.context import Context
@@ -71,7 +72,7 @@ class Net:
     spans: dict[int, Span] = field(default_factory=dict)
     shared: set[Symbol] = field(default_factory=set)
     _numbers: dict[tuple[Symbol, Indices], int] = field(default_factory=dict)
-    _parents: list[int] = field(default_factory=lambda: [WORLD])
+    _sets: DisjointSets[int] = field(default_factory=lambda: DisjointSets([WORLD]))
 
     def port(self, symbol: Symbol, indices: Indices) -> int:
         """The number of a declared frame; one with a binding is placed by it."""
@@ -97,20 +98,13 @@ class Net:
 
     def root(self, port: int) -> int:
         """The representative of the set that the port belongs to: its earliest."""
-        while self._parents[port] != port:
-            self._parents[port] = self._parents[self._parents[port]]
-            port = self._parents[port]
-        return port
+        return self._sets.first(port)
 
     def join(self, first: int, second: int, span: Span) -> bool:
         """Make two ports one; False if they were."""
         for port in (first, second):
             self.spans.setdefault(port, span)
-        a, b = self.root(first), self.root(second)
-        if a == b:
-            return False
-        self._parents[max(a, b)] = min(a, b)
-        return True
+        return self._sets.join(first, second)
 
     def needed(self, binding: Binding, but: tuple[int, ...] = ()) -> tuple[int, ...]:
         """The ports that the text of a binding mentions, `but` left out."""
@@ -129,7 +123,7 @@ class Net:
 
     def _new(self, port: Port) -> int:
         self.ports.append(port)
-        self._parents.append(port.number)
+        self._sets.enter(port.number)
         return port.number
 
     def _place(self, number: int, binding: Binding) -> None:

@@ -14,9 +14,9 @@ from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat.model import Constraint
 from lagdsl.flat.quantity import Variability
+from lagdsl.numerics.disjoint_sets import DisjointSets
 from lagdsl.semantics.assembly.merges import Merges
 from lagdsl.semantics.assembly.net import Net
-from lagdsl.semantics.assembly.sets import Sets
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import Indices, Instance, Symbol
 from lagdsl.semantics.scope.values import Order, Poison, Scalar, Value, balanced_sum
@@ -30,7 +30,7 @@ class Networks:
 
     def __init__(self, ctx: Context, net: Net, merges: Merges, instances: Sequence[Instance]) -> None:
         self._ctx, self._net, self._merges = ctx, net, merges
-        self._sets: Sets[Instance] = Sets()
+        self._sets: DisjointSets[Instance] = DisjointSets()
         self._connectors = [instance for instance in instances if instance.kind == "connector" and instance.present]
         self._members: dict[str, Instance] = {}
         self._joined: dict[Instance, Span] = {}

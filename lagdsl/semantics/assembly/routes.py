@@ -1,4 +1,4 @@
-"""Where ports get their places from: identified with another frame, forward or backward along kinematics."""
+"""Sources of the places of ports: identified with another frame, forward or backward along kinematics."""
 
 from __future__ import annotations
 

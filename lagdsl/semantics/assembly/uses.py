@@ -1,4 +1,4 @@
-"""Which coordinates count by their values, not by their rates or virtual displacements alone.
+"""Finds the coordinates whose values matter, not only their rates or virtual displacements.
 
 An angle computed from frames is known up to whole turns: good for a torque on it and for its rate, wrong for a spring
 that is wound up further.

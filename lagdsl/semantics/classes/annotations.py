@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.model import Experiment
 from lagdsl.semantics.scope.constants import structural_number
 from lagdsl.semantics.scope.contents import Placed
@@ -46,8 +46,7 @@ def experiment(ctx: Context, annotations: Sequence[Placed]) -> Experiment:
             if name == "experiment":
                 given.append((modifier, placed.scope))
             elif name not in _NAMES:
-                meant = nearest(name, _NAMES)
-                hint = f"did you mean `{meant}`?" if meant else None
+                hint = did_you_mean(name, _NAMES)
                 ctx.sink.report("W0216", modifier.name.span, name=name, help=hint)
     own = [
         (modifier, scope) for modifier, scope in given if scope.instance is not None and scope.instance.scope is scope
@@ -80,8 +79,7 @@ def _setting(ctx: Context, scope: Scope, setting: nodes.AnyModifier, found: dict
         return
     name = ".".join(setting.name.parts)
     if name not in _SETTINGS:
-        meant = nearest(name, _SETTINGS)
-        hint = f"did you mean `{meant}`?" if meant else None
+        hint = did_you_mean(name, _SETTINGS)
         listed = ", ".join(_SETTINGS)
         span = setting.name.span
         ctx.sink.report("E0202", span, name=name, type="experiment", attributes=listed, help=hint)

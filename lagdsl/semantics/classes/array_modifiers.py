@@ -17,7 +17,7 @@ Said: TypeAlias = "tuple[tuple[nodes.Subscript, ...], nodes.AnyModifier, Scope]"
 
 
 class Splits:
-    """What is said about an array of components (or, with the shape (), about one), innermost first."""
+    """Modifiers of an array of components (or, with the shape (), of one), innermost first."""
 
     def __init__(self, ctx: Context, name: str, shape: Indices, said: list[Said]) -> None:
         self.ctx = ctx

@@ -120,7 +120,7 @@ def bind(ctx: Context, symbol: Symbol, indices: Indices | None, binding: Binding
 
 
 def _overlapping(table: dict[Indices | None, Binding], indices: Indices, rank: int) -> Binding | None:
-    """What gives a row that the element is in, or an element of the row."""
+    """The equation that defines a row with the element in it, or an element of the row."""
     around = next((table[indices[:n]] for n in range(1, len(indices)) if indices[:n] in table), None)
     if around is not None or not 0 < len(indices) < rank:
         return around

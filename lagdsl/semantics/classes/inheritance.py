@@ -40,7 +40,7 @@ class Body:
 
 @record()
 class Way:
-    """How a base came in: its names, the `extends` that says so, the modifiers on the way there."""
+    """The way to a base class: its names, the `extends` that names it, the modifiers on the way there."""
 
     names: frozenset[str]
     item: nodes.Extends

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lagdsl.diagnostics import Diagnostic, Label, Sink
+from lagdsl.diagnostics.suggest import nearest
 from lagdsl.source import SourceFile, Span
 from lagdsl.syntax import nodes
 from lagdsl.syntax.limits import MAX_CHARACTERS
@@ -17,8 +18,8 @@ _MAX_BYTES = 4 * MAX_CHARACTERS  # a character of UTF-8 takes at most four
 def read_source(path: Path, sink: Sink) -> SourceFile | None:
     """The text of a file, its line ends normalised to `\\n` and a byte order mark removed.
 
-    What keeps a file from being a model text is reported to `sink`, and None returned: a name that is none, a
-    directory, no permission, too large (no more than the limit is read), not UTF-8, the character NUL.
+    Reports to `sink` and returns None if the file is no model text: an invalid name, a directory, no permission, too
+    large (no more than the limit is read), not UTF-8, the character NUL.
     """
     return _read(path, str(path), sink)
 
@@ -50,11 +51,21 @@ def _content(path: Path, name: str, sink: Sink) -> bytes | None:
         with path.open("rb") as file:
             return file.read(_MAX_BYTES + 1)
     except FileNotFoundError:
-        sink.report("E0133", None, name=name)
+        sink.report("E0133", None, name=name, help=_nearest_file(path))
     except (OSError, ValueError) as fault:  # ValueError: a name that no file can have
         reason = fault.strerror if isinstance(fault, OSError) and fault.strerror else str(fault)
         sink.report("E0134", None, name=name, reason=reason)
     return None
+
+
+def _nearest_file(path: Path) -> str | None:
+    """Help that proposes the file of the same folder with the most similar name."""
+    try:
+        stems = {file.stem for file in path.parent.iterdir() if file.suffix == ".lag" and file.is_file()}
+    except OSError:
+        return None
+    meant = path.stem if path.stem in stems else nearest(path.stem, stems)
+    return f"did you mean `{path.with_name(meant + '.lag')}`?" if meant else None
 
 
 # Trees by path, with time and size of the file when it was read and what was found in it.

@@ -7,7 +7,7 @@ from dataclasses import field, replace
 from typing import TypeAlias
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.record import mutable_record
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import Binding, ClassSymbol, Entry, Instance, InstanceArray, Scope, Symbol
@@ -74,7 +74,7 @@ def check_duplicates(ctx: Context, modifiers: Iterable[nodes.AnyModifier]) -> No
             whole[name] = modifier.span
 
 
-# What a modifier gives a value to: the names on the way, each with its subscripts as written.
+# Target of a modifier: the names on the way, each with its subscripts as written.
 Place: TypeAlias = "tuple[tuple[str, str], ...]"
 
 
@@ -155,8 +155,7 @@ def report_no_such(
     ctx: Context, modifier: nodes.AnyModifier, name: str, node: nodes.Class | nodes.ShortClass, known: list[str]
 ) -> None:
     """E0223 for a modifier of `name`, which the class does not have; `known` are the names that it has."""
-    meant = nearest(name, known)
-    hint = f"did you mean `{meant}`?" if meant else _listed(known)
+    hint = did_you_mean(name, known, _listed(known))
     span = modifier.name.span if isinstance(modifier, nodes.Modifier) else modifier.span
     place = node.name_span if isinstance(node, nodes.Class) else node.span
     label = Label(place, f"`{node.name}` is declared here")

@@ -155,7 +155,7 @@ class Packages:
 
 
 class Library:
-    """What one flattening has read from packages in files.
+    """Packages that one flattening has read from files.
 
     `fill` declares the contents of a package in its scope, `imports` the imports among items.
     """
@@ -178,7 +178,7 @@ class Library:
         return folder
 
     def roots(self, own: Folder | None) -> Roots:
-        """Where a name from the top is looked for: the folder of the file first, then what is installed."""
+        """Folders in which a top-level name is looked up: that of the file first, then the installed library."""
         first = () if own is None else (own,)
         return Roots((*first, *(folder for folder in self.installed if folder is not own)))
 

@@ -51,7 +51,7 @@ def replaced(
 
 
 def _for_each(modifier: nodes.Modifier) -> tuple[nodes.AnyModifier, ...]:
-    """What `each wheel(m = 2 kg)` says of an array: `wheel(each m = 2 kg)`."""
+    """Distributes `each` over an array: `each wheel(m = 2 kg)` becomes `wheel(each m = 2 kg)`."""
     if "each" not in modifier.prefixes:
         return modifier.modifiers
     return tuple(
@@ -76,7 +76,7 @@ def _redeclared(
 def stands_in(ctx: Context, symbol: ClassSymbol, declarator: nodes.Declarator, parts: list[Part]) -> bool:
     """True if a class put in by `redeclare` has what the class around says of the component; else E0244.
 
-    `parts` are those of the class around. What the members are shows itself where they are used.
+    `parts` are those of the class around. The uses of the members check these.
     """
     redeclared = _last_redeclared(ctx, symbol)
     expanded = expand_short(ctx, symbol)

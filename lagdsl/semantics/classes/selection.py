@@ -1,11 +1,11 @@
-"""Which model of a file is meant: by name, else the last non-partial one that nothing else in the file uses."""
+"""Selects the model of a file: by name, else the last non-partial one that nothing else in the file uses."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.semantics.classes.library import item_head
 from lagdsl.semantics.classes.packages import Library
 from lagdsl.semantics.scope.context import Context
@@ -87,8 +87,7 @@ def select(ctx: Context, unit: nodes.Unit, scope: Scope, name: str | None) -> Cl
     if name is not None:
         if name in models:
             return models[name]
-        meant = nearest(name, models)
-        hint = f"did you mean `{meant}`?" if meant else f"the file has {', '.join(f'`{path}`' for path in models)}"
+        hint = did_you_mean(name, models, f"the file has {', '.join(f'`{path}`' for path in models)}")
         ctx.sink.report("E0217", None, name=name, help=hint if models else None)
         return None
     used = _used(unit)

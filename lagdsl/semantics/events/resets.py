@@ -80,7 +80,7 @@ def _set(ctx: Context, expression: FlatExpression) -> tuple[str, bool] | None:
 
 
 def what_it_is(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[Label, ...]:
-    """Where the thing that cannot be set is declared."""
+    """Label at the declaration of a target that cannot be set."""
     inner = derivative_of(node) or node
     named = isinstance(inner, nodes.Reference | nodes.Member | nodes.Index)
     found = named_element(ctx, scope, inner) if named else None

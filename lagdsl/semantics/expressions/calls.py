@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.semantics.events.event_functions import OF_EVENTS
 from lagdsl.semantics.expressions.inline import inlined
 from lagdsl.semantics.expressions.mechanics_functions import SPECIALS
@@ -86,8 +87,8 @@ def _no_function(ctx: Context, scope: Scope, node: nodes.Call, function: nodes.R
         ctx.sink.report("E0327", function.span, name=name, what=_what(entry), arguments=inside)
     elif not ctx.reports.incomplete:
         functions = [found for found, each in visible(scope) if isinstance(each, FunctionSymbol)]
-        meant = builtin.meant_function(name, [*functions, *SPECIALS, *OF_EVENTS])
-        ctx.sink.report("E0209", function.span, name=name, help=f"did you mean `{meant}`?" if meant else None)
+        hint = did_you_mean(name, [*builtin.BUILTINS, *functions, *SPECIALS, *OF_EVENTS])
+        ctx.sink.report("E0209", function.span, name=name, help=hint)
     return POISON
 
 

@@ -1,7 +1,7 @@
 """Elaboration of expressions: one pass from the tree to typed values, bottom up.
 
-Names are resolved, kinds, shapes and dimensions checked, functions of the user expanded, literals converted to SI. What
-was wrong is reported once, at its place, and becomes poison.
+Names are resolved, kinds, shapes and dimensions checked, functions of the user expanded, literals converted to SI. An
+error is reported once, at its place, and its value becomes poison.
 """
 
 from __future__ import annotations

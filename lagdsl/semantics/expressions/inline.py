@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.operators.arithmetic import Operand
@@ -44,8 +44,7 @@ def _bind(ctx: Context, symbol: FunctionSymbol, node: nodes.Call, arguments: lis
     names = [parameter.name for parameter in function.parameters]
     for position, (argument, operand) in enumerate(zip(node.arguments, arguments, strict=True)):
         if isinstance(argument, nodes.Named) and argument.name not in names:
-            meant = nearest(argument.name, names)
-            hint = f"did you mean `{meant}`?" if meant else None
+            hint = did_you_mean(argument.name, names)
             ctx.sink.report("E0211", name_span(argument), name=argument.name, function=function.name, help=hint)
             return None
         if position < len(names) or isinstance(argument, nodes.Named):

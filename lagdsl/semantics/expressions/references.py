@@ -6,7 +6,7 @@ import re
 from typing import assert_never
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean, nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.expressions import slices
@@ -180,9 +180,8 @@ def not_in_package(ctx: Context, scope: Scope, node: nodes.Member) -> bool:
     around = package_entry(scope, node.target)
     if not isinstance(around, ClassSymbol) or around.inner is None:
         return False
-    meant = nearest(node.name, around.inner.names())
     what = f"package `{node.target.span.text}`"
-    hint = f"did you mean `{meant}`?" if meant else None
+    hint = did_you_mean(node.name, around.inner.names())
     ctx.sink.report("E0210", node.name_span, name=node.name, what=what, help=hint)
     return True
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
@@ -57,8 +57,7 @@ def _given(ctx: Context, node: nodes.RigidBody) -> dict[str, nodes.Expression]:
             continue
         name = ".".join(modifier.name.parts)
         if name not in PROPERTIES:
-            meant = nearest(name, PROPERTIES)
-            hint = f"did you mean `{meant}`?" if meant else None
+            hint = did_you_mean(name, PROPERTIES)
             listed = ", ".join(PROPERTIES)
             ctx.sink.report("E0202", modifier.name.span, name=name, type="body", attributes=listed, help=hint)
         elif modifier.value is None or modifier.modifiers or modifier.subscripts or modifier.prefixes:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import events
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
@@ -79,8 +79,7 @@ def _options(ctx: Context, node: nodes.Contact) -> dict[str, nodes.Named] | None
     known = (*_RIGID, *_COMPLIANT)
     for option in node.options:
         if option.name not in known:
-            meant = nearest(option.name, known)
-            hint = f"did you mean `{meant}`?" if meant else None
+            hint = did_you_mean(option.name, known)
             listed = ", ".join(known)
             ctx.sink.report("E0202", name_span(option), name=option.name, type="contact", attributes=listed, help=hint)
             return None

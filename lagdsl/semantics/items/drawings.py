@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, assert_never
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
@@ -29,8 +29,7 @@ def drawing(ctx: Context, scope: Scope, node: nodes.Draw) -> flat_model.Drawing 
     if not structural_condition(ctx, scope, node.condition, "a drawing"):
         return None
     if node.shape not in SHAPES:
-        meant = nearest(node.shape, SHAPES)
-        hint = f"did you mean `{meant}`?" if meant else f"the shapes are {', '.join(SHAPES)}"
+        hint = did_you_mean(node.shape, SHAPES, f"the shapes are {', '.join(SHAPES)}")
         ctx.sink.report("E0215", node.span, shape=node.shape, help=hint)
         return None
     arguments = [_argument(ctx, scope, node, argument) for argument in node.arguments]
@@ -73,9 +72,8 @@ def _argument(
         ctx.sink.report("E0211", argument.span, name=argument.span.text, function=f"draw {node.shape}", help=hint)
         return None
     if argument.name not in _ARGUMENTS:
-        meant = nearest(argument.name, _ARGUMENTS)
-        hint = f"did you mean `{meant}`?" if meant else f"it takes {', '.join(_ARGUMENTS)}"
-        ctx.sink.report("E0211", name_span(argument), name=argument.name, function=f"draw {node.shape}", help=hint)
+        meant = did_you_mean(argument.name, _ARGUMENTS, f"it takes {', '.join(_ARGUMENTS)}")
+        ctx.sink.report("E0211", name_span(argument), name=argument.name, function=f"draw {node.shape}", help=meant)
         return None
     value = ctx.elaborate(ctx, scope, argument.value, True)
     return _value(ctx, scope, argument, value)

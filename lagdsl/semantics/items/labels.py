@@ -26,7 +26,7 @@ def value(ctx: Context, symbol: Symbol, indices: Indices) -> Value:
         return POISON
     node = instance.node
     if condition_of(ctx, instance.scope, node.condition) is False:
-        # What is switched off contributes nothing, whatever its unit.
+        # A label that is switched off contributes nothing, whatever its unit.
         return Scalar(flat.ZERO, None)
     if isinstance(node, nodes.Invariant):
         return invariant_value(ctx, instance.scope, node) or POISON

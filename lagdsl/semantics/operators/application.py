@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from lagdsl.record import record
 from lagdsl.semantics.operators.arithmetic import Operand
 from lagdsl.semantics.scope.context import Context
@@ -39,7 +41,7 @@ def scalars(call: Application) -> list[Scalar] | None:
     return found if len(found) == len(call.arguments) else None
 
 
-def same(call: Application, values: list[Scalar]) -> bool:
+def same(call: Application, values: Sequence[Scalar]) -> bool:
     """All arguments of one dimension, or E0401."""
     for item, value in zip(call.arguments[1:], values[1:], strict=True):
         if not fits(values[0].dimension, value.dimension):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.semantics.operators.arrays import subscript_indices
 from lagdsl.semantics.operators.paths import designated
 from lagdsl.semantics.scope.context import Context
@@ -23,14 +23,8 @@ def positional(
         if not isinstance(argument, nodes.Named):
             found.append(argument)
         elif argument.name not in keywords:
-            meant = nearest(argument.name, keywords)
-            hint = (
-                f"did you mean `{meant}`?"
-                if meant
-                else f"it takes {', '.join(f'`{name} =`' for name in keywords)}"
-                if keywords
-                else None
-            )
+            listed = f"it takes {', '.join(f'`{name} =`' for name in keywords)}" if keywords else None
+            hint = did_you_mean(argument.name, keywords, listed)
             ctx.sink.report(
                 "E0211", name_span(argument), name=argument.name, function=node.function.span.text, help=hint
             )
@@ -85,14 +79,8 @@ def labelled(
             for name, each in step.entries.items()
             if isinstance(each, Symbol) and each.kind in kinds
         ]
-        meant = nearest(target.name, labels)
-        ctx.sink.report(
-            "E0201",
-            target.span,
-            name=target.name,
-            scope=scope.title,
-            help=f"did you mean `{meant}`?" if meant else None,
-        )
+        hint = did_you_mean(target.name, labels)
+        ctx.sink.report("E0201", target.span, name=target.name, scope=scope.title, help=hint)
         return None
     value = ctx.elaborate(ctx, scope, node, False)
     if isinstance(value, Poison) and not isinstance(entry, Symbol):

@@ -50,14 +50,9 @@ class Operand:
 
 
 def negated(value: Numeric) -> Numeric:
-    match value:
-        case Scalar():
-            return replace(value, expression=negative(value.expression))
-        case Vector():
-            return Vector(flat.Unary("-", value.expression), value.dimension, value.variability, value.order)
-        case Array():
-            parts = tuple(negative(part) for part in value.elements)
-            return Array(parts, value.shape, value.dimension, value.variability, value.order, value.kind)
+    if isinstance(value, Array):
+        return replace(value, elements=tuple(map(negative, value.elements)))
+    return replace(value, expression=negative(value.expression))
 
 
 def negative(expression: FlatExpression) -> FlatExpression:
@@ -327,7 +322,7 @@ def _located(ctx: Context, scope: Scope, node: nodes.Binary, one: Scalar, two: S
 
 @record()
 class Located:
-    """Where a relation stands that is located, and the dimension of its sides."""
+    """Span of a relation that is located, and the dimension of its sides."""
 
     ctx: Context
     spans: Spans

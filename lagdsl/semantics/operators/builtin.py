@@ -6,7 +6,6 @@ from collections.abc import Callable
 from fractions import Fraction
 from math import pi
 
-from lagdsl.diagnostics.suggest import nearest
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
@@ -35,15 +34,23 @@ from lagdsl.units.definition import UnitDefinition
 from lagdsl.units.dimension import DIMENSIONLESS
 from lagdsl.units.parse import UnknownUnit, parse_unit
 
+Builtin = Callable[[Application], Value]
+
 # ---- functions of numbers --------------------------------------------------------------------------------------------
 
 
-def _of_number(call: Application) -> Value:
+def _of_scalars(function: Callable[..., Value]) -> Builtin:
+    """The function of a call and of its arguments as real scalars."""
+
+    def apply(call: Application) -> Value:
+        values = scalars(call)
+        return POISON if values is None else function(call, *values)
+
+    return apply
+
+
+def _of_number(call: Application, argument: Scalar) -> Value:
     """`sin` and its kind: argument and value without a dimension."""
-    values = scalars(call)
-    if values is None:
-        return POISON
-    argument = values[0]
     if not fits(argument.dimension, DIMENSIONLESS):
         span = call.arguments[0].node.span
         call.ctx.sink.report("E0402", span, function=f"`{call.name}`", found=quantity(argument.dimension))
@@ -90,25 +97,19 @@ def _function(
     return Scalar(flat.Function(name, arguments), dimension, latest(*numeric), highest(*numeric), kind)
 
 
-def _joint_kind(values: list[Scalar]) -> Kind:
+def _joint_kind(*values: Scalar) -> Kind:
     """Integer where all are."""
     return "Integer" if all(value.kind == "Integer" for value in values) else "Real"
 
 
-def _root(call: Application) -> Value:
-    values = scalars(call)
-    if values is None:
-        return POISON
-    dimension = values[0].dimension
-    return _function(call, "sqrt", (values[0].expression,), dimension ** Fraction(1, 2) if dimension else dimension)
+def _root(call: Application, x: Scalar) -> Value:
+    dimension = x.dimension
+    return _function(call, "sqrt", (x.expression,), dimension ** Fraction(1, 2) if dimension else dimension)
 
 
-def _preserving(call: Application) -> Value:
+def _preserving(call: Application, x: Scalar) -> Value:
     """`abs`: the dimension of the argument."""
-    values = scalars(call)
-    if values is None:
-        return POISON
-    x, kind = values[0], _joint_kind(values)
+    kind = _joint_kind(x)
     if not corners.has_corner(call.ctx, x):
         return _with_corner(call, _function(call, call.name, (x.expression,), x.dimension, kind), x.expression)
     positive = corners.of_call(call.ctx, call.scope, call.node, x.expression)
@@ -116,31 +117,27 @@ def _preserving(call: Application) -> Value:
     return Scalar(value, x.dimension, x.variability, x.order, kind)
 
 
-def _sign(call: Application) -> Value:
+def _sign(call: Application, value: Scalar) -> Value:
     """Of what moves: two relations, so that its jumps are events."""
-    values = scalars(call)
-    if values is None:
-        return POISON
-    if call.ctx.current.quiet or values[0].variability != Variability.CONTINUOUS:
-        return _function(call, "sign", (values[0].expression,), DIMENSIONLESS, "Integer")
-    text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", values[0].expression
-    place = Located(call.ctx, (call.node.span, *call.scope.spans), values[0].dimension or DIMENSIONLESS)
-    timed = corners.is_timed(call.ctx, values[0])
+    if call.ctx.current.quiet or value.variability != Variability.CONTINUOUS:
+        return _function(call, "sign", (value.expression,), DIMENSIONLESS, "Integer")
+    text, x = f"{call.scope.owner.prefix}{call.arguments[0].node.span.text}", value.expression
+    place = Located(call.ctx, (call.node.span, *call.scope.spans), value.dimension or DIMENSIONLESS)
+    timed = corners.is_timed(call.ctx, value)
     above = place.truth(f"{text} > 0", x, strict=True, timed=timed)
     below = place.truth(f"{text} < 0", flat.Unary("-", x), strict=True, timed=timed)
-    value = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
-    return Scalar(value, DIMENSIONLESS, Variability.DISCRETE, kind="Integer")
+    sign = flat.Conditional(above, flat.ONE, flat.Conditional(below, flat.Number(-1.0), flat.ZERO))
+    return Scalar(sign, DIMENSIONLESS, Variability.DISCRETE, kind="Integer")
 
 
-def _pair(call: Application) -> Value:
+def _pair(call: Application, *values: Scalar) -> Value:
     """`atan2` and `mod`."""
-    values = scalars(call)
-    if values is None or not same(call, values):
+    if not same(call, values):
         return POISON
     arguments = (values[0].expression, values[1].expression)
     if call.name == "atan2":
         return _function(call, call.name, arguments, DIMENSIONLESS)
-    dimension, kind = joined(values[0].dimension, values[1].dimension), _joint_kind(values)
+    dimension, kind = joined(values[0].dimension, values[1].dimension), _joint_kind(*values)
     if corners.has_corner(call.ctx, *values):
         return Scalar(_remainder(call, *arguments), dimension, latest(*values), highest(*values), kind)
     _note_jumps(call)
@@ -155,47 +152,39 @@ def _remainder(call: Application, x: FlatExpression, y: FlatExpression) -> FlatE
     return flat.Binary("-", x, flat.Binary("*", turns, y))
 
 
-def _log10(call: Application) -> Value:
-    value = _of_number(Application(call.ctx, call.scope, "log", call.node, call.arguments))
+def _log10(call: Application, x: Scalar) -> Value:
+    value = _of_number(Application(call.ctx, call.scope, "log", call.node, call.arguments), x)
     if not isinstance(value, Scalar):
         return POISON
-    return Scalar(
-        flat.Binary("/", value.expression, flat.Function("log", (flat.Number(10.0),))),
-        DIMENSIONLESS,
-        value.variability,
-        value.order,
-    )
+    quotient = flat.Binary("/", value.expression, flat.Function("log", (flat.Number(10.0),)))
+    return Scalar(quotient, DIMENSIONLESS, value.variability, value.order)
 
 
-def _limit(call: Application) -> Value:
+def _limit(call: Application, x: Scalar, low: Scalar, high: Scalar) -> Value:
     """`limit(x, low, high)`."""
-    values = scalars(call)
-    if values is None or not same(call, values):
+    values = (x, low, high)
+    if not same(call, values):
         return POISON
-    x, low, high = values
     inner = Scalar(extreme(call.ctx, call.scope, call.node, "min", x, high), None, latest(x, high), highest(x, high))
     dimension = joined(x.dimension, joined(low.dimension, high.dimension))
     value = extreme(call.ctx, call.scope, call.node, "max", low, inner)
-    return Scalar(value, dimension, latest(*values), highest(*values), _joint_kind(values))
+    return Scalar(value, dimension, latest(*values), highest(*values), _joint_kind(*values))
 
 
-def _wrap(call: Application) -> Value:
+def _wrap(call: Application, x: Scalar) -> Value:
     """The angle in [-pi, pi)."""
-    values = scalars(call)
-    if values is None:
-        return POISON
-    if not fits(values[0].dimension, DIMENSIONLESS):
+    if not fits(x.dimension, DIMENSIONLESS):
         span = call.arguments[0].node.span
-        call.ctx.sink.report("E0402", span, function="`wrap`", found=quantity(values[0].dimension))
+        call.ctx.sink.report("E0402", span, function="`wrap`", found=quantity(x.dimension))
         return POISON
-    turned = flat.Binary("+", values[0].expression, flat.Number(pi))
+    turned = flat.Binary("+", x.expression, flat.Number(pi))
     turn = flat.Number(2 * pi)
-    timed = corners.has_corner(call.ctx, values[0])
+    timed = corners.has_corner(call.ctx, x)
     wrapped = _remainder(call, turned, turn) if timed else flat.Function("mod", (turned, turn))
     turns = flat.Binary("/", turned, turn)
-    corners.met(call.ctx, call.scope, call.node, wrapped, corners.at_whole_numbers(turns), values[0])
+    corners.met(call.ctx, call.scope, call.node, wrapped, corners.at_whole_numbers(turns), x)
     shifted = flat.Binary("-", wrapped, flat.Number(pi))
-    return Scalar(shifted, DIMENSIONLESS, values[0].variability, values[0].order)
+    return Scalar(shifted, DIMENSIONLESS, x.variability, x.order)
 
 
 def _value(call: Application) -> Value:
@@ -280,22 +269,20 @@ def _unit_vector(call: Application) -> Value:
     return divided(call.ctx, call.node, value, length)
 
 
-Builtin = Callable[[Application], Value]
-
 # name: (function, least and most number of arguments)
 BUILTINS: dict[str, tuple[Builtin, int, int]] = {
     **dict.fromkeys(
         ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "floor", "ceil"),
-        (_of_number, 1, 1),
+        (_of_scalars(_of_number), 1, 1),
     ),
-    "log10": (_log10, 1, 1),
-    "sqrt": (_root, 1, 1),
-    "abs": (_preserving, 1, 1),
-    "sign": (_sign, 1, 1),
-    "atan2": (_pair, 2, 2),
-    "mod": (_pair, 2, 2),
-    "limit": (_limit, 3, 3),
-    "wrap": (_wrap, 1, 1),
+    "log10": (_of_scalars(_log10), 1, 1),
+    "sqrt": (_of_scalars(_root), 1, 1),
+    "abs": (_of_scalars(_preserving), 1, 1),
+    "sign": (_of_scalars(_sign), 1, 1),
+    "atan2": (_of_scalars(_pair), 2, 2),
+    "mod": (_of_scalars(_pair), 2, 2),
+    "limit": (_of_scalars(_limit), 3, 3),
+    "wrap": (_of_scalars(_wrap), 1, 1),
     "value": (_value, 2, 2),
     "cross": (_cross, 2, 2),
     "norm": (norm, 1, 1),
@@ -328,7 +315,3 @@ def apply(call: Application) -> Value:
     if any(isinstance(item.value, Poison) for item in call.arguments):
         return POISON
     return function(call)
-
-
-def meant_function(name: str, others: list[str]) -> str | None:
-    return nearest(name, [*BUILTINS, *others])

@@ -4,8 +4,8 @@
 interval. All of that is constant between events, so the equations are smooth there, and a derivative by time is that of
 the present piece. Nothing is stepped over: the instants are computed ahead.
 
-What depends on the motion or on inputs, too, is taken as it stands (`sqrt(max(x, 0))` must not see a negative number);
-for each such corner there is a distance that passes zero there, at which steps end.
+An argument that depends on the motion or on inputs is evaluated as it is (`sqrt(max(x, 0))` must not see a negative
+number); for each such corner there is a distance that passes zero there, at which steps end.
 """
 
 from __future__ import annotations

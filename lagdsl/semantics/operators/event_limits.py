@@ -1,4 +1,4 @@
-"""What events are told must lie within limits: seen while compiling where it is known then, else for each set of
+"""Limits of the arguments of events: checked by the compiler if they are known then, else for each set of
 parameters."""
 
 from __future__ import annotations

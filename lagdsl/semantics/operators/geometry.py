@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import assert_never
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
@@ -95,14 +95,8 @@ def _no_member(ctx: Context, node: nodes.Member, target: Value) -> Value:
             names = ()
         case _:
             assert_never(target)
-    meant = nearest(node.name, names)
-    hint = (
-        f"did you mean `.{meant}`?"
-        if meant
-        else f"it has {', '.join(f'`.{name}`' for name in names)}"
-        if names
-        else None
-    )
+    listed = f"it has {', '.join(f'`.{name}`' for name in names)}" if names else None
+    hint = did_you_mean(node.name, names, listed, mark=".")
     ctx.sink.report("E0210", node.name_span, name=node.name, what=kind_of(target).partition(":")[0], help=hint)
     return POISON
 

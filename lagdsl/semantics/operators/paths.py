@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import assert_never
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.semantics.operators import arrays
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import (
@@ -71,8 +71,7 @@ def member_of(ctx: Context, instance: Instance, name: str, span: Span) -> Entry:
         return POISON
     if entry is None:
         names = [known for known in instance.scope.entries if known not in instance.protected]
-        meant = nearest(name, names)
-        hint = f"did you mean `.{meant}`?" if meant else None
+        hint = did_you_mean(name, names, mark=".")
         label = Label(instance.span, f"a component of class {instance.scope.title}")
         ctx.sink.report("E0210", span, label, name=name, what=f"`{short}`", help=hint)
         return POISON

@@ -71,7 +71,7 @@ class Conventions:
 
 @mutable_record()
 class Counts:
-    """How much is expanded so far; `limits` has the bounds. `exceeded` are those that were reported."""
+    """Sizes of the expansion so far; `limits` has the bounds. `exceeded` are the bounds that were reported."""
 
     turns: int = 0
     calls: int = 0

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import field
 
 from lagdsl.diagnostics import Label, Sink
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.record import mutable_record, record
 from lagdsl.semantics.scope.scope import ClassSymbol, Entry, Root, Scope, lookup_path
 from lagdsl.semantics.scope.values import POISON
@@ -128,7 +128,7 @@ def _within(item: nodes.Import, name: str) -> Span:
 
 
 def root_of(scope: Scope) -> Root:
-    """Where the names of imports begin."""
+    """Origin of the names of imports."""
     return next(step.outside.root for step in scope.chain() if step.outside.root is not None)
 
 
@@ -142,8 +142,7 @@ def follow(sink: Sink, root: Root, target: Target) -> Entry:
     first, *rest = target.parts
     entry = root.find(first, target.span)
     if entry is None:
-        meant = nearest(first, root.names())
-        hint = f"did you mean `{meant}`?" if meant else None
+        hint = did_you_mean(first, root.names())
         sink.report("E0250", target.span, name=first, notes=("\n".join(root.places(first)),), help=hint)
         return POISON
     for position, part in enumerate(rest, 1):
@@ -154,8 +153,7 @@ def follow(sink: Sink, root: Root, target: Target) -> Entry:
         around = entry.inner
         entry = around.find(part, target.span)
         if entry is None:
-            meant = nearest(part, around.names())
-            hint = f"did you mean `{meant}`?" if meant else None
+            hint = did_you_mean(part, around.names())
             what = f"package `{'.'.join(target.parts[:position])}`"
             sink.report("E0210", target.span, name=part, what=what, help=hint)
             return POISON

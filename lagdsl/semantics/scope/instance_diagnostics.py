@@ -79,7 +79,7 @@ def _places(instance: Instance | None) -> Iterator[Label]:
 
 
 def report_missing(ctx: Context, code: str, symbol: Symbol, name: str) -> None:
-    """What has no value is to get it where the component is declared."""
+    """Reports a missing value at the declaration of the component, which must give it."""
     instance = symbol.scope.owner.instance
     if instance is None or instance.around is None:
         ctx.sink.report(code, symbol.span, name=name, kind=symbol.kind)

@@ -1,4 +1,4 @@
-"""How far loops, arrays and functions are expanded. Each bound has a diagnostic (E0326)."""
+"""Bounds of the expansion of loops, arrays and functions. Each bound has a diagnostic (E0326)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What of a model changes at instants, as it is met: located relations, clocks, the start and the end."""
+"""Sources of events of a model, in order of occurrence: located relations, clocks, the start and the end."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _LONGEST = 80
 
 
 class Mode(Enum):
-    """Where an expression stands: it holds all the time, is the condition of a `when`, or is computed at its event."""
+    """Context of an expression: it holds all the time, is the condition of a `when`, or is computed at its event."""
 
     ALWAYS = "always"
     CONDITION = "condition"

@@ -219,7 +219,7 @@ class Root(Files, Protocol):
     """The names that an import may begin with."""
 
     def places(self, name: str) -> tuple[str, ...]:
-        """Where `name` was looked for, in words."""
+        """Places in which `name` was looked up, in words."""
 
 
 class Imports(Protocol):
@@ -236,8 +236,8 @@ class Imports(Protocol):
 
 @mutable_record()
 class Outside:
-    """Where a scope gets names that its text does not declare: imports, the files of a package, and `root`, the names
-    that an import may begin with."""
+    """Sources of names that the text of a scope does not declare: imports, the files of a package, and `root`, the
+    names that an import may begin with."""
 
     imports: Imports | None = None
     files: Files | None = None

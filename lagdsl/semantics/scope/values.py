@@ -27,8 +27,8 @@ AnyDimension: TypeAlias = "Dimension | None"
 
 
 class Order(IntEnum):
-    """What an expression needs of the motion: nothing but time, inputs, q, its first, its second derivative, or the
-    solved equations."""
+    """The part of the motion that an expression needs: nothing but time, inputs, q, its first, its second derivative,
+    or the solved equations."""
 
     STILL = -2
     GIVEN = -1

@@ -79,7 +79,7 @@ def report_unequal(
 
 
 def _missing(scope: Scope, left: Dimension, right: Dimension) -> str | None:
-    """Which factor would help, taken from the parameters of the class."""
+    """A missing factor, from the parameters of the class."""
     for short, other, which in ((right, left, "second"), (left, right, "first")):
         factor = _factor(scope, other / short)
         if factor is not None:

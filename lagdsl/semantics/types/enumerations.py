@@ -6,7 +6,7 @@ A value is the number of its place, from 1, of a kind of its own: values of one 
 
 from __future__ import annotations
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat import expression as flat
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import TypeInfo, TypeSymbol, lookup_path
@@ -38,10 +38,8 @@ def literal(ctx: Context, symbol: TypeSymbol, node: nodes.Member) -> Value:
     if found is not None and node.name in names:
         kind = f"{found.scope.prefix}{found.node.name}"
         return Scalar(flat.Number(float(names.index(node.name) + 1)), DIMENSIONLESS, kind=kind)
-    meant = nearest(node.name, names)
-    hint = (
-        f"did you mean `{meant}`?" if meant else f"it has {', '.join(f'`{name}`' for name in names)}" if names else None
-    )
+    listed = f"it has {', '.join(f'`{name}`' for name in names)}" if names else None
+    hint = did_you_mean(node.name, names, listed)
     ctx.sink.report("E0210", node.name_span, name=node.name, what=f"type `{node.target.span.text}`", help=hint)
     return POISON
 

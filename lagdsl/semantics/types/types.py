@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean, nearest
 from lagdsl.semantics.scope import prelude
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.imports import import_hint
@@ -188,8 +188,7 @@ def _not_in_package(ctx: Context, name: nodes.Name, scope: Scope) -> bool:
         around = lookup_path(scope, name.parts[:length], name.span)
         if isinstance(around, ClassSymbol) and around.inner is not None:
             part = name.parts[length]
-            meant = nearest(part, around.inner.names())
-            hint = f"did you mean `{meant}`?" if meant else None
+            hint = did_you_mean(part, around.inner.names())
             what = f"package `{'.'.join(name.parts[:length])}`"
             ctx.sink.report("E0210", name.span, name=part, what=what, help=hint)
             return True

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import prod
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import nearest
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.quantity import Variability
 from lagdsl.record import record
@@ -13,7 +14,7 @@ from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.prelude import BaseType
 from lagdsl.semantics.scope.scope import Scope, Symbol
-from lagdsl.semantics.scope.values import AnyDimension, Array, Scalar, Text, is_structural, rank
+from lagdsl.semantics.scope.values import AnyDimension, Scalar, Text, is_structural, rank
 from lagdsl.semantics.types.bindings import Expected, conform
 from lagdsl.syntax import nodes
 
@@ -124,16 +125,15 @@ def _report_misfit(ctx: Context, symbol: Symbol, modifier: nodes.Modifier, prefi
     elif name in KNOWN and not prefix:
         ctx.sink.report("E0213", span, *_declared(symbol, modifier), name=name, what=symbol.title)
     else:
-        meant = nearest(name, names)
         type_name = symbol.info.name if symbol.info is not None else symbol.kind
-        hint = f"did you mean `{meant}`?" if meant is not None else None
+        hint = did_you_mean(name, names)
         listed = ", ".join(names) if names else "none"
         place = _declared(symbol, modifier)
         ctx.sink.report("E0202", span, *place, name=name, type=type_name, attributes=listed, help=hint)
 
 
 def _declared(symbol: Symbol, modifier: nodes.Modifier) -> tuple[Label, ...]:
-    """Where the quantity is declared, for a modifier that stands elsewhere."""
+    """Label at the declaration of the quantity, for a modifier elsewhere."""
     if symbol.declarator is None or modifier in symbol.declarator.modifiers:
         return ()
     return (Label(symbol.span, f"`{symbol.short}` is declared here as {symbol.title}"),)
@@ -153,9 +153,6 @@ def expressions(
     base: BaseType = "Real",
 ) -> list[FlatExpression] | None:
     """One expression for each element, of parameters at most; None after a diagnostic."""
-    count = 1
-    for extent in shape:
-        count *= extent
     value = ctx.elaborate(ctx, attribute.scope, attribute.value, True)
     wanted = () if attribute.each else shape
     _check_each(ctx, attribute, what, shape)
@@ -170,23 +167,26 @@ def expressions(
     if rank(found.variability) > rank(Variability.PARAMETER):
         ctx.sink.report("E0317", attribute.value.span, what=what, allowed="parameters and constants")
         return None
-    return [found.expression] * count if isinstance(found, Scalar) else list(found.elements)
+    return [found.expression] * prod(shape) if isinstance(found, Scalar) else list(found.elements)
 
 
 def numbers(
-    ctx: Context, attribute: Attribute | None, what: str, dimension: AnyDimension, shape: tuple[int, ...]
+    ctx: Context,
+    attribute: Attribute | None,
+    what: str,
+    dimension: AnyDimension,
+    shape: tuple[int, ...],
+    base: BaseType = "Real",
 ) -> list[float | None]:
     """One number for each element, known while compiling; None where there is none."""
-    count = 1
-    for extent in shape:
-        count *= extent
+    count = prod(shape)
     if attribute is None:
         return [None] * count
     # A bound or nominal value is most often one number for the whole array.
     _check_each(ctx, attribute, what, shape)
-    value = ctx.elaborate(ctx, attribute.scope, attribute.value, True)
+    value = ctx.elaborate(ctx, attribute.scope, attribute.value, base == "Real")
     wanted = () if attribute.each or isinstance(value, Scalar) else shape
-    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted, code="E0415"))
+    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, dimension, wanted, base, code="E0415"))
     if found is None:
         return [None] * count
     if not is_structural(found):
@@ -202,22 +202,7 @@ def numbers(
 
 def flags(ctx: Context, attribute: Attribute | None, what: str, shape: tuple[int, ...]) -> list[bool]:
     """`fixed` for each element: known while compiling."""
-    count = 1
-    for extent in shape:
-        count *= extent
-    if attribute is None:
-        return [False] * count
-    _check_each(ctx, attribute, what, shape)
-    value = ctx.elaborate(ctx, attribute.scope, attribute.value, False)
-    wanted = () if attribute.each or isinstance(value, Scalar) else shape
-    found = conform(ctx, attribute.scope, attribute.value, value, Expected(what, None, wanted, "Boolean"))
-    if found is None:
-        return [False] * count
-    if not is_structural(found):
-        ctx.sink.report("E0317", attribute.value.span, what=what, allowed="constants and structural parameters")
-        return [False] * count
-    parts = found.elements if isinstance(found, Array) else (found.expression,) * count
-    return [evaluate(part) != 0.0 for part in parts]
+    return [bool(number) for number in numbers(ctx, attribute, what, None, shape, "Boolean")]
 
 
 def _check_each(ctx: Context, attribute: Attribute, what: str, shape: tuple[int, ...]) -> None:

@@ -246,7 +246,7 @@ def unit_of_rate(unit: str, dimension: Dimension, level: int) -> str:
 
 
 def smoothness(ctx: Context, symbol: Symbol) -> int:
-    """How often an input may be differentiated."""
+    """Number of times that an input may be differentiated."""
     attribute = attributes.attributes(ctx, symbol).get("smooth")
     if attribute is None:
         return 0

@@ -43,7 +43,8 @@ Use = tuple[Orders, int, Item, str]
 
 
 def _uses(flat: FlatModel, dependence: Dependence) -> Iterator[Use]:
-    """What items depend on, with the number of time derivatives that the equations of motion take of it."""
+    """Quantities that items depend on, with the number of time derivatives that the equations of motion take of
+    each."""
     for mass in flat.masses:
         yield dependence.of(mass.position), 2, mass, "moves a mass"
     for body in flat.bodies:

@@ -1,6 +1,7 @@
 """Symbols get their values: on demand, so that declarations may stand in any order.
 
-What a value uses is complete before the value itself; the order of completion is the order of the flat model.
+The symbols that a value uses are complete before the value itself; the order of completion is the order of the flat
+model.
 """
 
 from __future__ import annotations
@@ -188,7 +189,8 @@ class Definitions:
         return symbol.made.cells.setdefault(indices, POISON)
 
     def _key(self, symbol: Symbol, indices: Indices) -> Indices | None:
-        """What is made at once: the element, the row that one binding gives, or (None) the whole array from its one."""
+        """The part that is resolved at once: the element, the row of one binding, or (None) the whole array of a single
+        binding."""
         if not indices or symbol.kind in LABELS:
             return indices
         leading = (indices[:length] for length in range(len(indices), 0, -1))

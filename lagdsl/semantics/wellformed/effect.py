@@ -94,7 +94,7 @@ def _idle(load: fm.Load) -> str | None:
 
 @record()
 class _Place:
-    """Where an item acts: its keyword, the place in words, and what the place depends on."""
+    """Place at which an item acts: its keyword, the place in words, and the quantities that the place depends on."""
 
     keyword: str
     words: str

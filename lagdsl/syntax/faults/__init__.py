@@ -53,11 +53,11 @@ def recover(session: Session, token: Token) -> None:
     """Report what is wrong at `token` and leave the session where reading can go on."""
     session.stack.settle()
     start = start_of(token)
-    session.failures[start] = session.failures.get(start, 0) + 1
-    if session.failures[start] > 1:
+    session.reported.failures[start] = session.reported.failures.get(start, 0) + 1
+    if session.reported.failures[start] > 1:
         _give_way(session, token)
         return
-    if session.statement_start(token) <= session.fault_at < start:  # what follows from a fault that is told
+    if session.statement_start(token) <= session.reported.last < start:  # what follows from a fault that is told
         if session.starts_line(token) and session.insert(";"):
             session.rewind(start)
         else:
@@ -70,7 +70,7 @@ def _give_way(session: Session, token: Token) -> None:
     """A repair did not help: say no more about this statement, and at the third failure leave the token out."""
     if token.type == END_OF_TEXT:
         session.give_up()
-    elif session.failures[start_of(token)] == 2:
+    elif session.reported.failures[start_of(token)] == 2:
         session.panic(token)
     else:
         session.rewind(end_of(token))

@@ -45,8 +45,9 @@ def end_of_text(session: Session, token: Token) -> bool:
 def end_of_block(session: Session, token: Token) -> bool:
     """An `end` of another kind than the innermost block has, or where no block is open."""
     if token.value == "end" and session.stack.boundary() and session.open_block() is None:
-        if ("E0120", 0) not in session.told:  # once a class is closed too early, every `end` after it is one too many
-            session.told.add(("E0120", 0))
+        # Once a class is closed too early, every `end` after it is one too many.
+        if ("E0120", 0) not in session.reported.told:
+            session.reported.told.add(("E0120", 0))
             ahead = [t.value for t in session.look_ahead(end_of(token))][:1]
             session.sink.report("E0120", session.span(token), found=" ".join(ahead), help=None)
         session.panic(token)

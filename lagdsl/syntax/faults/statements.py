@@ -71,7 +71,7 @@ def misspelt_keyword(session: Session, token: Token) -> bool:
         return False
     session.sink.report("E0102", session.span(first), word=first.value, meant=meant)
     session.stack.cut(height)
-    terminal = next(t for t in words[meant] if t in session.parser.choices())
+    terminal = next(t for t in words[meant] if t in session.stack.parser.choices())
     session.shift(first.update(type=terminal, value=meant))
     session.rewind(end_of(first))
     return True
@@ -88,8 +88,8 @@ def outside_of_classes(session: Session, token: Token) -> bool:
         return False
     if first.type not in _OPERANDS and first.value not in words:
         return False
-    if ("E0117", 0) not in session.told:
-        session.told.add(("E0117", 0))
+    if ("E0117", 0) not in session.reported.told:
+        session.reported.told.add(("E0117", 0))
         session.sink.report("E0117", session.span(first))
     session.panic(token)
     return True
@@ -124,8 +124,8 @@ def bare_equation(session: Session, token: Token) -> bool:
         return False
     block = session.open_block()
     place = ("E0103", -1 if block is None else start_of(block))
-    if place not in session.told:
-        session.told.add(place)
+    if place not in session.reported.told:
+        session.reported.told.add(place)
         last = list(session.look_ahead(start))[-1]
         span = Span(session.file, start, end_of(last))
         session.sink.report("E0103", span, line=session.file.line_number(start))

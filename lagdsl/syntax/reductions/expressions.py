@@ -2,32 +2,18 @@
 
 from __future__ import annotations
 
-import re
-from typing import Any
-
-from lark import Token
+from typing import Any, NamedTuple
 
 from lagdsl.diagnostics import Sink
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
-from lagdsl.syntax.reductions.action import Action
-from lagdsl.syntax.tokens import span_of, unit_of
+from lagdsl.syntax.reductions.action import Action, listed, token_span, unquote
+from lagdsl.syntax.tokens import unit_of
 from lagdsl.syntax.unknown_unit import report_unknown_unit
 
-_OPERATORS = {
-    "add": "+",
-    "sub": "-",
-    "mul": "*",
-    "div": "/",
-    "emul": ".*",
-    "ediv": "./",
-    "pow": "^",
-    "or_": "or",
-    "and_": "and",
-}
+_OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "emul": ".*", "ediv": "./", "pow": "^"}
+_OPERATORS |= {"or_": "or", "and_": "and"}
 _SIGNS = {"neg": "-", "pos": "+", "not_": "not"}
-_ESCAPE = re.compile(r"\\(.)", re.DOTALL)
-_ESCAPED = {"n": "\n", "t": "\t", "r": "\r"}
 
 
 def expression_actions(sink: Sink) -> dict[str, Action]:
@@ -55,21 +41,11 @@ def expression_actions(sink: Sink) -> dict[str, Action]:
     return {**_PLAIN, **binary, **unary, "call": call, "member": member}
 
 
-class _Reduced:
+class _Reduced(NamedTuple):
     """`body for i in 1:n` between the brackets of a call."""
 
-    def __init__(self, body: nodes.Expression, iterators: tuple[nodes.Iterator, ...]) -> None:
-        self.body = body
-        self.iterators = iterators
-
-
-def token_span(token: Token, within: Span) -> Span:
-    return span_of(within.file, token)
-
-
-def unquote(token: Token) -> str:
-    """The text between the quotes, escapes resolved as in Modelica."""
-    return _ESCAPE.sub(lambda match: _ESCAPED.get(match[1], match[1]), token.value[1:-1])
+    body: nodes.Expression
+    iterators: tuple[nodes.Iterator, ...]
 
 
 def pairs(items: list[Any]) -> list[tuple[Any, Any]]:
@@ -103,9 +79,8 @@ def _range(c: list[Any], span: Span) -> object:
     first, second, third = c
     if second is None:
         return first
-    if third is None:
-        return nodes.Range(span=span, start=first, step=None, stop=second)
-    return nodes.Range(span=span, start=first, step=second, stop=third)
+    step, stop = (None, second) if third is None else (second, third)
+    return nodes.Range(span=span, start=first, step=step, stop=stop)
 
 
 _PLAIN: dict[str, Action] = {
@@ -123,15 +98,15 @@ _PLAIN: dict[str, Action] = {
     "vector": lambda c, span: nodes.Array(span=span, elements=tuple(c)),
     "comprehension": lambda c, span: nodes.Comprehension(span=span, body=c[0], iterators=c[1]),
     "matrix": lambda c, span: nodes.Matrix(span=span, rows=tuple(c)),
-    "row": lambda c, span: tuple(c),
-    "args": lambda c, span: tuple(c),
+    "row": listed,
+    "args": listed,
     "reduction": lambda c, span: _Reduced(c[0], c[1]),
     "named": lambda c, span: nodes.Named(span=span, name=c[0].value, value=c[1]),
-    "named_args": lambda c, span: tuple(c),
+    "named_args": listed,
     "range": _range,
     "all_": lambda c, span: nodes.All(span=span),
-    "dims": lambda c, span: tuple(c),
-    "indices": lambda c, span: tuple(c),
+    "dims": listed,
+    "indices": listed,
     "index": lambda c, span: nodes.Iterator(span=span, name=c[0].value, range=c[1]),
     "name": lambda c, span: nodes.Name(span=span, parts=(*(c[0].parts if len(c) == 2 else ()), c[-1].value)),
 }

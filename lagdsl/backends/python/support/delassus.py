@@ -1,8 +1,8 @@
 """Multipliers of the rows that elimination left to run time, for many states at once.
 
-With the multipliers of these rows zero, the accelerations are a; a unit multiplier of row i adds Y_i to them. What J
-asks for then gives S lam = g - J a with the small matrix S = J Y' (Delassus): symmetric, and singular where rows depend
-on each other. Rows are scaled to a unit diagonal, as those of J are in the dense solution.
+With the multipliers of these rows zero, the accelerations are a; a unit multiplier of row i adds Y_i to them. The
+constraint J qdd = g then requires S lam = g - J a with the small matrix S = J Y' (Delassus). S is symmetric, and
+singular if rows depend on each other. Rows are scaled to a unit diagonal, as those of J are in the dense solution.
 
 S has the square of J's condition; a step of refinement whose residual comes from J itself takes that back as long as S
 has digits left (corrected seminormal equations: Bjorck, *Linear Algebra and its Applications* 88/89, 1987). Elsewhere
@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-# S is solved where its least eigenvalue, of those that independent rows have, is above this part of the largest. What
-# is left in J a = g is rounding error down to 1e-10, but in M a = f + J'lam it grows with what eliminating lost.
+# S is solved where its least eigenvalue, of those that independent rows have, is above this part of the largest. The
+# residual of J a = g is rounding error down to 1e-10, but that of M a = f + J'lam grows with the digits that
+# elimination lost.
 LEAST_EIGENVALUE = 1e-6
 # The eigenvalues of dependent rows are below this part of it: off the constraints they are not dependent.
 LARGEST_EXCESS = 1e-10

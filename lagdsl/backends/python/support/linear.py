@@ -129,8 +129,8 @@ def solve_system(
 ) -> tuple[Floats, Floats, Indices]:
     """Accelerations (..., n), multipliers (..., m) of least norm, and the undetermined coordinate (...) or -1.
 
-    States with values that are not finite give values that are not finite, and -1. Where a coordinate is undetermined
-    the other results mean nothing.
+    States with values that are not finite give values that are not finite, and -1. If a coordinate is undetermined, the
+    other results mean nothing.
     """
     factors, finite = factorize(mass, jacobian, rank)
     with np.errstate(all="ignore"):

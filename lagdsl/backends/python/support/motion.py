@@ -38,8 +38,9 @@ class Sizes:
         self.eliminated, self.kept, self.independent = eliminated, kept, independent
 
 
-# Where eliminating left less than this part of a pivot, the dense system tells whether it is singular. With rows left,
-# their multipliers take back much of the accelerations without them, and what these lost shows in what is left.
+# If elimination leaves less than this part of a pivot, the dense system decides whether the position is singular. With
+# rows left to run time, their multipliers cancel much of the accelerations without them, and digits that these lost
+# show in the difference.
 SMALLEST_PIVOT = 1e-6
 SMALLEST_PIVOT_WITH_ROWS_LEFT = 1e-4
 

@@ -1,5 +1,5 @@
 /*
- * What an exported model has beside lag/model.h: its variables as importers see them. A constant of type lag_fmu is generated
+ * Data of an exported model beside lag/model.h: its variables as importers see them. A constant of type lag_fmu is generated
  * for each FMU; everything else of the binary is the same for all of them.
  */
 #ifndef LAG_FMU_H
@@ -7,7 +7,7 @@
 
 #include "lag/model.h"
 
-/* What a variable stands for; `first` of lag_variable is an index into the array named here. */
+/* Meaning of a variable; `first` of lag_variable is an index into the array named here. */
 typedef enum lag_role {
     LAG_ROLE_TIME,
     LAG_ROLE_PARAMETER,  /* p (np) */
@@ -50,7 +50,7 @@ typedef struct lag_variable {
     size_t first, count;
 } lag_variable;
 
-/* How an unknown depends on a known; the numbers are those of FMI 3. */
+/* Dependency of an unknown on a known; the numbers are those of FMI 3. */
 typedef enum lag_dependence {
     LAG_DEPENDENCE_INDEPENDENT,
     LAG_DEPENDENCE_CONSTANT,

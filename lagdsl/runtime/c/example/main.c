@@ -1,6 +1,6 @@
 /*
- * Without arguments: the accelerations of the model at its start values. With a stop time and an interval: its motion, as CSV,
- * with two rows at each event, before and after. What happened goes to the error output as CSV, or to the file that a fourth
+ * Without arguments: the accelerations of the model at its start values. With a stop time and an interval: its motion, as
+ * CSV, with two rows at each event, before and after. Events go to the error output as CSV, or to the file that a fourth
  * argument names. The third is the tolerance.
  */
 #include <stdio.h>
@@ -10,7 +10,7 @@
 #include "lag/event_notice.h"
 #include "lag/run.h"
 
-/* Where rows and events go, room for the outputs, and the time of the last event. */
+/* Files of the rows and events, memory for the outputs, and the time of the last event. */
 typedef struct tables {
     FILE *rows, *events;
     double *y;

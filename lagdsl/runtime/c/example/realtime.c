@@ -11,7 +11,7 @@
 #include "lag/event_notice.h"
 #include "lag/run.h"
 
-/* How long steps took [s]: those in which nothing happened, those with events. */
+/* Durations of steps [s]: of steps without events, of steps with events. */
 typedef struct record {
     size_t steps, late;
     double sum, longest;

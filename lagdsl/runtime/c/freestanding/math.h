@@ -1,6 +1,7 @@
 /*
- * What the runtime and generated models use of <math.h>, for compilers that come without a C library
- * (-ffreestanding -Ifreestanding). The functions themselves, in double precision, are linked from any library of mathematics.
+ * The part of <math.h> that the runtime and generated models use, for compilers that come without a C library
+ * (-ffreestanding -Ifreestanding). The functions themselves, in double precision, are linked from any library of
+ * mathematics.
  */
 #ifndef LAG_FREESTANDING_MATH_H
 #define LAG_FREESTANDING_MATH_H

@@ -1,4 +1,4 @@
-/* What the runtime uses of <string.h>; see math.h beside it. Compilers call these functions by themselves, too. */
+/* The part of <string.h> that the runtime uses; see math.h beside it. Compilers call these functions by themselves, too. */
 #ifndef LAG_FREESTANDING_STRING_H
 #define LAG_FREESTANDING_STRING_H
 

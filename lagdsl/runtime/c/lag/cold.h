@@ -1,6 +1,6 @@
 /*
- * What follows is called now and then. With LAG_QUICK GCC takes half the time for
- * it, and gives code of nearly the same speed; other compilers do as always.
+ * Settings for code that runs rarely, included by its sources. With LAG_QUICK, GCC compiles it in half the time and its code
+ * is nearly as fast; for other compilers nothing changes.
  */
 #ifndef LAG_RARELY_H
 #define LAG_RARELY_H

@@ -3,9 +3,9 @@
  *
  *     M qdd - J' lam = f ,   J qdd = gamma - 2 rate (J qd + b) - rate^2 phi
  *
- * so that residuals of positions die out as exp(-rate t), critically damped; those of velocities alone follow d/dt r = -rate r. At rate
- * zero, and on the constraints at any rate, they are the accelerations of lag/dynamics.h. Where J loses rank, lam is of least
- * length, and so are its derivatives.
+ * so that residuals of positions die out as exp(-rate t), critically damped; those of velocities alone follow d/dt r = -rate
+ * r. At rate zero, and on the constraints at any rate, they are the accelerations of lag/dynamics.h. If J loses rank, lam
+ * and its derivatives are those of least length.
  *
  * Source: Baumgarte, Computer Methods in Applied Mechanics and Engineering 1 (1972) 1.
  */
@@ -15,7 +15,7 @@
 #include "lag/dynamics.h"
 #include "lag/equations/motion.h"
 
-/* Where a state is, and what is known there; everything points into memory of the caller. */
+/* A state and the values that are known at it; all pointers lead into memory of the caller. */
 typedef struct lag_derivatives {
     const lag_model *model;
     double rate;                 /* [1/s] */

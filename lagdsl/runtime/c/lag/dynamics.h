@@ -64,13 +64,13 @@ size_t lag_dynamics_memory(const lag_model *model);
 lag_status lag_forward_dynamics(
     const lag_model *model, const lag_arguments *at, double *memory, double *qdd, double *lam, size_t *coordinate);
 
-/* Where a pivot of elimination() is not above this, the dense system tells whether it is singular. */
+/* At or below this pivot of elimination(), the dense system decides whether the position is singular. */
 double lag_smallest_pivot(const lag_model *model);
 
 /*
- * What elimination() gave, with its qdd and lam where the accelerations and multipliers are wanted, completed for the rows
- * that it left; `memory` is lag_delassus_memory(nc, nk). LAG_MISSING: it kept too few digits, or has values that are no
- * numbers.
+ * Completes the results of elimination() for the rows that it left; qdd and lam hold its accelerations and multipliers and
+ * receive the final ones. `memory` is lag_delassus_memory(nc, nk). LAG_MISSING: it kept too few digits, or has values that
+ * are no numbers.
  */
 lag_status lag_solve_eliminated(
     const lag_model *model,
@@ -93,7 +93,7 @@ lag_status lag_factor_eliminated(
     double *memory,
     lag_delassus *system);
 
-/* What elimination() of several states gave, or, where qdd is null, dynamics(): every array in groups of `lanes`. */
+/* Results of elimination() for several states or, with qdd null, of dynamics(): every array in groups of `lanes`. */
 typedef struct lag_formed {
     size_t lanes;
     const double *qdd, *lam, *response, *lam_response, *pivot; /* (nq) (nc) (nk, nq) (nk, nc) () */

@@ -1,4 +1,4 @@
-/* What generated code is made of: operations that the C library lacks; conditions are the numbers 0 and 1. */
+/* Operations of generated code that the C library lacks; conditions are the numbers 0 and 1. */
 #ifndef LAG_ELEMENTARY_H
 #define LAG_ELEMENTARY_H
 
@@ -37,7 +37,7 @@ static inline double lag_fused(double x, double y, double z)
 #endif
 }
 
-/* What is no number stays none. */
+/* Not a number for an argument that is not a number. */
 static inline double lag_sign(double x)
 {
     return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;

@@ -9,6 +9,7 @@
 
 #include <stdatomic.h>
 
+#include "lag/initial.h"
 #include "lag/run.h"
 
 typedef struct lag_ensemble {
@@ -27,13 +28,21 @@ typedef struct lag_ensemble {
 
     /* Of every run, one after the other. */
     const double *p;       /* (runs, np) */
-    const double *u;       /* (runs, nu); null: options.inputs tell them */
+    const double *u;       /* (runs, nu) constant inputs, and the others until options.inputs tell them; null: they tell all */
     const double *natural; /* (runs, 2 nq + nz) */
     const double *x;       /* (runs, 2 nq + nz) start values that are given */
     double *rows;          /* (runs, options.count, lag_ensemble_width()) at the times of options; of two rows at an event the one after it */
     size_t *kept;          /* (runs) how many rows there are */
     double *ended;         /* (runs) the time of the last row, at whatever time */
-    int *status;           /* (runs) a lag_status; LAG_STOPPED: a `terminate` acted. Others: the run failed, and its rows are of no use */
+    int *status;           /* (runs) a lag_status; LAG_STOPPED: a `terminate` acted. Others: the run failed, after these rows */
+    double *found;         /* (runs, np) parameters, with those that were found with the start; null: not wanted */
+
+    /*
+     * Told of run i that failed, by the thread that makes it, as long as the run is there: start values (2 nq + nz), where the search for a
+     * start from them ended, and `told` of it, or null where there was a start and the motion failed. Null: nobody asks.
+     */
+    void (*failed)(void *context, size_t i, lag_run *run, int status, const double *starts, const double *x, const lag_initial *told);
+    void *context;
 } lag_ensemble;
 
 /* Numbers of a row: x (2 nq + nz), the discrete variables, the outputs (ny). */

@@ -1,4 +1,4 @@
-/* What happened, one thing at a time, to be told to whoever wants to know. */
+/* Notices of events: one call for each thing that happens at an event. */
 #ifndef LAG_EVENT_NOTICE_H
 #define LAG_EVENT_NOTICE_H
 
@@ -29,7 +29,7 @@ typedef struct lag_event_notice {
 /* The name of what something happened to: h <= 0, floor, der(h), a message; null for LAG_BEFORE and LAG_AFTER. */
 const char *lag_event_notice_name(const lag_model *model, const lag_event_notice *notice);
 
-/* What happened in a word. */
+/* Name of a kind of event. */
 const char *lag_event_kind_name(lag_event_kind what);
 
 #endif

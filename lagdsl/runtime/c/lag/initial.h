@@ -12,7 +12,7 @@
 
 #include "lag/equations/motion.h"
 
-/* What stands in the way. */
+/* Faults of a start. */
 typedef enum lag_initial_fault {
     LAG_INITIAL_NONE,
     LAG_INITIAL_NUMBERS,   /* a start value, or a row at the start values, is no number; `which`: entry of (q, qd, z), then of rows */
@@ -20,13 +20,14 @@ typedef enum lag_initial_fault {
     LAG_INITIAL_RATES,     /* or the rate that it asks for, or behind all rows the fixed rate of coordinate which - nc, */
     LAG_INITIAL_EQUATIONS, /* `which`: a row of constraints, then of initial equations, the worst */
     LAG_INITIAL_RANK,      /* with these parameters `which` more rows are independent than with those the model was compiled for */
-    LAG_INITIAL_PARAMETERS /* no equation decides the free parameter `which` */
+    LAG_INITIAL_PARAMETERS, /* no equation decides the free parameter `which` */
+    LAG_INITIAL_BOUNDS     /* the free parameter `which` is found beyond its bounds; `residual` is its value */
 } lag_initial_fault;
 
 typedef struct lag_initial {
     lag_initial_fault fault;
     size_t which;
-    double residual; /* in its SI unit */
+    double residual; /* in its SI unit, as all that is told */
     size_t rank;     /* independent rows near the state that was found */
     int moved;       /* whether start values were changed */
     size_t freedom;  /* rates that the constraints leave free at that state */

@@ -97,7 +97,7 @@ LAG_LANES_BINARY(lag_lanes_pow, pow)
 LAG_LANES_BINARY(lag_lanes_atan2, atan2)
 LAG_LANES_BINARY(lag_lanes_mod, lag_mod)
 
-/* Where the condition, all bits or none, holds, the value. */
+/* In each lane: `value` if the condition (all bits or none) holds, else `otherwise`. */
 static inline lag_lanes lag_lanes_choose(lag_lanes_truth condition, lag_lanes value, lag_lanes otherwise)
 {
     const lag_lanes_bits mask = (lag_lanes_bits)condition;

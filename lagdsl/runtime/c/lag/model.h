@@ -2,9 +2,9 @@
  * The one place where models and the runtime meet: a model is a structure of type lag_model, a constant of generated C or filled when
  * the program runs.
  *
- * Arrays are dense, row-major, in the order of the name tables, in the SI units told there. Signs: M qdd - J' lam = f,
- * J qdd = gamma. Functions do not allocate, keep no state and write to their results and to the workspace only. A reader
- * checks `version` and `size`. What a model lacks is null.
+ * Arrays are dense, row-major, in the order of the name tables, in the SI units told there. Signs: M qdd - J' lam = f, J qdd
+ * = gamma. Functions do not allocate, keep no state and write to their results and to the workspace only. A reader checks
+ * `version` and `size`. Members that a model lacks are null.
  */
 #ifndef LAG_MODEL_H
 #define LAG_MODEL_H
@@ -35,6 +35,7 @@ typedef struct lag_start {
     const double *minimum, *maximum; /* (nq) where the search stays; null: anywhere */
     const unsigned char *free;       /* (np) 1: the parameter is found with the start, from its value as a guess; null: none is */
     const double *parameter_nominal; /* (np) what counts as a change of order one; zero, or null: not said */
+    const double *parameter_minimum, *parameter_maximum; /* (np) where a free parameter may be found; null: anywhere */
 } lag_start;
 
 /* Positions of the nonzero elements of a matrix, row by row. */
@@ -43,7 +44,7 @@ typedef struct lag_pattern {
     const size_t *row, *column; /* (count) */
 } lag_pattern;
 
-/* What an entry of w is. They stand in this order. */
+/* Kinds of entries of w, in the order of the entries. */
 typedef enum lag_kind {
     LAG_KIND_VARIABLE,  /* a discrete variable; Booleans are 0 and 1 */
     LAG_KIND_CONTACT,   /* 1 closed, 0 open; one for each contact */
@@ -56,7 +57,7 @@ typedef enum lag_kind {
     LAG_KIND_TERMINAL   /* 1 in the first pass at the end */
 } lag_kind;
 
-/* What functions read; arrays that a function does not take may be null. */
+/* Arguments of functions; arrays that a function does not read may be null. */
 typedef struct lag_arguments {
     double t;          /* time [s] */
     const double *q;   /* (nq) coordinates */

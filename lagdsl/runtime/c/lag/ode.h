@@ -9,7 +9,7 @@
 typedef struct lag_ode {
     size_t size; /* of x */
     void *context;
-    /* xd (size) = f(t, x). What is not LAG_OK makes a method try a shorter step. */
+    /* xd (size) = f(t, x). After a status that is not LAG_OK, a method tries a shorter step. */
     lag_status (*rates)(void *context, double t, const double *x, double *xd);
     /* df/dx (size, size), row by row; null where only explicit methods are used */
     lag_status (*jacobian)(void *context, double t, const double *x, double *jacobian);

@@ -1,11 +1,11 @@
 /*
  * Functions of a model for several states at once, or for several directions of derivatives, in the lanes of vectors.
  *
- * Every array of a state's functions has its entries in groups of `lanes`: entry i of lane k is at i * lanes + k; `times` stands
- * for t. In functions of directions only directions and results are in groups. Operations and their order are those of the
- * functions of one state, so that every lane gets the same bits. All of it is compiled apart from the model, when needed.
- * Arrays on addresses that are multiples of 8 * lanes bytes are faster. `lanes` is 0, and nothing else there, where the
- * compiler has no vectors. What a model lacks is null.
+ * Every array of a state's functions has its entries in groups of `lanes`: entry i of lane k is at i * lanes + k; `times`
+ * stands for t. In functions of directions only directions and results are in groups. Operations and their order are those
+ * of the functions of one state, so that every lane gets the same bits. All of it is compiled apart from the model, when
+ * needed. Arrays on addresses that are multiples of 8 * lanes bytes are faster. `lanes` is 0, and nothing else there, where
+ * the compiler has no vectors. Members that a model lacks are null.
  */
 #ifndef LAG_PARALLEL_H
 #define LAG_PARALLEL_H

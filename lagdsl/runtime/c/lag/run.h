@@ -30,7 +30,7 @@
 typedef struct lag_run lag_run;
 struct lag_initial;
 
-/* What happened at an instant. */
+/* An event, for callbacks. */
 typedef struct lag_event {
     double t;
     const double *crossed; /* (indicators) 1: became >= 0, -1: became < 0, 0: neither */
@@ -50,7 +50,7 @@ typedef struct lag_run_options {
     lag_inputs *inputs;       /* null: constant inputs, */
     const double *u;          /* (nu) these; null: the defaults */
 
-    /* What counts as a change of order one; null: found at the first state (see lag/methods/accuracy.h). */
+    /* Sizes of a change of order one; null: the run finds them at the first state (see lag/methods/accuracy.h). */
     const double *group, *natural, *cap; /* (2 nq + nz) each, or none of them */
     const double *row_sizes;             /* (nc) of the constraints */
     int careful;                         /* 1: ranks are looked at, and singular positions crossed (lag/run/singular_crossing.h) */
@@ -58,8 +58,8 @@ typedef struct lag_run_options {
     size_t general;                      /* else so many of those that do are independent in general */
 
     /*
-     * What happens at instants, of models with discretes: told as it happens. A contact rests when less than a millionth of the `length`
-     * of the experiment is left of a series of impacts; 0: that of the times, or as long as the run is let go.
+     * Callback for events of models with discretes, called as they happen. A contact rests when less than a millionth of the
+     * `length` of the experiment is left of a series of impacts; 0: that of the times, or as long as the run is let go.
      */
     lag_status (*tell)(void *context, lag_run *run, const lag_event_notice *notice);
     double length;
@@ -89,7 +89,10 @@ typedef struct lag_run_options {
     double *invariant_start, *invariant_size, *invariant_drift; /* (ni), as an earlier run left them where `continued` */
     int continued;
 
-    /* What the model says of the start, for lag_run_begin() without a state; null: start values are moved onto the constraints, that is all. */
+    /*
+     * Attributes of the start in the model, for lag_run_begin() without a state; null: start values move onto the
+     * constraints, nothing else.
+     */
     const lag_start *start;
 } lag_run_options;
 
@@ -150,7 +153,7 @@ struct lag_run {
     double *initial;          /* lag_initial_memory(), where there is a `start`; nothing of it is remembered */
 };
 
-/* Where a run is and what it took. */
+/* Time and cost of a run. */
 typedef struct lag_run_report {
     double t, h, trouble_time;
     const double *x;            /* (2 nq + nz) */
@@ -207,18 +210,19 @@ int lag_run_due(const lag_run *run, double t);
 /* Inputs may have jumped at the present time, to which lag_run_to() led with those before: relations that are other now. */
 lag_status lag_run_jump(lag_run *run);
 
-/* What happens at the end, once, where nothing more is to follow: ticks that are due, then `terminal()`. */
+/* Carries out the events of the end, once, when no further call follows: ticks that are due, then `terminal()`. */
 lag_status lag_run_end(lag_run *run);
 
 /* Flags (nc) of rows that depend on others with these parameters and starts (lag/initial.h), beside those that do so in any case. */
 void lag_run_depend(lag_run *run, const unsigned char *dependent);
 
 /*
- * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then, and at any
- * failure the last good one. Ticks of the model at that very time are left to the next call, or to lag_run_end.
- * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where.
- * LAG_STEP_TOO_SMALL, LAG_TOO_LONG, LAG_PROJECTION_FAILED, LAG_BRANCH_POINT, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted. LAG_EVENT_ITERATION_FAILED and what
- * follows it there: an event failed. What callbacks return other than LAG_OK comes back.
+ * On to `stop`, which is hit exactly, in at most so many steps (0: without bound); run->stepper.t and .x are the state then,
+ * and at any failure the last good one. Ticks of the model at that very time are left to the next call, or to lag_run_end.
+ * LAG_SINGULAR, LAG_NOT_FINITE: no accelerations just behind it; run->stepper.trouble_time tells where. LAG_STEP_TOO_SMALL,
+ * LAG_TOO_LONG, LAG_PROJECTION_FAILED, LAG_BRANCH_POINT, LAG_VIOLATED: see lag/status.h. LAG_STOPPED: a `terminate` acted.
+ * LAG_EVENT_ITERATION_FAILED and what follows it there: an event failed. Any status that a callback returns but LAG_OK is
+ * returned.
  */
 lag_status lag_run_to(lag_run *run, double stop, size_t most_steps);
 
@@ -232,17 +236,16 @@ lag_status lag_run_step(lag_run *run, double stop);
 lag_status lag_run_finish(lag_run *run, double stop);
 
 /*
- * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no rows. What happens at instants,
- * of the model, happens at the end of the step.
- * `memory`: lag_fixed_memory() doubles.
+ * One step of fixed length h (lag/fixed.h) with at most two iterations of projection: a bounded cost, no rows. Events of the
+ * model act at the end of the step. `memory`: lag_fixed_memory() doubles.
  */
 lag_status lag_run_fixed(lag_run *run, double h, lag_status (*step)(const lag_ode *, size_t, double, double, double *, double *),
     double *memory);
 
 /*
- * Between two calls: the functions of `model` from now on, another filling of the same equations, such as compiled C after a tape.
- * `workspace` (model->workspace) and the model must outlive the run, which can no longer be saved. Where both round alike, the motion
- * is the same to the bit. LAG_BAD_STATE_DATA: it is another model.
+ * Between two calls: the functions of `model` from now on, another filling of the same equations, such as compiled C after a
+ * tape. `workspace` (model->workspace) and the model must outlive the run, which can no longer be saved. If both round
+ * alike, the motion is the same to the bit. LAG_BAD_STATE_DATA: it is another model.
  */
 lag_status lag_run_change(lag_run *run, const lag_model *model, double *workspace);
 
@@ -275,14 +278,14 @@ size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 
 /* For the parts of a run. */
 
-/* What must stay true at x at time t. LAG_VIOLATED: that is the state that was lost, and the last row. */
+/* Checks invariants and assertions at x at time t. LAG_VIOLATED: this state violates one and is the last row. */
 lag_status lag_run_watch(lag_run *run, double t, const double *x);
 /* The state x at time t is lost: what lag_run_explain() tells of. */
 void lag_run_lose(lag_run *run, double t, const double *x);
-/* Whether its model is another than the one that it was placed with. */
+/* True if lag_run_change() has replaced the model. */
 int lag_run_is_changed(const lag_run *run);
 
-/* Whether it goes across singular positions by itself. */
+/* True if runs of the model cross singular positions by themselves. */
 int lag_run_crosses(const lag_model *model, const lag_run_options *options);
 
 /* Records the rows before time t, or up to it, from the last step. */
@@ -291,20 +294,23 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to);
 lag_status lag_run_signs(lag_run *run);
 /* The first crossing within the last step: *t its time, or infinite. */
 lag_status lag_run_crossing(lag_run *run, double *t);
-/* The time at which the next clock strikes, the model's or the caller's; infinite without. */
+/* Time of the next tick of a clock, the model's or the caller's; infinite without clocks. */
 double lag_run_instant(const lag_run *run);
-/* What happens now: clocks, crossings that lag_run_crossing found. *happened: whether anything did. */
+/* Carries out the events of now: clocks, crossings that lag_run_crossing found. *happened: 1 if there was any. */
 lag_status lag_run_fire(lag_run *run, int crossing, int *happened);
-/* LAG_EVENT_PENDING: something of the model's happens within the last step, first at *t; run->alert.changed tells what (see lag/run/scan.h). */
+/*
+ * LAG_EVENT_PENDING: something of the model's happens within the last step, first at *t; run->crossings.changed marks it
+ * (see lag/run/scan.h).
+ */
 lag_status lag_run_happening(lag_run *run, double *t);
 /*
- * Corners (run_corners.c). Steps end a moment before a corner; on a straight line over some roundings of time the run passes it, so that no
- * step has a corner inside. Whether the last step may have met one: then they are looked at, in the scan.
+ * Corners (run_corners.c). Steps end a moment before a corner; on a straight line over some roundings of time the run passes
+ * it, so that no step has a corner inside. The scan looks at corners if the last step may have met one.
  */
 lag_status lag_run_face_corners(lag_run *run);
 /* lag_run_happening(), where what happens first is a corner at *corner; else at *own. Infinite: nowhere. */
 lag_status lag_run_next_corner(lag_run *run, double *own, double *corner);
-/* Where a step to a corner is to end; whether the last one did. */
+/* Time at which a step to a corner ends; below, true if the last step ended there. */
 double lag_run_before_corner(const lag_run *run, double corner);
 int lag_run_is_at_end(const lag_run *run, double corner);
 /* Over a corner at the end of the last step, unless something is due before `limit`. */

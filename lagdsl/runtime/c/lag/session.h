@@ -29,8 +29,8 @@ double *lag_session_parameters(lag_session *session);
 double *lag_session_inputs(lag_session *session);
 
 /*
- * (nc) to be changed before lag_session_begin(): 0 for rows of constraints that come and go. Those of contacts are so; those of velocity
- * level that discretes switch the model does not tell.
+ * (nc) to be changed before lag_session_begin(): 0 for rows of constraints that come and go. Rows of contacts are 0 already;
+ * the model does not tell rows of velocity level that discretes switch.
  */
 double *lag_session_lasting(lag_session *session);
 

@@ -1,4 +1,4 @@
-/* What a function says about its own success. */
+/* Result codes of functions. */
 #ifndef LAG_STATUS_H
 #define LAG_STATUS_H
 

@@ -54,7 +54,10 @@ struct lag_method {
 
 extern const lag_method lag_dop853; /* explicit, order 8 */
 extern const lag_method lag_radau;  /* implicit, order 5, 9 or 13, L-stable */
-/* Those of lag/fixed.h with steps of `length`, without error estimate: the last one is cut, or stretched a little, to hit the limit. */
+/*
+ * The methods of lag/fixed.h with steps of `length`, without error estimate; the last step is shorter or a little longer, to
+ * hit the limit.
+ */
 extern const lag_method lag_steps_rk4, lag_steps_leapfrog, lag_steps_ros2;
 
 /* Doubles for states of `size` numbers; enough for any method of this runtime. */

@@ -41,6 +41,8 @@ typedef enum lag_tape_section {
     LAG_TAPE_START_MAXIMUM,  /* double (nq) */
     LAG_TAPE_START_FREE,     /* bytes (np) */
     LAG_TAPE_START_PARAMETER_NOMINAL, /* double (np) */
+    LAG_TAPE_START_PARAMETER_MINIMUM, /* double (np) */
+    LAG_TAPE_START_PARAMETER_MAXIMUM, /* double (np) */
     LAG_TAPE_SLOTS,          /* uint32 (slots, 3): name, unit and place as first bytes of texts; the place may be 2^32 - 1: none */
     LAG_TAPE_MESSAGES,       /* uint32: assertions (na), resets (nreset), stops (nstop), failures (nfail), as first bytes of texts */
     LAG_TAPE_TEXTS,          /* bytes, every text ended by a zero */
@@ -51,7 +53,7 @@ typedef enum lag_tape_section {
     LAG_TAPE_SECTIONS
 } lag_tape_section;
 
-/* What LAG_TAPE_SIZES holds, in this order: members of lag_model but for the last ones. */
+/* Entries of LAG_TAPE_SIZES, in this order: members of lag_model except the last ones. */
 typedef enum lag_tape_size {
     LAG_TAPE_NQ,
     LAG_TAPE_NZ,
@@ -108,7 +110,7 @@ const lag_states *lag_tape_states(const lag_model *model);
 /* Its functions of several directions at once, of states and inputs or of parameters; null where the tape has none. */
 const lag_tangents *lag_tape_tangents(const lag_model *model, int parameters);
 
-/* Where the motion of such a model starts; null where its tape does not say. */
+/* Start of the motion of such a model; null if its tape does not contain one. */
 const lag_start *lag_tape_start(const lag_model *model);
 
 #endif

@@ -1,9 +1,9 @@
 """Coordinates of a cut joint from the frames on its two sides, in closed form.
 
-The kinematics of the joint say base * steps(q) = end. What q is follows from the axes and origins of both: angles by
-atan2, with the branch cut opposite to the start; lengths as components; a quaternion from the rotation matrix. Sources:
-Goldstein, *Classical Mechanics* (3rd ed.), 4.4 (sequences of angles); Shepperd, *J. Guidance and Control* 1 (1978) 223
-(4 e e' in terms of the matrix).
+The kinematics of the joint say base * steps(q) = end. The axes and origins of both determine q: angles by atan2, with
+the branch cut opposite to the start; lengths as components; a quaternion from the rotation matrix. Sources: Goldstein,
+*Classical Mechanics* (3rd ed.), 4.4 (sequences of angles); Shepperd, *J. Guidance and Control* 1 (1978) 223 (4 e e' in
+terms of the matrix).
 """
 
 from __future__ import annotations
@@ -143,8 +143,8 @@ class Solver:
         self._angle(two.angle, cosine, negative(sine))
 
     def _first_of_three(self, base: str, end: str, one: Rotate, two: Rotate, three: Rotate) -> None:
-        """Axis 3 of the end lies in the plane of axis 1 and a direction that turns with the first angle. Which of its
-        two ends is meant the start of the second angle tells."""
+        """Axis 3 of the end lies in the plane of axis 1 and a direction that turns with the first angle. The start of
+        the second angle selects one of its two ends."""
         second = self._at_start(two.angle)
         if three.axis == one.axis:
             # R2(b) e1 = cos b e1 + sin b (e2 x e1)

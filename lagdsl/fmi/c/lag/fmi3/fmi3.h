@@ -1,4 +1,4 @@
-/* What the files of the shell for FMI 3 share. */
+/* Declarations that the files of the shell for FMI 3 share. */
 #ifndef LAG_FMI3_H
 #define LAG_FMI3_H
 
@@ -18,7 +18,7 @@
         return fmi3Error;                                     \
     }
 
-/* What is there for one kind of instance only. */
+/* Entry of functions that exist for one kind of instance only. */
 #define LAG_ENTER_EXCHANGE(NAME, MODES)                                                                     \
     LAG_ENTER(NAME, MODES)                                                                                  \
     if (shell->now.kind != LAG_MODEL_EXCHANGE) {                                                            \

@@ -1,7 +1,7 @@
 /*
- * Co-simulation: the integrators of the runtime, from one communication point to the next. Their steps lead beyond it where nothing speaks
- * against it, and values there come from dense output, so that communication points cost no steps. Where an input jumps the run goes back
- * to the communication point, and after that goes no further than the next one, since it may well jump there again.
+ * Co-simulation: the integrators of the runtime, from one communication point to the next. Steps may end behind a
+ * communication point; dense output gives the values at it, so communication points cost no steps. After an input has
+ * jumped, the run goes back to the communication point and stops at the next one, because the input may jump there again.
  */
 #include "lag/instance/instance_internal.h"
 
@@ -11,7 +11,7 @@
 #include "lag/linalg/finite.h"
 #include "lag/fixed.h"
 
-/* Where nobody tells when the simulation ends, steps lead beyond a communication point by at most so many communication steps. */
+/* Without a stop time, a step ends at most this many communication steps behind a communication point. */
 static const double AHEAD = 1000.0;
 /* The classical Runge-Kutta method wants h |lambda| to be less. */
 static const double STABLE = 2.5;
@@ -42,7 +42,7 @@ static lag_status deliver(lag_instance *instance, double t)
     return status == LAG_OK ? lag_instance_turn(instance, t, instance->x) : status;
 }
 
-/* How far steps may lead on the way to `end`. */
+/* Latest time at which a step may end on the way to `end`. */
 static double farthest(const lag_instance *instance, double end, int jumped)
 {
     const double stop = instance->held.stop;
@@ -63,13 +63,13 @@ static lag_status step(lag_instance *instance, double end, double *far)
     return status;
 }
 
-/* Whether event mode has something to do where the motion is known to. */
+/* True if event mode has work at the time up to which the motion is known. */
 static int is_event(const lag_run *run)
 {
     return (run->half.open && run->half.own) || lag_run_due(run, reached(run));
 }
 
-/* What the end of the last step has left, and margins where anything happened. */
+/* Carries out the rest of the last step; updates the margins if an event occurred. */
 static lag_status finish(lag_instance *instance, double far)
 {
     lag_run *run = instance->run;
@@ -78,7 +78,7 @@ static lag_status finish(lag_instance *instance, double far)
     return status == LAG_OK && run->events > before ? lag_instance_latch(instance, run->stepper.t, run->stepper.x) : status;
 }
 
-/* Whether the step has to stop where the motion is known to, for event mode. */
+/* True if the step must stop at the time up to which the motion is known, for event mode. */
 static int stops_here(const lag_instance *instance, double end, int stops)
 {
     const double t = reached(instance->run);
@@ -108,7 +108,10 @@ static lag_status go(lag_instance *instance, double end, double far, int stops, 
     return deliver(instance, fmin(reached(run), end));
 }
 
-/* Whether steps of length h would be too long for the explicit method: told once, by the exact Jacobian, so that all steps cost the same. */
+/*
+ * True if steps of length h are too long for the explicit method. The exact Jacobian decides once, so that all steps cost
+ * the same.
+ */
 static int needs_implicit(lag_instance *instance, double h)
 {
     lag_run *run = instance->run;
@@ -150,7 +153,7 @@ static lag_status go_fixed(lag_instance *instance, double end)
     return status;
 }
 
-/* Where something was set the run begins anew at the communication point. */
+/* Restarts the run at the communication point if the importer has set a value. */
 static lag_status begin(lag_instance *instance, double far)
 {
     lag_held *held = &instance->held;

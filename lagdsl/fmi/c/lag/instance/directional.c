@@ -9,7 +9,7 @@
 
 #include "lag/linalg/arena.h"
 
-/* What changes along a direction, laid out in `slopes` of the instance. */
+/* Changes along a direction; the arrays lie in `slopes` of the instance. */
 typedef struct changes {
     double *rates, *y, *local; /* (2 nq + nz) (ny) (nd) */
     double *energy;            /* (3) */
@@ -44,7 +44,7 @@ static changes lay_out(const lag_instance *instance)
 
 /* ---- the direction ---- */
 
-/* Where a known stands in the direction; null: it is none. */
+/* Entry of a known in the direction; null if it is no known. */
 static double *place_of(lag_instance *instance, const lag_known *known)
 {
     const lag_model *model = instance->fmu->model;
@@ -72,7 +72,7 @@ static void clear(lag_instance *instance)
     instance->derivatives.time = 0.0;
 }
 
-/* Whether the start values are where the motion begins: nothing had to be moved onto the constraints. */
+/* True if the motion begins at the start values: initialization moved none of them onto the constraints. */
 static lag_status unmoved(lag_instance *instance, int *same)
 {
     const lag_model *model = instance->fmu->model;
@@ -86,15 +86,15 @@ static lag_status unmoved(lag_instance *instance, int *same)
 }
 
 /*
- * Whether the start stays although constraints decide about it: nothing that they read, and no start value, changes; parameters may also
- * change how near a state is to another.
+ * True if the start stays although constraints determine it: no start value and no value that the constraints read changes.
+ * Parameters count, too, because they change the distance between states.
  */
 static lag_status stays(lag_instance *instance, const double *starts, int *still)
 {
     const lag_model *model = instance->fmu->model;
     lag_derivatives *d = &instance->derivatives;
     const size_t size = lag_motion_size(model);
-    *still = model->ne == 0;
+    *still = model->ne == 0 && instance->fmu->start->free == NULL;
     for (size_t i = 0; i < size && *still; ++i) {
         *still = d->x[i] == 0.0 && (instance->given[i] != 0.0 || starts[i] == 0.0);
     }
@@ -198,13 +198,17 @@ static lag_status find(lag_instance *instance, changes *to, unsigned what)
     }
 }
 
-/* How one unknown changes. */
+/* Change of one unknown. */
 static lag_status change(lag_instance *instance, changes *to, const lag_known *unknown, double *value)
 {
     const lag_variable *variable = &instance->fmu->variables[unknown->variable];
     const size_t index = variable->first + unknown->element;
     const double *array = NULL;
     lag_status status = LAG_OK;
+    if (lag_instance_is_free(instance, variable)) {
+        *value = instance->derivatives.at.dp[index];
+        return LAG_OK;
+    }
     switch ((lag_role)variable->role) {
     case LAG_ROLE_STATE:
         array = instance->derivatives.x;
@@ -244,7 +248,7 @@ static lag_status change(lag_instance *instance, changes *to, const lag_known *u
 
 /* ---- what importers ask for ---- */
 
-/* Whether this is an acceleration that constraints pull: all else follows from those of the model. */
+/* True for an acceleration with constraint stabilization; all other unknowns follow from the model's accelerations. */
 static int is_pulled(const lag_instance *instance, const lag_known *unknown)
 {
     const lag_model *model = instance->fmu->model;
@@ -253,7 +257,7 @@ static int is_pulled(const lag_instance *instance, const lag_known *unknown)
     return variable->role == LAG_ROLE_DERIVATIVE && model->nc > 0 && index >= model->nq && index < 2 * model->nq;
 }
 
-/* Whether any of these is, or is not. */
+/* True if one of the unknowns is such an acceleration (`pulled`) or is not. */
 static int has(const lag_instance *instance, int pulled, const lag_known *unknown, size_t unknowns)
 {
     size_t i = 0;

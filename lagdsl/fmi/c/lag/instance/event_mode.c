@@ -11,9 +11,12 @@
 /* The margin, as a part of the magnitudes seen, and so many times its round-off. */
 static const double PART = 1e-11;
 static const double ROUNDINGS = 64.0;
-/* What is so much of its margin behind zero has changed, where an event is carried out anyway. */
+/* During an event, a value has changed if it lies behind zero by this part of its margin. */
 static const double CLEARLY = 0.6;
-/* Where an event does nothing, as what an importer's errors let a resting contact do, the next one is so many times farther from zero. */
+/*
+ * An event without effect, such as errors of the importer cause at a resting contact, moves the next one away from zero by
+ * this factor.
+ */
 static const double FARTHER = 4.0;
 /* An importer that locates contacts to within some time sees bounces that are so many times longer, and none shorter than its steps. */
 static const double ROUGH = 100.0;
@@ -25,7 +28,7 @@ size_t lag_instance_indicator_count(const lag_fmu *fmu)
     return fmu->model->nindicator + fmu->model->ncontact;
 }
 
-/* What passes zero downward when it changes. */
+/* Value that passes zero downward when the relation or contact changes. */
 static double value(const lag_instance *instance, size_t i)
 {
     return lag_zero_crossing_value(&instance->run->crossings, i);
@@ -118,8 +121,9 @@ static lag_status find(lag_instance *instance, const double *located, int *any)
 }
 
 /*
- * The run is at the present state, which is moved onto the constraints down to round-off: what is left of a rate would be an impact, what
- * is left of a gap would not be zero when its contact opens. Where it has located an event it goes back to that.
+ * Places the run at the present state and moves it onto the constraints down to round-off: a residual rate would act as an
+ * impact, and a residual gap would not be zero when its contact opens. If the run has located an event, it goes back to that
+ * event.
  */
 static lag_status place(lag_instance *instance, int located)
 {

@@ -57,8 +57,8 @@ static double residual(const lag_instance *instance)
 }
 
 /*
- * Whether the constraints are off by too much. An importer that is not as accurate as that would have to start anew again and again: where
- * it is asked too often, it is asked for less, and the pull of the accelerations does the rest.
+ * True if the constraint residuals are too large. A less accurate importer would have to restart again and again; after
+ * frequent requests the bound is raised, and the stabilized accelerations reduce the rest.
  */
 static int is_off(lag_instance *instance)
 {

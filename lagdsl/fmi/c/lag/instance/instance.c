@@ -35,7 +35,7 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) + model->ny;
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) + model->ny;
 }
 
 static size_t doubles(const lag_fmu *fmu)
@@ -46,7 +46,7 @@ static size_t doubles(const lag_fmu *fmu)
            lag_derivatives_memory(fmu->model) + 1;
 }
 
-/* Which `terminate` it was. */
+/* Remembers which `terminate` acted. */
 static lag_status hear(void *context, lag_run *run, const lag_event_notice *notice)
 {
     lag_instance *instance = context;
@@ -94,6 +94,7 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->kept = memory;
     instance->x = lag_take(&memory, size);
     instance->p = lag_take(&memory, model->np);
+    instance->guess = lag_take(&memory, model->np);
     instance->begin = lag_take(&memory, size);
     instance->given = lag_take(&memory, size);
     instance->course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
@@ -135,6 +136,7 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     }
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
+        memcpy(instance->guess, model->defaults, model->np * sizeof(double));
     }
     lag_instance_renew(instance);
     return instance;

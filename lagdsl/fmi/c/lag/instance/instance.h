@@ -18,7 +18,7 @@
 
 typedef struct lag_instance lag_instance;
 
-/* What newDiscreteStates tells. */
+/* Results of newDiscreteStates. */
 typedef struct lag_update {
     int again;           /* another pass is needed */
     int terminate;       /* the model ends the simulation; `message` tells why */
@@ -27,7 +27,7 @@ typedef struct lag_update {
     double next;         /* time of the next time event; infinite: none */
 } lag_update;
 
-/* What a communication step did. */
+/* Results of a communication step. */
 typedef struct lag_progress {
     double t;        /* reached */
     int event;       /* an event of the model is there, which event mode would carry out (only where asked to stop for them) */
@@ -45,6 +45,8 @@ const char *lag_instance_message(const lag_instance *instance);
 
 /* ---- variables: values of one variable, (count) of it; Booleans are 0 and 1, Integers whole numbers ---- */
 
+/* True if the variable is a free parameter: initialization solves for it, from the value that was set as a guess. */
+int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable);
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values);
 /* Not whether the moment allows it: that is the caller's. Refused: not finite, outside of what a Boolean or Integer may be. */
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values);
@@ -57,8 +59,9 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
 /* `tolerance` 0: that of the experiment. */
 lag_status lag_instance_setup(lag_instance *instance, double start, double stop, double tolerance);
 /*
- * States that were not set follow the parameters; all go to the nearest that satisfy constraints and initial equations, and what happens at
- * the start happens. What is set until lag_instance_begin() lets it start from the beginning; reading a value does the same.
+ * States that were not set follow the parameters. All move to the nearest values that satisfy constraints and initial
+ * equations; then the events of the start are carried out. A value that is set before lag_instance_begin() starts this anew;
+ * reading a value does the same.
  */
 lag_status lag_instance_initialize(lag_instance *instance);
 /* Initialization is over, in event mode; the first update or step says so, too. */
@@ -83,7 +86,7 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
 
 /* ---- co-simulation ---- */
 
-/* Where a step ends before its time. */
+/* Reasons for a step to end early. */
 enum {
     LAG_STOP_EVENTS = 1, /* at the first event, which is left to lag_instance_update */
     LAG_STOP_STEPS = 2   /* after every step of the integrator */

@@ -1,6 +1,6 @@
 /*
- * What an instance consists of, for its parts. Numbers that make up its state are in `held` and `kept`, without pointers, and in the run;
- * everything else follows from them.
+ * Members of an instance, for its own files. Numbers that make up its state are in `held` and `kept`, without pointers, and
+ * in the run; everything else follows from them.
  */
 #ifndef LAG_PARTS_H
 #define LAG_PARTS_H
@@ -18,7 +18,7 @@ typedef enum lag_phase {
     LAG_PHASE_MOTION
 } lag_phase;
 
-/* What is known at the present state; as long as a bit is not set, it is not. */
+/* Values that are known at the present state: one bit each. */
 enum {
     LAG_KNOWN_MOTION = 1,    /* accelerations and multipliers of the model, in run->motion */
     LAG_KNOWN_RATES = 2,     /* derivatives, those of rates pulled towards the constraints */
@@ -59,7 +59,8 @@ struct lag_instance {
     double *kept;           /* (kept_count) the arrays that follow up to `turned` */
     size_t kept_count;
     double *x;              /* (2 nq + nz) */
-    double *p;              /* (np) */
+    double *p;              /* (np) those of the motion, found ones among them */
+    double *guess;          /* (np) those that were set: free ones are searched from them */
     double *begin, *given;  /* (2 nq + nz) start values that were set, and flags: this one was */
     double *course;         /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
     double *given_inputs;   /* (nu) flags: this one was set */
@@ -89,7 +90,7 @@ static inline size_t lag_instance_order(const lag_instance *instance)
     return lag_motion_size(instance->fmu->model);
 }
 
-/* What the size of a run depends on. */
+/* Options that determine the size of a run. */
 static inline lag_run_options lag_instance_plan(void)
 {
     return (lag_run_options){.careful = 1};
@@ -99,26 +100,26 @@ static inline lag_run_options lag_instance_plan(void)
 
 /* Doubles of `kept`. */
 size_t lag_instance_kept(const lag_fmu *fmu);
-/* How fast derivatives of states bring residuals of constraints to rest [1/s]: within a fiftieth of the experiment of the FMU. */
+/* Rate at which state derivatives reduce constraint residuals [1/s]: within a fiftieth of the experiment of the FMU. */
 double lag_instance_rate(const lag_instance *instance);
 /* The run anew, with the tolerance and the length of the experiment. */
 void lag_instance_renew(lag_instance *instance);
 
-/* ---- faults.c ---- */
+/* ---- instance_messages.c ---- */
 
 /* Says what went wrong and returns it. `format` as that of printf. */
 lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
 /* The same in the words of the runtime; LAG_OK stays. */
 lag_status lag_instance_judge(lag_instance *instance, lag_status status);
-/* Where the status of an event is that of a `terminate`: the simulation ends, in its words. */
+/* If `status` is that of a `terminate`, notes that the simulation ends, with its message. */
 void lag_instance_note_stop(lag_instance *instance, lag_status status);
 
-/* ---- starting.c ---- */
+/* ---- instance_start.c ---- */
 
 /* In the start phase: the state that follows from what was set, with what happens there. */
 lag_status lag_instance_settle(lag_instance *instance);
 
-/* ---- observing.c ---- */
+/* ---- lazy_evaluation.c ---- */
 
 /* Functions know the parameters, states follow from the starts. */
 lag_status lag_instance_ready(lag_instance *instance);
@@ -139,13 +140,16 @@ lag_status lag_instance_turn(lag_instance *instance, double t, const double *x);
 /* Doubles of `slopes`. */
 size_t lag_instance_slopes(const lag_model *model);
 
-/* ---- start_slopes.c ---- */
+/* ---- start_derivatives.c ---- */
 
-/* How the start changes along the direction in `derivatives`, into the states of it; and the doubles of `slopes` that it takes. */
+/*
+ * Change of the start along the direction in `derivatives`, written into its states; below, the doubles of `slopes` that
+ * this takes.
+ */
 lag_status lag_instance_start_slopes(lag_instance *instance);
 size_t lag_instance_start_slopes_memory(const lag_model *model);
 
-/* ---- courses.c ---- */
+/* ---- input_polynomials.c ---- */
 
 /* The inputs at time t, into u. */
 void lag_instance_inputs_at(const lag_instance *instance, double t, double *u);
@@ -162,9 +166,9 @@ void lag_instance_tell_inputs(lag_instance *instance);
 
 /* Indicators at the present state, into g. */
 lag_status lag_instance_look(lag_instance *instance);
-/* What stands on the other side of zero now is no event any more until it goes further. */
+/* A value that is behind zero now is no event until it goes further. */
 lag_status lag_instance_latch(lag_instance *instance, double t, const double *x);
-/* What is farther from zero than its margin is forgiven; magnitudes follow. */
+/* Releases values that are farther from zero than their margin; updates the magnitudes. */
 lag_status lag_instance_release(lag_instance *instance);
 /*
  * At the present state: onto the constraints; what was located there, and what inputs, parameters or a step of the importer have changed,

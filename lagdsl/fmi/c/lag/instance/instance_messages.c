@@ -1,4 +1,4 @@
-/* What an instance says of what went wrong, and of the end of a simulation. */
+/* Messages of an instance about failures and the end of a simulation. */
 #include "lag/instance/instance_internal.h"
 
 #include <stdarg.h>
@@ -57,7 +57,7 @@ static const char *broken(const lag_instance *instance)
     return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
 }
 
-/* What needs no names; null: the others do. */
+/* Words for a status that names nothing of the model; null for the others. */
 static const char *plain_words(lag_status status)
 {
     switch (status) {

@@ -5,12 +5,12 @@
 
 #include "lag/serialization.h"
 
-/* What comes first: whose bytes these are, and their sum. */
+/* Header of the bytes: signature of the model and checksum. */
 typedef struct lag_instance_head {
     unsigned long long token, sum;
 } lag_instance_head;
 
-/* What is set up once and is no part of the state of a run. */
+/* Settings of the experiment, which are no part of the state of a run. */
 typedef struct lag_instance_terms {
     double tolerance, length;
 } lag_instance_terms;

@@ -7,13 +7,19 @@
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
 
-/* Whether everything that the start depends on is as it was when the model was exported. */
+int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable)
+{
+    const unsigned char *free = instance->fmu->start->free;
+    return variable->role == LAG_ROLE_PARAMETER && free != NULL && free[variable->first] != 0;
+}
+
+/* True if every value that the start depends on is as it was at export. Free parameters are searched anew. */
 static int as_exported(const lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_model *model = fmu->model;
     const double *u = instance->run->motion.u;
-    int same = fmu->start->x != NULL && fmu->start->t == instance->held.t;
+    int same = fmu->start->x != NULL && fmu->start->free == NULL && fmu->start->t == instance->held.t;
     for (size_t i = 0; i < model->np && same; ++i) {
         same = instance->p[i] == model->defaults[i];
     }
@@ -67,6 +73,8 @@ static lag_status explain(lag_instance *instance, lag_status status, const lag_i
         return lag_instance_fail(instance, status, "start: with these parameters more constraints are independent than when it was exported");
     case LAG_INITIAL_PARAMETERS:
         return lag_instance_fail(instance, status, "start: no initial equation decides the parameter %s", model->parameters[i].name);
+    case LAG_INITIAL_BOUNDS:
+        return lag_instance_fail(instance, status, "start: %s would be %g, which is beyond its bounds", model->parameters[i].name, told->residual);
     case LAG_INITIAL_NONE:
         break;
     }
@@ -78,7 +86,7 @@ static lag_status nearest(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     lag_run *run = instance->run;
-    lag_initial told = {.dependent = run->dependent};
+    lag_initial told = {.dependent = run->dependent, .p = instance->p};
     if (model->nc + model->ne == 0) {
         return LAG_OK;
     }
@@ -95,6 +103,10 @@ static lag_status nearest(lag_instance *instance)
 static lag_status find(lag_instance *instance)
 {
     lag_run *run = instance->run;
+    const unsigned char *free = instance->fmu->start->free;
+    for (size_t i = 0; i < instance->fmu->model->np && free != NULL; ++i) {
+        instance->p[i] = instance->guess[i];
+    }
     lag_status status = lag_motion_parameters(&run->motion, instance->p);
     if (status == LAG_OK) {
         status = gather(instance);

@@ -1,4 +1,4 @@
-/* What follows from the present state, found when it is asked for and kept until something is set. */
+/* Values that follow from the present state: computed on demand, kept until the importer sets a value. */
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ lag_status lag_instance_ready(lag_instance *instance)
     return LAG_OK;
 }
 
-/* Those of the model, off its constraints, too. */
+/* Accelerations of the model, also for states off its constraints. */
 static lag_status accelerations(lag_instance *instance)
 {
     lag_motion *motion = &instance->run->motion;
@@ -113,14 +113,17 @@ static lag_status find(lag_instance *instance, unsigned what)
     }
 }
 
-/* What is to be found for `what`: pulled accelerations need no others. */
+/* Values to compute for `what`: stabilized accelerations do not need the plain ones. */
 static unsigned with_accelerations(const lag_instance *instance, unsigned what)
 {
     const lag_model *model = instance->fmu->model;
     return what == LAG_KNOWN_RATES && model->nc > 0 && model->nz == 0 ? what : what | LAG_KNOWN_MOTION;
 }
 
-/* What is known no longer where this is: indicators want accelerations of their own, and derivatives are of one kind. */
+/*
+ * Values that computing `what` invalidates: indicators need accelerations of their own, and only one kind of derivatives is
+ * kept.
+ */
 static unsigned lost(unsigned what)
 {
     switch (what) {

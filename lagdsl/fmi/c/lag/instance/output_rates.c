@@ -1,6 +1,6 @@
 /*
- * Rates of change of variables along the motion: central differences, along the tangent of the motion, at two distances. What is left of the
- * curvature is even in the distance and cancels; of the rest the leading part is extrapolated away.
+ * Rates of change of variables along the motion: central differences, along the tangent of the motion, at two distances. The
+ * remaining curvature is even in the distance and cancels; extrapolation removes the leading part of the rest.
  */
 #include "lag/instance/instance_internal.h"
 

@@ -1,6 +1,6 @@
 /*
- * How the start changes where constraints or initial equations decide about it: it is the end of a search, so it is searched again beside
- * the present values; central differences of tenth order.
+ * Derivatives of a start that constraints or initial equations determine, and of free parameters. The start is the result of a
+ * search, so the search is repeated beside the present values: central differences of tenth order.
  */
 #include "lag/instance/instance_internal.h"
 
@@ -21,13 +21,14 @@ typedef struct search {
     lag_instance *instance;
     double *p, *u, *w;  /* (np) moved, (nu) (nw) as they were */
     double *x, *sum;    /* (2 nq + nz) */
+    double *found;      /* (np) sums of the free parameters */
     double *direction;  /* (2 nq + nz + nu + np) of starts, inputs and parameters */
 } search;
 
 size_t lag_instance_start_slopes_memory(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
-    return 3 * size + 2 * model->np + 2 * model->nu + model->nw;
+    return 3 * size + 3 * model->np + 2 * model->nu + model->nw;
 }
 
 /* A length of steps that moves no value by more than a part of its size. */
@@ -70,7 +71,11 @@ static lag_status add(search *s, double along, double weight)
         motion->u[i] = s->u[i] + along * s->direction[size + i];
     }
     if (status == LAG_OK && model->nc + model->ne > 0) {
-        status = lag_initial_find(motion, instance->fmu->start, instance->written, t, s->x, instance->initial_memory, NULL);
+        lag_initial told = {.p = s->p};
+        status = lag_initial_find(motion, instance->fmu->start, instance->written, t, s->x, instance->initial_memory, &told);
+    }
+    for (size_t i = 0; i < model->np; ++i) {
+        s->found[i] += weight * s->p[i];
     }
     for (size_t i = 0; i < size; ++i) {
         s->sum[i] += weight * s->x[i];
@@ -91,11 +96,13 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     s.w = lag_take(&memory, model->nw);
     s.x = lag_take(&memory, size);
     s.sum = lag_take(&memory, size);
+    s.found = lag_take(&memory, model->np);
     s.direction = lag_take(&memory, size + model->nu + model->np);
     memcpy(s.u, motion->u, model->nu * sizeof(double));
     memcpy(s.w, motion->w, model->nw * sizeof(double));
     memcpy(s.direction, instance->derivatives.x, (size + model->nu + model->np) * sizeof(double));
     lag_fill(size, 0.0, s.sum);
+    lag_fill(model->np, 0.0, s.found);
     for (size_t i = 0; i < size; ++i) {
         instance->written[i] = instance->given[i] != 0.0;
     }
@@ -112,6 +119,11 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     memcpy(motion->u, s.u, model->nu * sizeof(double));
     memcpy(motion->w, s.w, model->nw * sizeof(double));
     memcpy(instance->derivatives.x, s.sum, size * sizeof(double));
+    const unsigned char *free = instance->fmu->start->free;
+    for (size_t i = 0; i < model->np && free != NULL; ++i) {
+        double *slope = instance->derivatives.x + size + model->nu + i;
+        *slope = free[i] ? s.found[i] : *slope;
+    }
     instance->known &= LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
     const lag_status restored = lag_motion_parameters(motion, instance->p);
     return status == LAG_OK ? restored : status;

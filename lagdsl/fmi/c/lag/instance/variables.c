@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What FMI has room for. */
+/* Largest value of the Integer type of FMI. */
 static const double MOST_INTEGER = 2147483647.0;
 
 /* The array that a variable is in, as it is known now; null: its role has none. */
@@ -43,7 +43,7 @@ static const double *array_of(const lag_instance *instance, lag_role role)
     return NULL;
 }
 
-/* What must be known before it can be read; 0: the state is enough. */
+/* Values that must be known before this role can be read; 0 if the state is enough. */
 static unsigned needed(lag_role role)
 {
     switch (role) {
@@ -101,7 +101,8 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
     const lag_variable *which = &instance->fmu->variables[variable];
     const lag_role role = (lag_role)which->role;
     const unsigned what = needed(role);
-    const int follows = what == 0 && (role == LAG_ROLE_STATE || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE);
+    const int follows =
+        role == LAG_ROLE_STATE || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
     lag_status status = LAG_OK;
     if ((what & ~instance->known) != 0) {
         status = lag_instance_know(instance, what);
@@ -183,7 +184,8 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     }
     switch ((lag_role)which->role) {
     case LAG_ROLE_PARAMETER:
-        changed = put(which->count, values, instance->p + which->first);
+        changed = put(which->count, values, instance->guess + which->first);
+        changed = put(which->count, values, instance->p + which->first) || changed;
         held->prepared = held->prepared && !changed;
         break;
     case LAG_ROLE_STATE:

@@ -9,7 +9,7 @@ static const char *type_name(lag_type type)
     return names[type];
 }
 
-/* Whether all references are variables of this type with `count` values together, and the arrays are there. */
+/* True if all references name variables of this type with `count` values in all, and no array is null. */
 static int consistent(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count)
 {
     if (lag_shell_lacks(shell, n > 0 && references == NULL, "the array of value references") ||
@@ -43,7 +43,7 @@ int32_t lag_shell_integer(double value)
     return value > INT32_MAX ? INT32_MAX : value < INT32_MIN ? INT32_MIN : (int32_t)value;
 }
 
-/* What is there before anything is computed. */
+/* True for roles whose values exist before initialization. */
 static int plain(lag_role role)
 {
     return role == LAG_ROLE_TIME || role == LAG_ROLE_PARAMETER || role == LAG_ROLE_CONSTANT || role == LAG_ROLE_INPUT || role == LAG_ROLE_OPTION;
@@ -61,7 +61,11 @@ lag_answer lag_shell_initialized(lag_shell *shell)
 
 static lag_answer ready(lag_shell *shell, uint32_t reference)
 {
-    const lag_role role = (lag_role)shell->fmu->variables[reference].role;
+    const lag_variable *variable = &shell->fmu->variables[reference];
+    const lag_role role = (lag_role)variable->role;
+    if (lag_instance_is_free(shell->instance, variable)) {
+        return lag_shell_initialized(shell);
+    }
     if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the value of the variable with value reference %lu is known from initialization mode on",
             (unsigned long)reference);

@@ -1,7 +1,7 @@
 /* Directional and adjoint derivatives: references become entries of variables. */
 #include "lag/shell/shell.h"
 
-/* How many entries these variables have; all must be real. */
+/* Counts the entries of these variables; all must be real. */
 static int entries(lag_shell *shell, const uint32_t *references, size_t n, size_t *count)
 {
     *count = 0;

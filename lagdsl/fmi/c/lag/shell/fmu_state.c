@@ -21,7 +21,7 @@ struct lag_fmu_state {
     head head;
 };
 
-/* Where the bytes of the instance are: behind the snapshot. */
+/* Bytes of the instance; they follow the snapshot. */
 static unsigned char *bytes_of(lag_fmu_state *state)
 {
     return (unsigned char *)state + sizeof *state;
@@ -195,7 +195,7 @@ lag_answer lag_shell_serialize(lag_shell *shell, void *state, unsigned char *byt
     return LAG_ANSWER_OK;
 }
 
-/* What is wrong with these bytes; null: nothing. */
+/* Fault of these bytes; null if there is none. */
 static const char *fault(const lag_shell *shell, const unsigned char *bytes, size_t size, head *read)
 {
     if (size != serialized(shell)) {

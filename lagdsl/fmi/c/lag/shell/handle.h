@@ -1,6 +1,6 @@
 /*
- * Whether a pointer that an importer gives is one it got and did not free. A mark tells in most cases. With LAG_DEBUG_HANDLES all
- * living handles are listed, so that freed and invented ones are told apart without looking into them.
+ * Checks that a pointer from an importer is one that it received and has not freed. A mark is enough in most cases. With
+ * LAG_DEBUG_HANDLES a list holds all living handles and detects freed and invented pointers without reading through them.
  */
 #ifndef LAG_HANDLE_H
 #define LAG_HANDLE_H

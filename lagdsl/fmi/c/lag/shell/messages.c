@@ -1,4 +1,4 @@
-/* What is told to the importer, and which status a failure is. */
+/* Messages to the importer, and the FMI status of each failure. */
 #include "lag/shell/shell.h"
 
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /*
- * What the shells of both versions of FMI share: handles, modes, messages, checks of arguments, snapshots. Nothing here calls an
- * exported function: where several FMUs are loaded, these names may be those of another one.
+ * Declarations that the shells of both versions of FMI share: handles, modes, messages, checks of arguments, snapshots.
+ * Nothing here calls an exported function: where several FMUs are loaded, these names may be those of another one.
  */
 #ifndef LAG_SHELL_H
 #define LAG_SHELL_H
@@ -54,7 +54,7 @@ typedef enum lag_category {
 typedef struct lag_shell lag_shell;
 typedef struct lag_fmu_state lag_fmu_state;
 
-/* What the importer gave; the version knows the types of its callbacks. */
+/* Pointers from the importer; the shell of its FMI version knows the types of the callbacks. */
 typedef struct lag_host {
     void *environment;
     void (*tell)(const lag_shell *shell, lag_answer answer, const char *category, const char *message);
@@ -109,7 +109,7 @@ void lag_shell_free(void *handle, const char *call);
 /* The shell of a handle if `call` may be called in its present mode; null, and told why, if not. */
 lag_shell *lag_shell_enter(void *handle, const char *call, unsigned modes);
 lag_answer lag_shell_reset(lag_shell *shell);
-/* What a host asked for and did not get. */
+/* Memory from the callbacks of the host; null if it has none to give. */
 void *lag_shell_allocate(const lag_shell *shell, size_t size);
 void lag_shell_release(const lag_shell *shell, void *memory);
 
@@ -119,7 +119,7 @@ void lag_shell_release(const lag_shell *shell, void *memory);
 lag_answer lag_shell_say(lag_shell *shell, lag_answer answer, const char *format, ...);
 /* For debug logging. */
 void lag_shell_note(lag_shell *shell, const char *format, ...);
-/* Where `missing` is true, an error that names the argument. */
+/* Reports an error that names the argument if `missing` is true. */
 int lag_shell_lacks(lag_shell *shell, int missing, const char *argument);
 /* An error that leaves the instance as it was. */
 lag_answer lag_shell_refused(lag_shell *shell, lag_status status);
@@ -150,7 +150,7 @@ lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *ref
 lag_answer lag_shell_get_output_derivatives(
     lag_shell *shell, const uint32_t *references, size_t n, const int32_t *orders, double *values, size_t count);
 
-/* ---- slopes.c ---- */
+/* ---- directional_derivatives.c ---- */
 
 typedef lag_status lag_slope(lag_instance *, const lag_known *, size_t, const lag_known *, size_t, const double *, double *);
 
@@ -160,7 +160,7 @@ lag_answer lag_shell_slopes(lag_shell *shell, lag_slope *slope, const uint32_t *
 
 /* ---- lifecycle.c ---- */
 
-/* Whether t can be one; told if not, as `what`. */
+/* True if t is a time that round-off permits; otherwise reports an error that calls it `what`. */
 int lag_shell_is_time(lag_shell *shell, double t, const char *what);
 lag_answer lag_shell_set_experiment(lag_shell *shell, int tolerance_defined, double tolerance, double start, int stop_defined, double stop);
 lag_answer lag_shell_enter_initialization(lag_shell *shell);
@@ -194,7 +194,7 @@ typedef struct lag_outcome {
 
 lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *between, lag_outcome *outcome);
 
-/* ---- snapshots.c ---- */
+/* ---- fmu_state.c ---- */
 
 lag_answer lag_shell_save(lag_shell *shell, void **state);
 lag_answer lag_shell_load(lag_shell *shell, void *state);

@@ -9,7 +9,7 @@ size_t lag_shell_order(const lag_shell *shell)
     return 2 * shell->fmu->model->nq + shell->fmu->model->nz;
 }
 
-/* Whether an array of the importer is one of `expected` numbers. */
+/* True if an array of the importer has `expected` numbers. */
 static int fits(lag_shell *shell, const double *values, size_t n, size_t expected, const char *what)
 {
     if (n != expected) {

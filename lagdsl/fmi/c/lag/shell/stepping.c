@@ -35,7 +35,7 @@ static int acceptable(lag_shell *shell, double t, double h)
     return 0;
 }
 
-/* Whether the importer lets the step go on from here. */
+/* True if the importer lets the step continue from here. */
 static int goes_on(lag_shell *shell, lag_between *between, int early, double *until)
 {
     const char *call = shell->call;

@@ -83,7 +83,7 @@ static lag_status solve_again(
     return status == LAG_OK ? lag_forward_dynamics(model, &at, batch->memory, qdd, lam, coordinate) : status;
 }
 
-/* Where several states keep what, all in lanes; `at` are their arguments. */
+/* Arrays of several states, all in lanes; `at` are their arguments. */
 typedef struct crowd {
     double *t, *q, *qd, *z, *u, *w, *p;
     double *mass, *force, *jacobian, *gamma;
@@ -176,7 +176,7 @@ static void deal(size_t lanes, size_t count, size_t size, const double *x, doubl
     }
 }
 
-/* Whether elimination solved all lanes, with no row left to run time. */
+/* True if elimination solved all lanes and left no row to run time. */
 static int solved(const lag_model *model, const lag_states *states, const crowd *all)
 {
     if (states->elimination == NULL || model->nk > 0) {

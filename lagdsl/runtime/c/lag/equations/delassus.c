@@ -4,6 +4,7 @@
 
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
 /* The same figures as in the NumPy modules: see their file `delassus` for what they mean. */
 static const double LEAST_PIVOT = 1e-6;
@@ -37,21 +38,12 @@ void lag_delassus_place(lag_delassus *s, size_t n, size_t m, size_t kept, const 
     s->rest = lag_take(&memory, kept);
 }
 
-static double dot(size_t count, const double *x, const double *y)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < count; ++i) {
-        sum += x[i] * y[i];
-    }
-    return sum;
-}
-
 /* Diagonal of S, and the squares of the factors that make it comparable: one, but for rows that are short. */
 static void weigh(lag_delassus *s)
 {
     double longest = 0.0;
     for (size_t i = 0; i < s->kept; ++i) {
-        s->left[i] = dot(s->n, s->jacobian + i * s->n, s->response + i * s->n);
+        s->left[i] = lag_dot(s->n, s->jacobian + i * s->n, s->response + i * s->n);
         longest = fmax(longest, s->left[i]);
     }
     for (size_t i = 0; i < s->kept; ++i) {
@@ -87,8 +79,8 @@ static void append_column(lag_delassus *s, size_t k)
     for (size_t i = k + 1; i < s->kept; ++i) {
         const size_t row = (size_t)s->chosen[i];
         double *to = s->factor + row * s->kept;
-        const double element = dot(s->n, s->jacobian + row * s->n, s->response + pivot * s->n);
-        to[k] = (element - dot(k, to, own)) / root;
+        const double element = lag_dot(s->n, s->jacobian + row * s->n, s->response + pivot * s->n);
+        to[k] = (element - lag_dot(k, to, own)) / root;
         s->left[row] -= to[k] * to[k];
     }
 }
@@ -130,7 +122,7 @@ static void find_direction(lag_delassus *s, size_t own, double *direction)
     s->x[own] = 1.0;
     lag_fill(s->m, 0.0, direction);
     add_multipliers(s, s->x, direction);
-    const double length = sqrt(dot(s->m, direction, direction));
+    const double length = sqrt(lag_dot(s->m, direction, direction));
     for (size_t j = 0; j < s->m; ++j) {
         direction[j] /= length;
     }
@@ -143,7 +135,7 @@ static int find_excess(lag_delassus *s)
     for (size_t i = 0; i < count; ++i) {
         find_direction(s, (size_t)s->chosen[s->rank + i], s->excess + i * s->m);
         for (size_t j = 0; j <= i; ++j) {
-            s->gram[i * count + j] = dot(s->m, s->excess + i * s->m, s->excess + j * s->m);
+            s->gram[i * count + j] = lag_dot(s->m, s->excess + i * s->m, s->excess + j * s->m);
         }
     }
     return lag_cholesky(count, s->gram, 0.0) == count;
@@ -154,7 +146,7 @@ static void remove_excess(lag_delassus *s, double *lam)
 {
     const size_t count = s->dependent;
     for (size_t i = 0; i < count; ++i) {
-        s->part[i] = dot(s->m, s->excess + i * s->m, lam);
+        s->part[i] = lag_dot(s->m, s->excess + i * s->m, lam);
     }
     lag_cholesky_solve(count, s->gram, s->part);
     for (size_t i = 0; i < count; ++i) {
@@ -164,7 +156,7 @@ static void remove_excess(lag_delassus *s, double *lam)
     }
 }
 
-/* Whether a unit of kept multiplier i adds to others. */
+/* True if a unit of kept multiplier i changes other multipliers. */
 static int adds(const lag_delassus *s, size_t i)
 {
     size_t j = 0;
@@ -223,8 +215,8 @@ static void solve_rest(lag_delassus *s, const double *gamma, const double *a)
     for (size_t k = 0; k < s->rank; ++k) {
         const size_t row = (size_t)s->chosen[k];
         const double *own = s->factor + row * s->kept;
-        const double missing = gamma[row] - dot(s->n, s->jacobian + row * s->n, a);
-        s->rest[k] = (missing - dot(k, own, s->rest)) / own[k];
+        const double missing = gamma[row] - lag_dot(s->n, s->jacobian + row * s->n, a);
+        s->rest[k] = (missing - lag_dot(k, own, s->rest)) / own[k];
     }
     solve_upper(s, s->rest);
     for (size_t k = 0; k < s->kept; ++k) {

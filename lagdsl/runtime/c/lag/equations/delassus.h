@@ -2,10 +2,10 @@
  * Multipliers of the rows that elimination left to run time.
  *
  * With the multipliers x of these rows zero, elimination() gives accelerations a and multipliers l; a unit of x_i adds Y_i
- * and K_i to them. What the rows ask for then is S x = gamma - J a with the small matrix S = J Y' (Delassus): symmetric,
- * and singular where rows depend on each other. It is factored by Cholesky's method, each time on the row that has the
- * longest rest. S has the square of J's condition; a step of refinement whose residual comes from J itself takes that back
- * as long as S has digits left (corrected seminormal equations: Bjorck, Linear Algebra and its Applications 88/89, 1987).
+ * and K_i to them. The rows then require S x = gamma - J a with the small matrix S = J Y' (Delassus). S is symmetric, and
+ * singular if rows depend on each other. It is factored by Cholesky's method, each time on the row that has the longest
+ * rest. S has the square of J's condition; a step of refinement whose residual comes from J itself takes that back as long
+ * as S has digits left (corrected seminormal equations: Bjorck, Linear Algebra and its Applications 88/89, 1987).
  */
 #ifndef LAG_DELASSUS_H
 #define LAG_DELASSUS_H

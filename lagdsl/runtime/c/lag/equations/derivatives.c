@@ -24,7 +24,7 @@ size_t lag_derivatives_memory(const lag_model *model)
     return variables(model) + timed(model) + n * n + 2 * m * n + 5 * n + 7 * m + lag_system_memory(n, m);
 }
 
-/* What the accelerations alone need; less than lag_jacobian_memory(). */
+/* Memory that the accelerations alone need; less than lag_jacobian_memory(). */
 static void place_system(lag_derivatives *d, const lag_model *model, double **memory)
 {
     const size_t n = model->nq;
@@ -95,22 +95,13 @@ static lag_status form(lag_derivatives *d)
     return status;
 }
 
-static int binds(size_t n, const double *row)
-{
-    size_t j = 0;
-    while (j < n && row[j] == 0.0) {
-        ++j;
-    }
-    return j < n;
-}
-
 /* Independent rows: those of open contacts are zero, and another one that depends on the rest must not take their place. */
 static size_t independent(const lag_derivatives *d)
 {
     const lag_model *model = d->model;
     size_t count = model->rank;
     for (size_t i = 0; i < model->ncontact; ++i) {
-        count -= count > 0 && !binds(model->nq, d->jacobian + model->contact_rows[i] * model->nq);
+        count -= count > 0 && !lag_any(model->nq, d->jacobian + model->contact_rows[i] * model->nq);
     }
     return count;
 }
@@ -201,7 +192,7 @@ static lag_status add_time(lag_derivatives *d, size_t first, size_t count, doubl
     return status;
 }
 
-/* How the residuals of the constraints change. */
+/* Derivatives of the constraint residuals along the direction. */
 lag_status lag_derivatives_residuals(lag_derivatives *d, double *phi, double *residual)
 {
     const size_t first = d->model->nq + d->model->nc;

@@ -1,4 +1,4 @@
-/* Where in the discretes w of a model things stand: first entries; counts are those of lag_model. */
+/* First entry of each group in the discretes w of a model; the counts are those of lag_model. */
 #ifndef LAG_DISCRETES_H
 #define LAG_DISCRETES_H
 

@@ -6,7 +6,7 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 
-/* Where the functions of this file keep what. */
+/* Arrays that the functions of this file work in. */
 typedef struct places {
     double *mass, *force, *jacobian, *gamma; /* (nq, nq) (nq) (nc, nq) (nc) */
     double *response, *lam_response;         /* (nk, nq) (nk, nc) */
@@ -79,11 +79,11 @@ static lag_status solve(
 }
 
 /*
- * Where eliminating left less than this part of a pivot, the dense system tells whether it is singular. Down to there subtraction
- * loses no more digits than the condition of the matrix costs the dense system, and the same ones at neighboring states: a
- * transformer of coupling 1 - 1e-7 is one whose leakage is off by 1e-9, where the dense system has a noise that stops implicit
- * methods. With rows left, their multipliers take back much of the accelerations without them, and what these lost shows in what is
- * left.
+ * If elimination leaves less than this part of a pivot, the dense system decides whether the position is singular. Down to
+ * this part, subtraction loses no more digits than the condition of the matrix costs the dense system, and the same ones at
+ * neighboring states: a transformer of coupling 1 - 1e-7 is one whose leakage is off by 1e-9, where the dense system has a
+ * noise that stops implicit methods. With rows left to run time, their multipliers cancel much of the accelerations without
+ * them, and digits that these lost show in the difference.
  */
 static const double smallest_pivot = 1e-8;
 static const double smallest_pivot_with_rows_left = 1e-4;
@@ -91,16 +91,6 @@ static const double smallest_pivot_with_rows_left = 1e-4;
 double lag_smallest_pivot(const lag_model *model)
 {
     return model->nk > 0 ? smallest_pivot_with_rows_left : smallest_pivot;
-}
-
-/* Rows of open contacts are zero. */
-static int binds(size_t n, const double *row)
-{
-    size_t j = 0;
-    while (j < n && row[j] == 0.0) {
-        ++j;
-    }
-    return j < n;
 }
 
 lag_status lag_factor_eliminated(
@@ -118,7 +108,7 @@ lag_status lag_factor_eliminated(
     system->lam_response = lam_response;
     system->jacobian = jacobian;
     for (size_t i = 0; i < model->nk; ++i) {
-        rank += model->redundant[model->kept_rows[i]] == 0 && binds(model->nq, jacobian + i * model->nq);
+        rank += model->redundant[model->kept_rows[i]] == 0 && lag_any(model->nq, jacobian + i * model->nq);
     }
     return pivot > lag_smallest_pivot(model) ? lag_delassus_factor(system, rank) : LAG_MISSING;
 }
@@ -205,7 +195,7 @@ static lag_status eliminate(
         : status;
 }
 
-/* Where no row is left to run time, elimination is the whole solution. */
+/* Solves a model without rows left to run time: elimination is the whole solution. */
 static lag_status eliminate_all(const lag_model *model, const lag_arguments *at, double *qdd, double *lam)
 {
     double none = 0.0;

@@ -17,7 +17,7 @@ typedef struct functions {
     lag_status (*output)(const lag_arguments *at, double *y);
 } functions;
 
-/* Where the functions of this file keep what. */
+/* Arrays that the functions of this file work in. */
 typedef struct places {
     double *qdd, *lam;                       /* (nq) (nc) at the state */
     double *x;                               /* directions of q, qd, z, u, p in a row, in lanes */
@@ -91,7 +91,7 @@ size_t lag_jacobian_workspace(const lag_model *model, const lag_tangents *tangen
     return tangents != NULL && tangents->workspace > model->workspace ? tangents->workspace : model->workspace;
 }
 
-/* What solves for accelerations and multipliers: the dense system, or what elimination left. */
+/* The solver for accelerations and multipliers: the dense system, or the small one that elimination left. */
 typedef struct solver {
     lag_system dense;
     lag_delassus kept;

@@ -7,7 +7,7 @@ size_t lag_watch_memory(const lag_model *model)
     return 2 * model->ni + model->na;
 }
 
-/* Whether all invariants are within their tolerances, and with `count` their departures and scales, for the records. */
+/* True if all invariants are within their tolerances; with `count`, also records their departures and scales. */
 static int invariants(lag_watch *watch, int count)
 {
     int within = 1;

@@ -1,4 +1,4 @@
-/* What must stay true along a motion: invariants and assertions of the model. */
+/* Conditions that must hold along a motion: invariants and assertions of the model. */
 #ifndef LAG_WATCH_H
 #define LAG_WATCH_H
 

@@ -1,6 +1,6 @@
 /*
- * Instants first + k period, k = 0, 1, ..., counted in whole numbers: nothing adds up. Where both are short fractions (0.1 is 1/10)
- * an instant is that fraction, rounded once, so clocks of 0.1 s and 0.3 s strike together.
+ * Instants first + k period, k = 0, 1, ..., counted in whole numbers: nothing adds up. If both are short fractions (0.1 is
+ * 1/10), an instant is that fraction, rounded once, so clocks of 0.1 s and 0.3 s tick together.
  */
 #ifndef LAG_CLOCK_H
 #define LAG_CLOCK_H

@@ -69,7 +69,7 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memo
     lag_impact_place(&contacts->impact, motion, memory);
 }
 
-/* What is no number pulls. */
+/* Force that pushes, positive; a force that is not a number counts as one that pulls. */
 static double push(const lag_contacts *contacts, size_t i)
 {
     const double force = lag_contacts_multiplier(contacts, i);

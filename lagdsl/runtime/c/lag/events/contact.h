@@ -53,7 +53,7 @@ void lag_contacts_scale(lag_contacts *contacts, const double *jacobian);
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i);
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i);
 
-/* Whether any gap is negative; flags (ncontact) of those that are. */
+/* True if any gap is negative; `flags` (ncontact) marks these. */
 int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, double *flags);
 
 /* At the start: contacts that touch and do not move apart are closed unless they pull. */

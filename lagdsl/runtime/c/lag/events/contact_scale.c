@@ -1,4 +1,4 @@
-/* How large what belongs to a contact is: from the numbers that enter its own gap, and no others. */
+/* Scales of the quantities of a contact: from the numbers that enter its own gap, and no others. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 static const double TOUCHING = 1e-12;
 /* A coordinate is as good as zero below this part of its unit. */
 static const double LEAST = 1e-12;
-/* What is below these parts of its length, of its force, is round-off and no event. */
+/* Below these parts of its length and of its force, a value is round-off and no event. */
 static const double ROUNDING = 16.0 * DBL_EPSILON;
 static const double NO_FORCE = 1e-13;
 /* Constraints satisfied to their limits let gaps be so many limits off. */

@@ -62,7 +62,7 @@ static int find_closing(lag_contacts *contacts)
     return any;
 }
 
-/* Whether closed contacts are driven in. */
+/* True if a closed contact has an approach speed beyond round-off. */
 static int any_driven(const lag_contacts *contacts)
 {
     int any = 0;
@@ -72,7 +72,7 @@ static int any_driven(const lag_contacts *contacts)
     return any;
 }
 
-/* What takes part: contacts that close, blows of clauses, and, held, what is closed. */
+/* Collects the participants: contacts that close, impacts of clauses, and closed contacts, which hold. */
 static lag_blow gather(lag_contacts *contacts, const double *collision, const double *restitution)
 {
     const lag_model *model = contacts->motion->model;
@@ -153,7 +153,7 @@ static void fly(lag_contacts *contacts, double t, const double *x)
     }
 }
 
-/* Whether a contact that struck stays; when it comes to rest. */
+/* True if a contact that struck stays closed; also sets the time at which it comes to rest. */
 static int stays(lag_contacts *contacts, double t, size_t i)
 {
     const double speed = contacts->speed[i];
@@ -195,7 +195,7 @@ lag_status lag_contacts_part(lag_contacts *contacts, double t, const double *x)
     return status;
 }
 
-/* What is closed after blows: what was and stays, what struck and stays, as far as it does not pull. */
+/* Contacts closed after impacts: those that were closed and those that struck, if they stay and do not pull. */
 static lag_status conclude(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;

@@ -6,7 +6,7 @@
 #include "lag/linalg/arena.h"
 
 enum { MOST_PASSES = 100 };
-/* What a constraint that discretes switch may be off the positions, as a part of the size of its row. */
+/* Largest residual at which a constraint that discretes switch may become active, as a part of the size of its row. */
 static const double TORN = 1e-6;
 
 size_t lag_event_iteration_memory(const lag_model *model)
@@ -101,14 +101,14 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
 
 /* ---- contacts ---- */
 
-/* A contact has opened, or closed. What was told of it for later does not come. */
+/* A contact has opened, or closed. A rest that was announced for later is canceled. */
 static lag_status tell_state(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i)
 {
     iteration->contacts->until[i] = (double)INFINITY;
     return lag_event_iteration_tell(iteration, t, x, what, i);
 }
 
-/* What a contact that struck or changed did. One that is held for the rest of its bounces has struck. */
+/* Reports the impact, opening or closing of a contact. A contact that is held for the rest of its bounces has struck. */
 static lag_status tell_contact(const lag_event_iteration *iteration, double t, const double *x, int before, size_t i)
 {
     const int now = iteration->motion->w[iteration->places.contact + i] != 0.0;
@@ -285,8 +285,9 @@ static const double *settled_before(lag_event_iteration *iteration)
 }
 
 /*
- * Discretes that stand in constraints, masses or prescribed motions may have changed, whoever changed them: momenta are balanced. Else, after
- * resets, rates go onto the constraints. Those that were reset stay as far as that can be; contacts follow, they only push.
+ * If discretes in constraints, masses or prescribed motions have changed, balances the momenta. Otherwise, after resets,
+ * projects the rates onto the constraints. Rates that were reset keep their values where the constraints permit it; contacts
+ * adapt, because they only push.
  */
 static lag_status take_hold(lag_event_iteration *iteration, double t, double *x, int acted)
 {

@@ -48,7 +48,7 @@ void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const
     }
 }
 
-/* Whether relation i passes zero here, as it was looked at now and a moment later. */
+/* True if relation i passes zero here, by its values now and after `lookahead`. */
 static int passing(const lag_event_iteration *iteration, size_t i)
 {
     return fabs(iteration->now[i]) <= PASSING * fabs(iteration->then[i] - iteration->now[i]);

@@ -4,6 +4,7 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/nnls.h"
+#include "lag/linalg/vector.h"
 
 size_t lag_impact_memory(const lag_model *model)
 {
@@ -55,16 +56,7 @@ static lag_status look(lag_impact *impact, double t, const double *x)
     return status;
 }
 
-static double product(size_t n, const double *a, const double *b)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
-
-/* How rates and speeds answer to unit impulses. */
+/* Responses of rates and speeds to unit impulses. */
 static void respond(lag_impact *impact, lag_system *system, const lag_blow *blow)
 {
     const size_t n = impact->motion->model->nq;
@@ -75,7 +67,7 @@ static void respond(lag_impact *impact, lag_system *system, const lag_blow *blow
     for (size_t i = 0; i < blow->count; ++i) {
         impact->wanted[i] = (1.0 + blow->factor[i]) * blow->speed[i];
         for (size_t j = 0; j < blow->count; ++j) {
-            impact->compliance[i * blow->count + j] = product(n, blow->rows + i * n, impact->response + j * n);
+            impact->compliance[i * blow->count + j] = lag_dot(n, blow->rows + i * n, impact->response + j * n);
         }
     }
 }

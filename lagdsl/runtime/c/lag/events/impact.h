@@ -5,7 +5,7 @@
  *
  * Newton's law of impact as a linear complementarity problem, whose matrix is symmetric and positive semidefinite.
  *
- * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts, 1996, ch. 8.
+ * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts, 1996.
  */
 #ifndef LAG_IMPACT_H
 #define LAG_IMPACT_H
@@ -24,7 +24,7 @@ typedef struct lag_impact {
     double *system, *search;
 } lag_impact;
 
-/* What takes part in one impact. */
+/* Participants of one impact. */
 typedef struct lag_blow {
     size_t count;
     const double *rows;   /* (count, nq) dgap/dq */

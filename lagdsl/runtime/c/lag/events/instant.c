@@ -47,7 +47,7 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->crowd = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
-/* Whether the event at t, of relations or of contacts only, is one too many. Contacts close where they crowd. */
+/* True if events crowd: the event at t, of relations or of contacts only, is one too many. Contacts close if theirs crowd. */
 static int crowds(lag_crowd *crowd, double t, int relations)
 {
     const double interval = t - crowd->last;
@@ -189,7 +189,7 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x)
     return run(instants, t, x, NULL, NULL);
 }
 
-/* What time changes now, with the impulses that this brings. */
+/* Carries out the changes with time that are due now, with their impulses. */
 static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
 {
     lag_momentum *momentum = &instants->momentum;
@@ -201,7 +201,7 @@ static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
     return status == LAG_OK ? lag_momentum_balance(momentum, t, x, NULL, jumped) : status;
 }
 
-/* What time changed is told. */
+/* Reports the changes with time. */
 static lag_status tell_turned(lag_instants *instants, double t, const double *x)
 {
     const lag_model *model = instants->motion->model;
@@ -241,7 +241,7 @@ lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int
     return status == LAG_OK && *quiet ? lag_timed_seek(&instants->timed, t) : status;
 }
 
-/* What is due now, before the clauses are looked at: changes with time, clocks, the end of bounces. */
+/* Carries out all that is due before the clauses: changes with time, clocks, the end of bounces. */
 static lag_status strike(lag_instants *instants, double t, double *x)
 {
     int jumped = 0;

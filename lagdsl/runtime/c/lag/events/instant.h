@@ -1,6 +1,6 @@
 /*
- * What happens at instants during one run of a model with discretes: the start and the end, ticks of its clocks, relations and contacts
- * that were found to change. Nothing here looks for them; see lag/events/zero_crossing.h.
+ * Events of one run of a model with discretes: the start and the end, ticks of its clocks, changes of relations and
+ * contacts. lag/events/zero_crossing.h detects these changes.
  */
 #ifndef LAG_INSTANT_H
 #define LAG_INSTANT_H
@@ -58,8 +58,8 @@ lag_status lag_instants_tick(lag_instants *instants, double t, double *x);
 int lag_instants_due(const lag_instants *instants, double t);
 
 /*
- * What changed at t: flags of relations, then of contacts (nindicator + ncontact); with it, where `ticks` is set, the ticks of now.
- * LAG_CHATTER: events crowd.
+ * Carries out the changes at t: `changed` are flags of relations, then of contacts (nindicator + ncontact). With `ticks`,
+ * also the ticks at t. LAG_CHATTER: events crowd.
  */
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, const double *changed, int ticks);
 

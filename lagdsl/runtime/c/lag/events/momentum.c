@@ -7,9 +7,9 @@
 
 /* Newton's method for rates: one step where T is quadratic in them, and one more that finds nothing left. */
 enum { MOST_STEPS = 20 };
-/* What is left of the momenta is this part of their size. */
+/* The iteration ends when the residual of the momenta is this part of their size. */
 static const double ROUNDING = 1e-13;
-/* What is left of a row, as a part of what enters it, is no jump: projection leaves more. */
+/* A residual of a row below this part of its terms is no jump: projection leaves more. */
 static const double LEFT = 1e-9;
 
 static size_t most_held(const lag_model *model)
@@ -83,7 +83,7 @@ lag_status lag_momentum_look(lag_momentum *momentum, double t, const double *x)
     return status;
 }
 
-/* What the momenta are made of: they count as round-off below a part of this. */
+/* Sizes of the terms of the momenta: below a part of these, a momentum is round-off. */
 static void find_sizes(lag_momentum *momentum, const double *qd)
 {
     const size_t n = momentum->motion->model->nq;

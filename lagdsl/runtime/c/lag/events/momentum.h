@@ -1,9 +1,10 @@
 /*
  * Impulsive motion: rates after an instant at which T, a prescribed motion or a constraint changes, while positions stay.
  *
- * Over an instant Lagrange's equations leave p(t, q, v+, w+) - p(t, q, v-, w-) = J' P with p = dL/dqd, and the constraints that
- * hold afterwards J v+ + b = 0: momenta change by impulses of the constraints only. All finite forces drop out. Where rates of the
- * positions jump with time (a ramp begins), with constraints (a clutch closes) or with a discrete mass, this decides.
+ * Over an instant Lagrange's equations leave p(t, q, v+, w+) - p(t, q, v-, w-) = J' P with p = dL/dqd, and the constraints
+ * that hold afterwards J v+ + b = 0: momenta change by impulses of the constraints only. All finite forces drop out. This
+ * balance determines the rates when a prescribed motion jumps in velocity (a ramp begins), a constraint closes (a clutch) or
+ * a discrete mass changes.
  *
  * Source: L. A. Pars, A Treatise on Analytical Dynamics (1965), chapter XIV; H. Goldstein, Classical Mechanics (2nd ed., 1980),
  * exercises of chapter 2 on impulsive forces.

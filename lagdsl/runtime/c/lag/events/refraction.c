@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 
 /* Numbers are changed by this part of their sizes for differences. */
 static const double CHANGE = 6e-6;
@@ -99,15 +100,6 @@ static lag_status respond(lag_refraction *r, lag_system *system)
     return status;
 }
 
-static double dot(size_t n, const double *a, const double *b)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
-
 static void move(lag_refraction *r, double *rates, double mu)
 {
     for (size_t i = 0; i < r->motion->model->nq; ++i) {
@@ -122,8 +114,8 @@ static void move(lag_refraction *r, double *rates, double mu)
 static int root(lag_refraction *r, double t, double *x, double before, double speed, double drift, double *mu)
 {
     const size_t n = r->motion->model->nq;
-    const double slope = dot(n, r->gradient, r->along);
-    const double middle = -(dot(n, r->gradient, x + n) + drift) / slope;
+    const double slope = lag_dot(n, r->gradient, r->along);
+    const double middle = -(lag_dot(n, r->gradient, x + n) + drift) / slope;
     const double width = fmax(fabs(speed) / slope, DBL_MIN);
     double h[3] = {0.0, 0.0, 0.0};
     double size = 0.0;
@@ -186,7 +178,7 @@ lag_status lag_refraction_cross(
     if (status != LAG_OK || !differentiate(r, t, x, which, &g, &drift)) {
         return LAG_OK; /* where there are no accelerations, passes tell */
     }
-    const double speed = dot(n, r->gradient, x + n) + drift;
+    const double speed = lag_dot(n, r->gradient, x + n) + drift;
     status = lag_momentum_keep(r->momentum, t, x, motion->w);
     status = status == LAG_OK ? energy(r, t, x, &before, &size) : status;
     *truth = 1.0 - was;
@@ -210,7 +202,7 @@ lag_status lag_refraction_cross(
         memcpy(r->rate, x, lag_motion_size(motion->model) * sizeof(double));
         status = lag_momentum_look(r->momentum, t, x);
         status = status == LAG_OK ? respond(r, &system) : status;
-        move(r, r->rate + n, status == LAG_OK ? -2.0 * speed / dot(n, r->gradient, r->along) : 0.0);
+        move(r, r->rate + n, status == LAG_OK ? -2.0 * speed / lag_dot(n, r->gradient, r->along) : 0.0);
         *refracted = *back = status == LAG_OK;
     }
     if (status == LAG_OK) {

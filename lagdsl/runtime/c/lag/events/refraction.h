@@ -1,10 +1,11 @@
 /*
  * Steps of energy in place: rates behind a place at which the Lagrangian jumps, as behind the step of a potential energy.
  *
- * The step is the limit of a steep smooth one that depends on the position by the indicator g(q, t) of the relation alone. Across it
- * Lagrange's equations leave p+ - p- = grad g mu + J' P with p = dL/dqd: momenta change along the gradient of g only, and by impulses of the
- * constraints; and the energy h = qd p - L changes by -mu dg/dt, so not at all where the place rests. That is refraction. Where h
- * does not suffice for the other side, the motion turns back: the rate of g is reflected elastically.
+ * The step is the limit of a steep smooth one that depends on the position by the indicator g(q, t) of the relation alone.
+ * Across it Lagrange's equations leave p+ - p- = grad g mu + J' P with p = dL/dqd: momenta change along the gradient of g
+ * only, and by impulses of the constraints; and the energy h = qd p - L changes by -mu dg/dt, so not at all where the place
+ * rests. That is refraction. If h does not suffice for the other side, the motion turns back: the rate of g is reflected
+ * elastically.
  *
  * Source: L. D. Landau, E. M. Lifshitz, Mechanics (3rd ed., 1976), section 7, problem (refraction at a step of the potential energy);
  * L. A. Pars, A Treatise on Analytical Dynamics (1965), chapter XIV (impulses).
@@ -33,9 +34,9 @@ size_t lag_refraction_memory(const lag_model *model);
 void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_momentum *momentum, lag_noise *noise, double *memory);
 
 /*
- * Relation `which` is about to change at x at time t, a moment [s] around that; its entry of w is that of before. Where the Lagrangian jumps
- * with it, and it is one of places that is crossed: the rates behind it, and 1 in *refracted; 1 in *back: the motion turns back, the relation
- * stays. Else nothing is changed.
+ * Relation `which` is about to change at x at time t, a moment [s] around that; its entry of w is that of before. If the
+ * Lagrangian jumps with the relation and the relation depends on positions: sets the rates behind it and *refracted to 1;
+ * sets *back to 1 if the motion turns back and the relation stays. Otherwise changes nothing.
  */
 lag_status lag_refraction_cross(
     lag_refraction *refraction, double t, double *x, size_t which, double lookahead, int *refracted, int *back);

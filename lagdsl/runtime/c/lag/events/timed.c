@@ -83,7 +83,7 @@ static point at(distance *one, double t)
     return (point){t, one->value, one->rate};
 }
 
-/* How far Hermite's cubic through a and b is off at the middle; not a number where there is none. */
+/* Error of Hermite's cubic through a and b at the middle; not a number if there is no cubic. */
 static double misfit(const point *a, const point *m, const point *b)
 {
     const double h = b->t - a->t;
@@ -116,6 +116,11 @@ static double least(const point *a, const point *b, double *t)
 static int is_out(const point *p)
 {
     return !(p->value > 0.0);
+}
+
+static int is_infinite(const point *p)
+{
+    return p->value == (double)INFINITY;
 }
 
 /* The zero between a, which is inside, and b, which is not. */
@@ -163,8 +168,10 @@ static double first_zero(distance *one, double from, double to, double part)
         const point b = at(one, end);
         const double size = fmax(fmax(fabs(a.value), fabs(m.value)), fabs(b.value));
         const double off = misfit(&a, &m, &b);
-        int unclear = !(off <= OFF * size);
-        if (!unclear || h <= shortest) {
+        /* after a division by zero no cubic fits, however short the step: there is nothing to look for */
+        const int infinite = is_infinite(&a) && is_infinite(&m) && is_infinite(&b);
+        int unclear = !infinite && !(off <= OFF * size);
+        if (!infinite && (!unclear || h <= shortest)) {
             double zero = zero_in(one, &a, &m, off, &unclear);
             zero = zero < (double)INFINITY ? zero : zero_in(one, &m, &b, off, &unclear);
             if (zero < (double)INFINITY) {

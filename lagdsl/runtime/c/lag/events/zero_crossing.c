@@ -5,7 +5,7 @@
 
 #include "lag/linalg/arena.h"
 
-/* What is so many times its round-off as it was found last is none. */
+/* A value beyond this many times its last known round-off is clear of round-off. */
 static const double CLEARLY = 1e6;
 
 size_t lag_zero_crossing_memory(const lag_model *model)
@@ -124,7 +124,7 @@ static lag_status corners(lag_zero_crossing *crossings)
     return status;
 }
 
-/* Whether accelerations or multipliers tell anything: relations may contain them, and closed contacts have them. */
+/* True if values depend on accelerations or multipliers: relations may contain them, and closed contacts have them. */
 static int needs_forces(const lag_zero_crossing *crossings)
 {
     const lag_model *model = crossings->motion->model;

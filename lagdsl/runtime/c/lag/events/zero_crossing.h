@@ -1,8 +1,8 @@
 /*
- * Does anything happen that the discretes w of a model do not know of yet? Relations that changed their truth, open contacts whose
- * gaps are negative, closed contacts that would pull. Each has a value that is positive while nothing changes; where it was negative
- * already when the step began, or is so by no more than round-off, it has to fall further. What follows from a change is not said here.
- * Corners are looked at where somebody asks for it (lag/corners.h): the discretes do not know them.
+ * Detects changes that are not in the discretes w of a model yet: relations whose truth changes, open contacts with negative
+ * gaps, closed contacts that would pull. Each has a value that is positive while nothing changes; if it was negative already
+ * when the step began, or is so by no more than round-off, it must fall further. lag/events/instant.h carries out the
+ * changes. Corners are values of the same kind, on request only: the discretes do not contain them.
  */
 #ifndef LAG_ZERO_CROSSING_H
 #define LAG_ZERO_CROSSING_H
@@ -37,13 +37,13 @@ void lag_zero_crossing_place(lag_zero_crossing *crossings, lag_motion *motion, l
 /* So many things are looked at: relations, contacts, corners. */
 size_t lag_zero_crossing_count(const lag_zero_crossing *crossings);
 
-/* What passes zero, downward, when relation, contact or corner number `which` changes; as it was looked at last. */
+/* Value that passes zero downward when relation, contact or corner number `which` changes; that of the last look. */
 double lag_zero_crossing_value(const lag_zero_crossing *crossings, size_t which);
 
 /* Round-off of that, as far as it is known. */
 double lag_zero_crossing_noise(const lag_zero_crossing *crossings, size_t which);
 
-/* Whether that is found by lag/events/noise.h: contacts have other means. */
+/* True if lag/events/noise.h finds that round-off: contacts have bounds of their own. */
 int lag_zero_crossing_has_noise(const lag_zero_crossing *crossings, size_t which);
 
 /* A step begins at x at time t. */
@@ -53,8 +53,8 @@ lag_status lag_zero_crossing_begin(lag_zero_crossing *crossings, double t, const
 lag_status lag_zero_crossing_look(lag_zero_crossing *crossings, double t, const double *x);
 
 /*
- * What changed by no more than round-off has not: bands of the relations that seemed to have changed at x at time t, when it was looked at last.
- * 1: it must be looked at again.
+ * Widens the bands of relations that the last look, at x at time t, saw change, so that a change within round-off counts as
+ * none. Returns 1 if another look is needed.
  */
 int lag_zero_crossing_widen(lag_zero_crossing *crossings, double t, const double *x);
 

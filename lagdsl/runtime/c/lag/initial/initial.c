@@ -8,7 +8,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
 
-/* Where residuals are no larger than this, as a part of the rows' sizes, nothing is moved. */
+/* Up to this residual, as a part of the rows' sizes, the start values are not moved. */
 static const double THERE = 1e-15;
 
 static size_t larger(size_t a, size_t b)
@@ -43,7 +43,7 @@ size_t lag_initialization_q_memory(const lag_model *model)
     return 2 * n + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
 }
 
-/* Whether initial equations decide the coordinates of a row. */
+/* True if initial equations determine coordinates of a row. */
 static int is_joined(const lag_initialization *b, size_t row)
 {
     const size_t n = b->motion->model->nq;
@@ -308,6 +308,19 @@ static int differ(size_t count, const double *x, const double *y)
     return i < count;
 }
 
+/* A free parameter beyond its bounds. */
+static void check_bounds(const lag_model *model, const lag_start *start, lag_initial *found)
+{
+    const int bounded = start != NULL && start->free != NULL && start->parameter_minimum != NULL && start->parameter_maximum != NULL;
+    for (size_t i = 0; i < model->np && bounded && found->p != NULL && found->fault == LAG_INITIAL_NONE; ++i) {
+        if (start->free[i] && !(found->p[i] >= start->parameter_minimum[i] && found->p[i] <= start->parameter_maximum[i])) {
+            found->fault = LAG_INITIAL_BOUNDS;
+            found->which = i;
+            found->residual = found->p[i];
+        }
+    }
+}
+
 lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const unsigned char *set, double t, double *x, double *memory,
     lag_initial *told)
 {
@@ -340,6 +353,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
             copy(model->nc * model->nq, b.pattern, found.pattern);
             found = b.told;
             found.moved = differ(lag_motion_size(model), b.x, x);
+            check_bounds(model, start, &found);
             status = found.fault == LAG_INITIAL_NONE ? LAG_OK : found.fault == LAG_INITIAL_NUMBERS ? LAG_NOT_FINITE : LAG_PROJECTION_FAILED;
         }
         lag_motion_look(motion, t, x);

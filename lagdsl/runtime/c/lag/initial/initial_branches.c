@@ -5,28 +5,13 @@
 #include "lag/initial/initialization_rates.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
 
 /* In a singular position singular values of J are below this part of the largest. */
 static const double LOST = 1e-7;
 static const double DIFFERENCE = 1e-6;
 static const double TARGET = 1e-13;
 enum { DESCENTS = 100 };
-
-static double product(size_t n, const double *a, const double *b)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
-
-static void add(size_t n, double factor, const double *a, double *x)
-{
-    for (size_t i = 0; i < n; ++i) {
-        x[i] += factor * a[i];
-    }
-}
 
 /* n' gamma at rates v + along' y for every combination n of rows that vanishes: zero along a branch of the motion. */
 static void bias(lag_rates *r, const double *y, size_t moved, double by, double *result)
@@ -36,7 +21,7 @@ static void bias(lag_rates *r, const double *y, size_t moved, double by, double 
     const size_t n = model->nq;
     memcpy(r->part, r->v, n * sizeof(double));
     for (size_t i = 0; i < r->along_width; ++i) {
-        add(n, y[i] + (i == moved ? by : 0.0), r->along + i * n, r->part);
+        lag_axpy(n, y[i] + (i == moved ? by : 0.0), r->along + i * n, r->part);
     }
     for (size_t j = 0; j < n; ++j) {
         b->qd[j] = r->part[j] * b->sizes[j];
@@ -79,11 +64,11 @@ static int descend_along(lag_rates *r, const double *along, size_t width)
     lag_levenberg_marquardt_place(&minimizer, r->lost, width, memory);
     lag_fill(width, 0.0, r->change);
     lag_descend(&minimizer, &equations, &parts, TARGET, DESCENTS, r->change);
-    if (!(lag_levenberg_marquardt_size(&minimizer, &equations) <= LAG_HOLDS * fmax(1.0, product(n, r->v, r->v)))) {
+    if (!(lag_levenberg_marquardt_size(&minimizer, &equations) <= LAG_HOLDS * fmax(1.0, lag_dot(n, r->v, r->v)))) {
         return 0;
     }
     for (size_t i = 0; i < width; ++i) {
-        add(n, r->change[i], along + i * n, r->v);
+        lag_axpy(n, r->change[i], along + i * n, r->v);
     }
     return 1;
 }

@@ -11,6 +11,7 @@
 #include "lag/initial/initialization.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
 
 static const double RANK = 1e-9;
 static const double LOOSE = 1e-6;
@@ -147,30 +148,21 @@ static void keep(walk *w, size_t which)
     }
 }
 
-static double product(size_t n, const double *a, const double *b)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
-
-/* What is left of a row beside the orthonormal ones, into w->part, as a part of its length. */
+/* Writes the part of a row that is orthogonal to the orthonormal ones into w->part; returns its share of the length. */
 static double left_of(walk *w, const double *row, size_t count)
 {
     const size_t n = w->b->motion->model->nq;
-    const double length = sqrt(product(n, row, row));
+    const double length = sqrt(lag_dot(n, row, row));
     memcpy(w->part, row, n * sizeof(double));
     for (int again = 0; again < 2; ++again) {
         for (size_t k = 0; k < count; ++k) {
-            const double along = product(n, w->basis + k * n, w->part);
+            const double along = lag_dot(n, w->basis + k * n, w->part);
             for (size_t j = 0; j < n; ++j) {
                 w->part[j] -= along * w->basis[k * n + j];
             }
         }
     }
-    return length > NOTHING ? sqrt(product(n, w->part, w->part)) / length : 0.0;
+    return length > NOTHING ? sqrt(lag_dot(n, w->part, w->part)) / length : 0.0;
 }
 
 /*
@@ -198,7 +190,7 @@ static void flag_dependent(walk *w, size_t which, size_t rank)
                     w->basis[count * model->nq + j] = w->part[j];
                 }
                 if (!flags[row]) {
-                    const double length = sqrt(product(model->nq, w->part, w->part));
+                    const double length = sqrt(lag_dot(model->nq, w->part, w->part));
                     for (size_t j = 0; j < model->nq; ++j) {
                         w->basis[count * model->nq + j] /= length;
                     }

@@ -5,6 +5,7 @@
 #include "lag/initial/initialization_rates.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
 
 static const double RANK = 1e-9;
 /* The same where initial equations take part, whose derivatives are differences. */
@@ -12,7 +13,7 @@ static const double ROUGH = 1e-7;
 /* A rate that the remaining freedom moves by less than this part is decided by the others (dead centers). */
 static const double INDEPENDENT = 1e-6;
 static const double CONSISTENT = 1e-9;
-/* What was met exactly is handed on exactly, not to within round-off. */
+/* Rates that met their values exactly keep them exactly, not to within round-off. */
 static const double EXACT = 1e-13;
 
 /* Conditions at most. */
@@ -63,22 +64,6 @@ static void place(lag_rates *r, lag_initialization *b)
     r->parts = lag_parts_of(0, 0, NULL, lag_take(&memory, lag_parts_memory(all, n)));
     r->minimizer = lag_take(&memory, lag_levenberg_marquardt_memory(m, n) + lag_parts_memory(m, n));
     r->svd = memory;
-}
-
-static double product(size_t n, const double *a, const double *b)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
-
-static void add(size_t n, double factor, const double *a, double *x)
-{
-    for (size_t i = 0; i < n; ++i) {
-        x[i] += factor * a[i];
-    }
 }
 
 /* ---- conditions ---- */
@@ -152,7 +137,7 @@ static void find_parts(lag_rates *r)
 
 /* ---- one part ---- */
 
-/* Which condition is off, and by how much; behind all rows the fixed rates. */
+/* Records the condition that is violated, and its residual; fixed rates are counted behind all rows. */
 static void tell(lag_rates *r, size_t which, double residual)
 {
     lag_initialization *b = r->b;
@@ -191,7 +176,7 @@ static int satisfy(lag_rates *r, size_t which)
     const size_t rank = lag_svd_rank(&svd, least);
     lag_svd_solve(&svd, r->its_right, least, 0.0, r->its_v);
     for (size_t i = 0; i < count; ++i) {
-        const double left = fabs(product(n, r->block + i * n, r->its_v) - r->its_right[i]);
+        const double left = fabs(lag_dot(n, r->block + i * n, r->its_v) - r->its_right[i]);
         largest = fmax(largest, fabs(r->its_right[i]));
         if (left > worst) {
             worst = left;
@@ -227,13 +212,13 @@ static void impose(lag_rates *r, const double *column)
         }
         const double missing = (r->its_wanted[j] - r->its_v[j]) / length;
         for (size_t i = 0; i < r->its_width; ++i) {
-            add(n, r->part[i] * missing, r->its_free + i * n, r->its_v);
+            lag_axpy(n, r->part[i] * missing, r->its_free + i * n, r->its_v);
         }
         const lag_svd svd = lag_svd_of(1, r->its_width, r->part, r->svd);
         for (size_t i = 0; i + 1 < r->its_width; ++i) {
             lag_fill(n, 0.0, r->other + i * n);
             for (size_t k = 0; k < r->its_width; ++k) {
-                add(n, svd.v[(i + 1) * r->its_width + k], r->its_free + k * n, r->other + i * n);
+                lag_axpy(n, svd.v[(i + 1) * r->its_width + k], r->its_free + k * n, r->other + i * n);
             }
         }
         --r->its_width;
@@ -250,7 +235,7 @@ static void complete(lag_rates *r, const double *mass)
         r->change[j] = r->its_wanted[j] - r->its_v[j];
     }
     for (size_t i = 0; i < width; ++i) {
-        add(n, product(n, r->its_free + i * n, r->change), r->its_free + i * n, r->its_v);
+        lag_axpy(n, lag_dot(n, r->its_free + i * n, r->change), r->its_free + i * n, r->its_v);
     }
     for (size_t j = 0; j < n; ++j) {
         r->change[j] = r->its_wanted[j] - r->its_v[j];
@@ -258,21 +243,21 @@ static void complete(lag_rates *r, const double *mass)
     for (size_t i = 0; i < width; ++i) { /* free' M, then free' M free and free' M (wanted - v) */
         lag_fill(n, 0.0, r->other + i * n);
         for (size_t k = 0; k < n; ++k) {
-            add(n, r->its_free[i * n + k], mass + k * n, r->other + i * n);
+            lag_axpy(n, r->its_free[i * n + k], mass + k * n, r->other + i * n);
         }
     }
     for (size_t i = 0; i < width; ++i) {
         for (size_t k = 0; k < width; ++k) {
-            r->inner[i * width + k] = product(n, r->other + i * n, r->its_free + k * n);
+            r->inner[i * width + k] = lag_dot(n, r->other + i * n, r->its_free + k * n);
         }
-        r->part[i] = product(n, r->other + i * n, r->change);
+        r->part[i] = lag_dot(n, r->other + i * n, r->change);
     }
     if (width > 0) {
         const lag_svd svd = lag_svd_of(width, width, r->inner, r->svd);
         lag_svd_solve(&svd, r->part, RANK, 0.0, r->force);
     }
     for (size_t i = 0; i < width; ++i) {
-        add(n, r->force[i], r->its_free + i * n, r->its_v);
+        lag_axpy(n, r->force[i], r->its_free + i * n, r->its_v);
     }
 }
 

@@ -20,7 +20,7 @@ static const double ABSENT = 1e-13;
 static const double RANK = 1e-9;
 /* Beside the start, rows are measured at so many points: the median of their lengths hardly depends on which they are. */
 enum { SIZED_AT = 9 };
-/* Which coordinates a row ties, where the model does not say it, is seen at so many. */
+/* The coordinates that a row depends on, if the model does not tell them, are determined at this many points. */
 enum { LOOKED_AT = 3 };
 
 static size_t numbers(const lag_model *model)
@@ -133,7 +133,7 @@ int lag_initialization_is_regular(lag_initialization *b, double *memory)
 
 /* ---- sizes ---- */
 
-/* The model may know better where J vanishes everywhere. Which coordinates a row ties is not seen while it is off. */
+/* The pattern of J from the model, if it has one, is the better one: an inactive row does not show its coordinates. */
 static void find_pattern(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
@@ -265,7 +265,7 @@ static void find_widths(lag_initialization *b, const unsigned char *set)
 
 /* ---- discretes ---- */
 
-/* Those of the start, relations as they stand in the state (q, qd, z). */
+/* Discretes of the start, with the truths of relations in the state (q, qd, z). */
 static lag_status find_discretes(lag_initialization *b, const double *q, const double *qd, const double *z)
 {
     lag_motion *motion = b->motion;

@@ -1,4 +1,4 @@
-/* What the parts of lag/initial.h share: the start values with their weights, and the constraints in natural sizes. */
+/* Declarations that the files behind lag/initial.h share: start values with their weights, constraints in natural sizes. */
 #ifndef LAG_INITIALIZATION_H
 #define LAG_INITIALIZATION_H
 

@@ -1,4 +1,4 @@
-/* What the two files that find the rates of a start share. */
+/* Declarations that the two files for the rates of a start share. */
 #ifndef LAG_INITIALIZATION_RATES_H
 #define LAG_INITIALIZATION_RATES_H
 

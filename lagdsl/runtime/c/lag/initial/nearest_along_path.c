@@ -7,6 +7,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/initial/nearest_configuration.h"
 #include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
 
 static const double DIFFERENCE = 1e-6;
 static const double STATIONARY = 1e-11;
@@ -20,15 +21,6 @@ static const double AWAY = 0.1;
 static const double SHORTEST = 1e-6;
 static const double BENT = 0.5;
 enum { ITERATIONS = 60, DESCENTS = 100 };
-
-static double product(size_t n, const double *a, const double *b)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
 
 /* Columns of a part, and where its (columns, columns) numbers stand among those of all parts. */
 static size_t square_of(const lag_parts *parts, size_t which, size_t *first, size_t *place)
@@ -136,8 +128,8 @@ static size_t curve(lag_nearest_configuration *s, size_t width, size_t columns, 
     size_t least = 0;
     for (size_t i = 0; i < width; ++i) {
         for (size_t j = 0; j < width; ++j) {
-            const double one = product(columns, directions + i * columns, bends + j * columns);
-            const double other = product(columns, directions + j * columns, bends + i * columns);
+            const double one = lag_dot(columns, directions + i * columns, bends + j * columns);
+            const double other = lag_dot(columns, directions + j * columns, bends + i * columns);
             s->hessian[i * width + j] = 0.5 * (one + other) + (i == j ? 1.0 : 0.0);
         }
     }
@@ -160,7 +152,7 @@ static void step_of(lag_nearest_configuration *s, size_t which, const double *po
     double slope = 0.0;
     gather(s->parts, which, point, s->part);
     for (size_t i = 0; i < width; ++i) {
-        const double along = product(columns, directions + i * columns, s->part);
+        const double along = lag_dot(columns, directions + i * columns, s->part);
         slope += along * along;
     }
     const int sloping = sqrt(slope) > STATIONARY * length;
@@ -172,7 +164,7 @@ static void step_of(lag_nearest_configuration *s, size_t which, const double *po
     for (size_t k = 0; k < width; ++k) {
         double along = 0.0;
         for (size_t i = 0; i < width; ++i) {
-            along += s->vectors[i * width + k] * product(columns, directions + i * columns, s->part);
+            along += s->vectors[i * width + k] * lag_dot(columns, directions + i * columns, s->part);
         }
         const double part = sloping ? -along / fmax(fabs(s->eigen[k]), LEAST_CURVED) : k == least ? AWAY * length : 0.0;
         for (size_t i = 0; i < width; ++i) {

@@ -14,17 +14,12 @@ static const double TARGET = 1e-13;
 static const double ROUNDED = 1e6;
 enum { ITERATIONS = 100, RELAXED = 20 };
 
-static size_t larger(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
-
 size_t lag_nearest_configuration_memory(size_t m, size_t n)
 {
     const size_t points = LAG_NEAREST_FOUND + LAG_NEAREST_REFINED + 1;
     return lag_levenberg_marquardt_memory(m, n) + lag_levenberg_marquardt_memory(m + n, n) + lag_parts_memory(m + n, n) + points * (n + 2 * (m + n)) + m +
-           2 * m * n + 5 * n + 9 * (m + n) + 2 * n * n + m + larger(m, n) * n + n + m + 2 * n * n + n +
-           lag_svd_memory(larger(m, n), n);
+           2 * m * n + 5 * n + 9 * (m + n) + 2 * n * n + m + lag_larger(m, n) * n + n + m + 2 * n * n + n +
+           lag_svd_memory(lag_larger(m, n), n);
 }
 
 static void place_found(lag_found *found, size_t m, size_t n, double **memory)
@@ -61,7 +56,7 @@ void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, siz
     s->directions = lag_take(&memory, n * n);
     s->bends = lag_take(&memory, n * n);
     s->weights = lag_take(&memory, m);
-    s->block = lag_take(&memory, larger(m, n) * n);
+    s->block = lag_take(&memory, lag_larger(m, n) * n);
     s->part = lag_take(&memory, n);
     s->weight = lag_take(&memory, m);
     s->hessian = lag_take(&memory, n * n);
@@ -89,7 +84,7 @@ static void copy(const lag_nearest_configuration *s, const lag_found *from, lag_
     memcpy(to->distances, from->distances, s->parts->count * sizeof(double));
 }
 
-/* Where `found->point` leads. */
+/* Descends from `found->point` to a solution. */
 static void descend(lag_nearest_configuration *s, lag_found *found)
 {
     lag_descend(&s->minimizer, s->equations, s->parts, TARGET, ITERATIONS, found->point);
@@ -173,7 +168,10 @@ static size_t ranked(const lag_nearest_configuration *s, size_t part, size_t ran
     return 0;
 }
 
-/* The nearest points number `rank` of each part in one; 0: there is none in any part. Where only some parts have one, the first stands in. */
+/*
+ * The nearest points number `rank` of each part in one; 0: there is none in any part. A part without one contributes its
+ * nearest.
+ */
 static int collect(lag_nearest_configuration *s, size_t rank, lag_found *to)
 {
     int any = 0;
@@ -200,7 +198,7 @@ static void refine(lag_nearest_configuration *s, lag_found *found)
     lag_parts_norms(s->parts, 0, found->point, found->distances);
 }
 
-/* Whether coordinates of a part, in its distance and rounded, are larger than others. */
+/* True if the coordinates x of a part, in units of its distance and rounded, come after y in lexical order. */
 static int beyond(const lag_nearest_configuration *s, size_t part, double limit, const double *x, const double *y)
 {
     size_t first = 0;

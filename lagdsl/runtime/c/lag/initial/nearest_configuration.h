@@ -1,10 +1,10 @@
 /*
  * The point of a constraint set nearest to the origin, which is the declared start.
  *
- * Found by following the problem from there (|y|^2 e + |equations(y)|^2 with e to 0) and by the root finder alone, each made stationary by
- * Newton's method on the set. Where the set bends more than half the distance, at the start or at the point found, there may be
- * nearer points: then further beginnings inside the ball of that distance are tried. Independent parts are searched at the same
- * time, each as if it were alone.
+ * Found by following the problem from there (|y|^2 e + |equations(y)|^2 with e to 0) and by the root finder alone, each made
+ * stationary by Newton's method on the set. If the set bends more than half the distance, at the start or at the point
+ * found, there may be nearer points. Then further searches begin inside the ball of that distance. Independent parts are
+ * searched at the same time, each as if it were alone.
  *
  * Source: Nocedal and Wright, Numerical Optimization, 2nd ed., sections 17.1 (penalty), 18.3 (reduced Hessian) and 3.1 (line search).
  */
@@ -47,8 +47,8 @@ size_t lag_nearest_configuration_memory(size_t m, size_t n);
 void lag_nearest_configuration_place(lag_nearest_configuration *nearest, size_t m, size_t n, double *memory);
 
 /*
- * Minimizes |y| subject to equations(y) = 0: `best`. Where no beginning leads to residuals below `holds`, it is the point of the smallest.
- * Returns the largest of them.
+ * Minimizes |y| subject to equations(y) = 0: `best`. If no search leads to residuals below `holds`, `best` is the point of
+ * the smallest. Returns the largest of them.
  */
 double lag_nearest_configuration_search(lag_nearest_configuration *nearest, const lag_equations *equations, const lag_parts *parts, const double *others, double holds);
 

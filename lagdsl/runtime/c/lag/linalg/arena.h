@@ -1,6 +1,6 @@
 /*
- * Arrays of doubles in memory of the caller: laid out, filled, looked through. Indices and flags in it are doubles, too, exact up to
- * 2^53: a caller may declare the memory as an array of doubles, and C (6.5, effective types) lets nothing else lie in such an array.
+ * Arrays of doubles in memory of the caller: laid out, filled, looked through. Indices in it are doubles, too, exact up to 2^53: a
+ * caller may declare the memory as an array of doubles, and C (6.5, effective types) lets nothing but them and characters lie in it.
  */
 #ifndef LAG_MEMORY_H
 #define LAG_MEMORY_H
@@ -15,6 +15,27 @@ static inline double *lag_take(double **memory, size_t count)
     return start;
 }
 
+/* As many flags, all zero, in the room of `count` doubles. */
+static inline unsigned char *lag_take_flags(double **memory, size_t count)
+{
+    unsigned char *flags = (unsigned char *)(void *)lag_take(memory, count);
+    for (size_t i = 0; i < count; ++i) {
+        flags[i] = 0;
+    }
+    return flags;
+}
+
+/* Sizes in bytes, rounded up so that anything may follow. */
+static inline size_t lag_padded(size_t bytes)
+{
+    return (bytes + 15) / 16 * 16;
+}
+
+static inline size_t lag_larger(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
 /* Every entry of x (count) becomes `value`. */
 static inline void lag_fill(size_t count, double value, double *x)
 {
@@ -23,11 +44,11 @@ static inline void lag_fill(size_t count, double value, double *x)
     }
 }
 
-/* Whether a flag (count) is set. */
-static inline int lag_any(size_t count, const double *flags)
+/* True if an entry of x (count) is not zero. */
+static inline int lag_any(size_t count, const double *x)
 {
     size_t i = 0;
-    while (i < count && flags[i] == 0.0) {
+    while (i < count && x[i] == 0.0) {
         ++i;
     }
     return i < count;

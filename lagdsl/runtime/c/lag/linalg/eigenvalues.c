@@ -147,7 +147,7 @@ static void step(const work *w, size_t first, size_t last, number shift)
     }
 }
 
-/* Where the block that ends in row `last` begins. */
+/* First row of the block that ends in row `last`. */
 static size_t block_of(const work *w, size_t last)
 {
     size_t first = last;

@@ -1,4 +1,4 @@
-/* Whether a result may be handed on. */
+/* Checks that results are finite. */
 #ifndef LAG_FINITE_H
 #define LAG_FINITE_H
 

@@ -44,7 +44,7 @@ static void join(size_t m, size_t n, const double *pattern, double *leader)
     }
 }
 
-/* Those of each part one after the other, in their order. */
+/* Sorts rows or columns by their part; keeps the order inside a part. */
 static void order(size_t count, const double *part, size_t parts, double *ordered, double *first)
 {
     size_t next = 0;
@@ -150,7 +150,7 @@ void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m,
     minimizer->svd = memory;
 }
 
-/* Where the active parts are tried next; one whose Jacobian is no number becomes inactive. */
+/* Next trial point of the active parts; a part whose Jacobian is not finite becomes inactive. */
 static void try_next(lag_levenberg_marquardt *d, const lag_parts *parts, const double *point)
 {
     memcpy(d->trial, point, parts->n * sizeof(double));
@@ -177,7 +177,7 @@ static void try_next(lag_levenberg_marquardt *d, const lag_parts *parts, const d
     }
 }
 
-/* What became of a trial: a part that got better goes there; damping, and whether it goes on. */
+/* Judges a trial: a part with smaller residuals accepts it. Adapts the damping; true if the part continues. */
 static int judge(lag_levenberg_marquardt *d, size_t which, double target)
 {
     const double size = d->sizes[which];

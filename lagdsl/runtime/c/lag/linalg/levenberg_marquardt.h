@@ -18,7 +18,7 @@ typedef struct lag_parts {
     double *first_row, *first_column;   /* (count + 1) where those of a part begin, room for m + n + 1 */
 } lag_parts;
 
-/* Equations, scaled to be of order one: residual (m) and Jacobian (m, n) at x (n). What does not exist is no number. */
+/* Equations, scaled to be of order one: residual (m) and Jacobian (m, n) at x (n). Values that do not exist are not numbers. */
 typedef struct lag_equations {
     size_t m, n;
     void (*evaluate)(void *context, const double *x, double *residual, double *jacobian);

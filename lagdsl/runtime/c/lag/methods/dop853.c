@@ -128,7 +128,7 @@ static const combination DENSE[4] = {
       -0.39177261675615439165231486172e+2, -0.14972683625798562581422125276e+3}}
 };
 
-/* What is taken from the new state to compare it with the embedded formula of order 3. */
+/* Difference of the new state from the embedded formula of order 3. */
 static const combination THIRD = {1.0, 3, {0, 8, 11},
     {-0.244094488188976377952755905512, -0.733846688281611857341361741547, -0.220588235294117647058823529412e-1}};
 

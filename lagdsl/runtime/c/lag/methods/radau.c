@@ -248,7 +248,7 @@ static lag_status prepare_dense(lag_stepper *s)
     return LAG_OK;
 }
 
-/* What the four have in common. The least number of stages is that of the dense output and of the error estimate. */
+/* Members that the four methods share. The least number of stages is that of the dense output and of the error estimate. */
 #define RADAU(NAME, LEAST, MOST)                                                                                              \
     {                                                                                                                         \
         .name = NAME, .order = 2 * (LEAST)-1, .highest_order = 2 * (MOST)-1, .dense_order = (LEAST), .implicit = 1,            \

@@ -1,5 +1,6 @@
 /*
- * The Radau IIA methods of 3, 5 and 7 stages: their numbers, and the stage equations of one step. What lag_radau consists of.
+ * The Radau IIA methods of 3, 5 and 7 stages, from which lag_radau chooses: coefficients, and the stage equations of one
+ * step.
  *
  * With stages z (each the distance from the present state), A the Runge-Kutta matrix and h A f = z: the inverse of A is
  * transform * D * inverse, D with the real eigenvalue `mu` and, for each pair of the others, a block
@@ -33,7 +34,7 @@ extern const lag_method lag_radau5, lag_radau9, lag_radau13;
 /* Vectors of the Krylov space in which stage equations are solved where the Jacobian turns. */
 enum { LAG_RADAU_KRYLOV = 12 };
 
-/* What is remembered between steps, as numbers. */
+/* Memory of the method between steps, as numbers. */
 typedef struct lag_radau_memo {
     double level;      /* the present table */
     double age;        /* steps since it changed */
@@ -48,7 +49,7 @@ typedef struct lag_radau_memo {
     double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
 } lag_radau_memo;
 
-/* Where a method keeps what; n: size of the state. */
+/* Arrays of a method; n: size of the state. */
 typedef struct lag_radau_places {
     lag_radau_memo *memo;
     const lag_radau_table *table;
@@ -67,7 +68,7 @@ typedef struct lag_radau_places {
 size_t lag_radau_memory(size_t size);
 lag_radau_places lag_radau_place(const lag_stepper *s);
 
-/* How Newton's method did. */
+/* Result of Newton's method. */
 typedef struct lag_radau_outcome {
     int converged;
     unsigned iterations;
@@ -94,8 +95,8 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, con
 void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x);
 
 /*
- * The stages z of a step of length h, from the first guess that `guess` puts into them: with the Jacobian at hand, and a new one
- * where that fails. What is not LAG_OK comes from the Jacobian.
+ * The stages z of a step of length h, from the first guess that `guess` puts into them: with the Jacobian at hand, and a new
+ * one where that fails. Returns any status of the Jacobian that is not LAG_OK.
  */
 lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
     void (*guess)(const lag_stepper *s, const lag_radau_places *at, double h), lag_radau_outcome *outcome);

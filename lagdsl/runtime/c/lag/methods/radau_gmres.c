@@ -12,7 +12,7 @@
 
 enum { MOST = LAG_RADAU_KRYLOV, STAGES = LAG_RADAU_STAGES };
 
-/* What is left of the residual. */
+/* The iteration ends when this part of the residual is left. */
 static const double SMALL = 1e-6;
 /* A direction of which no more than this is left is none. */
 static const double ROUNDING = 1e-14;

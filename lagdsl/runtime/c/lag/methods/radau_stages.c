@@ -17,9 +17,9 @@
 
 /* Errors of the stage equations, as a part of the tolerance. */
 static const double NEWTON_TOLERANCE = 3e-3;
-/* Where Newton's method contracts by less than this the Jacobian is kept for the next step. */
+/* Below this contraction rate of Newton's method, the next step keeps the Jacobian. */
 static const double GOOD_RATE = 1e-3;
-/* Where it contracts by more than this, so many steps are done with a Jacobian that changes along them. */
+/* Above this contraction rate, the next TURNING steps use a Jacobian that changes along them. */
 static const double SLOW = 0.1;
 enum { TURNING = 50 };
 
@@ -100,7 +100,7 @@ static void cut_change(size_t n, const lag_radau_places *at, double part)
     at->memo->ahead *= part;
 }
 
-/* What Newton's method needs to know of the Jacobian for a step of length h. */
+/* Prepares Jacobian and factors of Newton's method for a step of length h. */
 static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
 {
     lag_radau_memo *memo = at->memo;

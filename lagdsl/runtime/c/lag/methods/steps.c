@@ -9,7 +9,7 @@
 /* A last step that would leave less than this part of itself is stretched. */
 static const double STRETCH = 1.01;
 
-/* Where the steps are counted from: what begins, and how many followed the first, of this length. */
+/* Origin of the count of steps: start time, length of the first, number of steps of this length after it. */
 typedef struct places {
     double *start, *first, *count;
     double *x, *f;    /* (size) */
@@ -117,62 +117,28 @@ static void dense(const lag_stepper *s, double t, double *x)
     }
 }
 
-static lag_status step_rk4(lag_stepper *s, double limit)
-{
-    return step(s, limit, lag_rk4);
-}
+/* The method that takes its steps by lag_NAME. */
+#define METHOD(NAME, ORDER, IMPLICIT)                                                                                                \
+    static lag_status step_##NAME(lag_stepper *s, double limit)                                                                      \
+    {                                                                                                                                \
+        return step(s, limit, lag_##NAME);                                                                                           \
+    }                                                                                                                                \
+                                                                                                                                     \
+    const lag_method lag_steps_##NAME = {                                                                                            \
+        .name = #NAME,                                                                                                               \
+        .order = ORDER,                                                                                                              \
+        .highest_order = ORDER,                                                                                                      \
+        .dense_order = 3,                                                                                                            \
+        .implicit = IMPLICIT,                                                                                                        \
+        .factor = 1.0,                                                                                                               \
+        .error_order = 0,                                                                                                            \
+        .memory = memory,                                                                                                            \
+        .begin = begin,                                                                                                              \
+        .step = step_##NAME,                                                                                                         \
+        .prepare_dense = prepare_dense,                                                                                              \
+        .dense = dense,                                                                                                              \
+    };
 
-static lag_status step_leapfrog(lag_stepper *s, double limit)
-{
-    return step(s, limit, lag_leapfrog);
-}
-
-static lag_status step_ros2(lag_stepper *s, double limit)
-{
-    return step(s, limit, lag_ros2);
-}
-
-const lag_method lag_steps_rk4 = {
-    .name = "rk4",
-    .order = 4,
-    .highest_order = 4,
-    .dense_order = 3,
-    .implicit = 0,
-    .factor = 1.0,
-    .error_order = 0,
-    .memory = memory,
-    .begin = begin,
-    .step = step_rk4,
-    .prepare_dense = prepare_dense,
-    .dense = dense,
-};
-
-const lag_method lag_steps_leapfrog = {
-    .name = "leapfrog",
-    .order = 2,
-    .highest_order = 2,
-    .dense_order = 3,
-    .implicit = 0,
-    .factor = 1.0,
-    .error_order = 0,
-    .memory = memory,
-    .begin = begin,
-    .step = step_leapfrog,
-    .prepare_dense = prepare_dense,
-    .dense = dense,
-};
-
-const lag_method lag_steps_ros2 = {
-    .name = "ros2",
-    .order = 2,
-    .highest_order = 2,
-    .dense_order = 3,
-    .implicit = 1,
-    .factor = 1.0,
-    .error_order = 0,
-    .memory = memory,
-    .begin = begin,
-    .step = step_ros2,
-    .prepare_dense = prepare_dense,
-    .dense = dense,
-};
+METHOD(rk4, 4, 0)
+METHOD(leapfrog, 2, 0)
+METHOD(ros2, 2, 1)

@@ -137,7 +137,7 @@ static void combine(lag_branch_point *s, size_t count, const double *weights)
     }
 }
 
-/* At the first look: which combinations of rows vanish, which directions the others take and leave open. */
+/* Finds, at the first look, the combinations of rows that vanish, and the directions that the others take and leave open. */
 static void take_apart(lag_branch_point *s)
 {
     const size_t m = rows_of(s);
@@ -162,7 +162,7 @@ static void take_apart(lag_branch_point *s)
     memcpy(s->free, wide.v + s->held * n, s->open * n * sizeof(double));
 }
 
-/* The rows that do not vanish, seen in their directions, factored; what they make of open directions becomes tangents. 0: they are singular. */
+/* Factors the rows that do not vanish, seen in their directions, and finds the tangents that they leave open; 0 if they are singular. */
 static int find_tangents(lag_branch_point *s)
 {
     const size_t n = width_of(s);

@@ -7,7 +7,7 @@
  * products of small matrices. The saddle is the same for all combinations: a few sums of them, with weights of both signs, decide where it is.
  *
  * Sources: Golubitsky and Schaeffer, Singularities and Groups in Bifurcation Theory I, 1985, section VII.1; Rheinboldt, Numerical Analysis
- * of Parametrized Nonlinear Equations, 1986, chapter 5.
+ * of Parametrized Nonlinear Equations, 1986.
  */
 #ifndef LAG_BRANCH_POINT_H
 #define LAG_BRANCH_POINT_H

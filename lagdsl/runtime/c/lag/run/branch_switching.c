@@ -98,7 +98,10 @@ static int collocate(lag_singular *s, double t, const double *x, double length)
     return 0;
 }
 
-/* What leaving out the first node changes in number j, per second: far more than the error of all nodes. Its change itself. */
+/*
+ * Error bound of number j, per second: the change that leaving out the first node makes, far above the error of all nodes.
+ * *change: change of the number itself.
+ */
 static double doubt(const lag_singular *s, size_t j, double *change)
 {
     const size_t width = width_of(s);

@@ -83,7 +83,7 @@ static void count_turns(lag_extremes *extremes, const double *x)
     }
 }
 
-/* How far the cubic with values a, b and slopes fa, fb (of the whole step) gets beyond its ends: up, and down. */
+/* Distances by which the cubic with values a, b and slopes fa, fb (of the whole step) exceeds its ends: up and down. */
 static void find_bulge(double a, double fa, double b, double fb, double *up, double *down)
 {
     const double change = b - a;
@@ -110,7 +110,7 @@ static void find_bulge(double a, double fa, double b, double fb, double *up, dou
     }
 }
 
-/* Whether some number gets beyond what was seen so far, as far as the cubics tell. */
+/* True if the cubics show that some number exceeds its range so far. */
 static int gets_beyond(const lag_extremes *extremes, const lag_stepper *s)
 {
     const double h = s->t - s->t_before;

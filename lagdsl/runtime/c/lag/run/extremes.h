@@ -25,7 +25,7 @@ size_t lag_extremes_memory(const lag_model *model);
 
 void lag_extremes_place(lag_extremes *extremes, const lag_model *model, double *memory);
 
-/* Values of a row: state, discrete variables, outputs. What is no number does not count. */
+/* Values of a row: state, discrete variables, outputs. Values that are not numbers do not count. */
 void lag_extremes_row(lag_extremes *extremes, const double *values);
 
 /* The last step of the run, as far as time t. */

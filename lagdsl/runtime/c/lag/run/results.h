@@ -22,7 +22,7 @@ typedef struct lag_results {
     size_t most_rows, most_notes; /* room, at least one of each */
     double *rows;                 /* (most_rows, lag_results_width()) */
     lag_note *notes;              /* (most_notes) */
-    /* Called when one of both is full: empties them. What it returns other than LAG_OK ends the run. */
+    /* Called when one of both is full: empties them. Any status that it returns but LAG_OK ends the run. */
     lag_status (*full)(void *context, struct lag_results *results);
     void *context;
     size_t row, note;             /* how many of them are filled */
@@ -48,7 +48,7 @@ lag_status lag_results_end(lag_results *results, struct lag_run *run, double t, 
 /* A step of the run was accepted, up to time t. */
 lag_status lag_results_step(lag_results *results, struct lag_run *run, double t);
 
-/* What happened: a row or a note. */
+/* Records an event: a row or a note. */
 lag_status lag_results_tell(lag_results *results, struct lag_run *run, const lag_event_notice *notice);
 
 #endif

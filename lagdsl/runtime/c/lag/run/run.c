@@ -130,7 +130,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->motion.row_sizes = run->row_sizes;
     lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model)));
     run->lasting = lag_take(&memory, model->nc);
-    run->dependent = (unsigned char *)(void *)lag_take(&memory, model->nc);
+    run->dependent = lag_take_flags(&memory, model->nc);
     run->look.lasting = run->lasting;
     run->initial = run->memory + run->numbers;
     if (lag_run_crosses(model, options)) {

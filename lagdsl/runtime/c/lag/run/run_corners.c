@@ -17,7 +17,7 @@ static const double TOGETHER = 4.0 * 8.0;
 /* So many of them behind a corner it has been passed. */
 static const double BEHIND = 6.0, PASSED = 4.0;
 
-/* Whether steps of this run are to end at corners. */
+/* True if steps of this run end at corners. */
 static int is_careful(const lag_run *run)
 {
     const lag_method *method = run->stepper.method;
@@ -84,7 +84,7 @@ static double range_of(const lag_run *run, size_t i)
     return most - least;
 }
 
-/* 1: it changes by more than it is away from zero. What is no number may be a corner, too. */
+/* True if the value changes by more than its distance from zero. A value that is not a number may be a corner, too. */
 static int is_near(const lag_run *run, size_t i)
 {
     double nearest = fabs(run->crossings.seen[0][i]);
@@ -96,7 +96,10 @@ static int is_near(const lag_run *run, size_t i)
     return changes || !(nearest >= range_of(run, i));
 }
 
-/* Those that change by no more in the step than the tolerances of the numbers allow are left out: what has come to rest is not told from zero. */
+/*
+ * Leaves out corners that change in the step by no more than the tolerances of the state permit: a value at rest cannot be
+ * distinguished from zero.
+ */
 static lag_status leave_out(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;

@@ -75,7 +75,7 @@ static lag_status locate(lag_run *run, double a, double b, double tolerance, dou
     return status;
 }
 
-/* Which signs have changed at t, or just behind: *t moves there. */
+/* Finds the signs that have changed at t or just behind it; moves *t there. */
 static lag_status gather(lag_run *run, double b, double tolerance, double *t)
 {
     const double behind = fmin(b, *t + TOGETHER * tolerance);
@@ -142,7 +142,7 @@ static int strike(lag_run *run)
     return any;
 }
 
-/* What the pass before changed: signs anew, crossings from those before. */
+/* Evaluates the signs again after a pass; crossings are the signs that the pass changed. */
 static lag_status look_again(lag_run *run, int *any)
 {
     const size_t count = run->options.indicators;

@@ -132,7 +132,7 @@ static void explain_violated(lag_run *run, lag_fault *fault)
     }
 }
 
-/* Where accelerations were asked for in vain. */
+/* Moves the fault to the state at which the accelerations failed. */
 static void go_to_trouble(const lag_run *run, lag_fault *fault)
 {
     const lag_stepper *s = &run->stepper;

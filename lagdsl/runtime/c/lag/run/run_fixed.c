@@ -2,7 +2,7 @@
 #include "lag/fixed.h"
 #include "lag/run.h"
 
-/* What happened during a step of fixed length happens at its end. */
+/* Carries out the events of a step of fixed length at its end. */
 static lag_status follow_fixed(lag_run *run, double h)
 {
     lag_status status = LAG_OK;

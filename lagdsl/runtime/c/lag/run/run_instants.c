@@ -1,4 +1,4 @@
-/* What happens at instants of a run: told before and after. */
+/* Events of a run, with a report of the state before and after each. */
 #include <math.h>
 #include <string.h>
 

@@ -70,8 +70,9 @@ typedef struct triple {
 } triple;
 
 /*
- * 1: a minimum, known up to an error, may be below zero, seen from the values: its place by a parabola, and the value of that. Where it lies beyond an end whose value is below the error, a place beside that end; not at a
- * beginning where something has just happened.
+ * True if a minimum of the values, known up to an error, may be below zero; *u and *height are place and value of the
+ * minimum of a parabola. If that place lies beyond an end whose value is below the error, *u is a place beside that end, but
+ * not beside a beginning at which an event has just occurred.
  */
 static int minimum_of(const triple *at, double error, double *u, double *height)
 {
@@ -132,7 +133,7 @@ static lag_status look_at_minimum(lag_run *run, const piece *in, int k, size_t i
     return LAG_OK;
 }
 
-/* What changes and changes back between looks up to that number: LAG_EVENT_PENDING, at *b, and not yet at *a. */
+/* Finds a value that changes and changes back between two looks: LAG_EVENT_PENDING if it has changed at *b and not yet at *a. */
 static lag_status look_between(lag_run *run, const piece *in, double *a, double *b)
 {
     double there = 0.0;
@@ -161,7 +162,7 @@ static double largest_value(const lag_run *run, const piece *in, size_t i)
     return most;
 }
 
-/* How badly number i is known: the difference of the polynomials; into `found`, the error of parabolas through three looks. */
+/* Error of value i: the difference of the polynomials. Writes the error of parabolas through three looks into `found`. */
 static double difference_of(lag_run *run, size_t i)
 {
     double d[LAG_ZERO_CROSSING_LOOKS];
@@ -253,7 +254,7 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
     return 1;
 }
 
-/* What is about to change at the end, within round-off of time, does so there. */
+/* A value that changes within round-off of time behind the end changes at the end. */
 static lag_status look_at_end(lag_run *run, const piece *in)
 {
     const double h = in->b - place_of(in, LAST - 1);

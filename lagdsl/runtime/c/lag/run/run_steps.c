@@ -70,7 +70,7 @@ static lag_status look_around(lag_run *run, double limit, double *shorter)
     return status == LAG_OK && seen != LAG_ATTENTION ? seen : status;
 }
 
-/* What is known of a singular position ahead comes first. */
+/* Handles a known singular position ahead before the step. */
 static lag_status look_ahead(lag_run *run, double limit, int *done)
 {
     lag_stepper *s = &run->stepper;
@@ -158,7 +158,10 @@ static lag_status give_back(lag_run *run, double t, lag_status status)
     return status;
 }
 
-/* Where in the last step something happens first, the model's at *own, the caller's at *other, a corner; infinite: nowhere. */
+/*
+ * Finds the first event in the last step: the model's at *own, the caller's at *other, a corner at *corner; infinite if
+ * there is none.
+ */
 static lag_status find(lag_run *run, double *own, double *other, double *corner)
 {
     *own = *other = (double)INFINITY;
@@ -217,7 +220,7 @@ static int left_to_ticks(const lag_run *run, double stop)
     return run->stepper.t >= stop && lag_run_due(run, run->stepper.t) && !lag_any(model->ncontact, run->pending + model->nindicator);
 }
 
-/* What happens at the end of a step: the model's, the caller's; clocks before `stop`. */
+/* Carries out the events at the end of a step: the model's, the caller's, and clocks before `stop`. */
 static lag_status happen(lag_run *run, double stop, const lag_half *half, int *happened)
 {
     const double t = run->stepper.t;

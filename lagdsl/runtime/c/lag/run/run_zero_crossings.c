@@ -1,4 +1,4 @@
-/* Where in a piece of the last step something that has changed at its end does so. */
+/* Locates changes inside a piece of the last step. */
 #include <math.h>
 #include <string.h>
 
@@ -30,8 +30,8 @@ static double value_of(void *context, double t)
 }
 
 /*
- * A root is told from the side on which things have changed; what is left of the way there is as good as straight. Where the value jumps
- * the time is some roundings behind the jump, so that the state, moved onto the constraints, is behind it, too.
+ * A root is reported from the side on which the value has changed; the rest of the way is nearly straight. At a jump of the
+ * value, the time is some roundings behind the jump, so that the state, projected onto the constraints, is behind it, too.
  */
 static double refine(change *one, double a, double fa, double b, double root, double tolerance)
 {
@@ -44,8 +44,8 @@ static double refine(change *one, double a, double fa, double b, double root, do
 }
 
 /*
- * Where number `which`, which has changed at b, does so. A value that is zero but for round-off at a, as after an impact, tells nothing:
- * the interval is halved until its ends have different signs and alike sizes.
+ * Time at which number `which`, which has changed at b, does so. A value that is zero but for round-off at a, as after an
+ * impact, tells nothing: the interval is halved until its ends have different signs and alike sizes.
  */
 static double root_of(change *one, double a, double b, double tolerance)
 {

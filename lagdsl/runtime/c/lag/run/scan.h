@@ -1,8 +1,8 @@
 /*
- * Where in the last step of a run something happens. The values of lag/events/zero_crossing.h are looked at in pieces of the step that are so short that
- * a polynomial of degree three through four looks and one of degree four through five of them differ little: so nothing can come and go
- * between two looks without a minimum of the polynomial near zero, where it is looked again. The pieces follow the time scale of
- * the values alone; it is remembered from step to step.
+ * Searches the last step of a run for events. Pieces of the step are so short that a polynomial of degree three through four
+ * values of lag/events/zero_crossing.h and one of degree four through five of them differ little. Hence a value cannot
+ * change and change back between two looks without a minimum of the polynomial near zero, and the search looks again there.
+ * The pieces follow the time scale of the values alone; it is remembered from step to step.
  */
 #ifndef LAG_SCAN_H
 #define LAG_SCAN_H

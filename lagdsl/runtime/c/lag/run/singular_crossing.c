@@ -286,7 +286,7 @@ static int goes_across(lag_singular *s, double t, const double *x, double distan
     return lag_fit_across(s, t, x, distance, limit, length) && lag_singular_margin(s, t + *length, s->end, s->now) > LOST;
 }
 
-/* Whether branches can still be told apart. Where none meet rates run away; that shows by itself. */
+/* True if branches can still be distinguished. If no branches meet, rates grow without bound, which the step control detects. */
 static int decided(lag_singular *s, double margin, double t, const double *x, double step)
 {
     const lag_stepper *stepper = &s->run->stepper;

@@ -1,11 +1,11 @@
 /*
  * Motion out of and across singular positions, where several branches of the constraint set meet: fitted, not integrated.
  *
- * Rows of J are scaled to size one; along a branch that crosses a singular position some of its singular values pass through zero and
- * change their sign. A step that jumps across shows it: seen in the singular vectors of the state before, J has turned around. There
- * the derivatives of rates and states are polynomials in time that agree with the equations at collocation points behind the position,
- * whose states are projected onto the constraints. Whether branches meet is told by the height of the saddle of the combination
- * of rows that vanishes (lag/run/branch_point.h).
+ * Rows of J are scaled to size one; along a branch that crosses a singular position some of its singular values pass through
+ * zero and change their sign. A step that jumps across shows it: seen in the singular vectors of the state before, J has
+ * turned around. There the derivatives of rates and states are polynomials in time that agree with the equations at
+ * collocation points behind the position, whose states are projected onto the constraints. The height of the saddle of the
+ * vanishing combinations of rows decides whether branches meet (lag/run/branch_point.h).
  *
  * Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.7.
  */
@@ -58,8 +58,8 @@ void lag_singular_count(lag_singular *singular, const double *lasting);
 void lag_singular_begin(lag_singular *singular, int attention);
 
 /*
- * Independent rows at the state x at time t, of those that last; *general: as many as there are in general. Where some are lost *weakest is
- * the row that has the largest share in the combination that vanishes.
+ * Independent rows at the state x at time t, of those that last; *general: as many as there are in general. If some are
+ * lost, *weakest is the row with the largest share in the vanishing combination.
  */
 size_t lag_singular_rank(lag_singular *singular, double t, const double *x, size_t *general, size_t *weakest);
 

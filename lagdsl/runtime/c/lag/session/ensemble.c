@@ -5,7 +5,6 @@
 
 #include "lag/equations/discretes.h"
 #include "lag/linalg/finite.h"
-#include "lag/initial.h"
 #include "lag/linalg/arena.h"
 
 /* Rows and notes of a run before they are sorted. */
@@ -18,7 +17,7 @@ typedef struct keeper {
     double *rows;             /* (count, lag_ensemble_width()) */
 } keeper;
 
-/* What one thread works in. */
+/* Memory of one thread. */
 typedef struct bench {
     lag_run_options options;
     lag_results results;
@@ -31,10 +30,10 @@ static size_t padded(size_t bytes)
     return (bytes + 15) / 16 * 16;
 }
 
-/* Doubles beside those of the run: rows, angles, sizes of constraints, start values, flags of constraints. */
+/* Doubles beside those of the run: rows, angles, sizes of constraints, start values and the start, flags of constraints. */
 static size_t own_memory(const lag_model *model)
 {
-    return ROWS * lag_results_width(model) + model->ny + 2 * model->nc + lag_motion_size(model);
+    return ROWS * lag_results_width(model) + model->ny + 2 * model->nc + 2 * lag_motion_size(model);
 }
 
 size_t lag_ensemble_width(const lag_model *model)
@@ -72,24 +71,27 @@ static lag_status keep(void *context, lag_results *results)
     return LAG_OK;
 }
 
-/* The start of run i, from the model's start values and those that are given. */
-static lag_status find_start(const lag_ensemble *ensemble, size_t i, lag_run *run, double *x, unsigned char *dependent, double *row_sizes)
+/* The start x of run i, from `starts`: the model's start values and those that are given. */
+static lag_status find_start(const lag_ensemble *ensemble, size_t i, lag_run *run, double *starts, double *x, lag_initial *told)
 {
     const lag_model *model = ensemble->model;
     const size_t size = lag_motion_size(model);
-    lag_initial told = {.given = !ensemble->equations, .dependent = dependent, .row_sizes = row_sizes};
-    lag_status status = lag_run_start(run, ensemble->t, x);
+    lag_status status = lag_run_start(run, ensemble->t, starts);
     for (size_t k = 0; ensemble->set != NULL && k < size; ++k) {
-        x[k] = ensemble->set[k] ? ensemble->x[i * size + k] : x[k];
+        starts[k] = ensemble->set[k] ? ensemble->x[i * size + k] : starts[k];
     }
+    memcpy(x, starts, size * sizeof(double));
     if (status != LAG_OK) {
         return status;
     }
     if (!lag_finite(size, x) || !lag_finite(model->nu, run->motion.u)) {
         return LAG_NOT_FINITE;
     }
-    status = lag_run_find(run, ensemble->t, ensemble->set, x, &told);
-    return status == LAG_OK && told.fault != LAG_INITIAL_NONE ? LAG_PROJECTION_FAILED : status;
+    status = lag_run_find(run, ensemble->t, ensemble->set, x, told);
+    if (ensemble->found != NULL && model->np > 0) {
+        memcpy(ensemble->found + i * model->np, run->motion.at.p, model->np * sizeof(double));
+    }
+    return status == LAG_OK && told->fault != LAG_INITIAL_NONE ? LAG_PROJECTION_FAILED : status;
 }
 
 static int is_stopped(const lag_ensemble *ensemble)
@@ -138,8 +140,10 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
     double *rows = lag_take(&memory, ROWS * lag_results_width(model));
     double *angle = lag_take(&memory, model->ny);
     double *row_sizes = lag_take(&memory, model->nc);
-    unsigned char *dependent = (unsigned char *)(void *)lag_take(&memory, model->nc);
+    unsigned char *dependent = lag_take_flags(&memory, model->nc);
+    double *starts = lag_take(&memory, size);
     double *x = lag_take(&memory, size);
+    lag_initial told = {.given = !ensemble->equations, .dependent = dependent, .row_sizes = row_sizes};
     lag_fill(model->ny, (double)NAN, angle);
     lag_fill(model->nc, 1.0, row_sizes);
     own->kept = (keeper){
@@ -157,13 +161,17 @@ static lag_status run_one(const lag_ensemble *ensemble, size_t i, bench *own, do
     own->options.row_sizes = row_sizes;
     own->options.results = &own->results;
     lag_run *run = lag_run_place(block, model, &own->options);
-    lag_status status = find_start(ensemble, i, run, x, dependent, row_sizes);
-    if (status == LAG_OK) {
+    lag_status status = find_start(ensemble, i, run, starts, x, &told);
+    const int started = status == LAG_OK;
+    if (started) {
         status = move(ensemble, run, x);
     }
     (void)keep(&own->kept, &own->results);
     ensemble->kept[i] = own->kept.kept;
     ensemble->ended[i] = own->results.any ? own->results.last : (double)NAN;
+    if (ensemble->failed != NULL && status != LAG_OK && status != LAG_STOPPED && !is_stopped(ensemble)) {
+        ensemble->failed(ensemble->context, i, run, (int)status, starts, x, started ? NULL : &told);
+    }
     return status;
 }
 

@@ -29,7 +29,7 @@ void lag_record_doubles(lag_record *record, size_t count, double *data)
 
 #define RECORD(member) lag_record_bytes(record, &(member), sizeof(member))
 
-/* Which of them it is; one more: none. */
+/* Index of the method; `count` if it is not among them. */
 static size_t place_of(const lag_method *const *methods, size_t count, const lag_method *method)
 {
     size_t i = 0;
@@ -211,7 +211,7 @@ unsigned long long lag_run_signature(const lag_model *model, const lag_run_optio
     return sum;
 }
 
-/* What comes first: signature and sum. */
+/* Header of the bytes: signature and checksum. */
 typedef struct head {
     unsigned long long signature, sum;
 } head;

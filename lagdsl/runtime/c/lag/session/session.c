@@ -23,7 +23,7 @@ static void tell_inputs(void *context, double t, int before, double *u)
     memcpy(u, session->u, session->model->nu * sizeof *u);
 }
 
-/* How many of the lasting rows are independent in general. */
+/* Number of lasting rows that are independent in general. */
 static size_t independent(const lag_session *session)
 {
     const unsigned char *redundant = session->model->redundant;
@@ -49,11 +49,6 @@ static lag_run_options plan(lag_session *session)
     };
 }
 
-static size_t padded(size_t bytes)
-{
-    return (bytes + 15) / 16 * 16;
-}
-
 static size_t numbers(const lag_model *model)
 {
     return lag_results_width(model) + model->np + model->nu + model->nc + 3;
@@ -63,7 +58,7 @@ size_t lag_session_size(const lag_model *model, const lag_start *start)
 {
     lag_session session = {.model = model, .start = start};
     const lag_run_options options = plan(&session);
-    return padded(sizeof session) + padded(numbers(model) * sizeof(double)) + lag_run_size(model, &options);
+    return lag_padded(sizeof session) + lag_padded(numbers(model) * sizeof(double)) + lag_run_size(model, &options);
 }
 
 /* Rows of contacts come and go. */
@@ -96,13 +91,13 @@ lag_session *lag_session_place(void *block, const lag_model *model, const lag_st
 {
     char *bytes = block;
     lag_session *session = block;
-    double *memory = (double *)(void *)(bytes + padded(sizeof *session));
-    memset(block, 0, padded(sizeof *session) + padded(numbers(model) * sizeof(double)));
+    double *memory = (double *)(void *)(bytes + lag_padded(sizeof *session));
+    memset(block, 0, lag_padded(sizeof *session) + lag_padded(numbers(model) * sizeof(double)));
     session->model = model;
     session->start = start;
     session->tolerance = tolerance;
     session->length = length;
-    session->block = bytes + padded(sizeof *session) + padded(numbers(model) * sizeof(double));
+    session->block = bytes + lag_padded(sizeof *session) + lag_padded(numbers(model) * sizeof(double));
     session->results.most_rows = session->results.most_notes = 1;
     session->results.rows = lag_take(&memory, lag_results_width(model));
     session->p = lag_take(&memory, model->np + 1);

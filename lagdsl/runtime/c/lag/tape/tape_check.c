@@ -95,7 +95,7 @@ const lag_tape_signature *lag_tape_signature_of(const lag_tape_parts *parts, siz
     return which == LAG_TAPE_PRIMAL && lag_tape_moves(parts) ? &MOTION : SIGNATURES_ALONG + which;
 }
 
-/* What is looked at: words up to `end`, of a function that may write from `first` on in a row of `row` places. */
+/* Position of the check: words up to `end`, of a function that may write from `first` on in a row of `row` places. */
 typedef struct view {
     const uint32_t *word, *end;
     const uint32_t *size;
@@ -103,7 +103,7 @@ typedef struct view {
     const lag_tape_signature *own; /* of the function */
 } view;
 
-/* Whether `count` words follow the present one. */
+/* True if `count` words follow the present one. */
 static int enough(const view *at, uint64_t count)
 {
     return (uint64_t)(at->end - at->word) > count;
@@ -221,7 +221,7 @@ static uint64_t instruction(const view *at)
     }
 }
 
-/* Whether END, and nothing behind it, ends the words. */
+/* True if END, and nothing behind it, ends the words. */
 static int function_runs(view *at)
 {
     while (at->word < at->end && *at->word != LAG_TAPE_END) {

@@ -132,6 +132,8 @@ static void give_start(lag_start *start, const lag_tape_parts *parts)
     start->maximum = section(parts, LAG_TAPE_START_MAXIMUM);
     start->free = section(parts, LAG_TAPE_START_FREE);
     start->parameter_nominal = section(parts, LAG_TAPE_START_PARAMETER_NOMINAL);
+    start->parameter_minimum = section(parts, LAG_TAPE_START_PARAMETER_MINIMUM);
+    start->parameter_maximum = section(parts, LAG_TAPE_START_PARAMETER_MAXIMUM);
 }
 
 const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory)

@@ -49,8 +49,8 @@ typedef struct lag_tape_parts {
 } lag_tape_parts;
 
 /*
- * What a function reads, one bit by group of arguments, and how many results it has, with their rows and columns: sizes, or
- * LAG_TAPE_NUMBER_OF_SIZES for a single one.
+ * Signature of a function: the groups of arguments that it reads, one bit each; the number of its results; their rows and
+ * columns as indices of sizes, or LAG_TAPE_NUMBER_OF_SIZES for a single one.
  */
 typedef struct lag_tape_signature {
     uint32_t arguments;
@@ -65,23 +65,23 @@ const lag_tape_signature *lag_tape_signature_of(const lag_tape_parts *parts, siz
 uint64_t lag_tape_argument_length(const uint32_t *size, uint32_t group);
 uint64_t lag_tape_result_length(const uint32_t *size, const lag_tape_signature *of, uint32_t which);
 
-/* Whether primal() tells the motion, too: no multiplier is left to run time. */
+/* True if primal() computes the accelerations, too: no multiplier is left to run time. */
 static inline int lag_tape_moves(const lag_tape_parts *parts)
 {
     const uint32_t *table = (const void *)parts->part[LAG_TAPE_FUNCTIONS].bytes;
     return parts->size[LAG_TAPE_NK] == 0 && table[2 * (1 + LAG_ELIMINATION) + 1] > 0;
 }
 
-/* Whether all instructions are ones that can be run with a row and arrays of these sizes. */
+/* True if all instructions can run with a row and arrays of these sizes. */
 int lag_tape_runs(const lag_tape_parts *parts);
 
-/* Whether the model has a function, of lag_function. */
+/* True if the model has a function, of lag_function. */
 static inline int lag_tape_has(const lag_tape *tape, size_t function)
 {
     return tape->functions[2 * (1 + function) + 1] > 0;
 }
 
-/* Where they are. Not: they do not fill `count` bytes exactly. */
+/* Finds the parts; false if they do not fill `count` bytes exactly. */
 int lag_tape_divide(const unsigned char *bytes, size_t count, lag_tape_parts *parts);
 
 /* Entries of J that can be nonzero. */
@@ -96,7 +96,7 @@ uint64_t lag_tape_workspace(const uint32_t *size);
 /* Gives the model its functions. */
 void lag_tape_functions(lag_tape *tape);
 
-/* Those of several states and directions. */
+/* Gives the model its functions of several states and directions. */
 void lag_tape_parallel(lag_tape *tape);
 
 /* Doubles of the row of one state, where another row follows. */

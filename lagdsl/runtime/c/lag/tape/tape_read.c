@@ -123,6 +123,8 @@ static int sizes_agree(const lag_tape_parts *parts)
            may_hold(parts, LAG_TAPE_START_MAXIMUM, n[LAG_TAPE_NQ], sizeof(double)) &&
            may_hold(parts, LAG_TAPE_START_FREE, n[LAG_TAPE_NP], 1) &&
            may_hold(parts, LAG_TAPE_START_PARAMETER_NOMINAL, n[LAG_TAPE_NP], sizeof(double)) &&
+           may_hold(parts, LAG_TAPE_START_PARAMETER_MINIMUM, n[LAG_TAPE_NP], sizeof(double)) &&
+           may_hold(parts, LAG_TAPE_START_PARAMETER_MAXIMUM, n[LAG_TAPE_NP], sizeof(double)) &&
            holds(parts, LAG_TAPE_SLOTS, 3 * slots(n), word) && holds(parts, LAG_TAPE_MESSAGES, messages(n), word) &&
            holds(parts, LAG_TAPE_FUNCTIONS, 2 * LAG_TAPE_FUNCTION_COUNT, word) &&
            parts->part[LAG_TAPE_WORDS].length % word == 0;
@@ -214,7 +216,7 @@ static int rows_agree(const lag_tape_parts *parts)
            below(parts, LAG_TAPE_RESET_PLACES, 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ]);
 }
 
-/* Those that every model has, and those that what it has asks for. */
+/* True if all functions are there that every model has, and those that this model requires. */
 static int functions_there(const lag_tape_parts *parts)
 {
     const uint32_t *n = parts->size;

@@ -1,20 +1,22 @@
-"""Sets of things that are one, in the order in which they were declared (union-find)."""
+"""Disjoint sets (union-find): things that are one, in the order in which they were entered."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterable
 from typing import Generic, TypeVar
 
 Thing = TypeVar("Thing", bound=Hashable)
 
 
-class Sets(Generic[Thing]):
+class DisjointSets(Generic[Thing]):
     """Every thing is alone until it is joined; the first of a set stands for it. Things are entered in their order."""
 
-    def __init__(self) -> None:
+    def __init__(self, things: Iterable[Thing] = ()) -> None:
         self._numbers: dict[Thing, int] = {}
         self._things: list[Thing] = []
         self._parents: list[int] = []
+        for thing in things:
+            self.enter(thing)
 
     def enter(self, thing: Thing) -> None:
         if thing not in self._numbers:

@@ -1,0 +1,140 @@
+"""The description of a model and its motion that a page reads, as JSON: the counterpart of web/src/head.ts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias
+
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.model import FlatModel, Input, Parameter
+from lagdsl.flat.quantity import Quantity, Spans
+from lagdsl.page.words import WORDS
+from lagdsl.scene.living import START, Living
+from lagdsl.scene.shapes import Scene, Shape
+from lagdsl.signals.trajectory import Trajectory
+from lagdsl.source import SourceFile
+from lagdsl.structure.display import Display, display
+from lagdsl.structure.names import contact_rows
+from lagdsl.version import __version__
+
+Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | str | float | bool | None"
+
+
+def head_of(
+    model: FlatModel,
+    living: Living,
+    motion: Trajectory,
+    *,
+    p: Sequence[float],
+    u: Sequence[float],
+    source: SourceFile | None,
+    span: tuple[float, float],
+    tolerance: float,
+    said: str,
+) -> Json:
+    """`motion` is that of `living` over the time `span`, for parameters `p` and, where it begins, inputs `u`. `said` is
+    what there is to say of it."""
+    count = len(living.scene.columns)
+    first = len(motion.columns) - count
+    independent = [p for p in living.flat.parameters if not p.structural]
+    return {
+        "name": model.name,
+        "doc": model.doc,
+        "version": __version__,
+        "source": "" if source is None else source.text,
+        "planar": living.scene.planar,
+        "up": _up(model, living.scene),
+        "start": span[0],
+        "stop": span[1],
+        "tolerance": tolerance,
+        "columns": [
+            {
+                "name": column.name,
+                "kind": column.kind,
+                "unit": column.unit,
+                "display": _display(column.display),
+                "doc": _doc(model, column.name),
+            }
+            for column in motion.columns[:first]
+        ],
+        "scene": {"first": first, "count": count, "shapes": [_shape(s, source) for s in living.scene.shapes]},
+        "rows": len(motion),
+        "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in motion.events],
+        "parameters": [_slider(item, value, _group(item, model)) for item, value in zip(independent, p, strict=True)],
+        "inputs": [_slider(i, value, "input") for i, value in zip(model.inputs, u, strict=True)],
+        "lasting": sorted(contact_rows(model)),
+        "said": said,
+        "words": {str(int(status)): words for status, words in WORDS.items()},
+    }
+
+
+def _doc(model: FlatModel, name: str) -> str | None:
+    named = (*model.coordinates, *model.states, *model.outputs)
+    return next((item.doc for item in named if item.name == name), None)
+
+
+def _group(parameter: Parameter, model: FlatModel) -> str:
+    own = any(parameter.name == item.name for item in model.parameters)
+    return "start" if not own and parameter.name.endswith(START) else "parameter"
+
+
+def _slider(item: Parameter | Input, value: float, group: str) -> Json:
+    declared = item if isinstance(item, Parameter) else None
+    return {
+        "name": item.name,
+        "doc": item.doc,
+        "display": _display(display(item)),
+        "value": value,
+        "minimum": None if declared is None else _finite(declared.minimum),
+        "maximum": None if declared is None else _finite(declared.maximum),
+        "kind": item.base,
+        "group": group,
+        "angle": _is_angle(item),
+    }
+
+
+def _is_angle(item: Quantity) -> bool:
+    return item.type_name == "Angle" or item.unit == "rad"
+
+
+def _finite(value: float | None) -> float | None:
+    return value if value is not None and math.isfinite(value) else None
+
+
+def _display(shown: Display) -> Json:
+    return {"unit": shown.unit, "scale": shown.scale, "shift": shown.shift}
+
+
+def _shape(shape: Shape, source: SourceFile | None) -> Json:
+    return {
+        "kind": shape.kind,
+        "name": shape.name,
+        "numbers": dict(shape.numbers),
+        "vectors": list(shape.vectors),
+        "texts": dict(shape.texts),
+        "span": _span(shape.spans, source),
+    }
+
+
+def _span(spans: Spans, source: SourceFile | None) -> Json:
+    """Of the statements behind an item, the innermost in the text that the page shows."""
+    for span in spans:
+        if source is not None and span.file.name == source.name:
+            return {"first": [span.first.line, span.first.column], "last": [span.last.line, span.last.column]}
+    return None
+
+
+def _up(model: FlatModel, scene: Scene) -> list[float]:
+    """Against gravity at the start; y in planar pictures, z without gravity."""
+    if scene.planar:
+        return [0.0, 1.0, 0.0]
+    if model.gravity is not None:
+        try:
+            g = Evaluator(model, Values()).vector(model.gravity)
+        except NotEvaluable:
+            return [0.0, 0.0, 1.0]
+        size = math.sqrt(float(g @ g))
+        if math.isfinite(size) and size > 0.0:
+            return [float(-x / size) for x in g]
+    return [0.0, 0.0, 1.0]

@@ -1,0 +1,24 @@
+// Bundles the page into dist/. The same sources give the same bytes; sources.sha256 tells from which they come.
+import { createHash } from "node:crypto";
+import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
+import { build } from "esbuild";
+
+const common = { bundle: true, minify: true, target: "es2022", format: "iife", legalComments: "none", logLevel: "warning" };
+await mkdir("dist", { recursive: true });
+await build({ ...common, entryPoints: ["src/main.ts"], outfile: "dist/page.js" });
+await build({ ...common, entryPoints: ["src/loader.ts"], outfile: "dist/loader.js" });
+await build({ ...common, entryPoints: ["src/worker.ts"], outfile: "dist/worker.js" });
+await build({ ...common, entryPoints: ["src/page.css"], outfile: "dist/page.css" });
+const notices = [];
+for (const name of ["three", "uplot"]) {
+  const { version } = JSON.parse(await readFile(`node_modules/${name}/package.json`, "utf8"));
+  notices.push(`${name} ${version}\n\n${(await readFile(`node_modules/${name}/LICENSE`, "utf8")).trim()}\n`);
+}
+await writeFile("dist/licenses.txt", notices.join("\n"));
+
+const sources = (await readdir("src")).map((name) => `src/${name}`);
+const digest = createHash("sha256");
+for (const name of [...sources, "build.mjs", "package-lock.json", "package.json", "tsconfig.json"].sort()) {
+  digest.update(`${name}\0`).update(await readFile(name)).update("\0");
+}
+await writeFile("dist/sources.sha256", `${digest.digest("hex")}\n`);

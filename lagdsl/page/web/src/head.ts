@@ -1,0 +1,82 @@
+// What a page is told: the JSON of lagdsl/page/head.py, and the arrays that come with it.
+
+export interface Display {
+  unit: string;
+  scale: number; // shown = si * scale + shift
+  shift: number;
+}
+
+export interface Column {
+  name: string;
+  kind: "time" | "coordinate" | "rate" | "state" | "discrete" | "output";
+  unit: string;
+  display: Display;
+  doc: string | null;
+}
+
+export interface Quantity {
+  name: string;
+  doc: string | null;
+  display: Display;
+  value: number; // SI
+  minimum: number | null;
+  maximum: number | null;
+  kind: "Real" | "Integer" | "Boolean" | "Enumeration" | "String";
+  group: "parameter" | "start" | "input";
+  angle: boolean;
+}
+
+export interface Span {
+  first: [number, number]; // line and column, from 1
+  last: [number, number];
+}
+
+export interface Shape {
+  kind: string;
+  name: string;
+  numbers: Record<string, number>; // role: column of the scene
+  vectors: string[];
+  texts: Record<string, string>;
+  span: Span | null;
+}
+
+export interface Head {
+  name: string;
+  doc: string | null;
+  version: string;
+  source: string;
+  planar: boolean;
+  up: [number, number, number];
+  start: number;
+  stop: number;
+  tolerance: number;
+  columns: Column[]; // of a row; the scene, the energy and two residuals follow
+  scene: { first: number; count: number; shapes: Shape[] };
+  rows: number; // of the recorded motion
+  events: { time: number; name: string; kind: string }[];
+  parameters: Quantity[]; // as the tape counts them
+  inputs: Quantity[];
+  lasting: number[]; // rows of constraints that come and go
+  words: Record<string, string>; // why a run ended, by status
+  said: string; // of the recorded motion
+}
+
+function text(id: string): string {
+  return document.getElementById(id)?.textContent ?? "";
+}
+
+export function readHead(): Head {
+  return JSON.parse(text("head")) as Head;
+}
+
+export function bytesOf(id: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(text(id).trim());
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+export async function inflated(id: string): Promise<Uint8Array<ArrayBuffer>> {
+  const stream = new Blob([bytesOf(id)]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}

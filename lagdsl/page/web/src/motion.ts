@@ -1,0 +1,60 @@
+// Rows of a motion, recorded or integrated here.
+import type { Head } from "./head.ts";
+
+export class Motion {
+  readonly count: number;
+  constructor(
+    readonly width: number,
+    readonly values: Float32Array | Float64Array, // row by row
+  ) {
+    this.count = Math.floor(values.length / width);
+  }
+
+  at(row: number, column: number): number {
+    return this.values[row * this.width + column];
+  }
+
+  get last(): number {
+    return this.count > 0 ? this.at(this.count - 1, 0) : 0;
+  }
+
+  /** The last row that is not after t. */
+  rowAt(t: number): number {
+    let low = 0;
+    let high = this.count - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.at(middle, 0) <= t) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  /** All numbers at time t, between two rows on the line through them. */
+  state(t: number, into: Float64Array): Float64Array {
+    const row = this.rowAt(t);
+    const next = Math.min(row + 1, this.count - 1);
+    const length = this.at(next, 0) - this.at(row, 0);
+    const part = length > 0 ? Math.min(Math.max((t - this.at(row, 0)) / length, 0), 1) : 0;
+    for (let i = 0; i < this.width; ++i) {
+      const a = this.at(row, i);
+      into[i] = a + part * (this.at(next, i) - a);
+    }
+    return into;
+  }
+
+  column(index: number): Float64Array {
+    return Float64Array.from({ length: this.count }, (_, row) => this.at(row, index));
+  }
+}
+
+/** The recorded motion: columns of single precision, one after the other. */
+export function recorded(head: Head, bytes: Uint8Array<ArrayBuffer>): Motion {
+  const columns = new Float32Array(bytes.buffer);
+  const width = columns.length / head.rows;
+  const values = new Float32Array(columns.length);
+  for (let column = 0; column < width; ++column) {
+    for (let row = 0; row < head.rows; ++row) values[row * width + column] = columns[column * head.rows + row];
+  }
+  return new Motion(width, values);
+}

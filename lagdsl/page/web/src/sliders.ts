@@ -1,0 +1,109 @@
+// Sliders for parameters, start values and inputs.
+import type { Head, Quantity } from "./head.ts";
+
+const GROUPS: [Quantity["group"], string][] = [
+  ["start", "Start values"],
+  ["parameter", "Parameters"],
+  ["input", "Inputs"],
+];
+const STEPS = 1000;
+
+/** The range of a slider in SI units: declared, or a decade around the value; an angle goes all around. */
+function range(quantity: Quantity): [number, number] {
+  const { value, minimum, maximum } = quantity;
+  let [low, high] = value === 0 ? [-1, 1] : [value / Math.sqrt(10), value * Math.sqrt(10)];
+  if (quantity.angle) [low, high] = [Math.min(-Math.PI, value), Math.max(Math.PI, value)];
+  else if (quantity.group !== "parameter") {
+    const most = Math.max(2 * Math.abs(value), 1);
+    [low, high] = [-most, most];
+  }
+  if (low > high) [low, high] = [high, low];
+  return [minimum ?? low, maximum ?? high];
+}
+
+/** Four digits are what people read. */
+export function shown(quantity: { display: { scale: number; shift: number } }, si: number): string {
+  return Number((si * quantity.display.scale + quantity.display.shift).toPrecision(4)).toString();
+}
+
+export class Sliders {
+  readonly values: Map<Quantity, number>;
+
+  constructor(
+    private readonly head: Head,
+    place: HTMLElement,
+    private readonly changed: () => void,
+  ) {
+    this.values = new Map([...head.parameters, ...head.inputs].map((quantity) => [quantity, quantity.value]));
+    for (const [group, title] of GROUPS) {
+      const members = [...this.values.keys()].filter((quantity) => quantity.group === group);
+      if (members.length === 0) continue;
+      const details = document.createElement("details");
+      details.open = members.length <= 24;
+      const summary = document.createElement("summary");
+      summary.textContent = title;
+      details.append(summary, ...members.map((quantity) => this.row(quantity)));
+      place.append(details);
+    }
+    const reset = document.createElement("button");
+    reset.textContent = "Reset all";
+    reset.onclick = () => {
+      for (const quantity of this.values.keys()) this.values.set(quantity, quantity.value);
+      place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
+      changed();
+    };
+    place.append(reset);
+  }
+
+  get parameters(): Float64Array {
+    return Float64Array.from(this.head.parameters, (quantity) => this.values.get(quantity) ?? quantity.value);
+  }
+
+  get inputs(): Float64Array {
+    return Float64Array.from(this.head.inputs, (quantity) => this.values.get(quantity) ?? quantity.value);
+  }
+
+  private row(quantity: Quantity): HTMLElement {
+    const [low, high] = range(quantity);
+    const label = document.createElement("label");
+    label.title = quantity.doc ?? "";
+    const name = document.createElement("span");
+    name.textContent = quantity.name;
+    const bar = document.createElement("input");
+    const whole = quantity.kind !== "Real";
+    Object.assign(bar, { type: "range", min: "0", max: `${STEPS}`, step: whole ? "any" : "1" });
+    bar.setAttribute("aria-label", quantity.name);
+    const field = document.createElement("input");
+    Object.assign(field, { type: "number", step: "any" });
+    field.setAttribute("aria-label", `${quantity.name} in ${quantity.display.unit || "SI units"}`);
+    const unit = document.createElement("span");
+    unit.className = "unit";
+    unit.textContent = quantity.display.unit;
+    const reread = (): void => {
+      const si = this.values.get(quantity) ?? quantity.value;
+      bar.value = `${(STEPS * (si - low)) / (high - low || 1)}`;
+      field.value = shown(quantity, si);
+    };
+    const set = (si: number): void => {
+      if (!Number.isFinite(si)) return;
+      this.values.set(quantity, whole ? Math.round(si) : si);
+      this.changed();
+    };
+    bar.oninput = () => {
+      set(low + ((high - low) * Number(bar.value)) / STEPS);
+      field.value = shown(quantity, this.values.get(quantity) ?? 0);
+    };
+    field.onchange = () => {
+      set((Number(field.value) - quantity.display.shift) / quantity.display.scale);
+      reread();
+    };
+    bar.addEventListener("reread", reread);
+    label.ondblclick = () => {
+      set(quantity.value);
+      reread();
+    };
+    reread();
+    label.append(name, bar, field, unit);
+    return label;
+  }
+}

@@ -1,0 +1,268 @@
+// The picture: camera, light, ground, and all shapes of the scene.
+import {
+  AmbientLight,
+  Box3,
+  Color,
+  DirectionalLight,
+  GridHelper,
+  HemisphereLight,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+  type Object3D,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { gauge } from "./gauges.ts";
+import type { Head, Shape } from "./head.ts";
+import type { Motion } from "./motion.ts";
+import { MAKERS, type Drawn, type Sizes } from "./shapes.ts";
+
+const ROWS_LOOKED_AT = 200;
+
+export class Stage {
+  readonly canvas: HTMLCanvasElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera: OrthographicCamera | PerspectiveCamera;
+  private readonly controls: OrbitControls;
+  private readonly drawn: Drawn[] = [];
+  private readonly box: Box3;
+  private readonly sizes: Sizes;
+  private readonly grid: GridHelper;
+  readonly shown = { forces: true, frames: false };
+
+  constructor(
+    private readonly head: Head,
+    motion: Motion,
+    private readonly place: HTMLElement,
+  ) {
+    this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true, alpha: false });
+    this.canvas = this.renderer.domElement;
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", `The machine ${head.name}, moving`);
+    place.append(this.canvas);
+    this.box = extent(head, motion);
+    const length = Math.max(this.box.getSize(new Vector3()).length() / Math.SQRT2, 1e-9);
+    this.sizes = sizesOf(head, motion, length, this.box.getCenter(new Vector3()));
+    this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
+    this.camera.up.set(...head.up);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.enableRotate = !head.planar;
+    this.controls.addEventListener("change", () => this.render());
+    this.grid = this.ground(length);
+    this.scene.add(this.grid, new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0x94a3b8, 1.2));
+    const sun = new DirectionalLight(0xffffff, 2);
+    sun.position.set(0.6, 1, 1.2);
+    this.camera.add(sun);
+    this.scene.add(this.camera);
+    this.furnish();
+    this.lookAt();
+    this.theme();
+    new ResizeObserver(() => this.resize()).observe(place);
+    this.resize();
+  }
+
+  private furnish(): void {
+    const gauges = this.head.scene.shapes.filter(isGauge);
+    const machine = this.box.clone();
+    for (const shape of this.head.scene.shapes) {
+      const drawn = isGauge(shape)
+        ? gauge(shape, this.sizes, machine, this.facing(), gauges.indexOf(shape), gauges.length)
+        : MAKERS[shape.kind]?.(shape, this.sizes);
+      if (drawn === undefined) continue;
+      drawn.object.traverse((object) => (object.userData.shape = shape));
+      this.drawn.push(drawn);
+      this.scene.add(drawn.object);
+      if (isGauge(shape)) this.box.expandByObject(drawn.object);
+    }
+    this.show();
+  }
+
+  /** The directions right, up and towards the viewer, as one first sees the machine. */
+  private facing(): Matrix4 {
+    const up = new Vector3(...this.head.up);
+    if (this.head.planar) return new Matrix4();
+    const back = Math.abs(up.z) > 0.7 ? new Vector3(0.75, -1, 0) : new Vector3(0.6, 0, 1);
+    back.addScaledVector(up, -back.dot(up)).normalize();
+    return new Matrix4().makeBasis(new Vector3().crossVectors(up, back), up, back);
+  }
+
+  /** Layers that one can switch. */
+  show(): void {
+    for (const { object, shape } of this.drawn) {
+      if (shape.kind === "frame") object.visible = this.shown.frames;
+      if (shape.kind === "force" || shape.kind === "torque") object.userData.hidden = !this.shown.forces;
+    }
+  }
+
+  private ground(length: number): GridHelper {
+    const step = 10 ** Math.floor(Math.log10(length / 2));
+    const count = 2 * Math.ceil((1.5 * length) / step);
+    const grid = new GridHelper(count * step, count);
+    const center = this.box.getCenter(new Vector3());
+    if (this.head.planar) grid.rotation.x = Math.PI / 2;
+    else grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...this.head.up));
+    const up = new Vector3(...this.head.up);
+    if (this.head.planar) grid.position.set(round(center.x, step), round(center.y, step), -0.2 * length);
+    else {
+      const low = Math.min(up.dot(this.box.min), up.dot(this.box.max));
+      grid.position.copy(center).addScaledVector(up, low - up.dot(center) - 0.02 * length);
+    }
+    return grid;
+  }
+
+  lookAt(): void {
+    const center = this.box.getCenter(new Vector3());
+    const size = this.box.getSize(new Vector3());
+    const length = this.sizes.length;
+    this.controls.target.copy(center);
+    if (this.camera instanceof OrthographicCamera) {
+      this.camera.position.copy(center).add(new Vector3(0, 0, 10 * length));
+      this.camera.near = 0.1 * length;
+      this.camera.far = 30 * length;
+      this.camera.zoom = 1;
+    } else {
+      const facing = this.facing();
+      const far = Math.max(size.length(), 0.5 * length) * 1.75;
+      this.camera.position.copy(center);
+      this.camera.position.addScaledVector(new Vector3().setFromMatrixColumn(facing, 2), far * 0.92);
+      this.camera.position.addScaledVector(new Vector3().setFromMatrixColumn(facing, 1), far * 0.38);
+    }
+    this.resize();
+    this.controls.update();
+  }
+
+  resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.place;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(width, height);
+    if (this.camera instanceof OrthographicCamera) {
+      const size = this.box.getSize(new Vector3());
+      const margin = 0.12 * this.sizes.length;
+      const half = Math.max((size.y + 2 * margin) / 2, ((size.x + 2 * margin) / 2) * (height / width));
+      this.camera.top = half;
+      this.camera.bottom = -half;
+      this.camera.right = (half * width) / height;
+      this.camera.left = -this.camera.right;
+    } else {
+      this.camera.aspect = width / height;
+    }
+    this.camera.updateProjectionMatrix();
+    this.render();
+  }
+
+  /** Colours of the page behind the machine. */
+  theme(): void {
+    const style = getComputedStyle(document.documentElement);
+    this.scene.background = new Color(style.getPropertyValue("--stage").trim());
+    const ink = new Color(style.getPropertyValue("--grid").trim());
+    for (const material of [this.grid.material].flat()) {
+      material.vertexColors = false;
+      material.color = ink;
+      material.needsUpdate = true;
+    }
+    this.render();
+  }
+
+  pose(motion: Motion, numbers: Float64Array, t: number): void {
+    const frame = { numbers, first: this.head.scene.first };
+    for (const drawn of this.drawn) {
+      drawn.update(frame);
+      drawn.trace?.(motion, motion.rowAt(t));
+      if (drawn.object.userData.hidden) drawn.object.visible = false;
+      drawn.object.updateMatrixWorld(true);
+    }
+    this.render();
+  }
+
+  render(): void {
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** The shape under a pointer. */
+  shapeAt(x: number, y: number): Shape | null {
+    const bounds = this.canvas.getBoundingClientRect();
+    const at = new Vector2(((x - bounds.left) / bounds.width) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
+    const caster = new Raycaster();
+    caster.setFromCamera(at, this.camera);
+    const hits = caster.intersectObjects(this.drawn.map((drawn) => drawn.object));
+    return (hits.find((hit) => hit.object.visible)?.object.userData.shape as Shape | undefined) ?? null;
+  }
+
+  highlight(shape: Shape | null): void {
+    for (const drawn of this.drawn) {
+      drawn.object.traverse((object: Object3D) => {
+        if (object instanceof Mesh && object.material instanceof MeshStandardMaterial) {
+          object.material.emissive.setHex(drawn.shape === shape ? 0x7a5200 : 0);
+        }
+      });
+    }
+    this.render();
+  }
+}
+
+function isGauge(shape: Shape): boolean {
+  return shape.kind === "slider" || shape.kind === "dial";
+}
+
+function round(value: number, step: number): number {
+  return Math.round(value / step) * step;
+}
+
+/** All places of the scene along the motion. */
+function extent(head: Head, motion: Motion): Box3 {
+  const box = new Box3();
+  const point = new Vector3();
+  const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
+  for (const shape of head.scene.shapes) {
+    if (shape.kind === "frame") continue;
+    for (const role of ["at", "to"]) {
+      if (!(role in shape.numbers)) continue;
+      const first = head.scene.first + shape.numbers[role];
+      const radius = "radius" in shape.numbers ? motion.at(0, head.scene.first + shape.numbers.radius) : 0;
+      for (let row = 0; row < motion.count; row += stride) {
+        point.set(motion.at(row, first), motion.at(row, first + 1), motion.at(row, first + 2));
+        if (!Number.isFinite(point.x + point.y + point.z)) continue;
+        box.expandByPoint(point.clone().addScalar(radius)).expandByPoint(point.clone().addScalar(-radius));
+      }
+    }
+  }
+  if (box.isEmpty()) box.set(new Vector3(0, 0, 0), new Vector3(0, 0, 0));
+  const size = box.getSize(point).length();
+  if (size === 0) box.expandByScalar(0.5);
+  return box;
+}
+
+function sizesOf(head: Head, motion: Motion, length: number, center: Vector3): Sizes {
+  const largest = (kind: string, role: string, width: number): number => {
+    let most = 0;
+    for (const shape of head.scene.shapes) {
+      if (shape.kind !== kind || !(role in shape.numbers)) continue;
+      const first = head.scene.first + shape.numbers[role];
+      for (let row = 0; row < motion.count; ++row) {
+        let square = 0;
+        for (let k = 0; k < width; ++k) square += motion.at(row, first + k) ** 2;
+        if (Number.isFinite(square)) most = Math.max(most, Math.sqrt(square));
+      }
+    }
+    return most;
+  };
+  const scaled = (most: number): number => (most > 0 ? (0.3 * length) / most : 0);
+  return {
+    length,
+    mass: largest("mass", "mass", 1),
+    force: scaled(largest("force", "vector", 3)),
+    torque: scaled(largest("torque", "vector", 3)),
+    planar: head.planar,
+    first: head.scene.first,
+    center,
+  };
+}

@@ -1,0 +1,25 @@
+/* Vectors of doubles. */
+#ifndef LAG_VECTOR_H
+#define LAG_VECTOR_H
+
+#include <stddef.h>
+
+/* x . y */
+static inline double lag_dot(size_t count, const double *x, const double *y)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        sum += x[i] * y[i];
+    }
+    return sum;
+}
+
+/* y += factor x */
+static inline void lag_axpy(size_t count, double factor, const double *x, double *y)
+{
+    for (size_t i = 0; i < count; ++i) {
+        y[i] += factor * x[i];
+    }
+}
+
+#endif

@@ -1,0 +1,92 @@
+"""A model as the page integrates it: its scene among its outputs, its start values among its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+
+from lagdsl.flat import expression as fx
+from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
+from lagdsl.flat.evaluate import Evaluator, Values
+from lagdsl.record import record
+from lagdsl.scene.drawings import drawn
+from lagdsl.scene.implied import bodies, frames, gauges, grounds, is_planar, loads, masses, rods, ropes, springs
+from lagdsl.scene.shapes import Columns, Scene, Shape
+from lagdsl.units.dimension import DIMENSIONLESS, TIME
+
+START = ".start"
+"""Ending of the name of the parameter that is the start value of a coordinate."""
+
+
+@record(kw_only=True)
+class Living:
+    """`flat` is the model with further outputs, `scene[1]`, ..., and further parameters, `theta.start`."""
+
+    flat: fm.FlatModel
+    scene: Scene
+
+
+def living(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
+    """The model with its scene. Start values that depend on parameters stay so, but for those named in `starts`."""
+    scene = scene_of(flat)
+    outputs = tuple(
+        fm.Output(name=f"scene[{k}]", dimension=DIMENSIONLESS, value=value, spans=())
+        for k, value in enumerate(scene.columns, 1)
+    )
+    coordinates, own = _starts_as_parameters(flat, starts)
+    changed = replace(
+        flat,
+        outputs=(*flat.outputs, *outputs),
+        coordinates=coordinates,
+        parameters=(*flat.parameters, *own),
+    )
+    return Living(flat=changed, scene=scene)
+
+
+def scene_of(flat: fm.FlatModel) -> Scene:
+    """Shapes of the drawings, then those that the rules add."""
+    columns = Columns()
+    shapes: list[Shape] = [drawn(drawing, columns) for drawing in flat.drawings]
+    for rule in (masses, bodies, springs, ropes, rods, grounds, loads):
+        shapes += rule(flat, columns)
+    shapes += gauges(flat, columns)
+    shapes += frames(flat, columns)
+    return Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=is_planar(flat, columns, shapes))
+
+
+def _starts_as_parameters(
+    flat: fm.FlatModel, chosen: Collection[str]
+) -> tuple[tuple[fm.Coordinate, ...], list[fm.Parameter]]:
+    """Start values of positions and rates that depend on no parameter, and the chosen ones."""
+    dependence, at = Dependence(flat), Evaluator(flat, Values())
+    coordinates, found = [], []
+    for item in flat.coordinates:
+        position, rate = item, None
+        if item.name in chosen or not dependence.of(item.start):
+            start = _parameter(item, item.name + START, at.scalar(item.start), per_second=False)
+            found.append(start)
+            position = replace(item, start=fx.Variable(start.name))
+        if f"der({item.name})" in chosen or not dependence.of(item.rate_start):
+            rate = _parameter(item, f"der({item.name}){START}", at.scalar(item.rate_start), per_second=True)
+            found.append(rate)
+            position = replace(position, rate_start=fx.Variable(rate.name))
+        coordinates.append(position)
+    return tuple(coordinates), found
+
+
+def _parameter(item: fm.Coordinate, name: str, value: float, *, per_second: bool) -> fm.Parameter:
+    unit = item.unit if not per_second else f"{item.unit}/s"
+    display = item.display_unit if not per_second or item.display_unit is None else f"{item.display_unit}/s"
+    return fm.Parameter(
+        name=name,
+        dimension=item.dimension / TIME if per_second else item.dimension,
+        unit=unit,
+        display_unit=display,
+        doc=item.doc,
+        type_name="Real" if per_second else item.type_name,
+        value=value,
+        minimum=None if per_second else item.minimum,
+        maximum=None if per_second else item.maximum,
+        spans=item.spans,
+    )

@@ -1,0 +1,32 @@
+"""What pages carry was built from the sources that are here: `make page`."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+
+from lagdsl.resources import page_folder
+from lagdsl.runtime.build_wasm import sources_digest
+
+DIST = page_folder() / "dist"
+
+
+def test_the_bundle_is_that_of_the_sources() -> None:
+    folder = page_folder()
+    names = ["build.mjs", "package-lock.json", "package.json", "tsconfig.json"]
+    names += [f"src/{path.name}" for path in (folder / "src").iterdir()]
+    digest = hashlib.sha256()
+    for name in sorted(names):
+        digest.update(name.encode() + b"\0" + (folder / name).read_bytes() + b"\0")
+    assert (DIST / "sources.sha256").read_text().strip() == digest.hexdigest(), "run `make page`"
+
+
+def test_the_runtime_is_that_of_the_c_sources() -> None:
+    assert (DIST / "lag.wasm.sha256").read_text().strip() == sources_digest(), "run `make page`"
+
+
+def test_the_notices_of_others_are_there() -> None:
+    """The MIT license wants its text in all copies."""
+    notices = (DIST / "licenses.txt").read_text()
+    assert re.findall(r"^(three|uplot) \d+\.\d+\.\d+$", notices, re.MULTILINE) == ["three", "uplot"]
+    assert notices.count("Permission is hereby granted") == 2
