@@ -5,6 +5,7 @@
 #include "lag/dynamics.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
+#include "lag/linalg/vector.h"
 
 /* What may be left of the residuals, as a part of the largest. */
 static const double LEFT = 1e-8;
@@ -42,16 +43,6 @@ static lag_status add_kept(const lag_model *model, const lag_arguments *at, cons
     return status;
 }
 
-/* J change of a row. */
-static double along(const lag_model *model, const double *jacobian, size_t row, const double *change)
-{
-    double sum = 0.0;
-    for (size_t j = 0; j < model->nq; ++j) {
-        sum += jacobian[row * model->nq + j] * change[j];
-    }
-    return sum;
-}
-
 /* Whether the residuals go away, those of rows that follow from others left out. */
 static int takes_away(const lag_model *model, const double *residual, const double *jacobian, const double *sizes, const double *change)
 {
@@ -61,7 +52,7 @@ static int takes_away(const lag_model *model, const double *residual, const doub
         const double size = sizes[i] > 0.0 ? sizes[i] : 1.0;
         largest = fmax(largest, fabs(residual[i]) / size);
         if (!(model->redundant != NULL && model->redundant[i])) {
-            left = fmax(left, fabs(residual[i] + along(model, jacobian, i, change)) / size);
+            left = fmax(left, fabs(residual[i] + lag_dot(model->nq, jacobian + i * model->nq, change)) / size);
         }
     }
     return left <= LEFT * largest;

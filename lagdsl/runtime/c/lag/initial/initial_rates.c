@@ -107,7 +107,7 @@ static int are_as_wanted(lag_rates *r)
     const size_t n = r->b->motion->model->nq;
     int alike = r->b->slopes == NULL;
     for (size_t i = 0; i < r->conditions && alike; ++i) {
-        alike = fabs(product(n, r->table + i * n, r->wanted) - r->right[i]) <= EXACT * (1.0 + fabs(r->right[i]));
+        alike = fabs(lag_dot(n, r->table + i * n, r->wanted) - r->right[i]) <= EXACT * (1.0 + fabs(r->right[i]));
     }
     return alike && lag_initialization_is_regular(r->b, r->svd);
 }

@@ -8,6 +8,7 @@
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/lu.h"
 #include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
 #include "lag/run.h"
 
 static const double NEAR = 0.05;
@@ -20,22 +21,6 @@ static const double FAR = 1e-4;
 /* The golden angle: weights of sums that repeat nowhere. */
 static const double GOLDEN = 2.399963229728653;
 enum { ITERATIONS = 12 };
-
-static double product(size_t n, const double *a, const double *b)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
-
-static void add(size_t n, double factor, const double *a, double *b)
-{
-    for (size_t i = 0; i < n; ++i) {
-        b[i] += factor * a[i];
-    }
-}
 
 size_t lag_branch_point_memory(const lag_model *model)
 {
@@ -170,7 +155,7 @@ static int find_tangents(lag_branch_point *s)
     combine(s, held, s->holding);
     for (size_t i = 0; i < held; ++i) {
         for (size_t j = 0; j < held; ++j) {
-            s->inner[i * held + j] = s->transposed[j * held + i] = product(n, s->moved + i * n, s->along + j * n);
+            s->inner[i * held + j] = s->transposed[j * held + i] = lag_dot(n, s->moved + i * n, s->along + j * n);
         }
     }
     if (!lag_lu(held, s->inner, s->pivot) || !lag_lu(held, s->transposed, s->other_pivot)) {
@@ -178,12 +163,12 @@ static int find_tangents(lag_branch_point *s)
     }
     for (size_t f = 0; f < s->open; ++f) {
         for (size_t i = 0; i < held; ++i) {
-            s->right[i] = product(n, s->moved + i * n, s->free + f * n);
+            s->right[i] = lag_dot(n, s->moved + i * n, s->free + f * n);
         }
         lag_lu_solve(held, s->inner, s->pivot, s->right);
         memcpy(s->tangents + f * n, s->free + f * n, n * sizeof(double));
         for (size_t j = 0; j < held; ++j) {
-            add(n, -s->right[j], s->along + j * n, s->tangents + f * n);
+            lag_axpy(n, -s->right[j], s->along + j * n, s->tangents + f * n);
         }
     }
     return 1;
@@ -198,17 +183,17 @@ static void find_slopes(lag_branch_point *s)
     memcpy(s->vanishing, s->combinations, s->lost * m * sizeof(double));
     for (size_t k = 0; k < s->lost; ++k) {
         for (size_t j = 0; j < s->held; ++j) {
-            s->right[j] = product(n, s->moved + k * n, s->along + j * n);
+            s->right[j] = lag_dot(n, s->moved + k * n, s->along + j * n);
         }
         lag_lu_solve(s->held, s->transposed, s->other_pivot, s->right);
         for (size_t j = 0; j < s->held; ++j) {
-            add(m, -s->right[j], s->holding + j * m, s->vanishing + k * m);
+            lag_axpy(m, -s->right[j], s->holding + j * m, s->vanishing + k * m);
         }
     }
     combine(s, s->lost, s->vanishing);
     for (size_t k = 0; k < s->lost; ++k) {
         for (size_t f = 0; f < s->open; ++f) {
-            s->slope[k * s->open + f] = product(n, s->moved + k * n, s->tangents + f * n);
+            s->slope[k * s->open + f] = lag_dot(n, s->moved + k * n, s->tangents + f * n);
         }
     }
 }
@@ -244,8 +229,8 @@ static void add_up(lag_branch_point *s)
     lag_fill(LAG_BRANCH_SUMS * s->open, 0.0, s->slopes);
     for (size_t sum = 0; sum < sums_of(s); ++sum) {
         for (size_t k = 0; k < s->lost; ++k) {
-            add(m, weight(s, sum, k), s->vanishing + k * m, s->sums + sum * m);
-            add(s->open, weight(s, sum, k), s->slope + k * s->open, s->slopes + sum * s->open);
+            lag_axpy(m, weight(s, sum, k), s->vanishing + k * m, s->sums + sum * m);
+            lag_axpy(s->open, weight(s, sum, k), s->slope + k * s->open, s->slopes + sum * s->open);
         }
     }
 }
@@ -260,7 +245,7 @@ static int bend(lag_branch_point *s)
     for (size_t d = 0; d < open; ++d) {
         for (int sign = 1; sign >= -1; sign -= 2) {
             memcpy(s->point, s->step, n * sizeof(double));
-            add(n, sign * DIFFERENCE, s->tangents + d * n, s->point);
+            lag_axpy(n, sign * DIFFERENCE, s->tangents + d * n, s->point);
             const int known = look(s);
             memcpy(s->point, s->step, n * sizeof(double));
             if (!known) {
@@ -270,7 +255,7 @@ static int bend(lag_branch_point *s)
             for (size_t sum = 0; sum < sums_of(s); ++sum) {
                 for (size_t f = 0; f < open; ++f) {
                     s->bends[(sum * open + d) * open + f] +=
-                        sign / (2.0 * DIFFERENCE) * product(n, s->moved + sum * n, s->tangents + f * n);
+                        sign / (2.0 * DIFFERENCE) * lag_dot(n, s->moved + sum * n, s->tangents + f * n);
                 }
             }
         }
@@ -288,9 +273,9 @@ static void solve(lag_branch_point *s)
     for (size_t sum = 0; sum < sums_of(s); ++sum) {
         const double *bends = s->bends + sum * open * open;
         for (size_t d = 0; d < open; ++d) {
-            s->step[d] -= product(open, bends + d * open, s->slopes + sum * open);
+            s->step[d] -= lag_dot(open, bends + d * open, s->slopes + sum * open);
             for (size_t e = 0; e < open; ++e) {
-                s->normal[d * open + e] += product(open, bends + d * open, bends + e * open);
+                s->normal[d * open + e] += lag_dot(open, bends + d * open, bends + e * open);
             }
         }
     }
@@ -317,7 +302,7 @@ static double improve(lag_branch_point *s, int anew)
     const size_t n = width_of(s);
     add_up(s);
     for (size_t j = 0; j < s->held; ++j) {
-        s->back[j] = -product(m, s->holding + j * m, s->phi);
+        s->back[j] = -lag_dot(m, s->holding + j * m, s->phi);
     }
     lag_lu_solve(s->held, s->inner, s->pivot, s->back);
     if (anew && !bend(s)) {
@@ -326,16 +311,16 @@ static double improve(lag_branch_point *s, int anew)
     solve(s);
     lag_fill(n, 0.0, s->step);
     for (size_t f = 0; f < s->open; ++f) {
-        add(n, s->wanted[f], s->tangents + f * n, s->step);
+        lag_axpy(n, s->wanted[f], s->tangents + f * n, s->step);
     }
     for (size_t j = 0; j < s->held; ++j) {
-        add(n, s->back[j], s->along + j * n, s->step);
+        lag_axpy(n, s->back[j], s->along + j * n, s->step);
     }
-    const double length = sqrt(product(n, s->step, s->step));
+    const double length = sqrt(lag_dot(n, s->step, s->step));
     if (!(length <= 1.0)) {
         return (double)INFINITY;
     }
-    add(n, 1.0, s->step, s->point);
+    lag_axpy(n, 1.0, s->step, s->point);
     return length;
 }
 
@@ -348,7 +333,7 @@ static double height(lag_branch_point *s)
         return (double)INFINITY;
     }
     for (size_t k = 0; k < s->lost; ++k) {
-        most = fmax(most, fabs(product(m, s->vanishing + k * m, s->phi)));
+        most = fmax(most, fabs(lag_dot(m, s->vanishing + k * m, s->phi)));
     }
     for (size_t i = 0; i < s->lost * s->open; ++i) {
         most = fabs(s->slope[i]) <= LEVEL ? most : (double)INFINITY;

@@ -5,6 +5,7 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/eigenvalues.h"
 #include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
 #include "lag/run.h"
 
 /* Rows and columns of a part, and where its vectors stand. */
@@ -54,15 +55,6 @@ static void see(lag_singular *s)
     s->seen = 1;
 }
 
-static double product(size_t n, const double *a, const double *b)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
-
 /* The part's J, in `other`, in the vectors of before. */
 static void turn(lag_singular *s, size_t kept, place at)
 {
@@ -77,7 +69,7 @@ static void turn(lag_singular *s, size_t kept, place at)
             }
         }
         for (size_t b = 0; b < kept; ++b) {
-            s->turned[a * kept + b] = product(at.columns, line, right + b * at.columns) / s->values[at.values + a];
+            s->turned[a * kept + b] = lag_dot(at.columns, line, right + b * at.columns) / s->values[at.values + a];
         }
     }
 }
