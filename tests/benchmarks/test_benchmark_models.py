@@ -10,8 +10,16 @@ import pytest
 import lagdsl
 
 NAMES = (
+    "balls",
     "beam",
     "four_bars",
+    "iftomm_a01",
+    "iftomm_a02",
+    "iftomm_a04",
+    "iftomm_a05",
+    "ladder",
+    "masses",
+    "net",
     "panda",
     "panda_scalars",
     "planar_chain",
@@ -24,8 +32,9 @@ NAMES = (
 def test_every_model_is_sound(root: Path) -> None:
     folder = root / "benchmarks" / "models"
     assert {path.stem for path in folder.glob("*.lag")} == set(NAMES)
+    notes = {"iftomm_a04": ["N0607"]}  # overconstrained, as the benchmark is
     for name in NAMES:
-        assert lagdsl.check(folder / f"{name}.lag") == []
+        assert [found.code for found in lagdsl.check(folder / f"{name}.lag")] == notes.get(name, [])
 
 
 def test_the_arm_is_the_same_in_components_and_in_scalars(root: Path) -> None:
