@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from lagdsl.api.compile import compile
     from lagdsl.api.model import Model
     from lagdsl.api.trajectory import Trajectory
-    from lagdsl.diagnostics import CompilationFailed, Diagnostic
+    from lagdsl.diagnostics import CompilationFailed, Diagnostic, UnknownName
     from lagdsl.signals.trajectory import Event
     from lagdsl.simulate.failure import SimulationFailed
 
@@ -25,11 +25,22 @@ _HOMES = {
     "Model": "lagdsl.api.model",
     "SimulationFailed": "lagdsl.simulate.failure",
     "Trajectory": "lagdsl.api.trajectory",
+    "UnknownName": "lagdsl.diagnostics",
     "check": "lagdsl.api.check",
     "compile": "lagdsl.api.compile",
 }
 
-__all__ = ["CompilationFailed", "Diagnostic", "Event", "Model", "SimulationFailed", "Trajectory", "check", "compile"]
+__all__ = [
+    "CompilationFailed",
+    "Diagnostic",
+    "Event",
+    "Model",
+    "SimulationFailed",
+    "Trajectory",
+    "UnknownName",
+    "check",
+    "compile",
+]
 
 
 def __getattr__(name: str) -> object:

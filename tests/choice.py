@@ -1,4 +1,4 @@
-"""How much of what repeats runs.
+"""Choice of the cases that run where tests repeat a rule.
 
 Where a test shows one rule of many things, `make check` takes some of them, one of each kind, and `make check-all`
 (LAGDSL_ALL=1) all. LAGDSL_EXPLORE=1 takes all, too, and looks for new ones. What is chosen stands at the test.
@@ -32,5 +32,5 @@ def spread(every: Iterable[Item], count: int) -> list[Item]:
 
 
 def examples(many: int) -> int:
-    """How many random examples of a property: all of them, or a fifth, the same ones in every run."""
+    """Number of random examples of a property: all of them, or a fifth, the same ones in every run."""
     return many if ALL else max(many // 5, min(many, 10))

@@ -1,4 +1,4 @@
-"""What every test can use."""
+"""Fixtures for every test."""
 
 from pathlib import Path
 

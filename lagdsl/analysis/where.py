@@ -9,6 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from lagdsl.analysis.held import report_held
 from lagdsl.analysis.integrable import integrable_rows
 from lagdsl.analysis.linearization import Linearization, linearize_at
 from lagdsl.analysis.linearize import Named, holonomic_rows
@@ -16,8 +17,9 @@ from lagdsl.analysis.modes import Modes, modes_at
 from lagdsl.analysis.point import Point, System, point_of
 from lagdsl.analysis.trim import Equilibrium, trim_at
 from lagdsl.analysis.variation import Variation, variation
-from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.diagnostics import Sink, failed
 from lagdsl.numerics.rank import Floats
+from lagdsl.signals.inputs import report_missing
 from lagdsl.units.naming import rate_text
 
 _Result = TypeVar("_Result")
@@ -43,22 +45,26 @@ class Where:
 
 def linearize(system: System, where: Where, sink: Sink) -> Linearization:
     """Raises CompilationFailed; warnings go to `sink`."""
+    _report_assumed(system, where, sink)
     return _found(sink, lambda own: linearize_at(system, point(system, where, own), own))
 
 
 def modes(system: System, where: Where, sink: Sink) -> Modes:
     """Raises CompilationFailed; warnings go to `sink`."""
+    _report_assumed(system, where, sink)
     return _found(sink, lambda own: modes_at(system, point(system, where, own), own))
 
 
 def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
     """Raises CompilationFailed; warnings go to `sink`."""
+    _report_assumed(system, where, sink)
     return _found(sink, lambda own: _equilibrium(system, where, own))
 
 
 def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) -> Variation:
     """Eigenvalues for values of a parameter, an input or a start value. Raises CompilationFailed."""
     varied = _varied(system, name, sink)
+    _report_assumed(system, replace(where, inputs={**where.inputs, varied.name: 0.0}), sink)
     held = [*holonomic_rows(system), *integrable_rows(system, point(system, replace(where, trim=False), Sink()))]
 
     def place(value: float) -> Point:
@@ -75,7 +81,7 @@ def point(system: System, where: Where, sink: Sink) -> Point:
     if where.trim:
         found = _equilibrium(system, where, sink)
         if found is None:
-            raise CompilationFailed(sink.diagnostics)
+            raise failed(sink.diagnostics)
         return found.point
     return _state(system, where, where.start, sink)
 
@@ -98,13 +104,19 @@ def _state(system: System, where: Where, start: Mapping[str, float], sink: Sink 
     return point_of(system, t=where.t, start=start, u=inputs, p=where.p, given=given, sink=sink)
 
 
+def _report_assumed(system: System, where: Where, sink: Sink) -> None:
+    """N0875 for inputs that are taken as zero, N0876 for discrete variables, which are held."""
+    report_missing(system.flat, [*where.inputs, *where.free], sink)
+    report_held(system.flat, sink)
+
+
 def _found(sink: Sink, search: Callable[[Sink], _Result | None]) -> _Result:
     own = Sink()
     result = search(own)
     for diagnostic in own.diagnostics:
         sink.add(diagnostic)
     if result is None:
-        raise CompilationFailed(own.diagnostics)
+        raise failed(own.diagnostics)
     return result
 
 
@@ -120,7 +132,7 @@ def _varied(system: System, name: str, sink: Sink) -> Named:
     own = Sink()
     own.report("E0853", None, name=name, what="varied", known=", ".join([*known, *(f"{s}.start" for s in starts)]))
     sink.add(own.diagnostics[0])
-    raise CompilationFailed(own.diagnostics)
+    raise failed(own.diagnostics)
 
 
 def _with(system: System, where: Where, name: str, value: float) -> Where:

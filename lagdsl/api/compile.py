@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from lagdsl.api.model import Model
-from lagdsl.api.names import known
+from lagdsl.api.names import Value, known
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.flat.limits import check_limits
@@ -14,6 +14,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Route, compile_flat, flatten_file, read
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.settings.target import targets
 
 
 def compile(
@@ -23,7 +24,7 @@ def compile(
     engine: EngineName = "auto",
     derivation: Route = "graph",
     structural: Mapping[str, float] | None = None,
-    fix: bool | Iterable[str] | Mapping[str, float] = False,
+    fix: bool | Iterable[str] | Mapping[str, Value] = False,
 ) -> Model:
     """The model in `source`: a path, or a text (a string with a line end or a semicolon).
 
@@ -31,9 +32,9 @@ def compile(
     work that is foreseen pays for it; `tape`, `c`; `numpy` to compare with. `model` names one of several; the default
     is the last complete one that no other uses. `structural` replaces structural parameters. `fix` makes parameters
     numbers of the model, which then has shorter equations and no such entry of `p`: all of them (True), those that
-    names and patterns such as `arm.*` choose, or those of a mapping, with its values in SI units. Raises
-    CompilationFailed with everything that was found wrong; KeyError and ValueError for a parameter that cannot be fixed
-    so."""
+    names and patterns such as `arm.*` choose, or those of a mapping, with its values (numbers in SI units, texts such
+    as `2 kg`). Raises CompilationFailed with everything that was found wrong; KeyError and ValueError for a parameter
+    that cannot be fixed so."""
     sink = Sink()
     file = read(source, sink)
     flat = flatten_file(file, sink, model=model, structural=structural) if file is not None else None
@@ -45,10 +46,9 @@ def compile(
     return Model(compilation, engine_of(compilation.program, engine), file)
 
 
-def _with_fixed(flat: FlatModel, fix: bool | Iterable[str] | Mapping[str, float], sink: Sink) -> FlatModel:
+def _with_fixed(flat: FlatModel, fix: bool | Iterable[str] | Mapping[str, Value], sink: Sink) -> FlatModel:
     if isinstance(fix, Mapping):
-        names = [parameter.name for parameter in flat.parameters]
-        values = known("parameter", fix, names)
+        values = known("parameter", fix, targets(flat, ("parameter", "structural")))
     elif isinstance(fix, str):
         raise TypeError(f"fix takes a list of names: fix=[{fix!r}]")
     elif isinstance(fix, bool):

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.api.names import known
+from lagdsl.api.names import Given, Value, entries, known
 from lagdsl.backends.python.support.interface import Interface
 from lagdsl.diagnostics import Diagnostic
 from lagdsl.flat.admissible import require_value
+from lagdsl.settings.target import Kind, Target, targets
 
 if TYPE_CHECKING:
     from lagdsl.pipeline import Compilation
@@ -82,17 +83,21 @@ class Described(Interface):
         """Values of the independent parameters, shape (np,)."""
         return np.array(self._layout.defaults, dtype=np.float64)
 
-    def _parameter_vector(self, given: Mapping[str, float] | None) -> Floats:
-        """The defaults with some replaced by name. Raises KeyError and ValueError for what does not fit."""
+    def _parameter_vector(self, given: Given) -> Floats:
+        """The defaults with some replaced by name, or all. Raises UnknownName and ValueError for what does not fit."""
         values = dict(zip(self.parameters, self._layout.defaults, strict=True))
-        chosen = known("parameter", given, self.parameters)
+        chosen = entries("parameter" if isinstance(given, Mapping) else "p", given, self._named("parameter"))
         for parameter in self._compilation.flat.parameters:
             if parameter.name in chosen:
                 require_value(parameter, chosen[parameter.name])
         return np.array(list({**values, **chosen}.values()), dtype=np.float64)
 
-    def _start_values(self, given: Mapping[str, float] | None) -> Mapping[str, float]:
-        return known("start value", given, [*self.coordinates, *(f"der({c})" for c in self.coordinates), *self.states])
+    def _start_values(self, given: Mapping[str, Value] | None) -> dict[str, float]:
+        return known("start value", given, self._named("start"))
+
+    def _named(self, *kinds: Kind) -> dict[str, Target]:
+        """Targets of values, by the names of the model."""
+        return {target.key: target for target in targets(self._compilation.flat, kinds).values()}
 
 
 def _names(slots: Sequence[Slot]) -> list[str]:

@@ -6,19 +6,31 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from lagdsl.api.names import quantity
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
+from lagdsl.settings.target import targets
 
 if TYPE_CHECKING:
     from lagdsl.signals.inputs import Signal
 
 
-def signals_of(inputs: Mapping[str, Signal] | Path | str | None) -> Mapping[str, Signal] | None:
-    """The inputs by name; those of a file are read. Raises CompilationFailed where that cannot be done."""
+def signals_of(flat: FlatModel, inputs: Mapping[str, Signal | str] | Path | str | None) -> dict[str, Signal]:
+    """The inputs by name; those of a file are read, texts such as `2 N` are constants. Raises CompilationFailed where a
+    file cannot be read, ValueError for a text that is no value of its input."""
     if not isinstance(inputs, (Path, str)):
-        return inputs
-    from lagdsl.signals.table_io import read_inputs
+        return {name: _signal(flat, name, signal) for name, signal in (inputs or {}).items()}
+    from lagdsl.signals.table_io import in_si, read_inputs
 
     sink = Sink()
     tables = read_inputs(Path(inputs), sink)
+    found = in_si(tables or {}, flat, sink)
     sink.raise_if_errors()
-    return tables
+    return found
+
+
+def _signal(flat: FlatModel, name: str, signal: Signal | str) -> Signal:
+    if not isinstance(signal, str):
+        return signal
+    known = targets(flat, ("input",))
+    return quantity(known[name], signal) if name in known else 0.0  # unknown names are told with all others

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.api.inputs import signals_of
-from lagdsl.api.names import Given, entries, known
+from lagdsl.api.names import Given, Value, entries, known
 from lagdsl.api.shown import Shown
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.diagnostics import Sink
@@ -100,7 +100,7 @@ class Model(Shown):
     # ---- motion ------------------------------------------------------------------------------------------------------
 
     def initial_state(
-        self, *, parameters: Mapping[str, float] | None = None, start: Mapping[str, float] | None = None
+        self, *, parameters: Mapping[str, Value] | None = None, start: Mapping[str, Value] | None = None
     ) -> InitialState:
         """The consistent state to start from: `.q .qd .z` in SI units and `.moved`, which tells what was adjusted.
 
@@ -117,9 +117,9 @@ class Model(Shown):
         stop: float | None = None,
         interval: float | None = None,
         tolerance: float | None = None,
-        parameters: Mapping[str, float] | None = None,
-        start: Mapping[str, float] | None = None,
-        inputs: Mapping[str, Signal] | Path | str | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        start: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
         solver: str = "auto",
         step: float | None = None,
         progress: Callable[[float], None] | None = None,
@@ -146,7 +146,7 @@ class Model(Shown):
                 interval=interval,
                 tolerance=tolerance,
                 p=self._parameter_vector(parameters),
-                inputs=signals_of(inputs),
+                inputs=signals_of(self._compilation.flat, inputs),
                 start=self._start_values(start),
                 solver=solver,
                 step=step,
@@ -166,7 +166,7 @@ class Model(Shown):
         stop: float | None = None,
         interval: float | None = None,
         tolerance: float | None = None,
-        inputs: Mapping[str, Signal] | Path | str | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
         solver: str = "auto",
         columns: Sequence[str] | None = None,
         threads: int | None = None,
@@ -179,21 +179,19 @@ class Model(Shown):
         `simulate`, numbers or sequences of one length. `columns` are the names to keep, `threads` the number of
         cores to use. Raises KeyError and ValueError for arguments that do not fit.
         """
-        from lagdsl.api.motions import simulate_many
+        from lagdsl.api.motions import simulate_many, values_of_runs
 
-        self._start_values(dict.fromkeys(start or {}, 0.0))
-        known("parameter", dict.fromkeys(parameters or {}, 0.0), self.parameters)
         if threads is not None and threads < 1:
             raise ValueError(f"threads must be at least 1, not {threads}")
         return simulate_many(
             self._compilation,
-            parameters or {},
-            start or {},
+            values_of_runs("parameter", parameters, self._named("parameter")),
+            values_of_runs("start value", start, self._named("start")),
             engine=self._engine.name,
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=signals_of(inputs) or {},
+            inputs=signals_of(self._compilation.flat, inputs),
             solver=solver,
             columns=columns,
             threads=threads,
@@ -208,7 +206,7 @@ class Model(Shown):
         stop: float | None = None,
         interval: float | None = None,
         tolerance: float | None = None,
-        inputs: Mapping[str, Signal] | Path | str | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
         solver: str = "auto",
         columns: Sequence[str] | None = None,
         output: Path | str | None = None,
@@ -239,7 +237,7 @@ class Model(Shown):
             stop=stop,
             interval=interval,
             tolerance=tolerance,
-            inputs=signals_of(inputs) or {},
+            inputs=signals_of(self._compilation.flat, inputs),
             solver=solver,
             columns=columns,
             output=None if output is None else Path(output),
@@ -297,7 +295,7 @@ class Model(Shown):
     def vary(
         self,
         name: str,
-        values: ArrayLike,
+        values: ArrayLike | str,
         *,
         t: float | None = None,
         q: Given = None,
@@ -309,14 +307,14 @@ class Model(Shown):
     ) -> Variation:
         """Eigenvalues for `values` of the parameter, input or start value `name`, and `.thresholds` between them.
 
-        With `trim` each value has the equilibrium next to the given state, else the state itself. Raises
-        CompilationFailed.
+        `values` are numbers in SI units or a text, `0:0.1:3 N` (first:step:last), `linspace(0, 3, 31) N`. With `trim`
+        each value has the equilibrium next to the given state, else the state itself. Raises CompilationFailed.
         """
         from lagdsl.analysis.where import vary
+        from lagdsl.api.texts import grid_of
 
         where = replace(self._where(t, q, qd, z, u, p), trim=trim)
-        grid = np.atleast_1d(np.asarray(values, dtype=np.float64))
-        return vary(self._system, where, name, grid, Sink())
+        return vary(self._system, where, name, grid_of(self._compilation.flat, name, values), Sink())
 
     def trim(
         self,
@@ -352,8 +350,8 @@ class Model(Shown):
         fmi: int = 2,
         kind: Literal["me", "cs", "both"] = "both",
         platforms: Sequence[str] = (),
-        parameters: Mapping[str, float] | None = None,
-        start: Mapping[str, float] | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        start: Mapping[str, Value] | None = None,
         with_source: bool = False,
         progress: Callable[[float], None] | None = None,
         sink: Sink | None = None,
@@ -369,7 +367,7 @@ class Model(Shown):
 
         self._parameter_vector(parameters)
         source = self._source if with_source else None
-        chosen, starts = known("parameter", parameters, self.parameters), self._start_values(start)
+        chosen, starts = known("parameter", parameters, self._named("parameter")), self._start_values(start)
         export_fmu(
             self._compilation,
             Path(path),
@@ -393,8 +391,10 @@ class Model(Shown):
     def _where(self, t: float | None, q: Given, qd: Given, z: Given, u: Given, p: Given) -> Where:
         from lagdsl.analysis.where import Where
 
-        rates = entries("qd", qd, self.coordinates).items()
-        start = {**entries("q", q, self.coordinates), **{f"der({name})": value for name, value in rates}}
-        start |= entries("z", z, self.states)
-        parameters = self._parameter_vector(entries("p", p, self.parameters))
-        return Where(p=parameters, t=t, start=start, inputs=entries("u", u, self.inputs))
+        starts = self._named("start")
+        coordinates, states = ({name: starts[name] for name in names} for names in (self.coordinates, self.states))
+        rates = entries("qd", qd, coordinates).items()
+        start = {**entries("q", q, coordinates), **{f"der({name})": value for name, value in rates}}
+        inputs = entries("u", u, self._named("input"))
+        start |= entries("z", z, states)
+        return Where(p=self._parameter_vector(p), t=t, start=start, inputs=inputs)

@@ -7,11 +7,13 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from lagdsl.api.names import keys_of, number
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
 from lagdsl.runtime.engines.cores import cores
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.settings.target import Target
 from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.dataset import collect, require_room
 from lagdsl.sweep.plan import Task, require_few
@@ -98,6 +100,29 @@ def simulate_many(
         ended=found.ended,
         failures={k: found.message[k] for k in range(count) if found.status[k] != "ok"},
     )
+
+
+def values_of_runs(
+    what: str, given: Mapping[str, ArrayLike] | None, targets: Mapping[str, Target]
+) -> dict[str, ArrayLike]:
+    """Values and sequences of values by the names of the model, in SI units; an array by its name has its elements on
+    the last axis. Raises UnknownName and ValueError for what does not fit."""
+    found: dict[str, ArrayLike] = {}
+    for name, value in (given or {}).items():
+        keys = keys_of(what, name, targets)
+        if len(keys) == 1:
+            found[keys[0]] = _in_si(targets[keys[0]], value)
+            continue
+        elements = np.asarray(value, dtype=object)
+        if elements.ndim == 0 or elements.shape[-1] != len(keys):
+            raise ValueError(f"`{name}` has {len(keys)} elements: its values need the shape (..., {len(keys)})")
+        found |= {key: _in_si(targets[key], elements[..., i]) for i, key in enumerate(keys)}
+    return found
+
+
+def _in_si(target: Target, value: ArrayLike) -> ArrayLike:
+    array = np.asarray(value, dtype=object)
+    return np.reshape([number(target, each) for each in array.ravel().tolist()], array.shape)
 
 
 def _runs(*given: Mapping[str, ArrayLike]) -> tuple[int, list[dict[str, list[float]]]]:

@@ -2,47 +2,106 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from lagdsl.diagnostics import CompilationFailed, Sink, failed
 from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.settings.arrays import family
+from lagdsl.settings.target import Target, value_of
 
+# A number in SI units, a text such as `2 kg`, or an array of these where the name is that of an array.
+Value: TypeAlias = "float | str | Sequence[float | str] | ArrayLike"
 # A vector in the order of the model's names, or some of its entries by name.
-Given: TypeAlias = ArrayLike | Mapping[str, float] | None
+Given: TypeAlias = ArrayLike | Mapping[str, Value] | None
 
 
-def known(what: str, given: Mapping[str, float] | None, names: Sequence[str]) -> dict[str, float]:
-    """`given` as floats. Raises KeyError for a name that is none of `names`, with the nearest one, and ValueError for
-    what is no number."""
-    values = dict(given or {})
-    for name, value in values.items():
-        if name not in names:
-            hint = did_you_mean(name, names, f"there are {', '.join(names) or 'none'}")
-            raise KeyError(f"no {what} `{name}`; {hint}")
-        values[name] = _number(name, value)
+def known(what: str, given: Mapping[str, Any] | None, targets: Mapping[str, Target]) -> dict[str, float]:
+    """`given` as numbers in SI units, by the names of the model, which are the keys of `targets`.
+
+    An array may be given by its name, a start by `theta` and by `theta.start`. Raises UnknownName for a name that is
+    none of these, with the nearest one, and ValueError for what is no number, no text with the right unit or too many
+    of them.
+    """
+    values: dict[str, float] = {}
+    for name, value in (given or {}).items():
+        for key, single in spread(what, name, value, targets):
+            if key in values:
+                raise ValueError(f"`{key}` is given twice")
+            values[key] = number(targets[key], single)
     return values
 
 
-def entries(what: str, given: Given, names: Sequence[str]) -> dict[str, float]:
-    """A vector in the order of `names`, or some of its entries by name, as entries by name. Raises KeyError and
+def spread(what: str, name: str, value: Any, targets: Mapping[str, Target]) -> Iterable[tuple[str, Any]]:
+    """The elements that `name` stands for, with their values: one, or those of an array."""
+    keys = keys_of(what, name, targets)
+    if keys == [name] or keys == [name.removesuffix(".start")]:
+        return [(keys[0], value)]
+    array = np.asarray(value, dtype=object)
+    if array.ndim == 0:
+        raise _unknown(what, name, f"`{name}` is an array of {len(keys)}: give as many values, or `{keys[0]}`")
+    single = array.ravel().tolist()
+    if len(single) != len(keys):
+        raise ValueError(f"`{name}` has {len(keys)} elements ({keys[0]} to {keys[-1]}), not {len(single)}")
+    return zip(keys, single, strict=True)
+
+
+def keys_of(what: str, name: str, targets: Mapping[str, Target]) -> list[str]:
+    """The names of the model that `name` stands for. Raises UnknownName."""
+    base = name.removesuffix(".start") if isinstance(name, str) else name
+    for candidate in dict.fromkeys((name, base)):
+        if candidate in targets and (candidate == name or targets[candidate].kind == "start"):
+            return [candidate]
+        elements = family(candidate, targets) if isinstance(candidate, str) else []
+        if elements and (candidate == name or targets[elements[0]].kind == "start"):
+            return elements
+    names = list(targets)
+    listing = f"there are {', '.join(names) or 'none'}"
+    hint = did_you_mean(name, names, listing) if isinstance(name, str) else listing
+    raise _unknown(what, name, hint or listing)
+
+
+def _unknown(what: str, name: str, hint: str) -> CompilationFailed:
+    sink = Sink()
+    sink.report("E0874", None, what=what, name=name, hint=hint)
+    return failed(sink.diagnostics)
+
+
+def entries(what: str, given: Given, targets: Mapping[str, Target]) -> dict[str, float]:
+    """A vector in the order of `targets`, or some of its entries by name, as entries by name. Raises UnknownName and
     ValueError for what does not fit."""
     if given is None or isinstance(given, Mapping):
-        return known(what, given, names)
+        return known(what, given, targets)
     array = np.asarray(given, dtype=np.float64)
-    if array.shape != (len(names),) and not (array.ndim == 0 and len(names) == 1):
-        raise ValueError(f"{what} must have {len(names)} entries, its shape is {array.shape}")
-    return known(what, dict(zip(names, array.reshape(-1).tolist(), strict=True)), names)
+    if array.shape != (len(targets),) and not (array.ndim == 0 and len(targets) == 1):
+        raise ValueError(f"{what} must have {len(targets)} entries, its shape is {array.shape}")
+    return known(what, dict(zip(targets, array.reshape(-1).tolist(), strict=True)), targets)
 
 
-def _number(name: str, value: object) -> float:
+def number(target: Target, value: object) -> float:
+    """In SI units. Raises ValueError for a text that is no quantity of that dimension, and for what is no number."""
+    name = target.key
+    if isinstance(value, str):
+        return quantity(target, value)
     try:
-        number = float(value)  # type: ignore[arg-type]
+        found = float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError) as error:
-        raise ValueError(f"`{name}` must be a number in SI units, not {str(value)[:40]!r}") from error
-    if not isfinite(number):
-        raise ValueError(f"`{name}` must be a finite number, not {number}")
-    return number
+        raise ValueError(f"`{name}` must be a number in SI units or a text, not {str(value)[:40]!r}") from error
+    if not isfinite(found):
+        raise ValueError(f"`{name}` must be a finite number, not {found}")
+    return found
+
+
+def quantity(target: Target, text: str) -> float:
+    """A text such as `2 kg` in SI units. Raises ValueError, also for a text without a unit where there is one."""
+    given = value_of(target, text)
+    if given.dimension is None and target.unit:
+        shown = target.display.unit
+        raise ValueError(
+            f"`{target.key}`: write the text with a unit, {text.strip() + ' ' + shown!r}, or give a number"
+        )
+    return given.value

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from lagdsl.api.described import Described
 from lagdsl.api.inputs import signals_of
-from lagdsl.api.names import known
+from lagdsl.api.names import Value, known
 from lagdsl.diagnostics import Sink
 
 if TYPE_CHECKING:
@@ -33,9 +33,9 @@ class Shown(Described):
         browser: bool = True,
         stop: float | None = None,
         tolerance: float | None = None,
-        parameters: Mapping[str, float] | None = None,
-        start: Mapping[str, float] | None = None,
-        inputs: Mapping[str, Signal] | Path | str | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        start: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
         sink: Sink | None = None,
     ) -> Path:
         """Write a page that shows the machine moving, with sliders and equations, and open it in a browser.
@@ -55,9 +55,9 @@ class Shown(Described):
         *,
         stop: float | None = None,
         tolerance: float | None = None,
-        parameters: Mapping[str, float] | None = None,
-        start: Mapping[str, float] | None = None,
-        inputs: Mapping[str, Signal] | Path | str | None = None,
+        parameters: Mapping[str, Value] | None = None,
+        start: Mapping[str, Value] | None = None,
+        inputs: Mapping[str, Signal | str] | Path | str | None = None,
         sink: Sink | None = None,
     ) -> str:
         from lagdsl.page.page import Wishes, page
@@ -66,9 +66,9 @@ class Shown(Described):
         wishes = Wishes(
             stop=stop,
             tolerance=tolerance,
-            parameters=known("parameter", parameters, self.parameters),
+            parameters=known("parameter", parameters, self._named("parameter")),
             start=self._start_values(start),
-            inputs=signals_of(inputs) or {},
+            inputs=signals_of(self._compilation.flat, inputs) or {},
         )
         return page(self._compilation.flat, wishes, source=self._source, sink=sink)
 

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lagdsl.api.names import known
+from lagdsl.api.names import keys_of, number, spread
+from lagdsl.api.texts import require_units
+from lagdsl.diagnostics import Sink
 from lagdsl.flat.admissible import require_value
+from lagdsl.flat.model import Parameter
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.settings.target import Target, targets
 from lagdsl.signals.inputs import Signal
-from lagdsl.sweep.plan import Axis, Plan, Target
+from lagdsl.sweep.plan import Axis, Plan
 from lagdsl.sweep.run import Options, SweptModel
 from lagdsl.sweep.sweep import Work, options_of, sweep
-from lagdsl.units.naming import rate_text
+from lagdsl.sweep.values import axis, axis_of
 
 if TYPE_CHECKING:
     import xarray
@@ -43,13 +47,12 @@ def run_sweep(
 ) -> xarray.Dataset:
     """See `Model.sweep`."""
     flat, program = compilation.flat, compilation.program
-    units = _units(compilation)
-    single = {name: value for name, value in values.items() if np.ndim(value) == 0}
-    many = {name: value for name, value in values.items() if name not in single}
+    known = {target.name: target for target in targets(flat, ("parameter", "start")).values()}
+    single, many = _axes(values, known)
     plan = Plan(
-        axes=tuple(_axis(compilation, units, name, value) for name, value in many.items()),
-        samples=tuple(_axis(compilation, units, name, value, drawn=True) for name, value in samples.items()),
-        fixed=tuple(_axis(compilation, units, name, np.ravel(value)) for name, value in single.items()),
+        axes=tuple(many),
+        samples=tuple(_axis(target, numbers, drawn=True) for target, numbers in _elements(samples, known)),
+        fixed=tuple(single),
     )
     end, step = options_of(flat, stop=stop, interval=interval)
     options = Options(
@@ -65,27 +68,36 @@ def run_sweep(
     return sweep(plan, [{}], [SweptModel(flat=flat, program=program)], options, work, progress)
 
 
-def _units(compilation: Compilation) -> dict[str, str]:
-    """Names that can be set, with their SI units."""
-    flat = compilation.flat
-    units = {slot.name: slot.unit for slot in compilation.program.layout.parameters}
-    units |= {f"{item.name}.start": item.unit for item in (*flat.coordinates, *flat.states)}
-    units |= {f"der({c.name}).start": rate_text(c.dimension, c.unit) for c in flat.coordinates}
-    return {name: "" if unit == "1" else unit for name, unit in units.items()}
+def _axes(values: Mapping[str, ArrayLike], known: Mapping[str, Target]) -> tuple[list[Axis], list[Axis]]:
+    """Axes with one value, and axes with many. Raises UnknownName and ValueError."""
+    single: list[Axis] = []
+    many: list[Axis] = []
+    sink = Sink()
+    for target, value in _elements(values, known):
+        axis = axis_of(target, value, sink) if isinstance(value, str) else _axis(target, np.atleast_1d(value))
+        (single if np.ndim(value) == 0 and len(axis.values) == 1 else many).append(axis)
+    require_units(sink)
+    return single, many
 
 
-def _axis(
-    compilation: Compilation, units: Mapping[str, str], name: str, values: ArrayLike, *, drawn: bool = False
-) -> Axis:
-    """Raises KeyError and ValueError; drawn values that a parameter may not have fail as runs, not here."""
-    numbers = np.asarray(values, dtype=np.float64)
-    if numbers.ndim != 1:
-        raise ValueError(f"the values of `{name}` must be a number or a sequence of numbers")
-    known("parameter or start value", dict.fromkeys([name], 0.0), list(units))
-    for parameter in compilation.flat.parameters:
-        if parameter.name == name and not drawn:
-            for value in numbers.tolist():
-                require_value(parameter, value)
-    key = name.removesuffix(".start")
-    target: Target = "start" if key != name else "parameter"
-    return Axis(name=name, key=key, target=target, unit=units[name], values=tuple(numbers.tolist()))
+def _elements(values: Mapping[str, ArrayLike], known: Mapping[str, Target]) -> Iterator[tuple[Target, ArrayLike]]:
+    """Every value with what it is for. An array by its name has one value for each element."""
+    for name, value in values.items():
+        keys = keys_of("parameter or start value", name, known)
+        if len(keys) == 1:
+            yield known[keys[0]], value
+            continue
+        for key, single in spread("parameter or start value", name, value, known):
+            yield known[key], single
+
+
+def _axis(target: Target, values: ArrayLike, *, drawn: bool = False) -> Axis:
+    """Raises ValueError; drawn values that a parameter may not have fail as runs, not here."""
+    array = np.asarray(values, dtype=object)
+    if array.ndim != 1:
+        raise ValueError(f"the values of `{target.name}` must be a number, a text or a sequence of numbers")
+    numbers = tuple(number(target, each) for each in array.tolist())
+    if isinstance(target.quantity, Parameter) and not drawn:
+        for value in numbers:
+            require_value(target.quantity, value)
+    return axis(target, numbers)

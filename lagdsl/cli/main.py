@@ -55,6 +55,8 @@ class Commands(click.Group):
             from lagdsl.diagnostics.suggest import nearest
 
             likely = nearest(args[0], _COMMANDS)
+            if args[0].endswith(".lag"):
+                ctx.fail(f"the command comes first: lag run {args[0]}")
             ctx.fail(f"no command `{args[0]}`" + (f"; did you mean `{likely}`?" if likely else ""))
         return super().resolve_command(ctx, args)
 

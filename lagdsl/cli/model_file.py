@@ -18,6 +18,8 @@ from lagdsl.source import SourceFile
 if TYPE_CHECKING:
     from lagdsl.flat.model import FlatModel
 
+# Facts of a model that nobody needs with every run.
+_TOLD_BY_CHECK = frozenset({"N0515", "N0701"})
 Format: TypeAlias = Literal["text", "json"]
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
@@ -66,7 +68,8 @@ def flat_or_leave(file: Path, model: str | None, style: Format) -> FlatModel:
 
 
 def tell(diagnostics: Sequence[Diagnostic], style: Format, *, to_output: bool = False) -> None:
-    """Print diagnostics to standard error, or JSON to standard output where it is the result."""
+    """Print diagnostics to standard error, or JSON to standard output where it is the result, of `lag check`."""
+    diagnostics = diagnostics if to_output else [each for each in diagnostics if each.code not in _TOLD_BY_CHECK]
     if style == "json":
         from lagdsl.diagnostics.json import to_json
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TypeVar
 
 import click
 
@@ -32,6 +33,35 @@ def require_writable(path: Path | None) -> None:
         raise Unwritable(path, FileNotFoundError(0, "there is no such directory"))
     if not os.access(path if path.exists() else path.parent, os.W_OK):
         raise Unwritable(path, PermissionError(0, "permission denied"))
+
+
+_Form = TypeVar("_Form", bound=str)
+
+
+def form_of(path: Path | None, asked: _Form | None, endings: Mapping[str, _Form], default: _Form) -> _Form:
+    """The form that `--to` asks for, else that of the ending of the file, as everywhere; `default` without either.
+    Leaves with status 2 where both are there and differ, and for an ending that says nothing."""
+    ending = "" if path is None else path.suffix.lower()
+    told = endings.get(ending)
+    if path is None or not ending or (asked is not None and told in (None, asked)):
+        return default if asked is None else asked
+    if told is None:
+        raise click.UsageError(f"{path.name}: results are written as {', '.join(endings)}; or choose a form with --to")
+    if asked is not None:
+        raise click.UsageError(f"{path.name}: the ending means {told}, --to says {asked}; leave one of them out")
+    return told
+
+
+def require_ending(path: Path | None, what: str, *endings: str) -> None:
+    """Leave with status 2, before the work is done, where the ending of a file promises something else."""
+    if path is not None and path.suffix.lower() not in ("", *endings):
+        raise click.UsageError(f"{path.name}: {what} written as {', '.join(endings)}")
+
+
+def require_units(path: Path | None, units: bool) -> None:
+    """Leave with status 2 where `--units` would change nothing."""
+    if units and (path is None or path.suffix.lower() not in ("", ".csv")):
+        raise click.UsageError("--units is for -o FILE.csv; files of other forms hold the units")
 
 
 @contextmanager

@@ -5,58 +5,90 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import wraps
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import click
 import numpy as np
 
 from lagdsl.analysis.point import System
 from lagdsl.analysis.where import Where
-from lagdsl.cli.assignments import constants, fitting, seconds, split
 from lagdsl.cli.compile_model import compile_or_leave
-from lagdsl.cli.engine import takes_engine
+from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.output import draft_of, write_text
+from lagdsl.cli.options import PATH, combined, takes_engine, takes_inputs, takes_settings
+from lagdsl.cli.output import draft_of, form_of, require_writable, write_text
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
+from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import findings
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.settings.literal import seconds
+from lagdsl.settings.settings import split
+from lagdsl.signals.inputs import Signal, given_inputs, signals
 
-_Command = TypeVar("_Command", bound=Callable[..., Any])
 _Result = TypeVar("_Result")
-FORMS = (".json", ".npz", ".csv")
-_STEPS = 101
-_MOST_TOLD = 12
+Form: TypeAlias = Literal["text", "json", "csv"]
+Command: TypeAlias = Callable[..., Any]
+_ENDINGS: dict[str, Form | Literal["npz"]] = {".json": "json", ".npz": "npz", ".csv": "csv"}
 
 
-def takes_state(command: _Command) -> _Command:
-    """Add FILE and the options that choose a state."""
-    for decorate in (
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Options:
+    """Arguments of the options that all three commands have."""
+
+    file: Path
+    model: str | None
+    style: Format
+    time: str | None
+    inputs: tuple[str, ...]
+    assignments: tuple[str, ...]
+    trim: bool
+    free: tuple[str, ...]
+    hold: tuple[str, ...]
+    steady: bool
+    engine: EngineName
+    form: Form | None
+    output: Path | None
+
+
+def takes_state(command: Command) -> Command:
+    """Add FILE and the options that choose a state and the form of the result; the command gets them as `options`."""
+
+    @wraps(command)
+    def called(**given: Any) -> None:
+        shared = {name: given.pop(name) for name in Options.__dataclass_fields__}
+        command(Options(**shared), **given)
+
+    return combined(
+        takes_model,
+        takes_settings,
+        takes_inputs,
         click.option("--time", metavar="T", help="Time of the state [s]; default: start of the experiment."),
+        click.option("--trim", is_flag=True, help="Take the equilibrium nearest to this state."),
         click.option(
-            "--input",
-            "inputs",
+            "--free",
             multiple=True,
-            metavar="NAME=VALUE",
-            help="Value of an input: 'f=2 N'; else its default.",
+            metavar="NAME",
+            help="With --trim: add an unknown: an input, a rate der(x), a fixed coordinate.",
         ),
         click.option(
-            "--set",
-            "assignments",
-            multiple=True,
-            metavar="NAME=VALUE",
-            help="Parameter or start value: 'm=2 kg', 'x.start=1 m'.",
+            "--hold", multiple=True, metavar="NAME", help="With --trim: remove an unknown, it keeps its start value."
+        ),
+        click.option(
+            "--steady", is_flag=True, help="With --trim: keep the rates of the start: a steady motion instead of rest."
         ),
         takes_engine,
         click.option(
-            "-o", "--output", type=click.Path(path_type=Path), help="Write the numbers to this .json, .npz or .csv."
+            "--to",
+            "form",
+            type=click.Choice(["text", "json", "csv"]),
+            help="Form of the result on standard output; default: text.",
         ),
-        takes_model,
-    ):
-        command = decorate(command)
-    return command
+        click.option("-o", "--output", type=PATH, help="Write the numbers to this .json, .npz or .csv."),
+    )(called)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,96 +98,83 @@ class Request:
     system: System
     where: Where
     sink: Sink
-    style: Format
+    options: Options
 
-    def ask(self, question: Callable[[System, Where, Sink], _Result], where: Where | None = None) -> _Result:
+    def ask(self, question: Callable[[System, Where, Sink], _Result]) -> _Result:
         """The answer; leaves with status 1 where there is none."""
         try:
-            answer = question(self.system, self.where if where is None else where, self.sink)
+            answer = question(self.system, self.where, self.sink)
         except CompilationFailed as failure:
-            leave_with_errors(findings(self.sink, failure), self.style)
+            leave_with_errors(findings(self.sink, failure), self.options.style)
         return answer
 
 
-def request(
-    file: Path,
-    model: str | None,
-    style: Format,
-    time: str | None,
-    inputs: tuple[str, ...],
-    assignments: tuple[str, ...],
-    engine: EngineName,
-) -> Request:
-    """Compile FILE; leaves where it is wrong."""
-    sink = Sink()
-    source = read_or_leave(file, style)
-    compilation, chosen = compile_or_leave(source, sink, style, model, "graph", split(assignments))
+def request(options: Options, *, trim: bool) -> Request:
+    """Compile FILE; leaves where it is wrong. With `trim` the state is an equilibrium. Raises SettingError."""
+    _require_sound(options, trim)
+    style, sink = options.style, Sink()
+    source = read_or_leave(options.file, style)
+    given = inputs_or_leave(options.inputs, style)
+    compilation, chosen = compile_or_leave(source, sink, style, options.model, "graph", split(options.assignments))
+    flat = compilation.flat
+    inputs = given.of(flat, sink, style)
     try:
-        computing = engine_of(compilation.program, engine)
+        computing = engine_of(compilation.program, options.engine)
     except CompilationFailed as failure:
         leave_with_errors(findings(sink, failure), style)
     layout = compilation.program.layout
     values = dict(zip([slot.name for slot in layout.parameters], layout.defaults, strict=True)) | chosen.parameters
+    time = seconds("--time", options.time)
     where = Where(
         p=np.array(list(values.values()), dtype=np.float64),
-        t=seconds("--time", time),
+        t=time,
         start=chosen.start,
-        inputs=constants(compilation.flat, split(inputs)),
+        inputs=_values_at(flat, inputs, flat.experiment.start_time if time is None else time, sink),
+        trim=trim,
+        free=options.free,
+        hold=options.hold,
+        steady=options.steady,
     )
-    return Request(
-        system=System(compilation.flat, compilation.program, computing), where=where, sink=Sink(), style=style
-    )
+    if sink.has_errors:
+        leave_with_errors(sink.diagnostics, style)
+    return Request(system=System(flat, compilation.program, computing), where=where, sink=sink, options=options)
 
 
-def grid(flat: FlatModel, text: str) -> tuple[str, list[float]]:
-    """`P=0:3:31` as a name and values in SI units; limits may have units. Raises UsageError."""
-    name, equals, limits = text.partition("=")
-    parts = limits.split(":")
-    if not equals or len(parts) not in (2, 3):
-        raise click.UsageError(f"--vary {text}: expected NAME=FROM:TO or NAME=FROM:TO:COUNT, as in 'P=0 N:3 N:31'")
-    name = name.strip()
-    base = name.removesuffix(".start")
-    rate = base.startswith("der(") and base.endswith(")")
-    quantities = [*flat.parameters, *flat.inputs, *flat.coordinates, *flat.states]
-    found = next((item for item in quantities if item.name == (base[4:-1] if rate else base)), None)
-    if found is None or (found in flat.parameters and base != name):
-        known = [*(p.name for p in flat.parameters), *(i.name for i in flat.inputs)]
-        listing = ", ".join(known[:_MOST_TOLD])
-        raise click.UsageError(f"--vary {name}: {flat.name} has no such parameter, input or start value; {listing} ...")
-    count = _count(text, parts[2]) if len(parts) == 3 else _STEPS
-    first, last = (fitting(found, name, part.strip(), rate=rate) for part in parts[:2])
-    if first == last:
-        raise click.UsageError(f"--vary {text}: the range from {first:g} to {last:g} is empty")
-    return name, np.linspace(first, last, count).tolist()
+def _require_sound(options: Options, trim: bool) -> None:
+    """Leave with status 2, before the work is done, where options contradict each other."""
+    if not trim and (options.free or options.hold or options.steady):
+        raise click.UsageError("--free, --hold and --steady choose an equilibrium: give --trim, too")
+    form_of(options.output, options.form, _ENDINGS, "text")
+    require_writable(options.output)
 
 
-def _count(text: str, digits: str) -> int:
-    if not digits.strip().isdigit() or not 2 <= int(digits) <= 100_000:
-        raise click.UsageError(f"--vary {text}: the number of values must be an integer from 2 to 100000")
-    return int(digits)
+def _values_at(flat: FlatModel, inputs: dict[str, Signal], time: float, sink: Sink) -> dict[str, float]:
+    """The inputs that are given, with their derivatives, at one time; tables are read there."""
+    found: Floats = signals(flat, np.zeros(len(flat.inputs)), inputs, (time, time), sink).at(time)
+    told = given_inputs(flat, inputs)
+    return {item.name: value for item, value, given in zip(flat.inputs, found.tolist(), told, strict=True) if given}
 
 
-def require_form(path: Path | None) -> None:
-    """Leave with status 2, before the work is done, where a file of that ending is not written."""
-    if path is not None and path.suffix.lower() not in FORMS:
-        raise click.UsageError(f"{path.name}: numbers are written as {', '.join(FORMS)}")
-
-
-def finish(asked: Request, text: str, data: dict[str, Any], table: list[list[Any]], output: Path | None) -> None:
+def finish(asked: Request, text: str, data: dict[str, Any], table: list[list[Any]]) -> None:
     """Tell warnings; then the text, or JSON, or a file with the numbers."""
-    tell(asked.sink.diagnostics, asked.style)
-    if output is None:
-        click.echo(_json(data) if asked.style == "json" else text)
-        return
-    match output.suffix.lower():
-        case ".json":
+    options, sink = asked.options, asked.sink
+    output = options.output
+    form = form_of(output, options.form, _ENDINGS, "text")
+    if options.form is None and output is None and options.style == "json":
+        form = "json"
+        sink.report("N0877", None, old="--format json", new="--to json", why="--format is for diagnostics")
+    tell(sink.diagnostics, options.style)
+    match form:
+        case "json":
             write_text(_json(data) + "\n", output)
-        case ".csv":
+        case "csv":
             write_text("".join(",".join(_cell(cell) for cell in row) + "\n" for row in table), output)
-        case _:
+        case "npz" if output is not None:
             with draft_of(output) as draft, draft.open("wb") as file:
                 arrays: dict[str, Any] = {name: np.asarray(value) for name, value in data.items()}
                 np.savez(file, **arrays)
+        case _:
+            write_text(text + "\n", output)
 
 
 def _cell(cell: object) -> str:

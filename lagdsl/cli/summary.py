@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from lagdsl.cli.text_table import aligned
 from lagdsl.plot.terminal import sketch
 from lagdsl.signals.moved import moved_text
 from lagdsl.signals.trajectory import Column, Event, Trajectory
@@ -24,7 +25,7 @@ def summary(trajectory: Trajectory, *, freedom: int, loops: tuple[str, ...], cur
 
 def _table(trajectory: Trajectory) -> str:
     header = ("", "start", "end", "lowest", "highest", "")
-    lines = _lines([header, *(_row(column) for column in trajectory.columns[1:])], left=(0, 5))
+    lines = aligned([header, *(_row(column) for column in trajectory.columns[1:])], left=(0, 5))
     first, last = float(trajectory.time[0]), float(trajectory.time[-1])
     title = f"{trajectory.model}: {len(trajectory)} rows from {first:g} s to {last:g} s, {trajectory.statistics.solver}"
     return "\n".join([title, *lines])
@@ -33,18 +34,6 @@ def _table(trajectory: Trajectory) -> str:
 def _row(column: Column) -> tuple[str, ...]:
     numbers = (column.values[0], column.values[-1], column.lowest, column.highest)
     return (column.name, *(f"{column.display(float(x)):.5g}" for x in numbers), column.display.unit)
-
-
-def _lines(rows: list[tuple[str, ...]], left: tuple[int, ...]) -> list[str]:
-    """Rows of one table; the columns `left` are words."""
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    return [
-        "  ".join(
-            cell.ljust(width) if i in left else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in rows
-    ]
 
 
 def _events(events: tuple[Event, ...]) -> str:
@@ -57,7 +46,7 @@ def _events(events: tuple[Event, ...]) -> str:
     shown = list(times.items())[:_MOST_KINDS]
     header = ("events", "", "number", "first", "last")
     rows = [(_short(name), kind, f"{len(t)}", f"{t[0]:.6g} s", f"{t[-1]:.6g} s") for (name, kind), t in shown]
-    lines = _lines([header, *rows], left=(0, 1))
+    lines = aligned([header, *rows], left=(0, 1))
     if len(times) > len(shown):
         lines.append(f"and {len(times) - len(shown)} more")
     return "\n".join(lines)

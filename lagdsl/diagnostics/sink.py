@@ -55,7 +55,7 @@ class Sink:
     def raise_if_errors(self) -> None:
         """Raise `CompilationFailed` with all that was collected if any of it is an error."""
         if self.has_errors:
-            raise CompilationFailed(self.diagnostics)
+            raise failed(self.diagnostics)
 
 
 def _worded(label: Label, template: str | None, arguments: dict[str, object]) -> Label:
@@ -73,3 +73,16 @@ class CompilationFailed(Exception):  # noqa: N818 the public name says what happ
         from lagdsl.diagnostics.render import render_all
 
         return render_all(self.diagnostics)
+
+
+class UnknownName(CompilationFailed, KeyError):  # noqa: N818 the public name says what happened
+    """A name that the model does not have was given: of a parameter, an input, a start value."""
+
+
+_UNKNOWN = frozenset({"E0222", "E0819", "E0853", "E0874"})
+
+
+def failed(diagnostics: tuple[Diagnostic, ...]) -> CompilationFailed:
+    """The exception that these diagnostics are: UnknownName where all errors are about names that were given."""
+    codes = {each.code for each in diagnostics if each.severity is Severity.ERROR}
+    return UnknownName(diagnostics) if codes and codes <= _UNKNOWN else CompilationFailed(diagnostics)

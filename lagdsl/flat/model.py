@@ -70,11 +70,15 @@ class State(Quantity):
 class Input(Quantity):
     """A top-level input. `smooth` is the number of time derivatives the caller provides, as further inputs `der(name)`,
     `der(der(name))` that follow it directly in the list of inputs: items of their own, each with `derivative_of` naming
-    the input whose time derivative it is (the one before it)."""
+    the input whose time derivative it is (the one before it). `stated`: the model states its default."""
 
     default: FlatExpression
+    stated: bool = False
     smooth: int = 0
     derivative_of: str | None = None
+    nominal: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
 
 
 @record(kw_only=True)
@@ -96,6 +100,9 @@ class Output(Quantity):
     value: FlatExpression
     joint: str | None = None
     turning: bool = False
+    nominal: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
 
 
 @record(kw_only=True)

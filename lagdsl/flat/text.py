@@ -12,6 +12,7 @@ from typing import assert_never
 from lagdsl.diagnostics.excerpt import printable
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
+from lagdsl.flat.display import display
 from lagdsl.flat.event_text import event_sections
 from lagdsl.flat.expression_text import flat_expression_text as text_of
 from lagdsl.flat.expression_text import number_text
@@ -42,7 +43,7 @@ def flat_text(flat: fm.FlatModel) -> str:
     lines += _section("inputs", [_input(item) for item in flat.inputs])
     lines += _section("parameters", [_parameter(parameter) for parameter in flat.parameters])
     lines += _section("definitions", [_named(item) for item in flat.named])
-    lines += _section("outputs", [_quantity(output, text_of(output.value)) for output in flat.outputs])
+    lines += _section("outputs", [_output(output) for output in flat.outputs])
     for title, found in event_sections(flat.events):
         lines += _section(title, [_Line(text, source) for text, source in found])
     lines += _section("invariants", [_invariant(invariant) for invariant in flat.invariants])
@@ -70,8 +71,8 @@ def _placed(line: _Line, width: int) -> str:
 
 
 def _coordinate(coordinate: fm.Coordinate) -> _Line:
-    start = f"start = {text_of(coordinate.start)}{_displayed(coordinate.start, coordinate.display_unit)}"
-    parts = [f"{coordinate.type_name} {coordinate.name} [{coordinate.unit}]", start]
+    start = f"start = {text_of(coordinate.start)}{_displayed(coordinate.start, coordinate)}"
+    parts = [f"{coordinate.type_name} {coordinate.name} [{_units(coordinate)}]", start]
     parts += ["fixed"] if coordinate.fixed else []
     if coordinate.rate_start_explicit or coordinate.rate_fixed or coordinate.rate_start != fx.ZERO:
         parts.append(f"der start = {text_of(coordinate.rate_start)}")
@@ -80,9 +81,18 @@ def _coordinate(coordinate: fm.Coordinate) -> _Line:
     return _Line(", ".join(parts) + _doc(coordinate.doc), coordinate)
 
 
-def _displayed(value: fx.FlatExpression, unit: str | None) -> str:
+def _units(item: Quantity) -> str:
+    """`rad, shown in deg`: the unit of all numbers here and in files, and the one of summaries and figures."""
+    shown = display(item).unit
+    return item.unit if shown in (item.unit, "") else f"{item.unit}, shown in {shown}"
+
+
+def _displayed(value: fx.FlatExpression, item: Quantity) -> str:
     """The same number in the unit people see: ` (10 deg)`."""
-    return f" ({to_display(value.value, unit):.6g} {unit})" if unit is not None and isinstance(value, fx.Number) else ""
+    unit = display(item).unit
+    if not isinstance(value, fx.Number) or unit in (item.unit, ""):
+        return ""
+    return f" ({to_display(value.value, unit):.6g} {unit})"
 
 
 def _bounds(minimum: float | None, maximum: float | None, nominal: float | None = None) -> list[str]:
@@ -149,23 +159,33 @@ def _joint(joint: fm.Joint) -> _Line:
 
 
 def _quantity(item: Quantity, value: str) -> _Line:
-    return _Line(f"{item.type_name} {item.name} [{item.unit}] = {value}{_doc(item.doc)}", item)
+    return _Line(f"{item.type_name} {item.name} [{_units(item)}] = {value}{_doc(item.doc)}", item)
 
 
 def _state(state: fm.State) -> _Line:
     fixed = ", fixed" if state.fixed else ""
-    text = f"{state.type_name} {state.name} [{state.unit}], start = {text_of(state.start)}{fixed}"
+    start = f"{text_of(state.start)}{_displayed(state.start, state)}"
+    text = f"{state.type_name} {state.name} [{_units(state)}], start = {start}{fixed}"
     return _Line(f"{text}, der({state.name}) = {text_of(state.derivative)}{_doc(state.doc)}", state)
 
 
 def _input(item: fm.Input) -> _Line:
     smooth = f", smooth = {item.smooth}" if item.smooth else ""
-    text = f"{item.type_name} {item.name} [{item.unit}], default = {text_of(item.default)}{smooth}{_doc(item.doc)}"
+    default = f"default = {text_of(item.default)}{_displayed(item.default, item)}" if item.stated else "no default"
+    if item.derivative_of is not None:
+        default = f"derivative of {item.derivative_of}"
+    limits = "".join(f", {bound}" for bound in _bounds(item.minimum, item.maximum, item.nominal))
+    text = f"{item.type_name} {item.name} [{_units(item)}], {default}{smooth}{limits}{_doc(item.doc)}"
     return _Line(text, item)
 
 
+def _output(item: fm.Output) -> _Line:
+    limits = "".join(f", {bound}" for bound in _bounds(item.minimum, item.maximum, item.nominal))
+    return _quantity(item, f"{text_of(item.value)}{limits}")
+
+
 def _parameter(parameter: fm.Parameter) -> _Line:
-    value = number_text(parameter.value)
+    value = f"{number_text(parameter.value)}{_displayed(fx.Number(parameter.value), parameter)}"
     if parameter.kind == "Boolean":
         value = "true" if parameter.value else "false"
     if parameter.text is not None:

@@ -87,13 +87,3 @@ def _independent(matrix: Floats, order: list[int], tolerance: float, count: int)
             kept[row] = True
             basis = np.vstack([basis, rest / length])
     return kept
-
-
-def augmented_mass(mass: Floats, jacobian: Floats) -> Floats:
-    """M + c J'J: the same metric for every displacement with given J dq, and positive definite wherever the
-    constrained system is, even if M alone is singular (quaternions, massless links)."""
-    if not jacobian.size:
-        return mass
-    outer = jacobian.T @ jacobian
-    weight = float(np.trace(outer))
-    return np.asarray(mass + (float(np.trace(mass)) / weight if weight > 0.0 else 0.0) * outer)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
+from lagdsl.flat.display import Display, display
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.model import FlatModel, Input, Parameter
 from lagdsl.flat.quantity import Quantity, Spans
@@ -14,7 +15,6 @@ from lagdsl.scene.living import START, Living
 from lagdsl.scene.shapes import Scene, Shape
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile
-from lagdsl.structure.display import Display, display
 from lagdsl.structure.names import contact_rows
 from lagdsl.version import __version__
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -85,3 +86,25 @@ class Document:
 
 def text(words: str) -> Inline:
     return (Text(words),)
+
+
+def inline(
+    content: Inline,
+    math: Callable[[Box], str],
+    words: Callable[[str], str],
+    strong: Callable[[str], str],
+    code: Callable[[str], str],
+) -> str:
+    """The pieces of a text in the marks of a format."""
+    pieces = []
+    for piece in content:
+        match piece:
+            case Math(box):
+                pieces.append(math(box))
+            case Text(text):
+                pieces.append(words(text))
+            case Strong(text):
+                pieces.append(strong(text))
+            case Code(text):
+                pieces.append(code(text))
+    return "".join(pieces)

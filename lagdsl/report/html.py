@@ -12,17 +12,14 @@ from lagdsl.report.broken import Line, lines, sign_and_rest
 from lagdsl.report.document import (
     Block,
     Bullets,
-    Code,
     Document,
     Equation,
     Equations,
     Heading,
     Inline,
-    Math,
     Paragraph,
-    Strong,
     Table,
-    Text,
+    inline,
 )
 from lagdsl.report.html_style import STYLE
 from lagdsl.report.mathml import element, mathml
@@ -142,15 +139,10 @@ def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str
 
 
 def _inline(content: Inline) -> str:
-    pieces = []
-    for piece in content:
-        match piece:
-            case Math(box):
-                pieces.append(mathml(box))
-            case Text(words):
-                pieces.append(escape(words))
-            case Strong(words):
-                pieces.append(f"<strong>{escape(words)}</strong>")
-            case Code(words):
-                pieces.append(f"<code>{escape(words)}</code>")
-    return "".join(pieces)
+    return inline(
+        content,
+        mathml,
+        escape,
+        strong=lambda words: f"<strong>{escape(words)}</strong>",
+        code=lambda words: f"<code>{escape(words)}</code>",
+    )

@@ -7,16 +7,13 @@ from typing import assert_never
 from lagdsl.report.document import (
     Block,
     Bullets,
-    Code,
     Document,
     Equations,
     Heading,
     Inline,
-    Math,
     Paragraph,
-    Strong,
     Table,
-    Text,
+    inline,
 )
 from lagdsl.report.latex_math import escape, tex
 from lagdsl.report.markdown import aligned
@@ -72,15 +69,10 @@ def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str
 
 
 def _inline(content: Inline) -> str:
-    pieces = []
-    for piece in content:
-        match piece:
-            case Math(box):
-                pieces.append(f"${tex(box).strip()}$")
-            case Text(words):
-                pieces.append(escape(words))
-            case Strong(words):
-                pieces.append(rf"\textbf{{{escape(words)}}}")
-            case Code(words):
-                pieces.append(rf"\texttt{{{escape(words)}}}")
-    return "".join(pieces)
+    return inline(
+        content,
+        lambda box: f"${tex(box).strip()}$",
+        escape,
+        strong=lambda words: rf"\textbf{{{escape(words)}}}",
+        code=lambda words: rf"\texttt{{{escape(words)}}}",
+    )

@@ -10,17 +10,14 @@ from lagdsl.report.broken import lines, sign_and_rest
 from lagdsl.report.document import (
     Block,
     Bullets,
-    Code,
     Document,
     Equation,
     Equations,
     Heading,
     Inline,
-    Math,
     Paragraph,
-    Strong,
     Table,
-    Text,
+    inline,
 )
 from lagdsl.report.latex_math import tex
 
@@ -73,18 +70,7 @@ def aligned(equation: Equation, width: int) -> str:
 
 
 def _inline(content: Inline) -> str:
-    pieces = []
-    for piece in content:
-        match piece:
-            case Math(box):
-                pieces.append(f"${tex(box).strip()}$")
-            case Text(words):
-                pieces.append(_escape(words))
-            case Strong(words):
-                pieces.append(f"**{_escape(words)}**")
-            case Code(words):
-                pieces.append(_code(words))
-    return "".join(pieces)
+    return inline(content, lambda box: f"${tex(box).strip()}$", _escape, lambda words: f"**{_escape(words)}**", _code)
 
 
 def _escape(text: str) -> str:

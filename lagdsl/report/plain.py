@@ -10,17 +10,14 @@ from lagdsl.report.broken import lines, sign_and_rest
 from lagdsl.report.document import (
     Block,
     Bullets,
-    Code,
     Document,
     Equation,
     Equations,
     Heading,
     Inline,
-    Math,
     Paragraph,
-    Strong,
     Table,
-    Text,
+    inline,
 )
 from lagdsl.report.unicode_math import line
 
@@ -71,14 +68,7 @@ def _equation(equation: Equation) -> str:
 
 
 def _inline(content: Inline) -> str:
-    pieces = []
-    for piece in content:
-        match piece:
-            case Math(box):
-                pieces.append(line(box))
-            case Text(words) | Code(words) | Strong(words):
-                pieces.append(_safe(words))
-    return "".join(pieces)
+    return inline(content, line, _safe, _safe, _safe)
 
 
 def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str:

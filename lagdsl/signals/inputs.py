@@ -3,7 +3,7 @@ smooth."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, TypeAlias, cast
 
 import numpy as np
@@ -25,6 +25,7 @@ _Function: TypeAlias = Callable[[float, bool], float]
 _NONE = np.zeros(0)
 # A monotone cubic has a continuous slope: of higher derivatives only the second is a function.
 _MOST_DERIVATIVES = 2
+_MOST_NAMED = 4
 _KINDS = "a number, a function of time or a pair (times, values)"
 
 
@@ -88,12 +89,32 @@ def signals(
     return Signals(tuple(functions), tuple(sorted(b for b in breaks if span[0] < b < span[1])))
 
 
+def report_missing(flat: FlatModel, given: Collection[str], sink: Sink) -> None:
+    """N0875 for the inputs that neither `given` nor the model has a value for."""
+    items = [item for item in flat.inputs if not item.stated and item.derivative_of is None]
+    missing = [item for item in items if _source(item.name, given)[0] is None]
+    if not missing:
+        return
+    names = [f"`{item.name}`" for item in missing[:_MOST_NAMED]]
+    more = f" and {len(missing) - len(names)} more" if len(missing) > len(names) else ""
+    unit = missing[0].unit if missing[0].unit != "1" else ""
+    zero = f"it is 0 {unit}".rstrip() if len(missing) == 1 else "they are zero"
+    sink.report(
+        "N0875",
+        missing[0].spans[0] if missing[0].spans else None,
+        names=f"the input{'' if len(missing) == 1 else 's'} {', '.join(names)}{more}",
+        zero=zero,
+        first=missing[0].name,
+        example=f"1 {unit}".rstrip(),
+    )
+
+
 def given_inputs(flat: FlatModel, inputs: Mapping[str, Signal]) -> list[bool]:
     """Flags of the inputs that these signals determine; all others have their defaults."""
     return [_source(item.name, inputs)[0] is not None for item in flat.inputs]
 
 
-def _source(name: str, inputs: Mapping[str, Signal]) -> tuple[str | None, int]:
+def _source(name: str, inputs: Collection[str]) -> tuple[str | None, int]:
     """The given signal that an input is made of, and how often it is differentiated for that: `der(road)` is itself if
     it is given, else the derivative of `road`."""
     source, order = name, 0
@@ -152,13 +173,17 @@ def _function(
                 "E0817", None, name=_base(item.name), first=times[0], last=times[-1], start=span[0], stop=span[1]
             )
             return _Constant(0.0)
+        _check_bounds(item, values if order == 0 else values[:0], sink)
         return _of_table(item, source, (times, values), orders, breaks, sink)
     try:
         constant = float(cast(float, signal))
     except (TypeError, ValueError) as error:
         raise ValueError(f"input `{item.name}` must be {_KINDS}") from error
+    if not np.isfinite(constant):
+        raise ValueError(f"input `{item.name}` must be a finite number, not {constant:g}")
     if order == 0:
         _check_whole(item, np.array([constant]), sink)
+        _check_bounds(item, np.array([constant]), sink)
     return _Constant(constant if order == 0 else 0.0)
 
 
@@ -223,6 +248,19 @@ def _check_whole(item: Input, values: Floats, sink: Sink) -> None:
     odd = values[values != np.round(values)]
     if len(odd) and item.base in ("Integer", "Enumeration"):
         sink.report("E0845", item.spans[0] if item.spans else None, name=item.name, value=odd[0])
+
+
+def _check_bounds(item: Input, values: Floats, sink: Sink) -> None:
+    """W0328 for the value that is farthest outside of `min` or `max`."""
+    if not len(values):
+        return
+    unit = "" if item.unit == "1" else f" {item.unit}"
+    low, high = float(np.min(values)), float(np.max(values))
+    for which, value, limit in (("min", low, item.minimum), ("max", high, item.maximum)):
+        if limit is not None and (value < limit if which == "min" else value > limit):
+            place = item.spans[0] if item.spans else None
+            value_text, limit_text = f"{value:g}{unit}", f"{limit:g}{unit}"
+            sink.report("W0328", place, name=item.name, value=value_text, which=which, limit=limit_text)
 
 
 @record()

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.diagnostics import Sink
+from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.record import record
-from lagdsl.structure.display import Display, display, display_rate
 from lagdsl.structure.names import located
 
 Flags = NDArray[np.bool_]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Callable, Iterable
 from functools import partial
 from importlib.util import find_spec
@@ -13,14 +14,30 @@ from typing import TypeAlias
 import numpy as np
 
 from lagdsl.diagnostics import Label, Sink
+from lagdsl.flat.model import FlatModel
+from lagdsl.record import record
+from lagdsl.signals.inputs import Signal
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile, Span
 from lagdsl.source.whole_file import whole_file
+from lagdsl.units.dimension import TIME
+from lagdsl.units.naming import describe
+from lagdsl.units.parse import UnknownUnit, parse_unit
 
-# (times, values) by name of the input.
-Tables: TypeAlias = dict[str, tuple[list[float], list[float]]]
+
+@record()
+class Table:
+    """A column of a file over its times [s], in the unit of its header; without one in SI units."""
+
+    times: list[float]
+    values: list[float]
+    unit: str = ""
+
+
+Tables: TypeAlias = dict[str, Table]  # by name of the input
 _LARGEST_INPUT = 200_000_000
 _PARQUET = ".parquet"
+_WITH_UNIT = re.compile(r"(.*\S)\s+\[([^\[\]]+)\]")
 
 
 def has_writer(path: Path, sink: Sink) -> bool:
@@ -37,13 +54,13 @@ def has_writer(path: Path, sink: Sink) -> bool:
     return True
 
 
-def write_table(trajectory: Trajectory, path: Path, sink: Sink | None = None) -> None:
-    """Write all columns in SI units to `path`: Parquet if it ends so, else CSV. E0825, E0826 and E0828 where that
-    cannot be done; without a sink these raise CompilationFailed."""
+def write_table(trajectory: Trajectory, path: Path, sink: Sink | None = None, *, units: bool = False) -> None:
+    """Write all columns in SI units to `path`: Parquet if it ends so, else CSV, with `units` in its header. E0825,
+    E0826 and E0828 where that cannot be done; without a sink these raise CompilationFailed."""
     own = Sink() if sink is None else sink
     if has_writer(path, own):
-        form = _write_parquet if path.suffix.lower() == _PARQUET else _write_csv
-        _write(path, own, partial(form, trajectory))
+        parquet = path.suffix.lower() == _PARQUET
+        _write(path, own, partial(_write_parquet, trajectory) if parquet else partial(_write_csv, trajectory, units))
     if sink is None:
         own.raise_if_errors()
 
@@ -64,17 +81,23 @@ def _write(path: Path, sink: Sink, write: Callable[[Path], object]) -> None:
         sink.report("E0826", None, file=path, reason=error.strerror or str(error))
 
 
-def _write_csv(trajectory: Trajectory, draft: Path) -> None:
-    draft.write_text(csv_text(trajectory), encoding="utf-8", newline="")
+def _write_csv(trajectory: Trajectory, units: bool, draft: Path) -> None:
+    draft.write_text(csv_text(trajectory, units=units), encoding="utf-8", newline="")
 
 
 def _write_events(trajectory: Trajectory, draft: Path) -> None:
     draft.write_text(events_text(trajectory), encoding="utf-8", newline="")
 
 
-def csv_text(trajectory: Trajectory) -> str:
-    """Header and rows; every number in the shortest form that reads back as the same float."""
-    return _csv(trajectory.names, zip(*(column.values.tolist() for column in trajectory.columns), strict=True))
+def csv_text(trajectory: Trajectory, *, units: bool = False) -> str:
+    """Header, on request with units, and rows; every number in the shortest form that reads back as the same float."""
+    header = [with_unit(column.name, column.unit) if units else column.name for column in trajectory.columns]
+    return _csv(header, zip(*(column.values.tolist() for column in trajectory.columns), strict=True))
+
+
+def with_unit(name: str, unit: str) -> str:
+    """`theta [rad]`; the name alone of what has no unit."""
+    return name if unit in ("", "1") else f"{name} [{unit}]"
 
 
 def events_text(trajectory: Trajectory) -> str:
@@ -122,8 +145,11 @@ def parse_inputs(file: SourceFile, sink: Sink) -> Tables | None:
     """The same for a text."""
     before = len(sink.diagnostics)
     numbered = [(n, _cells(line)) for n, line in enumerate(file.text.split("\n"), 1) if line.strip()]
-    names = [cell.strip() for cell in numbered[0][1]] if numbered else []
-    _check_names(file, numbered[0][0] if numbered else None, names, sink)
+    heads = [_head(cell) for cell in numbered[0][1]] if numbered else []
+    names = [name for name, _ in heads]
+    first = numbered[0][0] if numbered else None
+    _check_names(file, first, names, sink)
+    _check_units(file, first, heads, sink)
     if len(sink.diagnostics) > before:
         return None
     rows = [_row(file, line, cells, names, sink) for line, cells in numbered[1:]]
@@ -138,7 +164,35 @@ def parse_inputs(file: SourceFile, sink: Sink) -> Tables | None:
         line = numbered[int(backward[0]) + 2][0]
         sink.report("E0822", _line_span(file, line), line=line)
         return None
-    return {name: (times.tolist(), table[:, i].tolist()) for i, name in enumerate(names) if name != "time"}
+    seconds = _converted(times.tolist(), dict(heads)["time"])
+    return {name: Table(seconds, table[:, i].tolist(), unit) for i, (name, unit) in enumerate(heads) if name != "time"}
+
+
+def in_si(tables: Tables, flat: FlatModel, sink: Sink) -> dict[str, Signal]:
+    """The tables as inputs of this model; E0878 for a unit that is none of the input."""
+    inputs = {item.name: item for item in flat.inputs}
+    found: dict[str, Signal] = {}
+    for name, table in tables.items():
+        if table.unit and name in inputs and parse_unit(table.unit).dimension != inputs[name].dimension:
+            why = f"`{name}` is {describe(inputs[name].dimension)} [{inputs[name].unit}]"
+            sink.report("E0878", None, name=name, unit=table.unit, why=why)
+        found[name] = (table.times, _converted(table.values, table.unit))
+    return found
+
+
+def _converted(values: list[float], unit: str) -> list[float]:
+    """From `unit` to SI."""
+    if not unit:
+        return values
+    definition = parse_unit(unit)
+    converted: list[float] = (np.array(values) * definition.factor + definition.offset).tolist()
+    return converted
+
+
+def _head(cell: str) -> tuple[str, str]:
+    """Name and unit of `tau [N.m]`; `tau[1]` is a name."""
+    found = _WITH_UNIT.fullmatch(cell.strip())
+    return (found[1], found[2].strip()) if found else (cell.strip(), "")
 
 
 def _check_names(file: SourceFile, line: int | None, names: list[str], sink: Sink) -> None:
@@ -150,6 +204,18 @@ def _check_names(file: SourceFile, line: int | None, names: list[str], sink: Sin
     for name in dict.fromkeys(names):
         if names.count(name) > 1:
             sink.report("E0829", span, file=file.name, column=name)
+
+
+def _check_units(file: SourceFile, line: int | None, heads: list[tuple[str, str]], sink: Sink) -> None:
+    """E0878 for what is no unit, and for a time that is none."""
+    for name, unit in heads:
+        try:
+            why = "that is no time" if name == "time" and unit and parse_unit(unit).dimension != TIME else ""
+            parse_unit(unit)
+        except UnknownUnit as error:
+            why = str(error)
+        if why and line is not None:
+            sink.report("E0878", _line_span(file, line), name=name, unit=unit, why=why)
 
 
 def _cells(line: str) -> list[str]:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Literal, Self
 
 import numpy as np
 
 from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.flat.display import Display
 from lagdsl.numerics.rank import Floats
 from lagdsl.signals.moved import MovedRow
-from lagdsl.structure.display import Display
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -140,6 +140,17 @@ class Trajectory:
 
     def __len__(self) -> int:
         return len(self.time)
+
+    def only(self, names: Collection[str] | None) -> Self:
+        """The motion with the time and the columns `names`, in their order here; with None itself."""
+        if names is None:
+            return self
+        finer = self.finer
+        return replace(
+            self,
+            columns=(self.columns[0], *(column for column in self.columns[1:] if column.name in names)),
+            finer=None if finer is None else lambda: finer().only(names),
+        )
 
     def to_dataframe(self) -> pd.DataFrame:
         """All columns as a pandas DataFrame; needs the extra `table`."""

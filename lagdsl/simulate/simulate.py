@@ -15,7 +15,7 @@ from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.library import FIXED_METHODS, METHODS
-from lagdsl.signals.inputs import Signal, signals
+from lagdsl.signals.inputs import Signal, report_missing, signals
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.initialize import find_start
 from lagdsl.simulate.instants import equidistant
@@ -66,6 +66,7 @@ def simulate(
         check_limits(flat, dict(zip(names, parameters.tolist(), strict=True)), own)
         own.raise_if_errors()
         defaults = engine.evaluate("start", t0, parameters)[3]
+        report_missing(flat, inputs or {}, own)
         given = signals(flat, defaults, inputs or {}, (t0, end), own)
         own.raise_if_errors()
     asked = Asked(
@@ -127,7 +128,7 @@ def _motion(
         initial = find_start(flat, engine, run, t0, given.at(t0), asked.start, sink)
         sink.raise_if_errors()
         task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress)
-        return Motion(task).trajectory(), run.turns()
+        return Motion(task).trajectory(), run.results.turns(run.size)
 
 
 def grid(t0: float, stop: float, interval: float | None) -> Floats:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 
+from lagdsl.flat.display import display_rate, quantity_text
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.expression import Norm
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item
 from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
-from lagdsl.structure.display import display_rate, quantity_text
 
 _ZERO_NORM = 1e-150
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.flat.display import Display, display, display_rate
 from lagdsl.flat.model import FlatModel
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run import Run
 from lagdsl.signals.moved import MovedRow
 from lagdsl.signals.trajectory import Column, Event, InvariantRecord, Kind, Statistics, Trajectory
-from lagdsl.structure.display import Display, display, display_rate
 
 
 def trajectory(
@@ -17,9 +17,12 @@ def trajectory(
 ) -> Trajectory:
     """All rows so far."""
     heads = heads_of(flat)
-    rows = run.rows()
+    results = run.results
+    rows = results.rows()
     table = np.ascontiguousarray(rows[:, : len(heads)].T)
-    low, high = (np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)]) for ends in run.extremes())
+    low, high = (
+        np.concatenate([[np.nan], np.where(np.isfinite(ends), ends, np.nan)]) for ends in run.results.extremes()
+    )
     energy, *residuals = np.ascontiguousarray(rows[:, len(heads) :].T)
     return Trajectory(
         model=flat.name,
@@ -35,13 +38,15 @@ def trajectory(
         invariants=_invariants(flat, run),
         moved=moved,
         statistics=statistics,
-        events=tuple(Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in run.notes),
+        events=tuple(
+            Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in run.results.notes
+        ),
     )
 
 
 def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
     """Drift of every invariant."""
-    start, size, drift = run.invariants()
+    start, size, drift = run.results.drifts
     tolerance = run.settings.invariant_tolerance
     limits = [] if tolerance is None else (tolerance * size).tolist()
     return tuple(

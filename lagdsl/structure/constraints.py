@@ -163,13 +163,13 @@ def report_inconsistent_rates(flat: FlatModel, space: Geometry, points: list[Pro
     """E0603 where no rates satisfy the rows although each row holds alone; E0602 for a row that moves by itself."""
     for point in points[:1]:
         right = space.velocity(point.q, np.zeros_like(space.qd))[0] / space.row_sizes
-        every = list(range(len(right)))
-        left_over = np.abs(point.rows @ solved(point.rows, right, space.parts(every)) - right)
-        size = float(np.max(np.abs(right), initial=0.0))
-        most = max(1e-6 * size, _ROUNDING)
-        if not np.isfinite(size) or float(np.max(left_over, initial=0.0)) <= most:
+        split = space.parts(list(range(len(right))))
+        left_over = np.abs(point.rows @ solved(point.rows, right, split) - right)
+        rounding = _ROUNDING * max(1.0, float(np.max(np.abs(right), initial=0.0)))
+        most = np.maximum(1e-6 * split.sizes(right)[split.row_labels], rounding)
+        if not np.all(np.isfinite(right)) or np.all(left_over <= most):
             continue
-        items = [i for i in located(flat) if any(left_over[row] > most for row in i.rows)]
+        items = [i for i in located(flat) if any(left_over[row] > most[row] for row in i.rows)]
         constraint = items[-1].constraint
         others = [item.constraint for item in items[:-1]]
         what = "all of them" if others else "it"

@@ -1,9 +1,12 @@
-"""The count of the lecture: d = 3N - k for particles, 6B - k for bodies, or both."""
+"""Counts of the lecture: d = 3N - k for particles, 6B - k for bodies, or both; Gruebler's for planar mechanisms."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from lagdsl.flat.model import FlatModel
 from lagdsl.record import record
+from lagdsl.structure.names import located
 
 
 @record(kw_only=True)
@@ -38,3 +41,29 @@ def count_text(line: Count) -> str:
         symbols.append("6B")
         numbers.append(f"6*{line.bodies}")
     return f"d = {' + '.join(symbols)} - k = {' + '.join(numbers)} - {line.conditions} = {line.freedom}"
+
+
+_LOWER_PAIRS = ("Revolute", "Prismatic")  # that leave one freedom of three
+_PLANE = 3  # equations of a loop in space that hold by themselves where it stays in a plane
+
+
+def gruebler_text(flat: FlatModel, redundant: Sequence[bool], freedom: int) -> str:
+    """`Gruebler in the plane: 3*3 moving links - 2*4 joints = 1`, and what special dimensions add to it; empty where
+    joints are others than pins and slides, or no loop is closed, or one of them leaves the plane.
+
+    Every joint of the spanning tree carries one moving link. Source: R. L. Norton, Design of Machinery, 6th ed.,
+    section 2.5, equation 2.1.
+    """
+    links, joints = sum(not joint.cut for joint in flat.joints), len(flat.joints)
+    excess: dict[tuple[object, ...], int] = {}
+    for item in located(flat):
+        closure = item.constraint.closure
+        if closure is not None:
+            loop = (closure.joint, closure.loop)
+            excess[loop] = excess.get(loop, 0) + sum(redundant[row] for row in item.rows)
+    plane = bool(excess) and all(number >= _PLANE for number in excess.values())
+    if not plane or links + len(excess) != joints or any(joint.kind not in _LOWER_PAIRS for joint in flat.joints):
+        return ""
+    expected = 3 * links - 2 * joints
+    line = f"Gruebler in the plane: 3*{links} moving links - 2*{joints} joints = {expected}"
+    return line if expected == freedom else f"{line}; the dimensions of this mechanism make it {freedom}"

@@ -60,7 +60,7 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], fou
         for component, row in enumerate(item.rows):
             if not found.redundant[row] or item.constraint.closure is not None or comes_and_goes(item.constraint):
                 continue
-            if found.empty[row]:
+            if found.empty[row] and not np.any(space.pattern[row]):
                 sink.report("N0605", place(item.constraint), name=item.constraint.name, component=component + 1)
             else:
                 others = _sources(space, points[-1], found, split, row)
@@ -75,6 +75,10 @@ def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], fou
             alike.setdefault(key, []).append(loop)
     for loops in alike.values():
         _report_loop(flat, found, split, loops, sink)
+
+
+# Equations of a loop in a plane, or about a point, that hold by themselves.
+_OUT_OF_PLANE = 3
 
 
 @record()
@@ -112,6 +116,8 @@ def _report_loop(flat: FlatModel, found: Dependence, split: Partition, alike: li
     columns, rows = _counts(found, split, loop)
     count = f"{_counted(columns, 'coordinate')} - {_counted(rows, 'independent constraint')}"
     first = f"{count} = {columns - rows} degree{'' if columns - rows == 1 else 's'} of freedom"
+    excess = sum(found.redundant[row] for row in loop.rows)
+    usual = ("usual and harmless: of a loop in a plane, three equations in space hold by themselves",)
     if loop.closure.joint is not None:
         unknown = "is not determined in the directions left out and is reported in minimum norm"
         first = f"{first}; reaction({loop.closure.joint}) {unknown}"
@@ -119,8 +125,8 @@ def _report_loop(flat: FlatModel, found: Dependence, split: Partition, alike: li
     sink.report(
         "N0701",
         loop.closure.span,
-        notes=(first, *more),
-        count=sum(found.redundant[row] for row in loop.rows),
+        notes=(*(usual if excess == _OUT_OF_PLANE else ()), first, *more),
+        count=excess,
         total=len(loop.rows),
         joint=joint_text(flat, loop.closure),
         loop=loop_text(flat, loop.closure),
@@ -139,6 +145,6 @@ def _sources(space: Geometry, point: Probe, found: Dependence, split: Partition,
     names = [
         f"`{space.functions.layout.constraints[index].name}`"
         for index, weight in zip(kept, weights.tolist(), strict=True)
-        if abs(weight) > 1e-7
+        if abs(weight) > 1e-7 or found.empty[row]
     ]
     return listed(names)

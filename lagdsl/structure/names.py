@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.flat.display import quantity_text
 from lagdsl.flat.model import Closure, Constraint, FlatModel
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.source import Span
-from lagdsl.structure.display import quantity_text
 from lagdsl.units.dimension import BASE_UNITS
 
 _MOST_SHOWN = 6

@@ -164,8 +164,8 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
         largest = np.maximum(largest, np.where(np.isfinite(scaled), np.abs(scaled), np.inf))
     row_sizes = _usual(np.array(lengths)) if lengths else np.zeros(0)
     # Rows that are zero but for round-off have no size of their own.
-    rounding = _ROUNDING * np.max(row_sizes, initial=0.0)
-    pattern = largest > np.maximum(_ABSENT * row_sizes[:, None], rounding)
+    rounding = _ROUNDING * _largest_beside(row_sizes, largest, layout.components)
+    pattern = largest > np.maximum(_ABSENT * row_sizes, rounding)[:, None]
     row_sizes = np.where(row_sizes > rounding, row_sizes, 1.0)
     for item in located(flat):
         if item.constraint.switched:  # which coordinates it ties is not seen while it is off
@@ -186,6 +186,18 @@ def _discretes(
     (open_,) = functions.evaluate("standing", t, q, qd, z, u, started, p, still, free)
     closed = np.where(np.array(layout.kinds) == "contact", 1.0, open_)
     return open_, closed
+
+
+def _largest_beside(row_sizes: Floats, entries_of: Floats, components: Sequence[int]) -> Floats:
+    """The largest size (m,) of a row in the component of each row, which is that of its largest entry in `entries_of`
+    (m, nq)."""
+    if not len(row_sizes) or not entries_of.shape[1]:
+        return np.zeros(len(row_sizes))
+    of_coordinate = np.array(components[: entries_of.shape[1]] if len(components) else [0] * entries_of.shape[1])
+    own = of_coordinate[np.argmax(entries_of, axis=1)]
+    most = np.zeros(int(np.max(own)) + 1)
+    np.maximum.at(most, own, row_sizes)
+    return np.asarray(most[own])
 
 
 def _usual(lengths: Floats) -> Floats:

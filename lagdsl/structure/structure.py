@@ -13,12 +13,14 @@ from lagdsl.program.program import Program
 from lagdsl.record import record
 from lagdsl.structure.constraints import report_impossible, report_inconsistent_rates
 from lagdsl.structure.count import Count, count, count_text
+from lagdsl.structure.degenerate import report_degenerate
 from lagdsl.structure.dependence import Dependence, dependence, report_dependence
 from lagdsl.structure.functions import ProgramFunctions
 from lagdsl.structure.inertia import report_massless
 from lagdsl.structure.names import contact_rows
 from lagdsl.structure.points import Functions, Geometry, Probe, geometry, probes
 from lagdsl.structure.rates import report_integrable, report_nonlinear
+from lagdsl.structure.rigid import report_rigid
 
 
 @record(kw_only=True)
@@ -90,11 +92,13 @@ def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
     impossible = bool(flat.constraints) and report_impossible(flat, space, sink)
     points = [] if impossible else probes(flat, space, space.position_rows)
     found = dependence(space, points)
-    if flat.constraints and points:
+    wrong = not impossible and report_degenerate(flat, space, points, sink)
+    if flat.constraints and points and not wrong:
         wrong = report_nonlinear(flat, space, points, sink) or report_inconsistent_rates(flat, space, points, sink)
         if not wrong:
             report_dependence(flat, space, points, found, sink)
             report_integrable(flat, space, points, found.redundant, sink)
+            report_rigid(flat, found, sink)
     report_massless(flat, space, points, sink)
     holonomic = set(space.position_rows)
     kept = [row for row, redundant in enumerate(found.redundant) if not redundant]
@@ -102,16 +106,20 @@ def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
 
 
 def structure_text(structure: Structure) -> str:
-    """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`"""
+    """`2 coordinates - 1 independent constraint = 1 degree of freedom (d = 3N - k = 3*1 - 2 = 1)`; where conditions
+    such as rolling hold rates only, how many coordinates are left to choose at the start."""
     parts = [_counted(structure.coordinates, "coordinate")]
     if len(structure.redundant) > len(structure.contacts):
         parts.append(f"- {_counted(structure.rank, 'independent constraint')}")
     parts.append(f"= {_counted(structure.freedom, 'degree')} of freedom")
-    if structure.configuration_freedom != structure.freedom:
-        parts.append(f"in the rates, {structure.configuration_freedom} in the configuration")
-    if structure.count is not None:
-        parts.append(f"({count_text(structure.count)})")
-    return " ".join(parts)
+    if structure.configuration_freedom == structure.freedom:
+        parts += [f"({count_text(structure.count)})"] if structure.count is not None else []
+        return " ".join(parts)
+    rates, free = structure.configuration_freedom - structure.freedom, structure.configuration_freedom
+    verb = "holds rates only and leaves" if rates == 1 else "hold rates only and leave"
+    count = f": {count_text(structure.count)}" if structure.count is not None else ""
+    told = f"{rates} of the constraints {verb} {_counted(free, 'coordinate')} to choose at the start{count}"
+    return f"{' '.join(parts)} ({told})"
 
 
 def _counted(number: int, noun: str) -> str:

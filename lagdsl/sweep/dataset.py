@@ -12,6 +12,7 @@ import numpy as np
 
 from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
+from lagdsl.signals.table_io import with_unit
 from lagdsl.source.whole_file import whole_file
 from lagdsl.sweep.plan import Axis, Plan
 from lagdsl.sweep.run import Outcome
@@ -84,13 +85,17 @@ def require_room(runs: int, rows: int, columns: int, path: Path | None) -> None:
         )
 
 
-def write(data: xarray.Dataset, path: Path) -> None:
-    """NetCDF with all dimensions, or a table with a row for every run and time. Raises OSError."""
+def write(data: xarray.Dataset, path: Path, *, units: bool = False) -> None:
+    """NetCDF with all dimensions, or a table with a row for every run and time, on request with names of columns as in
+    `theta [rad]`. Raises OSError."""
     with whole_file(path) as draft:
         if path.suffix.lower() == ".nc":
             data.to_netcdf(draft)
             return
         table = data.to_dataframe().reset_index()
+        if units:
+            known = {str(name): str(variable.attrs.get("units", "")) for name, variable in data.variables.items()}
+            table = table.rename(columns={name: with_unit(name, unit) for name, unit in known.items()})
         if path.suffix.lower() == ".parquet":
             table.to_parquet(draft, index=False)
         else:

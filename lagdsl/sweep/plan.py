@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from itertools import groupby, islice
 from typing import Literal, TypeAlias
 
+from lagdsl.flat.display import Display
+
 Target: TypeAlias = Literal["parameter", "start", "structural"]
 
 LARGEST = 1_000_000  # runs
@@ -18,7 +20,8 @@ LARGEST = 1_000_000  # runs
 class Axis:
     """One thing that is set, with its values in SI units.
 
-    `name` is how `--set` calls it (`l`, `theta.start`), `key` how the model does (`theta`).
+    `name` is how `--set` calls it (`l`, `theta.start`), `key` how the model does (`theta`), `display` how people see
+    it.
     """
 
     name: str
@@ -26,6 +29,7 @@ class Axis:
     target: Target
     unit: str
     values: tuple[float, ...]
+    display: Display
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,10 +102,10 @@ def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:
 
 
 def place(plan: Plan, index: int) -> str:
-    """Settings of run `index`, for people: `l = 0.1 m, theta.start = 0.2 rad`; what all runs share is left out."""
+    """Settings of run `index`, for people: `l = 0.1 m, theta.start = 20 deg`; what all runs share is left out."""
     chosen = settings(plan, index)
     varied = (*plan.axes, *plan.samples)
-    return ", ".join(f"{a.name} = {chosen[a.target][a.key]:.6g} {a.unit}".rstrip() for a in varied)
+    return ", ".join(f"{a.name} = {a.display(chosen[a.target][a.key]):.6g} {a.display.unit}".rstrip() for a in varied)
 
 
 def variants(plan: Plan) -> list[dict[str, float]]:

@@ -31,12 +31,14 @@ class Unfinished(ValueError):  # noqa: N818  it is not the sweep that is wrong
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Work:
-    """Resources of a sweep: `jobs` threads (None: one per core) or the scheduler at an address."""
+    """Resources of a sweep: `jobs` threads (None: one per core) or the scheduler at an address. `units` asks for units
+    in the header of a table."""
 
     jobs: int | None = None
     scheduler: str | None = None
     output: Path | None = None
     resume: bool = False
+    units: bool = False
 
 
 def sweep(
@@ -77,7 +79,7 @@ def sweep(
         for outcome in _watched(made, len(finished), plan.runs, progress):
             journal.append(outcome)
     result = dataset(plan, times, outcomes(path), model=flat.name)
-    write(result, work.output)
+    write(result, work.output, units=work.units)
     path.unlink()
     return result
 

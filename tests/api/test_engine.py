@@ -45,7 +45,7 @@ def _accelerations(engine: CEngine) -> bytes:
 
 
 def _finished(engine: AutoEngine) -> bool:
-    """Whether there is C within half a minute."""
+    """True if there is C within half a minute."""
     end = time.monotonic() + 30.0
     while time.monotonic() < end:
         if engine.hasten() is not None:

@@ -1,4 +1,4 @@
-"""What the C sources depend on: files by their includes, rooms (folders of `lag/`) by includes and calls."""
+"""Dependencies of the C sources: files by their includes, rooms (folders of `lag/`) by includes and calls."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def read(*folders: Path) -> Files:
 
 
 def included(files: Files) -> dict[str, set[str]]:
-    """Which files a file includes."""
+    """The files that each file includes."""
     return {name: {other for other in _INCLUDE.findall(text) if other in files} for name, text in files.items()}
 
 

@@ -18,7 +18,7 @@ def _module(path: str) -> str:
 
 
 def python_imports(root: Path) -> dict[str, set[str]]:
-    """Which modules of the package a module imports anywhere in its text."""
+    """Modules of the package that each module imports anywhere in its text."""
     modules = {_module(path): tree for path, tree in trees(root).items()}
     found: dict[str, set[str]] = {}
     for name, tree in modules.items():

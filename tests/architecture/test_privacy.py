@@ -28,7 +28,7 @@ def _is_private(name: str) -> bool:
 
 
 def _own_names(tree: ast.Module) -> set[str]:
-    """What the module defines: functions, classes, variables, fields, and attributes that it sets on `self`."""
+    """Names that the module defines: functions, classes, variables, fields, and attributes that it sets on `self`."""
     names: set[str] = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):

@@ -92,7 +92,7 @@ def _run(row: Attack, engine: str) -> tuple[str | None, Any]:
 
 
 def in_bounded_time(work: Callable[[], Any], seconds: int = SECONDS) -> Any:
-    """What `work` returns, computed in a child of this process that the system ends after so many seconds."""
+    """Result of `work`, computed in a child of this process that the system ends after so many seconds."""
     read, write = os.pipe()
     child = os.fork()
     if child == 0:

@@ -1,4 +1,4 @@
-"""What is flat before it acts: corners of time alone are stepped to, corners of the state located."""
+"""Terms that are flat before they act: steps end at corners of time, the runtime locates corners of the state."""
 
 from __future__ import annotations
 

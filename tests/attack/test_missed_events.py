@@ -16,7 +16,7 @@ def counter(name: str, rate: float, condition: str, count: int, stop: float, **m
 
 
 def _rising(rate: float, stop: float, phase: float) -> int:
-    """How often rate*t passes phase + 2 pi k, in 0 < t < stop."""
+    """Number of times that rate*t passes phase + 2 pi k, in 0 < t < stop."""
     return floor((rate * stop - phase) / (2 * pi)) + (1 if phase > 0 else 0)
 
 

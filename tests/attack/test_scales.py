@@ -1,4 +1,4 @@
-"""What is near and what is small is judged by what enters, not by what else is in the model."""
+"""Nearness and smallness are judged by the numbers that enter, not by the rest of the model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What holds at the first instant: discrete starts, initial equations, least kinetic energy."""
+"""The first instant: discrete starts, initial equations, least kinetic energy."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ def make(folder: Path, objects: Path, *arguments: str) -> Done:
 
 
 def _copy(source: Path, target: Path) -> None:
-    """What is not there yet; another process sees no file before it is whole."""
+    """Copies files that are not there yet; another process sees no file before it is whole."""
     for path in sorted(source.rglob("*.o")):
         wanted = target / path.relative_to(source)
         if not wanted.exists():

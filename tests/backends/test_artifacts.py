@@ -1,4 +1,4 @@
-"""What the backends write: deterministic, self-contained, and safe against hostile names."""
+"""Artifacts of the backends are deterministic, self-contained, and safe against hostile names."""
 
 from __future__ import annotations
 

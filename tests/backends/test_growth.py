@@ -29,7 +29,7 @@ def _programs(path: Path) -> list[Program]:
 
 
 def _assert_linear(counts: list[int]) -> None:
-    """What forty further links add is at most a tenth more than twice what the twenty before them add."""
+    """Forty further links add at most a tenth more than twice the amount of the twenty before them."""
     first, second, third = counts
     assert third - second <= 2.2 * (second - first) + 100, counts
 

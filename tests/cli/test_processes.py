@@ -1,4 +1,4 @@
-"""What only a process of its own can show: pipes, interrupts, faults, streams."""
+"""Behavior that only a process of its own can show: pipes, interrupts, faults, streams."""
 
 import os
 import signal

@@ -34,7 +34,7 @@ def test_python_of_the_page(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
 
 
 def test_modes_as_json(invoke: Invoke) -> None:
-    result = invoke("modes", MODELS / "three_masses.lag", "--trim", "--format", "json")
+    result = invoke("modes", MODELS / "three_masses.lag", "--trim", "--to", "json")
     data = json.loads(result.stdout)
     assert data["places"] == ["x[1]", "x[2]", "x[3]"]
     assert data["eigenvalues"][0][1] == pytest.approx(2 * np.sqrt(75) * np.sin(np.pi / 8))
@@ -58,7 +58,9 @@ def test_matrices_in_a_file(invoke: Invoke, tmp_path: Path, form: str) -> None:
     assert b == [[0], [0], [0], [2.5], [0], [0]]
 
 
-@pytest.mark.parametrize("arguments", [("modes", "--vary", "k=10:20:3"), ("modes", "--trim"), ("trim",)])
+@pytest.mark.parametrize(
+    "arguments", [("modes", "--vary", "k=linspace(10, 20, 3) N/m"), ("modes", "--trim"), ("trim",)]
+)
 def test_tables_in_a_file(invoke: Invoke, tmp_path: Path, arguments: tuple[str, ...]) -> None:
     out = tmp_path / "out.csv"
     command, *options = arguments
@@ -68,7 +70,7 @@ def test_tables_in_a_file(invoke: Invoke, tmp_path: Path, arguments: tuple[str, 
     assert len(widths) == 1
 
 
-@pytest.mark.parametrize("options", [("--trim",), ("--set", "x[1].start=0", "--vary", "k=-10:20:7")])
+@pytest.mark.parametrize("options", [("--trim",), ("--set", "x[1].start=0", "--vary", "k=linspace(-10, 20, 7) N/m")])
 def test_figures(invoke: Invoke, tmp_path: Path, options: tuple[str, ...]) -> None:
     out = tmp_path / "out.png"
     result = invoke("modes", MODELS / "three_masses.lag", *options, "--plot", out)
@@ -79,13 +81,13 @@ def test_figures(invoke: Invoke, tmp_path: Path, options: tuple[str, ...]) -> No
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (("modes", "--vary", "k"), "expected NAME=FROM:TO"),
-        (("modes", "--vary", "kk=1:2"), "no such parameter, input or start value"),
-        (("modes", "--vary", "k=1:2:1"), "number of values"),
+        (("modes", "--vary", "k"), "expected name=value"),
+        (("modes", "--vary", "kk=1:2"), "has no parameter `kk`; what can be set: m, k, gap"),
+        (("modes", "--vary", "k=linspace(1, 2, 1) N/m"), "two values at least"),
         (("modes", "--vary", "k=1:1"), "is empty"),
         (("modes", "--vary", "k=1 m:2 m"), "`k` is"),
         (("modes", "--input", "g=1"), "has no input `g`"),
-        (("modes", "-o", "out.txt"), "numbers are written as"),
+        (("modes", "-o", "out.txt"), "results are written as"),
         (("linearize", "--set", "kk=1"), "what can be set: m, k, gap"),
         (("modes", "--plot", "out.txt"), "figures are written as"),
     ],
@@ -127,7 +129,7 @@ def test_integrable_rows_are_told(invoke: Invoke, tmp_path: Path) -> None:
 
 
 def test_inputs_and_held_coordinates(invoke: Invoke) -> None:
-    result = invoke("trim", MODELS / "three_masses.lag", "--free", "f", "--hold", "x[1]", "--format", "json")
+    result = invoke("trim", MODELS / "three_masses.lag", "--free", "f", "--hold", "x[1]", "--to", "json")
     data = json.loads(result.stdout)
     values = dict(zip(data["names"], data["values"], strict=True))
     assert values["x[1]"] == 0.05

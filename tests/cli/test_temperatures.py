@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import click
 import numpy as np
 import pytest
 
-from lagdsl.cli.assignments import constants, settings, split
-from lagdsl.cli.sweep_values import plan
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import flatten_file
+from lagdsl.settings.failure import SettingError
+from lagdsl.settings.settings import constants, settings, split
 from lagdsl.source import SourceFile
+from lagdsl.sweep.values import plan
 
 TEXT = """
 model Oven
@@ -45,18 +45,18 @@ def oven() -> FlatModel:
     ],
 )  # fmt: skip
 def test_set(oven: FlatModel, text: str, kelvin: float) -> None:
-    found = settings(oven, split([text]))
+    found = settings(oven, split([text]), Sink())
     assert [*found.parameters.values(), *found.start.values()] == [kelvin]
 
 
 def test_inputs(oven: FlatModel) -> None:
-    assert constants(oven, {"outside": "-12.5 degC"}) == {"outside": 260.65}
+    assert constants(oven, {"outside": "-12.5 degC"}, Sink()) == {"outside": 260.65}
 
 
 @pytest.mark.parametrize("text", ["d=5 degC", "d=-5 degC"])
 def test_differences_are_given_in_kelvin(oven: FlatModel, text: str) -> None:
-    with pytest.raises(click.UsageError, match="difference"):
-        settings(oven, split([text]))
+    with pytest.raises(SettingError, match="difference"):
+        settings(oven, split([text]), Sink())
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_differences_are_given_in_kelvin(oven: FlatModel, text: str) -> None:
     ],
 )
 def test_ranges_and_lists(oven: FlatModel, text: str, kelvin: list[float]) -> None:
-    (axis,) = plan(oven, split([text]), None, 0).axes
+    (axis,) = plan(oven, split([text]), None, 0, Sink()).axes
     assert list(axis.values) == kelvin
 
 
@@ -77,6 +77,6 @@ def test_ranges_and_lists(oven: FlatModel, text: str, kelvin: list[float]) -> No
     ["T=normal(20, 2) degC", "T=normal(20 degC, 2 degC)", "T=normal(20 degC, 2 K)", "s.start=normal(20, 2) degC"],
 )
 def test_deviations_have_no_offset(oven: FlatModel, text: str) -> None:
-    (axis,) = plan(oven, split([text]), 4000, 7).samples
+    (axis,) = plan(oven, split([text]), 4000, 7, Sink()).samples
     assert np.mean(axis.values) == pytest.approx(293.15, abs=4 * 2 / np.sqrt(4000))
     assert np.std(axis.values) == pytest.approx(2.0, rel=0.05)

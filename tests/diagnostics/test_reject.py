@@ -76,3 +76,15 @@ def test_reject(path, monkeypatch):
 
 def test_there_are_cases():
     assert len(CASES) > 40
+
+
+def test_every_error_and_warning_has_a_way_out() -> None:
+    """Read from the rendered forms: help comes from the catalog or from where the fault is seen."""
+    lacking = []
+    for path in CASES:
+        for found in re.split(
+            r"^(?=(?:error|warning|note)\[)", path.with_suffix(".txt").read_text("utf-8"), flags=re.MULTILINE
+        ):
+            if found.startswith(("error", "warning")) and "\nhelp: " not in found:
+                lacking.append((path.stem, found.partition("\n")[0]))
+    assert lacking == []

@@ -54,7 +54,7 @@ class Chain:
         return self.values(found.accelerations), self.values(multipliers)
 
     def completed(self, rows: Rows, solution: Solution) -> tuple[np.ndarray, np.ndarray]:
-        """What a program does at run time with the multipliers that are left to it."""
+        """The work of a program at run time with the multipliers that are left to it."""
         kept = [row.index for row in rows.kept]
         own, first = self.response(solution.own)
         if not kept:

@@ -66,7 +66,7 @@ def _entry3(element: ElementTree.Element) -> Entry:
 
 
 def broken(root: ElementTree.Element) -> list[str]:
-    """What is wrong, in words; nothing is expected."""
+    """The rules that the description breaks, in words."""
     variables = entries(root)
     return [
         *_names(root, variables),

@@ -1,4 +1,4 @@
-"""What shared libraries say of themselves: processor, what they ask for, what they show. ELF, PE and Mach-O, 64 bit."""
+"""Headers of shared libraries: processor, imports, exports. ELF, PE and Mach-O, 64 bit."""
 
 from __future__ import annotations
 

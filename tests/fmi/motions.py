@@ -1,4 +1,4 @@
-"""What an exported model must do: the motion that `lag run --engine c` gives, and how closely another keeps to it."""
+"""The motion of an exported model: that of `lag run --engine c`, and the distance of another one from it."""
 
 from __future__ import annotations
 

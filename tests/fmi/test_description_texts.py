@@ -1,4 +1,4 @@
-"""Whatever a text says, its description is XML that reads back, and says so on one line where names must be."""
+"""The description of any text is XML that reads back, with names on one line."""
 
 from __future__ import annotations
 

@@ -173,7 +173,8 @@ def test_each_kind_of_variable(version: Version) -> None:
         assert variables["q"].size == variables["der(q)"].size == variables["der(q,2)"].size == 2
         assert variables["ties.multiplier"].size == variables["places"].size == variables["gears"].size == 2
         assert told("der(q,2)", "derivative") == (real, variables["der(q)"].key)
-        assert variables["indicator_"].size == indicator_count(table_of_text(EVERYTHING, 3).flat) > 0
+        table = table_of_text(EVERYTHING, 3)
+        assert variables["indicator_"].size == indicator_count(table.flat, table.program) > 0
     else:
         assert {"q[2]", "der(q[2])", "der(q[2],2)", "ties.multiplier[2]", "places[1]"} <= set(variables)
         assert told("der(q[2],2)", "derivative") == (real, variables["der(q[2])"].key)

@@ -1,4 +1,5 @@
-"""What an instance is to a master: state that can be kept and taken back, other starts, neighbors in other threads."""
+"""An instance in the hands of a master: state that can be saved and restored, other starts, neighbors in other
+threads."""
 
 from __future__ import annotations
 

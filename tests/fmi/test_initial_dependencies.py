@@ -1,4 +1,4 @@
-"""What changes when something known before initialization does, the description has foretold: nothing is missing."""
+"""The description lists every dependency on values that are known before initialization."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an FMU tells people: pictures where they can be drawn, a motion as far as there is one, licenses."""
+"""Documents in an FMU: pictures if they can be drawn, a motion as far as there is one, licenses."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ def made(version, platform):
 
 
 def functions(version):
-    """Those that the standard declares."""
+    """Functions that the standard declares."""
     text = (require_fmpy() / "c-code" / f"fmi{version}Functions.h").read_text(encoding="utf-8")
     return set(re.findall(rf"^\s*FMI{version}_Export\s+\w+\s+(fmi{version}\w+);", text, re.MULTILINE))
 

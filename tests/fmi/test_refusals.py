@@ -1,4 +1,4 @@
-"""What the standards cannot say is refused with its place, before anything is compiled."""
+"""A model that the standards cannot express is refused with its place, before anything is compiled."""
 
 from __future__ import annotations
 

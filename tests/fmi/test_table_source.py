@@ -117,7 +117,7 @@ def test_every_entry_of_the_model_is_there_once(name: str | None, version: Versi
         Role.LOCAL: [i for i, slot in enumerate(layout.definitions) if slot.name not in outputs],
         Role.DISCRETE: [i for i, kind in enumerate(layout.kinds) if kind in ("variable", "contact", "impacts")],
         Role.MULTIPLIER: range(len(layout.constraints)),
-        Role.INDICATOR: range(indicator_count(flat) if version == 3 else 0),
+        Role.INDICATOR: range(indicator_count(flat, given.program) if version == 3 else 0),
         Role.ENERGY: range(3),
         Role.RESIDUAL: range(2 if layout.constraints else 0),
     }

@@ -1,4 +1,4 @@
-"""What an FMU says of each of its variables is what the functions of the model say, by name."""
+"""Values of the variables of an FMU are those of the functions of the model, by name."""
 
 from __future__ import annotations
 

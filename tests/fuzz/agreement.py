@@ -142,7 +142,7 @@ def _horizon(a: Run, b: Run) -> float:
 
 
 def _states(a: tuple[Run, Run], b: tuple[Run, Run], horizon: float) -> str:
-    """Which column differs by more than it may, before the horizon."""
+    """The column that differs by more than it may, before the horizon."""
     own = [_departure(*each) for each in (a, b)]
     times, left, right = _common(a[0], b[0])
     limit = np.maximum(*(values[np.searchsorted(at, times).clip(max=len(at) - 1)] for at, values in own))

@@ -5,7 +5,6 @@ import math
 import pytest
 
 from lagdsl.graph import Graph, Group, Op
-from lagdsl.graph.dump import dump
 from lagdsl.graph.fold import fold
 from lagdsl.graph.substitute import Substitution
 
@@ -142,16 +141,3 @@ def test_substitution_simplifies_on_the_way_up(graph: Graph, x: int, y: int) -> 
     assert at_zero.of(root) == graph.one
     assert at_zero.of(y) == y
     assert at_zero.of_all([x, root]) == [graph.zero, graph.one]
-
-
-def test_dump_is_readable_and_numbered_by_use(graph: Graph, x: int) -> None:
-    graph.unary(Op.EXP, x)
-    t, p = graph.symbol(Group.TIME), graph.symbol(Group.P, 3)
-    angle = graph.multiply(p, t)
-    root = graph.subtract(graph.unary(Op.SIN, x), graph.binary(Op.ATAN2, angle, graph.constant(2.5)))
-    negative = graph.negate(angle)
-    assert dump(graph, {"f": root, "g": x, "h": negative}) == (
-        "%1 = t * p[3]\n%2 = sin(q[0])\n%3 = atan2(%1, 2.5)\n%4 = %2 - %3\n%5 = -%1\nf = %4\ng = q[0]\nh = %5\n"
-    )
-    released = graph.symbol(Group.RELEASE, 1)
-    assert dump(graph, {"r": released}) == "r = release[1]\n"

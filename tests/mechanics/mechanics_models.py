@@ -118,7 +118,7 @@ def _call(name: str, arguments: list[ast.expr]) -> FlatExpression | None:
 
 
 def _request(name: str, arguments: list[ast.expr]) -> FlatExpression:
-    """What the mechanics provides."""
+    """A quantity of the mechanics."""
     first = arguments[0].id if arguments and isinstance(arguments[0], ast.Name) else ""
     match name:
         case "multiplier":

@@ -1,4 +1,4 @@
-"""What the graph derives for a model that has everything: complex steps, forty digits, virtual displacements."""
+"""Derivatives of the graph for a model that has everything: complex steps, forty digits, virtual displacements."""
 
 from functools import cache
 

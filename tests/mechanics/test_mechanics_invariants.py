@@ -1,4 +1,4 @@
-"""Which claims are proved instead of monitored."""
+"""Claims that are proved instead of monitored."""
 
 from dataclasses import replace
 

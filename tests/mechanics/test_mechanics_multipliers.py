@@ -1,4 +1,4 @@
-"""Which multipliers are eliminated, and which rows give M the inertia that it lacks."""
+"""The multipliers that are eliminated, and the rows that give M the inertia that it lacks."""
 
 import numpy as np
 import pytest

@@ -131,7 +131,7 @@ def test_change_in_time_by_differences_with_fifty_digits(root: Path, name: str) 
 
 
 def expect(program: Program, tangent: str, at: dict[Group, np.ndarray], plus: list[Any], minus: list[Any]) -> None:
-    """What both engines tell is the difference quotient."""
+    """Both engines give the difference quotient."""
     expected = [float((a - b) / (2 * STEP)) for a, b in zip(plus, minus, strict=True)]
     for engine in (NumpyEngine(program), CEngine(program)):
         found = engine.evaluate(tangent, *arguments(program, tangent, at))

@@ -182,7 +182,7 @@ def on_constraints(program: Program, state: Arrays) -> Arrays:
 
 
 def _sound(name: str, states: Arrays) -> np.ndarray:
-    """Which states are regular, with all functions finite there."""
+    """Flags of the states that are regular, with all functions finite there."""
     program = compiled(name).graph
     finite = regular(program, states)
     for function in program.functions:

@@ -1,4 +1,4 @@
-"""What holds for every model in models/: drop a file in, and it is tested.
+"""Rules for every model in models/: drop a file in, and it is tested.
 
 `make check` shows the rules of derivations, solutions and derivatives by models of each kind.
 """

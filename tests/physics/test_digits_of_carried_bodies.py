@@ -1,4 +1,4 @@
-"""What is left of the digits where a body is carried along fast: docs/explanation/mechanics.md, section 2."""
+"""Digits that are left where a body is carried along fast: docs/explanation/mechanics.md, section 2."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What discretes are at the start holds at the first instant: accelerations, rates, constraints, assertions; in every
-engine, when a model is checked, and in FMUs."""
+"""Discretes of the start hold at the first instant: in accelerations, rates, constraints, assertions; in every engine,
+when a model is checked, and in FMUs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What must hold for long."""
+"""Invariants of long motions."""
 
 from __future__ import annotations
 

@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lagdsl.flat.display import Display
 from lagdsl.plot.figure import plot
 from lagdsl.plot.terminal import braille, sketch
 from lagdsl.signals.trajectory import Column, Event, Kind, Statistics, Trajectory
-from lagdsl.structure.display import Display
 
 T = np.linspace(0.0, 2.0, 201)
 

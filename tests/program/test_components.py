@@ -1,4 +1,4 @@
-"""What the equations couple is one component; what stands beside it is another."""
+"""Coordinates that the equations couple are one component; others are another."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a well-formed program is, and what is not."""
+"""Rules of a well-formed program."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every format owes its reader: inert text, balanced markup, one page that stands alone."""
+"""Rules of every format: inert text, balanced markup, one page that stands alone."""
 
 from __future__ import annotations
 

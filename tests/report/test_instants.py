@@ -1,4 +1,4 @@
-"""What the report says of events and contacts."""
+"""Events and contacts in the report."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What flat expressions depend on."""
+"""Dependencies of flat expressions."""
 
 import pytest
 from handmade import coordinate, definition, der, frame, model, num, op, plus, point, sin, square, var, vec

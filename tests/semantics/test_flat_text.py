@@ -53,7 +53,9 @@ FULL = model(
             spans=at_line(20),
         ),
     ),
-    inputs=(fm.Input(name="u", dimension=DIMENSIONLESS, default=num(0), smooth=2, spans=at_line(21)),),
+    inputs=(
+        fm.Input(name="u", dimension=DIMENSIONLESS, default=num(0), stated=True, smooth=2, spans=at_line(21)),
+    ),
     named=(
         definition("d", square(Q)),
         point("P", vec(Q, num(1))),
@@ -114,7 +116,8 @@ def test_every_item_has_its_line():
     shown = lines(FULL)
     for expected in (
         'model Hand  "all of it"',
-        'Angle q [rad], start = 0.7853981633974483 (45 deg), fixed, min = -1, max = 1, nominal = 0.1  "turn"',
+        "Angle q [rad, shown in deg], start = 0.7853981633974483 (45 deg), fixed, min = -1, max = 1, nominal = 0.1"
+        '  "turn"',
         "Real r [1], start = 0.3, der start = 2, der fixed",
         "mass m at P",
         "body plate(m = m, com = {0, 0, 0}, I = {1, 1, 1, 0, 0, 0}) on A",

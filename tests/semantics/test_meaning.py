@@ -1,4 +1,5 @@
-"""What expressions mean: precedence, functions, vectors, arrays, literals, compared with numbers worked out by hand."""
+"""Meaning of expressions: precedence, functions, vectors, arrays, literals, compared with numbers worked out by
+hand."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a simulation fails: with time, name, cause, and the rows so far."""
+"""Failures of simulations: with time, name, cause, and the rows so far."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What fails at the start is found by checking alone."""
+"""Checking alone finds failures at the start."""
 
 import pytest
 

@@ -13,7 +13,7 @@ import pytest
 from simulate.hand import Pendulum, coordinate, flat_model
 
 from lagdsl.diagnostics import CompilationFailed, Sink
-from lagdsl.signals.table_io import csv_text, parse_inputs, read_inputs, write_events, write_table
+from lagdsl.signals.table_io import Table, csv_text, parse_inputs, read_inputs, write_events, write_table
 from lagdsl.signals.trajectory import Event, Trajectory
 from lagdsl.simulate.simulate import simulate
 from lagdsl.source import SourceFile
@@ -111,7 +111,7 @@ def test_an_old_file_survives_a_failed_write(
     path = tmp_path / "out.csv"
     path.write_text("old")
 
-    def full(trajectory: Trajectory) -> str:
+    def full(trajectory: Trajectory, **_: object) -> str:
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("lagdsl.signals.table_io.csv_text", full)
@@ -130,7 +130,7 @@ def test_text_is_deterministic(motion: Trajectory) -> None:
 def test_inputs_in_any_column_order(tmp_path: Path) -> None:
     path = tmp_path / "in.csv"
     path.write_bytes(b'\xef\xbb\xbfu, time ,"der(u)"\r\n1,0,3\r\n\r\n2,0.5,-4e-1\r\n')
-    assert read_inputs(path, Sink()) == {"u": ([0.0, 0.5], [1.0, 2.0]), "der(u)": ([0.0, 0.5], [3.0, -0.4])}
+    assert read_inputs(path, Sink()) == {"u": Table([0.0, 0.5], [1.0, 2.0]), "der(u)": Table([0.0, 0.5], [3.0, -0.4])}
 
 
 @pytest.mark.parametrize(
@@ -164,7 +164,7 @@ def test_faults_of_a_table_have_their_place(text: str, code: str, place: tuple[i
 
 def test_a_quoted_name_may_hold_a_comma() -> None:
     table = parse_inputs(SourceFile("in.csv", 'time, "u[1,2]"\n0,1\n"1", "2"\n'), Sink())
-    assert table == {"u[1,2]": ([0.0, 1.0], [1.0, 2.0])}
+    assert table == {"u[1,2]": Table([0.0, 1.0], [1.0, 2.0])}
 
 
 @pytest.mark.skipif(os.name != "posix", reason="devices of Unix")
@@ -183,7 +183,7 @@ def test_all_bad_cells_are_told_at_once() -> None:
 
 def test_a_jump_is_two_equal_times() -> None:
     table = parse_inputs(SourceFile("in.csv", "time,u\n0,0\n1,0\n1,5\n2,5\n"), Sink())
-    assert table == {"u": ([0.0, 1.0, 1.0, 2.0], [0.0, 0.0, 5.0, 5.0])}
+    assert table == {"u": Table([0.0, 1.0, 1.0, 2.0], [0.0, 0.0, 5.0, 5.0])}
 
 
 def test_unreadable_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -121,7 +121,7 @@ class Functions:
         return self._valid(*_arguments(at), branches)  # type: ignore[no-any-return]
 
     def asks_for_accelerations(self, names: Sequence[str]) -> bool:
-        """Whether one of the functions or a corner depends on accelerations or multipliers."""
+        """True if one of the functions or a corner depends on accelerations or multipliers."""
         named = [self._program.function(name) for name in names if self._program.has(name)]
         roots = [node for function in named for block in function.results for node in block.elements]
         return any(self._graph.depends(node, Group.QDD, Group.LAMBDA) for node in (*roots, *self.corners))

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from lagdsl.numerics.levenberg_marquardt import descend
-from lagdsl.numerics.rank import augmented_mass, independent_rows, minimum_norm, minimum_norms, null_space, rank
+from lagdsl.numerics.rank import independent_rows, minimum_norm, minimum_norms, null_space, rank
 
 
 @st.composite
@@ -63,20 +63,12 @@ def test_empty_matrices() -> None:
     assert np.array_equal(null_space(empty), np.eye(3))
     assert np.array_equal(minimum_norm(empty, np.zeros(0)), np.zeros(3))
     assert np.array_equal(minimum_norm(np.zeros((2, 3)), np.ones(2)), np.zeros(3))
-    assert np.array_equal(augmented_mass(np.eye(2), np.zeros((0, 2))), np.eye(2))
-    assert np.array_equal(augmented_mass(np.eye(2), np.zeros((1, 2))), np.eye(2))
 
 
 def test_damping_shortens() -> None:
     matrix = np.diag([1.0, 1e-3])
     (damped,) = minimum_norms(matrix[None], np.ones((1, 2)), damping=0.1)
     assert np.linalg.norm(damped) < np.linalg.norm(np.linalg.solve(matrix, np.ones(2)))
-
-
-def test_singular_mass_becomes_positive_definite_with_its_constraint() -> None:
-    mass = np.diag([1.0, 0.0])
-    metric = augmented_mass(mass, np.array([[1.0, 1.0]]))
-    assert np.linalg.eigvalsh(metric)[0] > 0.0
 
 
 def test_descend_finds_a_root_to_round_off() -> None:

@@ -1,4 +1,4 @@
-"""What is stored is Lark's parser of the grammar, and nothing computes it anew at run time."""
+"""The stored parser is Lark's for the grammar, and nothing computes it anew at run time."""
 
 import json
 import os
@@ -62,7 +62,7 @@ def test_what_another_version_of_lark_has_stored_is_not_read(tmp_path, monkeypat
 
 
 def tokens(parser):
-    """What the lexer makes of a text, driven by the states of the parser."""
+    """Tokens of a text, with the lexer driven by the states of the parser."""
     return [(token.type, str(token), token.start_pos, token.end_pos) for token in parser.iter_parse()]
 
 

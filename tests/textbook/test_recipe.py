@@ -1,4 +1,4 @@
-"""What people read says the same as what runs, and stays bounded."""
+"""The form that people read says the same as the form that runs, and stays bounded."""
 
 from __future__ import annotations
 

@@ -11,6 +11,7 @@ from lagdsl.backends.c.lanes import states_source, tangents_source
 from lagdsl.backends.c.literal import number
 from lagdsl.backends.c.source import header, source, symbol
 from lagdsl.backends.identifier import identifier
+from lagdsl.backends.reserved import C_NAMES
 from lagdsl.backends.start import Start
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder, sources_in
@@ -21,15 +22,6 @@ PARTS: dict[str, Callable[[Program, str], str]] = {
     "parameter_tangents": partial(tangents_source, parameters=True),
 }
 
-# Names that the Makefile, the runtime, the examples, the headers of FMI or the devices of Windows have taken.
-_RESERVED = frozenset(
-    {
-        *("main", "realtime", "makefile", "lag", "freestanding", "all", "clean"),
-        *("fmi2functions", "fmi2functiontypes", "fmi2typesplatform"),
-        *("fmi3functions", "fmi3functiontypes", "fmi3platformtypes"),
-        *("con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(10))),
-    }
-)
 _EXAMPLES = ("main.c", "realtime.c")
 
 
@@ -44,7 +36,9 @@ class CBackend:
 
     def emit(self, program: Program) -> Artifact:
         stem = stem_of(program)
-        head = f'#include "{stem}.h"\n#define MODEL {symbol(stem)}\n#define START {stem}_start\n\n'
+        constants = {"MODEL": symbol(stem), "START": f"{stem}_start", "TURNING": _turning(program, self._start)}
+        defined = "".join(f"#define {name} {value}\n" for name, value in constants.items())
+        head = f'#include "{stem}.h"\n{defined}\n'
         return Artifact(
             {
                 **started_sources(program, self._start, self._parts),
@@ -58,7 +52,7 @@ class CBackend:
 
 def stem_of(program: Program) -> str:
     """Stem of the names of files and constants of the model: an identifier, and a file name everywhere."""
-    return identifier(program.name, _RESERVED)
+    return identifier(program.name, C_NAMES)
 
 
 def model_symbol(program: Program) -> str:
@@ -133,6 +127,12 @@ def _start(stem: str, start: Start | None) -> str:
         f'/* Where the motion starts. */\n#include "{stem}.h"\n\n{"".join(arrays)}\n'
         f"const lag_start {stem}_start = {{\n    .t = {number(told.t)},\n{members}}};\n"
     )
+
+
+def _turning(program: Program, start: Start | None) -> str:
+    """An initializer with a flag for each output, one at least: it is an angle known up to whole turns."""
+    flags = start.turning if start is not None and start.turning else (False,) * max(1, len(program.layout.outputs))
+    return f"{{{', '.join(str(int(flag)) for flag in flags)}}}"
 
 
 def _example(name: str) -> str:

@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagdsl.cli.assignments import settings, split
+from lagdsl.cli.command import Command
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
+from lagdsl.cli.options import PATH, takes_derivation
 from lagdsl.cli.output import Unwritable, write_text
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
 from lagdsl.pipeline import Compilation, Route, compile_flat, flatten_file
 from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.settings.settings import settings, split
 
 if TYPE_CHECKING:
     from lagdsl.backends.start import Start
@@ -22,16 +24,11 @@ if TYPE_CHECKING:
 _TARGETS = ("numpy", "c")
 
 
-@click.command("build")
+@click.command("build", cls=Command)
 @takes_model
 @click.option("--target", type=click.Choice(_TARGETS), required=True, help="Language of the module.")
-@click.option("-o", "--output", "folder", type=click.Path(path_type=Path), required=True, help="Folder to write to.")
-@click.option(
-    "--derivation",
-    type=click.Choice(["graph", "textbook"]),
-    default="graph",
-    help="Derivation of the equations: graph, or textbook in SymPy.",
-)
+@click.option("-o", "--output", "folder", type=PATH, required=True, help="Folder to write to.")
+@takes_derivation
 @click.option(
     "--fix",
     "fixed",
@@ -57,15 +54,16 @@ def command(
     sink = Sink()
     flat = flatten_file(source, sink, model=model)
     if flat is not None and fixed:
-        flat = _with_fixed(flat, fixed)
+        flat = _with_fixed(flat, fixed, sink)
     compilation = compile_flat(flat, sink, derivation) if flat is not None else None
     if compilation is None:
         leave_with_errors(sink.diagnostics, style)
-    tell(sink.diagnostics, style)
-
     from lagdsl.backends.c.emit import CBackend
     from lagdsl.backends.registry import BACKENDS
+    from lagdsl.backends.reserved import report_renamed
 
+    report_renamed(compilation.program.name, "c" if target == "c" else "python", sink)
+    tell(sink.diagnostics, style)
     backend = CBackend(batch=batch, start=_start(compilation)) if target == "c" else BACKENDS[target]
     artifact = backend.emit(compilation.program)
     for name, text in artifact.files.items():
@@ -78,9 +76,9 @@ def command(
         click.echo(path)
 
 
-def _with_fixed(flat: FlatModel, fixed: tuple[str, ...]) -> FlatModel:
+def _with_fixed(flat: FlatModel, fixed: tuple[str, ...], sink: Sink) -> FlatModel:
     """The parameters of `--fix` as numbers. Raises UsageError for what cannot be fixed so."""
-    given = settings(flat, split([each for each in fixed if "=" in each]))
+    given = settings(flat, split([each for each in fixed if "=" in each]), sink)
     if given.start:
         raise click.UsageError(f"--fix takes parameters; `{next(iter(given.start))}` is a start value")
     try:

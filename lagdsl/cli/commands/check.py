@@ -6,16 +6,18 @@ from pathlib import Path
 
 import click
 
+from lagdsl.cli.command import Command
 from lagdsl.cli.model_file import Format, read_or_leave, takes_model, tell
 from lagdsl.cli.status import ERRORS, SUCCESS
 from lagdsl.diagnostics import Severity
 from lagdsl.flat.events import Events
+from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, check
 
 _MOST_NAMED = 8
 
 
-@click.command("check")
+@click.command("check", cls=Command)
 @takes_model
 def command(file: Path, model: str | None, style: Format) -> None:
     """Find all errors of the model in FILE, and show its degrees of freedom."""
@@ -48,16 +50,36 @@ def _line(compilation: Compilation) -> str:
     parts = [_counted(number, noun) for number, noun in counts]
     if lasting:
         parts[0] += f" (rank {compilation.structure.rank})"
-    return f"{compilation.flat.name}: {structure_text(compilation.structure)}; {', '.join(parts)}"
+    shown = _display_units(compilation.flat)
+    return f"{compilation.flat.name}: {structure_text(compilation.structure)}; {', '.join(parts)}{shown}"
 
 
 def _joints(compilation: Compilation) -> str:
-    """`joints: revolute A, B, C, D (cut)`, by kind."""
+    """`joints: revolute A, B, C, D (cut)`, by kind; under it the count for mechanisms in the plane."""
+    from lagdsl.structure.count import gruebler_text
+
     kinds: dict[str, list[str]] = {}
     for joint in compilation.flat.joints:
         name = f"{joint.name} (cut)" if joint.cut else joint.name
         kinds.setdefault(joint.kind.rpartition(".")[2], []).append(name)
-    return "joints: " + "; ".join(f"{len(names)} {kind} {_listed(names)}" for kind, names in kinds.items())
+    line = "joints: " + "; ".join(f"{len(names)} {kind} {_listed(names)}" for kind, names in kinds.items())
+    counted = gruebler_text(compilation.flat, compilation.structure.redundant, compilation.structure.freedom)
+    return f"{line}\n{counted}" if counted else line
+
+
+def _display_units(flat: FlatModel) -> str:
+    """`; shown in deg: a, b`: where people see other units than those of files."""
+    from lagdsl.simulate.table import heads_of
+
+    units: dict[str, list[str]] = {}
+    for name, unit, kind, shown in heads_of(flat):
+        if kind != "rate" and shown.unit not in (unit, "") and (shown.scale, shown.shift) != (1.0, 0.0):
+            units.setdefault(shown.unit, []).append(name)
+    return "".join(f"; shown in {unit}: {', '.join(_first(names))}" for unit, names in units.items())
+
+
+def _first(names: list[str]) -> list[str]:
+    return [*names[:_MOST_NAMED], *(["..."] if len(names) > _MOST_NAMED else [])]
 
 
 def _events(events: Events) -> str:
@@ -69,7 +91,7 @@ def _events(events: Events) -> str:
 
 
 def _listed(names: list[str]) -> str:
-    return f"({', '.join([*names[:_MOST_NAMED], *(['...'] if len(names) > _MOST_NAMED else [])])})"
+    return f"({', '.join(_first(names))})"
 
 
 def _counted(number: int, noun: str) -> str:

@@ -6,19 +6,20 @@ from pathlib import Path
 
 import click
 
-from lagdsl.cli.assignments import split
+from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
-from lagdsl.cli.engine import takes_engine
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.output import Unwritable, require_writable
+from lagdsl.cli.options import PATH, takes_engine, takes_settings
+from lagdsl.cli.output import Unwritable, require_ending, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import findings
 from lagdsl.runtime.building.platforms import PLATFORMS
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.settings.settings import split
 
 
-@click.command("fmu")
+@click.command("fmu", cls=Command)
 @takes_model
 @click.option(
     "--fmi", "version", type=click.Choice(["2", "3"]), default="2", show_default=True, help="Version of the standard."
@@ -38,16 +39,10 @@ from lagdsl.runtime.engines.engine import EngineName
     metavar="NAME",
     help=f"Platform of a binary; default: this machine. One of {', '.join(PLATFORMS)}, all.",
 )
-@click.option(
-    "--set",
-    "assignments",
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Another default of a parameter or start value: 'm=2 kg', 'x.start=1 m'; or a structural parameter.",
-)
+@takes_settings
 @takes_engine
 @click.option("--with-source", is_flag=True, help="Put the text of the model into the FMU.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), metavar="F.fmu", help="Default: MODEL.fmu, here.")
+@click.option("-o", "--output", type=PATH, metavar="F.fmu", help="Name of the file; default: MODEL.fmu in this folder.")
 def command(
     file: Path,
     model: str | None,
@@ -60,7 +55,11 @@ def command(
     with_source: bool,
     output: Path | None,
 ) -> None:
-    """Write the model in FILE as an FMU. The FMU is validated and run once before it appears."""
+    """Write the model in FILE as an FMU. The FMU is validated and run once before it appears.
+
+    Values of --set are the defaults of the FMU; structural parameters become numbers of it.
+    """
+    require_ending(output, "FMUs are", ".fmu")
     require_writable(output)
     source = read_or_leave(file, style)
     sink = Sink()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import click
@@ -10,34 +9,21 @@ import click
 from lagdsl.analysis.linearization import Linearization
 from lagdsl.analysis.linearize import Named
 from lagdsl.analysis.where import linearize
-from lagdsl.cli.model_file import Format
-from lagdsl.cli.output import require_writable
-from lagdsl.cli.small_motions import finish, request, require_form, takes_state
+from lagdsl.cli.command import Command
+from lagdsl.cli.small_motions import Options, finish, request, takes_state
 from lagdsl.cli.state_text import point_text, steadiness_text
 from lagdsl.cli.text_table import number, text_table
 from lagdsl.numerics.rank import Floats
-from lagdsl.runtime.engines.engine import EngineName
 
 
-@click.command("linearize")
+@click.command("linearize", cls=Command)
 @takes_state
-def command(
-    file: Path,
-    model: str | None,
-    style: Format,
-    time: str | None,
-    inputs: tuple[str, ...],
-    assignments: tuple[str, ...],
-    engine: EngineName,
-    output: Path | None,
-) -> None:
+def command(options: Options) -> None:
     """Linearize FILE about its initial state: dx/dt = A x + B u, y = C x + D u on the minimal state, in SI units."""
-    require_form(output)
-    require_writable(output)
-    asked = request(file, model, style, time, inputs, assignments, engine)
+    asked = request(options, trim=options.trim)
     found = asked.ask(linearize)
     text = "\n\n".join(_parts(found, point_text(asked.system, found.point)))
-    finish(asked, text, _data(found), _table(found), output)
+    finish(asked, text, _data(found), _table(found))
 
 
 def _parts(found: Linearization, where: str) -> list[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,56 +11,44 @@ import numpy as np
 from lagdsl.analysis.modes import Modes
 from lagdsl.analysis.variation import Variation
 from lagdsl.analysis.where import modes, vary
-from lagdsl.cli.model_file import Format
+from lagdsl.cli.command import Command
 from lagdsl.cli.modes_text import modes_text, variation_text
+from lagdsl.cli.options import PATH
 from lagdsl.cli.output import draft_of, require_figure, require_writable
-from lagdsl.cli.small_motions import finish, grid, request, require_form, takes_state
-from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.cli.small_motions import Options, finish, request, takes_state
+from lagdsl.settings.axis import varied
+from lagdsl.settings.settings import split
 
 
-@click.command("modes")
+@click.command("modes", cls=Command)
 @takes_state
-@click.option("--trim", is_flag=True, help="Linearize about the equilibrium nearest to the start.")
 @click.option(
     "--vary",
-    "varied",
-    metavar="NAME=FROM:TO:COUNT",
-    help="Compute eigenvalues over a parameter, and locate thresholds.",
+    "assignment",
+    metavar="NAME=VALUES",
+    help="Compute eigenvalues over a parameter, an input or a start, and locate thresholds: an interval 'P=0:3 N', a "
+    "range 'P=0:0.1:3 N' (first:step:last) or 'P=linspace(0, 3, 31) N', a list.",
 )
-@click.option("--plot", "picture", type=click.Path(path_type=Path), help="Write a figure: mode shapes or root locus.")
-def command(
-    file: Path,
-    model: str | None,
-    style: Format,
-    time: str | None,
-    inputs: tuple[str, ...],
-    assignments: tuple[str, ...],
-    engine: EngineName,
-    output: Path | None,
-    trim: bool,
-    varied: str | None,
-    picture: Path | None,
-) -> None:
+@click.option("--plot", "picture", type=PATH, help="Write a figure: mode shapes or root locus.")
+def command(options: Options, assignment: str | None, picture: Path | None) -> None:
     """Show the modes of FILE about its initial state."""
-    require_form(output)
-    for path in (output, picture):
-        require_writable(path)
+    require_writable(picture)
     if picture is not None:
         require_figure(picture)
-    asked = request(file, model, style, time, inputs, assignments, engine)
-    where = replace(asked.where, trim=trim)
-    if varied is None:
-        found = asked.ask(modes, where)
-        finish(asked, modes_text(asked.system, found), _modes_data(found), _modes_table(found), output)
+    asked = request(options, trim=options.trim)
+    if assignment is None:
+        found = asked.ask(modes)
+        finish(asked, modes_text(asked.system, found), _modes_data(found), _modes_table(found))
     else:
-        name, values = grid(asked.system.flat, varied)
-        found_over = asked.ask(lambda system, at, sink: vary(system, at, name, np.array(values), sink), where)
-        finish(asked, variation_text(found_over), _variation_data(found_over), _variation_table(found_over), output)
+        ((given, text),) = split([assignment]).items()
+        name, values = varied(asked.system.flat, given, text, asked.sink)
+        found_over = asked.ask(lambda system, at, sink: vary(system, at, name, np.array(values), sink))
+        finish(asked, variation_text(found_over), _variation_data(found_over), _variation_table(found_over))
     if picture is not None:
         from lagdsl.plot.modes import plot_modes, plot_variation
 
         with draft_of(picture) as draft:
-            if varied is None:
+            if assignment is None:
                 plot_modes(found, draft)
             else:
                 plot_variation(found_over, draft)

@@ -9,51 +9,51 @@ from typing import NoReturn
 import click
 
 from lagdsl.api.model import Model
-from lagdsl.cli.assignments import seconds, split
+from lagdsl.cli.columns import columns_of
+from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
-from lagdsl.cli.engine import takes_engine
+from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.output import draft_of, require_figure, require_writable
+from lagdsl.cli.options import (
+    PATH,
+    takes_columns,
+    takes_derivation,
+    takes_engine,
+    takes_inputs,
+    takes_settings,
+    takes_span,
+    takes_units,
+)
+from lagdsl.cli.output import draft_of, require_ending, require_figure, require_units, require_writable
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Route, findings
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
-from lagdsl.signals.table_io import Tables, has_writer, read_inputs, write_events, write_table
+from lagdsl.settings.literal import seconds
+from lagdsl.settings.settings import split
+from lagdsl.signals.table_io import has_writer, write_events, write_table
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
 
-_SECONDS = "e.g. 10, '500 ms'"
 
-
-@click.command("run")
+@click.command("run", cls=Command)
 @takes_model
-@click.option("--stop", metavar="T", help=f"End of the simulation [s], {_SECONDS}; default: the model's experiment.")
-@click.option("--interval", metavar="H", help="Time between rows [s].")
-@click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration.")
-@click.option(
-    "--set",
-    "assignments",
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Parameter or start value: 'm=2 kg', 'x.start=1 m'.",
-)
-@click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
+@takes_span
+@takes_settings
+@takes_inputs
 @takes_engine
 @click.option(
     "--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau, rk4, leapfrog, ros2."
 )
 @click.option("--step", metavar="H", help="Length of steps [s], for the solvers rk4, leapfrog and ros2.")
-@click.option(
-    "--derivation",
-    type=click.Choice(["graph", "textbook"]),
-    default="graph",
-    help="Derivation of the equations: graph, or textbook in SymPy.",
-)
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the columns to this .csv or .parquet.")
-@click.option("--events", type=click.Path(path_type=Path), help="Write the events to this .csv.")
-@click.option("--plot", "picture", type=click.Path(path_type=Path), help="Write a figure of the motion.")
+@takes_derivation
+@takes_columns
+@click.option("-o", "--output", type=PATH, help="Write the columns to this .csv or .parquet.")
+@takes_units
+@click.option("--events", type=PATH, help="Write the events to this .csv.")
+@click.option("--plot", "picture", type=PATH, help="Write a figure of the motion.")
 def command(
     file: Path,
     model: str | None,
@@ -62,12 +62,14 @@ def command(
     interval: str | None,
     tolerance: float | None,
     assignments: tuple[str, ...],
-    inputs: Path | None,
+    inputs: tuple[str, ...],
     engine: EngineName,
     solver: str,
     step: str | None,
     derivation: Route,
+    columns: tuple[str, ...],
     output: Path | None,
+    units: bool,
     events: Path | None,
     picture: Path | None,
 ) -> None:
@@ -75,10 +77,14 @@ def command(
     for path in (output, events, picture):
         require_writable(path)
     _require_forms(output, picture, style)
+    require_ending(events, "events are", ".csv")
+    require_units(output, units)
     source = read_or_leave(file, style)
-    signals = _read_inputs(inputs, style)
+    given = inputs_or_leave(inputs, style)
     sink = Sink()
     compilation, chosen = compile_or_leave(source, sink, style, model, derivation, split(assignments))
+    kept = columns_of(columns, [compilation.flat])
+    signals = given.of(compilation.flat, sink, style)
     try:
         compiled = Model(compilation, engine_of(compilation.program, engine))
         with progress(compiled.name) as report:
@@ -98,12 +104,13 @@ def command(
         leave_with_errors(findings(sink, failure), style)
     except SimulationFailed as failure:
         tell((*sink.diagnostics, *failure.diagnostics), style)
-        _write(failure.trajectory, output, events, style)
+        _write(failure.trajectory.only(kept), output, events, style, units=units)
         click.get_current_context().exit(FAILED_RUN)
     except ValueError as error:  # options that make no sense
         raise click.UsageError(str(error)) from error
     tell(sink.diagnostics, style)
-    _write(motion, output, events, style)
+    motion = motion.only(kept)
+    _write(motion, output, events, style, units=units)
     if picture is not None:
         from lagdsl.plot.figure import plot
 
@@ -126,20 +133,11 @@ def _require_forms(output: Path | None, picture: Path | None, style: Format) -> 
         require_figure(picture)
 
 
-def _read_inputs(path: Path | None, style: Format) -> Tables:
-    """The table of inputs; leaves with status 2 where it cannot be read."""
-    sink = Sink()
-    tables = {} if path is None else read_inputs(path, sink)
-    if tables is None:
-        _leave_with_usage(sink, style)
-    return tables
-
-
-def _write(motion: Trajectory, output: Path | None, events: Path | None, style: Format) -> None:
+def _write(motion: Trajectory, output: Path | None, events: Path | None, style: Format, *, units: bool) -> None:
     """To the files that there are; leaves with status 2 where one cannot be written."""
     sink = Sink()
     if output is not None:
-        write_table(motion, output, sink)
+        write_table(motion, output, sink, units=units)
     if events is not None:
         write_events(motion, events, sink)
     if sink.has_errors:

@@ -7,33 +7,24 @@ from pathlib import Path
 
 import click
 
-from lagdsl.cli.assignments import seconds, split
+from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.output import require_writable, write_text
+from lagdsl.cli.options import PATH, takes_settings, takes_stop, takes_tolerance
+from lagdsl.cli.output import require_ending, require_writable, write_text
 from lagdsl.cli.status import FAILED_RUN
 from lagdsl.diagnostics import CompilationFailed, Severity, Sink
 from lagdsl.pipeline import findings
+from lagdsl.settings.literal import seconds
+from lagdsl.settings.settings import split
 
 
-@click.command("show")
+@click.command("show", cls=Command)
 @takes_model
-@click.option("--stop", metavar="T", help="End of the motion [s]; default: the model's experiment.")
-@click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration.")
-@click.option(
-    "--set",
-    "assignments",
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Parameter or start value to begin with: 'm=2 kg', 'x.start=1 m'.",
-)
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path),
-    metavar="F.html",
-    help="Write the page here. Default: MODEL.html.",
-)
+@takes_stop
+@takes_tolerance
+@takes_settings
+@click.option("-o", "--output", type=PATH, metavar="F.html", help="Write the page here. Default: MODEL.html.")
 @click.option("--no-open", is_flag=True, help="Write the page, and do not open it.")
 def command(
     file: Path,
@@ -46,6 +37,7 @@ def command(
     no_open: bool,
 ) -> None:
     """Write a page that shows the machine in FILE, and open it in a browser. The page needs no network."""
+    require_ending(output, "pages are", ".html", ".htm")
     require_writable(output)
     source = read_or_leave(file, style)
     sink = Sink()

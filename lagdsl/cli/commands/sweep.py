@@ -8,18 +8,23 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagdsl.cli.assignments import seconds, split
-from lagdsl.cli.engine import takes_engine
+from lagdsl.cli.columns import columns_of
+from lagdsl.cli.command import Command
+from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
-from lagdsl.cli.output import Unwritable, require_writable
+from lagdsl.cli.options import PATH, takes_columns, takes_engine, takes_inputs, takes_span, takes_units
+from lagdsl.cli.output import Unwritable, require_units, require_writable
 from lagdsl.cli.progress import progress
-from lagdsl.cli.status import FAILED_RUN, INTERRUPTED, USAGE
+from lagdsl.cli.status import FAILED_RUN, INTERRUPTED
+from lagdsl.cli.text_table import aligned
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
-from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, compile_flat, flatten_file
 from lagdsl.runtime.engines.engine import EngineName
-from lagdsl.signals.table_io import Tables, read_inputs
+from lagdsl.settings.literal import seconds
+from lagdsl.settings.settings import split
+from lagdsl.signals.inputs import report_missing
+from lagdsl.simulate.table import heads_of
 from lagdsl.source import SourceFile
 
 if TYPE_CHECKING:
@@ -32,25 +37,25 @@ if TYPE_CHECKING:
 _MOST_REASONS = 3
 
 
-@click.command("sweep")
+@click.command("sweep", cls=Command)
 @takes_model
 @click.option(
     "--set",
     "assignments",
     multiple=True,
     metavar="NAME=VALUES",
-    help="'l=0.1:0.1:1 m', 'm=1, 2, 5 kg', 'm=normal(1, 0.1) kg'; starts as 'x.start=...'.",
+    help="Range 'l=0.1:0.1:1 m' (first:step:last) or 'l=linspace(0.1, 1, 10) m', list 'm=1, 2, 5 kg', draws "
+    "'m=normal(1, 0.1) kg'; starts as 'x.start=...'.",
 )
 @click.option("--random", type=click.IntRange(min=1), metavar="N", help="Number of draws from the distributions.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the draws.")
-@click.option("--stop", metavar="T", help="End of every run [s]; default: the model's experiment.")
-@click.option("--interval", metavar="H", help="Time between rows [s].")
-@click.option("--tolerance", type=float, metavar="R", help="Relative tolerance of the integration.")
-@click.option("--input", "inputs", type=click.Path(path_type=Path), help="CSV: time and a column for each input.")
+@takes_span
+@takes_inputs
 @takes_engine
 @click.option("--solver", default="auto", show_default=True, metavar="NAME", help="auto, dop853, radau.")
-@click.option("--column", "columns", multiple=True, metavar="NAME", help="Keep this column only; may be repeated.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write the dataset: .nc, .parquet or .csv.")
+@takes_columns
+@click.option("-o", "--output", type=PATH, help="Write the dataset: .nc, .parquet or .csv.")
+@takes_units
 @click.option("--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one for each core.")
 @click.option("--scheduler", metavar="ADDRESS", help="Make the runs on the Dask cluster at ADDRESS.")
 @click.option("--resume", is_flag=True, help="Continue an interrupted sweep to the same output.")
@@ -64,11 +69,12 @@ def command(
     stop: str | None,
     interval: str | None,
     tolerance: float | None,
-    inputs: Path | None,
+    inputs: tuple[str, ...],
     engine: EngineName,
     solver: str,
     columns: tuple[str, ...],
     output: Path | None,
+    units: bool,
     jobs: int | None,
     scheduler: str | None,
     resume: bool,
@@ -81,10 +87,15 @@ def command(
     if resume and output is None:
         raise click.UsageError("--resume continues a sweep to a file: give the file with -o")
     _require_packages(output, scheduler)
+    require_units(output, units)
     source = read_or_leave(file, style)
-    signals = _read_inputs(inputs, style)
-    flat = _front(source, style, model, {})
-    the_plan = _plan(flat, assignments, random, seed)
+    given = inputs_or_leave(inputs, style)
+    sink = Sink()
+    flat = _front(source, style, model, sink)
+    the_plan = _plan(flat, assignments, random, seed, sink)
+    signals = given.of(flat, sink, style)
+    report_missing(flat, signals, sink)
+    tell(sink.diagnostics, style)
     known, subjects = _subjects(source, style, model, the_plan)
     end, step = options_of(flat, stop=seconds("--stop", stop), interval=seconds("--interval", interval))
     options = Options(
@@ -94,12 +105,12 @@ def command(
         solver=solver,
         engine=engine,
         inputs=signals,
-        columns=_columns(columns, subjects),
+        columns=columns_of(columns, [swept.flat for swept in subjects if swept.flat is not None]),
     )
-    work = Work(jobs=jobs, scheduler=scheduler, output=output, resume=resume)
+    work = Work(jobs=jobs, scheduler=scheduler, output=output, resume=resume, units=units)
     data = _sweep(the_plan, known, subjects, options, work)
     if output is None:
-        click.echo(_summary(data, the_plan))
+        click.echo(_summary(data, the_plan, subjects))
     failed = _tell_failures(data, the_plan)
     if failed == the_plan.runs:
         click.get_current_context().exit(FAILED_RUN)
@@ -147,34 +158,23 @@ def _require_packages(output: Path | None, scheduler: str | None) -> None:
             raise click.UsageError(str(error)) from error
 
 
-def _read_inputs(path: Path | None, style: Format) -> Tables:
-    sink = Sink()
-    tables = {} if path is None else read_inputs(path, sink)
-    if tables is None:
-        tell(sink.diagnostics, style)
-        click.get_current_context().exit(USAGE)
-    return tables
-
-
-def _plan(flat: FlatModel, assignments: tuple[str, ...], random: int | None, seed: int) -> Plan:
-    from lagdsl.cli.sweep_values import plan
+def _plan(flat: FlatModel, assignments: tuple[str, ...], random: int | None, seed: int, sink: Sink) -> Plan:
     from lagdsl.sweep.plan import require_sound
+    from lagdsl.sweep.values import plan
 
     try:
-        made = plan(flat, split(assignments), random, seed)
+        made = plan(flat, split(assignments), random, seed, sink)
         require_sound(made)
     except ValueError as error:
         raise click.UsageError(str(error)) from error
     return made
 
 
-def _front(source: SourceFile, style: Format, model: str | None, structural: dict[str, float]) -> FlatModel:
-    """The flat model, its warnings told; leaves where it is wrong."""
-    sink = Sink()
-    flat = flatten_file(source, sink, model=model, structural=structural)
+def _front(source: SourceFile, style: Format, model: str | None, sink: Sink) -> FlatModel:
+    """The flat model; leaves where it is wrong."""
+    flat = flatten_file(source, sink, model=model)
     if flat is None:
         leave_with_errors(sink.diagnostics, style)
-    tell(sink.diagnostics, style)
     return flat
 
 
@@ -212,37 +212,20 @@ def _compiled(source: SourceFile, model: str | None, structural: dict[str, float
         return None
 
 
-def _columns(names: tuple[str, ...], subjects: list[SweptModel]) -> tuple[str, ...] | None:
-    """The columns to keep, all of which some variant has; None for all columns."""
-    layouts = [swept.program.layout for swept in subjects if swept.program is not None]
-    known: dict[str, None] = {}
-    for layout in layouts:
-        coordinates = [slot.name for slot in layout.coordinates]
-        rates = [f"der({name})" for name in coordinates]
-        known |= dict.fromkeys([*coordinates, *rates, *(slot.name for slot in (*layout.states, *layout.outputs))])
-    for name in names:
-        if name not in known:
-            hint = did_you_mean(name, known, f"there are {', '.join(known)}")
-            raise click.UsageError(f"there is no column `{name}`; {hint}")
-    return names or None
-
-
-def _summary(data: xarray.Dataset, plan: Plan) -> str:
-    """Columns at the end of the runs, in SI units."""
+def _summary(data: xarray.Dataset, plan: Plan, subjects: list[SweptModel]) -> str:
+    """Columns at the end of the runs, in the units that `lag run` shows."""
     import numpy as np
 
-    rows: list[tuple[str, ...]] = [("", "least end", "mean end", "largest end", "")]
+    shown = {head[0]: head[3] for swept in subjects if swept.flat is not None for head in heads_of(swept.flat)}
+    rows: list[tuple[str, ...]] = []
     for name, variable in data.data_vars.items():
         if len(variable.dims) > len(plan.shape):  # over time, too
             ends = variable.values[..., -1]
-            sound = ends[np.isfinite(ends)]
-            numbers = [f"{f(sound):.5g}" if sound.size else "" for f in (np.min, np.mean, np.max)]
-            rows.append((str(name), *numbers, str(variable.attrs["units"])))
-    widths = [max(len(row[i]) for row in rows) for i in range(4)]
-    lines = [
-        "  ".join([row[0].ljust(widths[0]), *(row[i].rjust(widths[i]) for i in (1, 2, 3)), row[4]]).rstrip()
-        for row in rows
-    ]
+            sound, display = ends[np.isfinite(ends)], shown[str(name)]
+            numbers = [f"{display(f(sound)):.5g}" if sound.size else "" for f in (np.min, np.mean, np.max)]
+            rows.append((str(name), *numbers, display.unit))
+    header = ("", "least end", "mean end", "largest end", "")
+    lines = aligned([header, *rows], left=(0, 4))
     return "\n".join([f"{data.attrs['model']}: {_counted(plan.runs)}", *lines])
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import click
@@ -11,41 +9,22 @@ import click
 from lagdsl.analysis.point import System
 from lagdsl.analysis.trim import Equilibrium, all_names
 from lagdsl.analysis.where import trim
-from lagdsl.cli.model_file import Format
-from lagdsl.cli.output import require_writable
-from lagdsl.cli.small_motions import finish, request, require_form, takes_state
+from lagdsl.cli.command import Command
+from lagdsl.cli.small_motions import Options, finish, request, takes_state
 from lagdsl.cli.state_text import steadiness_text
 from lagdsl.cli.text_table import number, text_table
-from lagdsl.runtime.engines.engine import EngineName
-from lagdsl.structure.display import display, display_rate
+from lagdsl.flat.display import display, display_rate
 
 
-@click.command("trim")
+@click.command("trim", cls=Command)
 @takes_state
-@click.option(
-    "--free", multiple=True, metavar="NAME", help="Add an unknown: an input, a rate der(x), a fixed coordinate."
-)
-@click.option("--hold", multiple=True, metavar="NAME", help="Remove an unknown: it keeps its start value.")
-@click.option("--steady", is_flag=True, help="Keep the rates of the start: a steady motion instead of rest.")
-def command(
-    file: Path,
-    model: str | None,
-    style: Format,
-    time: str | None,
-    inputs: tuple[str, ...],
-    assignments: tuple[str, ...],
-    engine: EngineName,
-    output: Path | None,
-    free: tuple[str, ...],
-    hold: tuple[str, ...],
-    steady: bool,
-) -> None:
-    """Find the equilibrium of FILE nearest to its start: coordinates and states at which nothing accelerates."""
-    require_form(output)
-    require_writable(output)
-    asked = request(file, model, style, time, inputs, assignments, engine)
-    where = replace(asked.where, trim=True, free=free, hold=hold, steady=steady)
-    found = asked.ask(trim, where)
+def command(options: Options) -> None:
+    """Find the equilibrium of FILE nearest to its start: coordinates and states at which nothing accelerates.
+
+    The option --trim of the other commands is always on here.
+    """
+    asked = request(options, trim=True)
+    found = asked.ask(trim)
     rows = _rows(asked.system, found)
     shown = [
         [name, number(scaled), unit, "unknown" if name in found.unknowns else ""] for name, _, scaled, unit in rows
@@ -55,7 +34,7 @@ def command(
     data = {"model": found.model, "kind": found.steadiness.kind, "residual": found.residual}
     data |= {"names": [row[0] for row in rows], "values": [row[1] for row in rows], "unknowns": list(found.unknowns)}
     table: list[list[Any]] = [["name", "value"], *([name, value] for name, value, _, _ in rows)]
-    finish(asked, text, data, table, output)
+    finish(asked, text, data, table)
 
 
 def _rows(system: System, found: Equilibrium) -> list[tuple[str, float, float, str]]:

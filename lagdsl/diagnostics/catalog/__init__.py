@@ -11,6 +11,7 @@ from lagdsl.diagnostics.catalog import (
     names,
     physics,
     runtime,
+    settings,
     syntax,
     values,
 )
@@ -29,6 +30,7 @@ ROWS: dict[str, Row] = {
     **analysis.ROWS,
     **export.ROWS,
     **runtime.ROWS,
+    **settings.ROWS,
 }
 
 __all__ = ["ROWS", "Row"]

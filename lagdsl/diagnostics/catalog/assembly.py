@@ -14,7 +14,7 @@ ROWS: dict[str, Row] = {
     ),
     "E0702": error(
         "`{name}` is not connected to `world`",
-        "no joint leads here from the world",
+        "no chain of joints leads from `world` to it",
         "connect it; a body that moves freely needs a joint of six coordinates, `FreeMotion`, between it and `world`",
     ),
     "E0703": error(
@@ -42,7 +42,11 @@ ROWS: dict[str, Row] = {
         "not a geometric condition",
         "write a condition on rates as a `constraint` of the class",
     ),
-    "E0708": error("`prefer` is `always` or `never`, not `{found}`", "no such choice"),
+    "E0708": error(
+        "`prefer` is `always` or `never`, not `{found}`",
+        "no such choice",
+        help="write `prefer = always` or `prefer = never`",
+    ),
     "W0709": warning(
         "this `connect` joins items that are connected already",
         "without effect",

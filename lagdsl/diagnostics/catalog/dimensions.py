@@ -15,8 +15,12 @@ BESIDE = {
 }
 
 ROWS: dict[str, Row] = {
-    "E0401": error("cannot {verb} {left} and {right}"),
-    "E0402": error("{function} needs an angle or a number, this is {found}", label="this is {found}"),
+    "E0401": error("cannot {verb} {left} and {right}", help="check the formula: both sides need the same dimension"),
+    "E0402": error(
+        "{function} needs an angle or a number, this is {found}",
+        label="this is {found}",
+        help="divide it by a reference value of the same dimension",
+    ),
     "E0403": error("a {keyword} on {target} must be {expected}, this is {found}", label="this is {found}"),
     "E0404": error("`{keyword}` must be {expected}, this is {found}", label="this is {found}"),
     "E0405": error(
@@ -27,12 +31,24 @@ ROWS: dict[str, Row] = {
         label="not a coherent unit",
         help='write `unit = "{coherent}"`; `displayUnit = "{unit}"` shows values in it',
     ),
-    "E0407": error("{what} is declared as {expected}, its value is {found}", label="this is {found}"),
-    "E0408": error("an exponent must be a number, this is {found}", label="this is {found}"),
+    "E0407": error(
+        "{what} is declared as {expected}, its value is {found}",
+        label="this is {found}",
+        help="change the type, or check the formula of the value",
+    ),
+    "E0408": error(
+        "an exponent must be a number, this is {found}",
+        label="this is {found}",
+        help="divide it by a reference value of the same dimension",
+    ),
     "E0409": error(
         '`annotation(units = "none")` switches units off here', label="a unit", help="write the number without a unit"
     ),
-    "E0410": error("`{unit}` does not fit `{type}`, which is {words} [{own}]", label="another dimension"),
+    "E0410": error(
+        "`{unit}` does not fit `{type}`, which is {words} [{own}]",
+        label="another dimension",
+        help="write a unit of {words}",
+    ),
     "E0411": error(
         "{what} is an angular velocity, and Hz counts turns",
         label="a frequency",
@@ -45,7 +61,11 @@ ROWS: dict[str, Row] = {
         label="must be a literal number or ratio",
         help="make the base dimensionless first",
     ),
-    "E0415": error("{what} must be {expected}, this is {found}", label="this is {found}"),
+    "E0415": error(
+        "{what} must be {expected}, this is {found}",
+        label="this is {found}",
+        help="check the formula: it must give {expected}",
+    ),
     "E0416": error(
         "a torque acts on a frame or an angle, not at a point", label="a point", help="write `torque ... on F`"
     ),

@@ -11,7 +11,7 @@ ROWS: dict[str, Row] = {
     "N0903": note(
         "this FMU takes the time derivatives of `{name}` as inputs, too: {derivatives}",
         label="declared with its derivatives here",
-        help="derive all of them from one signal: the motion is consistent only if they are",
+        help="derive all of them from one signal; otherwise the motion is inconsistent",
     ),
     "E0904": error(
         "FMUs need the package `{package}`, which is not installed",
@@ -32,5 +32,9 @@ ROWS: dict[str, Row] = {
     "E0908": error(
         "the finished FMU does not run, so it was not written: {reason}",
         help="check that `lag run` works from the same start values",
+    ),
+    "N0910": note(
+        "the files and constants of `{name}` are named `{stem}`: {reason}",
+        help="rename the model to have files of its name",
     ),
 }

@@ -53,6 +53,7 @@ ROWS: dict[str, Row] = {
     "E0810": error(
         "assertion failed at t = {time} s: {text}",
         "is false",
+        "check the state and the parameters, or the condition of the assertion",
     ),
     "E0811": error(
         "the simulation cannot satisfy constraint `{name}` at t = {time} s: residual {residual}",
@@ -101,6 +102,8 @@ ROWS: dict[str, Row] = {
     ),
     "E0820": error(
         "cannot read the table `{file}`: {reason}",
+        None,
+        "check the name of the file; the value of an input is written NAME=VALUE",
     ),
     "E0821": error(
         "the table `{file}` has no column {column}",
@@ -115,6 +118,7 @@ ROWS: dict[str, Row] = {
     "E0823": error(
         "`{text}` is not a number",
         "line {line}, column `{column}`",
+        "write numbers with a decimal point, without units",
     ),
     "E0824": error(
         "line {line} of the table has {found} cells instead of {expected}",
@@ -128,6 +132,8 @@ ROWS: dict[str, Row] = {
     ),
     "E0826": error(
         "cannot write `{file}`: {reason}",
+        None,
+        "check the folder and its permissions",
     ),
     "E0827": error(
         "the table `{file}` has {found} row(s) of numbers",
@@ -185,6 +191,11 @@ ROWS: dict[str, Row] = {
         "the initial equations require `{name}` = {value}, beyond its {which} of {limit}",
         "solved for at initialization",
         "check the initial equations, or give a guess closer to the solution you mean",
+    ),
+    "E0839": error(
+        "the initial state is over-determined: {last} contradicts {others}",
+        "no state was found that satisfies them together",
+        "delete one of them; without `fixed = true` a start is a guess",
     ),
     "E0845": error(
         "input `{name}` takes whole numbers, not {value}",

@@ -8,17 +8,25 @@ ROWS: dict[str, Row] = {
     "E0203": error(
         "`{name}` is ambiguous: it is imported from {imports}", label="ambiguous name", secondary="has one, too"
     ),
-    "E0204": error("`{name}` is declared twice, as {first} and as {second}", label="declared again here"),
+    "E0204": error(
+        "`{name}` is declared twice, as {first} and as {second}",
+        label="declared again here",
+        help="rename one of the two",
+    ),
     "N0205": note("`{name}` hides the built-in {what} of that name"),
     "W0206": warning(
         "{kind} `{name}` is never used",
         label="declared here, read nowhere",
         help="use it or delete it; a misspelt name elsewhere may be the cause",
     ),
-    "E0207": error("a declaration cannot hide `{name}`", label="choose another name"),
+    "E0207": error("a declaration cannot hide `{name}`", label="a name of the language", help="choose another name"),
     "E0208": error("unknown type `{name}`", label="neither a quantity nor declared in the file"),
-    "E0209": error("unknown function `{name}`", label="no function of this name"),
-    "E0210": error("{what} has no member `{name}`", label="unknown member"),
+    "E0209": error(
+        "unknown function `{name}`",
+        label="no function of this name",
+        help="check the spelling; a function of your own is written `function name ... end name;`",
+    ),
+    "E0210": error("{what} has no member `{name}`", label="unknown member", help="check the spelling of the member"),
     "E0211": error("`{function}` has no argument `{name}`", label="unknown argument"),
     "E0212": error("`{name}` is given twice", label="given again here", help="keep one of the two"),
     "E0213": error(
@@ -36,7 +44,7 @@ ROWS: dict[str, Row] = {
         "the file has no complete model", label="nothing to flatten", help="write `model Name ... end Name;`"
     ),
     "E0219": error("`{name}` is {what}, not a value", label="a value is expected here"),
-    "E0220": error("modifier `{name}` needs a value", label="write `{name} = ...`"),
+    "E0220": error("modifier `{name}` needs a value", label="without a value", help="write `{name} = ...`"),
     "E0221": error(
         'the only value of the annotation `units` is "none"',
         label="not known",
@@ -44,7 +52,11 @@ ROWS: dict[str, Row] = {
     ),
     "E0222": error("the model has no structural parameter `{name}`"),
     "E0223": error("{model} has no `{name}`", label="cannot be modified"),
-    "E0224": error("`{name}` cannot be given another value from outside", label="it is fixed"),
+    "E0224": error(
+        "`{name}` cannot be given another value from outside",
+        label="it is fixed",
+        help="leave the value as it is, or delete `final` or `constant` at its declaration",
+    ),
     "E0225": error(
         "component `{name}` would contain itself: {path}",
         label="a component of a class that it is part of",
@@ -59,15 +71,31 @@ ROWS: dict[str, Row] = {
         help="modify its members: `{name}(member = ...)`",
     ),
     "E0228": error("{what} is an array of components", label="needs an index"),
-    "E0229": error("`{name}` is protected in {what}", label="not visible from outside"),
-    "E0230": error("component `{name}` does not exist: its condition is false", label="used here"),
+    "E0229": error(
+        "`{name}` is protected in {what}",
+        label="not visible from outside",
+        help="use a public member, or move it above `protected`",
+    ),
+    "E0230": error(
+        "component `{name}` does not exist: its condition is false",
+        label="used here",
+        help="use it under the same condition",
+    ),
     "E0231": error(
         "`{name}` is a partial class; it cannot be {what}",
         label="incomplete",
         help="use a class that extends it",
     ),
-    "E0232": error("`extends` must stand at the top of a class", label="inherited parts cannot depend on conditions"),
-    "E0233": error("`{name}` is a class, not the type of a quantity", label="a quantity has one value"),
+    "E0232": error(
+        "`extends` must stand at the top of a class",
+        label="inherited parts cannot depend on conditions",
+        help="move the `extends` to the top of the class",
+    ),
+    "E0233": error(
+        "`{name}` is a class, not the type of a quantity",
+        label="a quantity has one value",
+        help="declare a component, without a prefix: `{name} name;`",
+    ),
     "E0234": error(
         "`{name}` is given for {found} components, there are {count}",
         label="one value for each component is needed",
@@ -119,7 +147,11 @@ ROWS: dict[str, Row] = {
         label="conditions after a declaration are for components",
         help="put the declaration into `if ... then ... end if;` with a structural condition",
     ),
-    "E0250": error("there is no package or class `{name}`", label="not found"),
+    "E0250": error(
+        "there is no package or class `{name}`",
+        label="not found",
+        help="check the spelling; packages lie beside the file, in the folders of LAGPATH or in the library",
+    ),
     "E0252": error(
         "`{name}` is no package",
         label="has no names to import",
@@ -130,8 +162,16 @@ ROWS: dict[str, Row] = {
         label="not of that name",
         help="each class of a package that is a folder has a file of its own, named as the class",
     ),
-    "E0254": error("`{file}` {expected}", label="not where the file lies"),
-    "E0255": error("there is no package `{name}` around this file", label="not found"),
+    "E0254": error(
+        "`{file}` {expected}",
+        label="not where the file lies",
+        help="write the `within` of its folder, or move the file",
+    ),
+    "E0255": error(
+        "there is no package `{name}` around this file",
+        label="not found",
+        help="delete the `within`, or move the file into the folder of the package",
+    ),
     "W0257": warning("import of `{name}` is never used", label="no name in this {scope} needs it", help="delete it"),
     "E0258": error(
         "`{name}` is imported twice",

@@ -31,6 +31,7 @@ ROWS: dict[str, Row] = {
     "E0506": error(
         "the {what} is negative: {value} {unit} with the given parameters",
         label="must be zero or positive",
+        help="give a value of zero or more",
     ),
     "E0507": error(
         "gravity depends on `{name}`",
@@ -61,6 +62,7 @@ ROWS: dict[str, Row] = {
     "E0512": error(
         "`{keyword}` depends on the acceleration `{acceleration}`",
         label="an energy is a function of coordinates, rates and time",
+        help="write it with coordinates, rates and time only",
     ),
     "E0513": error(
         "nothing moves: the model has neither a coordinate nor a state",
@@ -106,5 +108,15 @@ ROWS: dict[str, Row] = {
         "where `{name}` changes, the simulation conserves momentum, not velocity",
         label="the kinetic energy depends on it",
         help="write `reinit(der(q), ...)` in the same clause to set the velocity",
+    ),
+    "W0522": warning(
+        "{subject} is negative: {value}",
+        label="drives the motion instead of damping it",
+        help="check the sign; write a force or torque in the direction of the motion as a load",
+    ),
+    "N0523": note(
+        "this `{keyword}` has neither mass nor inertia with the given parameters",
+        label="adds nothing to the equations of motion",
+        help="this is correct for a link whose mass is neglected",
     ),
 }

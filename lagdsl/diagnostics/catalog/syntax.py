@@ -59,13 +59,17 @@ ROWS: dict[str, Row] = {
         label="read as the keyword `{word}`",
         help="write the other side first: `... = {word}{rest};`",
     ),
-    "E0120": error("`end {found}` closes nothing", label="no `{found}` is open here"),
+    "E0120": error(
+        "`end {found}` closes nothing",
+        label="no `{found}` is open here",
+        help="delete it, or write the beginning that is missing",
+    ),
     "E0121": error("only functions can be called", label="this is not a function", help="for a product write `*`"),
     "E0122": error(
         "the size of an array follows the name", label="after the type", help="write `{type_name} {name}{size}`"
     ),
     "E0123": error("expected `{word}`", label="`{word}` is missing here", help="insert `{word}`"),
-    "E0124": error("this {what} is longer than {limit} characters", label="too long"),
+    "E0124": error("this {what} is longer than {limit} characters", label="too long", help="shorten it"),
     "E0125": error("relations do not chain", label="second relation", help="write `a < b and b < c`"),
     "E0126": error("text in quotes is not closed", label="opened here", help='close it with `"` on the same line'),
     "E0127": error(

@@ -23,7 +23,9 @@ ROWS: dict[str, Row] = {
         label="its time derivatives occur in the equations",
         help="declare `input {type} {name}(smooth = {count})`",
     ),
-    "E0305": error("circular definition: {path}", label="depends on itself"),
+    "E0305": error(
+        "circular definition: {path}", label="depends on itself", help="define one of them independently of the others"
+    ),
     "E0306": error("expected a point, found {found}", label="not a position"),
     "E0307": error(
         "`{name}` is given two values at the same event",
@@ -41,20 +43,32 @@ ROWS: dict[str, Row] = {
         help="write a relation, `if x > ... then ...`, for a jump that is an event, or `noEvent(...)` if it is none",
     ),
     "E0311": error("{what} is not supported yet", label="comes with a later release", help="{hint}"),
-    "E0312": error("expected {expected}, found {found}", label="this is {found}"),
-    "E0313": error("the shapes do not fit together: {left} and {right}", label="shapes differ"),
+    "E0312": error("expected {expected}, found {found}", label="this is {found}", help="write {expected} here"),
+    "E0313": error(
+        "the shapes do not fit together: {left} and {right}",
+        label="shapes differ",
+        help="use operands of the same size",
+    ),
     "E0314": error(
         "function `{name}` calls itself", label="recursion", help="functions are expanded in place and cannot recur"
     ),
-    "E0315": error("`{function}` takes {expected}, found {found}", label="wrong number of arguments"),
-    "E0316": error("index {index} is out of range: there are {extent} elements", label="must be 1 to {extent}"),
-    "E0317": error("{what} may depend on {allowed} only", label="varies more than that"),
+    "E0315": error(
+        "`{function}` takes {expected}, found {found}", label="wrong number of arguments", help="check the arguments"
+    ),
+    "E0316": error(
+        "index {index} is out of range: there are {extent} elements",
+        label="must be 1 to {extent}",
+        help="use an index from 1 to {extent}",
+    ),
+    "E0317": error(
+        "{what} may depend on {allowed} only", label="varies more than that", help="replace the parts that vary more"
+    ),
     "E0318": error(
         "`{name}` has no value",
         label="nothing defines it",
         help="write `{name} = ...` here or in an `equation` section",
     ),
-    "E0319": error("`{name}` is defined twice", label="a second definition"),
+    "E0319": error("`{name}` is defined twice", label="a second definition", help="delete one of the two definitions"),
     "E0320": error(
         "state `{name}` has no equation",
         label="needs an equation",
@@ -70,20 +84,32 @@ ROWS: dict[str, Row] = {
         label="neither side is a variable without a value",
         help="write `y = ...`, `der(x) = ...` of a state, or a `constraint`; implicit equations are not supported yet",
     ),
-    "E0323": error("this has no value: {reason}", label="cannot be computed"),
+    "E0323": error(
+        "this has no value: {reason}", label="cannot be computed", help="check the values that it is computed from"
+    ),
     "E0324": error(
         "{what} cannot depend on reactions, multipliers, momenta or energies of the solved motion",
         label="known only after the equations are solved",
         help="use them in outputs, invariants and assertions",
     ),
     "E0325": error("gravity is given twice", label="a second time here", help="keep one `gravity` statement"),
-    "E0326": error("{what} is too large", label="at most {most}"),
+    "E0326": error("{what} is too large", label="at most {most}", help="use a smaller size"),
     "E0327": error(
         "`{name}` is {what}, not a function",
         label="read as a call of `{name}`",
         help="write `{name}*{arguments}` for a product",
     ),
-    "W0328": warning("`{name}` is {value}, outside its {which} of {limit}", label="out of bounds"),
+    "W0328": warning(
+        "`{name}` is {value}, outside its {which} of {limit}",
+        label="out of bounds",
+        help="choose a value within the bounds, or change the bounds",
+    ),
+    "E0329": error(
+        "{subject} has no finite value{conditions}",
+        label="infinite, or not a number",
+        help="change the parameters that it is made of, or choose another expression where they are zero: "
+        "`if k > 0 then 1/k else 0`",
+    ),
     "E0330": error(
         "the condition of {what} must be known when the model is compiled",
         label="depends on a parameter",
@@ -95,12 +121,20 @@ ROWS: dict[str, Row] = {
         label="a world vector",
         help="write its components in the frame: `{{a, b, c}}`; `.at(P)` takes world positions",
     ),
-    "E0333": error("an index must be known when the model is compiled", label="not structural"),
-    "E0334": error("{what} must be {expected}, found {found}", label="this is {found}"),
+    "E0333": error(
+        "an index must be known when the model is compiled",
+        label="not structural",
+        help="use a number, a loop variable or a `structural parameter Integer`",
+    ),
+    "E0334": error("{what} must be {expected}, found {found}", label="this is {found}", help="write {expected} here"),
     "E0335": error(
         "one value for a whole array needs `each`", label="one value, several elements", help="write `each {text}`"
     ),
-    "E0336": error("the size of `{name}` comes from its binding, and it has none", label="needs a size"),
+    "E0336": error(
+        "the size of `{name}` comes from its binding, and it has none",
+        label="needs a size",
+        help="write the size as a number, `{name}[3]`, or give a binding",
+    ),
     "E0337": error("{kind} `{name}` has no value", label="needs a value", help="write `{name} = ...` here"),
     "E0338": error(
         "`{name}` is a state; give its start value and an equation, not a binding",
@@ -117,7 +151,11 @@ ROWS: dict[str, Row] = {
         label="the loop would declare it several times",
         help="declare an array outside: `{name}[N]`, and give its elements in the loop: `{name}[i] = ...`",
     ),
-    "E0341": error("there is no dimension {index}: the number of dimensions is {extent}", label="one subscript each"),
+    "E0341": error(
+        "there is no dimension {index}: the number of dimensions is {extent}",
+        label="one subscript each",
+        help="use one subscript for each dimension",
+    ),
     "E0342": error(
         "the derivative of an acceleration, reaction or multiplier is not known",
         label="known only after the equations are solved",
@@ -168,6 +206,8 @@ ROWS: dict[str, Row] = {
         help="write numbers, or use `structural parameter`",
     ),
     "E0362": error(
-        "the points of a table must increase, but {second} follows {first}", label="not in increasing order"
+        "the points of a table must increase, but {second} follows {first}",
+        label="not in increasing order",
+        help="sort the points; each may occur once",
     ),
 }

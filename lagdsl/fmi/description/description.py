@@ -13,7 +13,7 @@ from lagdsl.fmi.variables.variables import Table
 from lagdsl.record import record
 
 # The log categories of the standard.
-LOG_CATEGORIES = {
+_LOG_CATEGORIES = {
     "logEvents": "what happens at instants",
     "logStatusWarning": "warnings",
     "logStatusDiscard": "steps and values that are refused",
@@ -39,15 +39,20 @@ class NamedType:
     literals: tuple[str, ...]
 
 
-def experiment(table: Table) -> dict[str, float]:
-    """Attributes of DefaultExperiment, the defaults of the language where the model does not tell."""
+def categories_and_experiment(root: Element, table: Table) -> None:
+    """LogCategories, and DefaultExperiment with the defaults of the language where the model does not tell."""
+    categories = element("LogCategories", root)
+    for name, description in _LOG_CATEGORIES.items():
+        element("Category", categories, name=name, description=description)
     given = table.flat.experiment
-    return {
-        "startTime": given.start_time,
-        "stopTime": given.stop_time,
-        "tolerance": given.tolerance,
-        "stepSize": given.interval or (given.stop_time - given.start_time) / _ROWS,
-    }
+    element(
+        "DefaultExperiment",
+        root,
+        startTime=given.start_time,
+        stopTime=given.stop_time,
+        tolerance=given.tolerance,
+        stepSize=given.interval or (given.stop_time - given.start_time) / _ROWS,
+    )
 
 
 def unit_elements(root: Element, table: Table) -> None:
@@ -61,17 +66,6 @@ def unit_elements(root: Element, table: Table) -> None:
             element("BaseUnit", defined, **powers, factor=None if unit.factor == 1.0 else unit.factor)
         for shown in unit.display_units:
             element("DisplayUnit", defined, name=shown.name, factor=shown.factor, offset=shown.offset or None)
-
-
-def bound(value: float | None, kind: Type) -> float | int | None:
-    """`min` or `max`."""
-    match kind:
-        case "REAL":
-            return value
-        case "INTEGER":
-            return None if value is None else int(value)
-        case "BOOLEAN" | "STRING" | "ENUMERATION":
-            return None
 
 
 def named_types(table: Table) -> dict[TypeKey, NamedType]:
@@ -98,10 +92,41 @@ def named_types(table: Table) -> dict[TypeKey, NamedType]:
     return found
 
 
-def type_of_variable(variable: Variable, types: Mapping[TypeKey, NamedType]) -> str | None:
-    """Name of its type definition."""
-    key = _key(variable)
-    return None if key is None else types[key].name
+def identity_of(variable: Variable, reference: int) -> dict[str, str | int | None]:
+    """The attributes that both versions begin with."""
+    attributes = variable.attributes
+    return {
+        "name": variable.name,
+        "valueReference": reference,
+        "description": attributes.doc,
+        "causality": attributes.causality,
+        "variability": attributes.variability,
+        "initial": variable.initial,
+    }
+
+
+def range_of(variable: Variable, types: Mapping[TypeKey, NamedType]) -> dict[str, str | float | None]:
+    """The attributes of type, units and range."""
+    attributes, key = variable.attributes, _key(variable)
+    return {
+        "declaredType": None if key is None else types[key].name,
+        "unit": attributes.unit,
+        "displayUnit": attributes.display_unit,
+        "min": _bound(attributes.minimum, attributes.type),
+        "max": _bound(attributes.maximum, attributes.type),
+        "nominal": attributes.nominal,
+    }
+
+
+def _bound(value: float | None, kind: Type) -> float | int | None:
+    """`min` or `max`."""
+    match kind:
+        case "REAL":
+            return value
+        case "INTEGER":
+            return None if value is None else int(value)
+        case "BOOLEAN" | "STRING" | "ENUMERATION":
+            return None
 
 
 def _key(variable: Variable) -> TypeKey | None:
@@ -116,7 +141,7 @@ def needs_completed_steps(table: Table) -> bool:
     """True if anything is to be done after steps of the importer's integrator."""
     flat = table.flat
     watched = flat.assertions or flat.invariants or any(output.turning for output in flat.outputs)
-    return bool(flat.constraints or watched or has_events(table))
+    return bool(flat.constraints or watched or has_events(table) or table.program.has("corner"))
 
 
 def has_events(table: Table) -> bool:

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from lagdsl.fmi.description.description import (
-    LOG_CATEGORIES,
     NamedType,
     TypeKey,
-    bound,
+    categories_and_experiment,
     dependencies_of,
-    experiment,
+    identity_of,
     named_types,
     needs_completed_steps,
-    type_of_variable,
+    range_of,
     unit_elements,
 )
 from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
@@ -36,16 +35,13 @@ def fmi2_description(table: Table, *, identifier: str, source_files: Sequence[st
         description=table.flat.doc,
         generationTool=f"lagdsl {__version__}",
         variableNamingConvention="structured",
-        numberOfEventIndicators=indicator_count(table.flat),
+        numberOfEventIndicators=indicator_count(table.flat, table.program),
     )
     _interfaces(root, table, identifier, source_files)
     types = named_types(table)
     unit_elements(root, table)
     _types(root, types)
-    categories = element("LogCategories", root)
-    for name, description in LOG_CATEGORIES.items():
-        element("Category", categories, name=name, description=description)
-    element("DefaultExperiment", root, **experiment(table))
+    categories_and_experiment(root, table)
     variables = element("ModelVariables", root)
     for reference, variable in enumerate(table.variables):
         _variable(variables, reference, variable, types)
@@ -97,22 +93,12 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
     scalar = element(
         "ScalarVariable",
         parent,
-        name=variable.name,
-        valueReference=reference,
-        description=attributes.doc,
-        causality=attributes.causality,
-        variability=attributes.variability,
-        initial=variable.initial,
+        **identity_of(variable, reference),
     )
     element(
         _TAGS[attributes.type],
         scalar,
-        declaredType=type_of_variable(variable, types),
-        unit=attributes.unit,
-        displayUnit=attributes.display_unit,
-        min=bound(attributes.minimum, attributes.type),
-        max=bound(attributes.maximum, attributes.type),
-        nominal=attributes.nominal,
+        **range_of(variable, types),
         start=start_text(attributes.type, variable.starts),
         derivative=None if variable.derivative_of is None else variable.derivative_of + 1,
         reinit=True if variable.reinit else None,

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from lagdsl.fmi.description.description import (
-    LOG_CATEGORIES,
     NamedType,
     TypeKey,
-    bound,
+    categories_and_experiment,
     dependencies_of,
-    experiment,
     has_events,
+    identity_of,
     named_types,
     needs_completed_steps,
-    type_of_variable,
+    range_of,
     unit_elements,
 )
 from lagdsl.fmi.description.xml import Element, document, element, one_line, start_text
@@ -49,10 +48,7 @@ def fmi3_description(table: Table, *, identifier: str, token: str) -> str:
             defined = element(tag, definitions, name=kind.name, quantity=kind.quantity, unit=kind.unit)
             for value, literal in enumerate(kind.literals, 1):
                 element("Item", defined, name=literal, value=value)
-    categories = element("LogCategories", root)
-    for name, description in LOG_CATEGORIES.items():
-        element("Category", categories, name=name, description=description)
-    element("DefaultExperiment", root, **experiment(table))
+    categories_and_experiment(root, table)
     variables = element("ModelVariables", root)
     for reference, variable in enumerate(table.variables):
         _variable(variables, reference, variable, types)
@@ -94,19 +90,9 @@ def _variable(parent: Element, reference: int, variable: Variable, types: Mappin
     defined = element(
         _TAGS[attributes.type],
         parent,
-        name=variable.name,
-        valueReference=reference,
-        description=attributes.doc,
-        causality=attributes.causality,
-        variability=attributes.variability,
-        initial=variable.initial,
+        **identity_of(variable, reference),
         intermediateUpdate=True if attributes.role in _INTERMEDIATE and attributes.type == "REAL" else None,
-        declaredType=type_of_variable(variable, types),
-        unit=attributes.unit,
-        displayUnit=attributes.display_unit,
-        min=bound(attributes.minimum, attributes.type),
-        max=bound(attributes.maximum, attributes.type),
-        nominal=attributes.nominal,
+        **range_of(variable, types),
         derivative=variable.derivative_of,
         reinit=True if variable.reinit else None,
         start=None if text else start_text(attributes.type, variable.starts),

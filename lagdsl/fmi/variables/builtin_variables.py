@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.variables.names import Name, aside, belonging
 from lagdsl.fmi.variables.scalar import Attributes, Role, Scalar
+from lagdsl.program.program import Program
 from lagdsl.units.dimension import ENERGY, POWER
 from lagdsl.units.naming import unit_text
 
@@ -29,18 +30,20 @@ def multipliers(flat: FlatModel) -> Iterator[Scalar]:
         )
 
 
-def indicators(flat: FlatModel, taken: Iterable[str]) -> Iterator[Scalar]:
+def indicators(flat: FlatModel, program: Program, taken: Iterable[str]) -> Iterator[Scalar]:
     """Event indicators: they pass zero where something happens."""
     path = aside("indicator", taken)
-    for index in range(indicator_count(flat)):
+    for index in range(indicator_count(flat, program)):
         attributes = Attributes(role=Role.INDICATOR, doc="event indicators")
         yield Scalar(
             name=Name(path, (index + 1,)), first=index, attributes=attributes, initial="calculated", key=attributes
         )
 
 
-def indicator_count(flat: FlatModel) -> int:
-    return len(flat.events.relations) + len(flat.events.contacts)
+def indicator_count(flat: FlatModel, program: Program) -> int:
+    """Relations, contacts, and corners of the equations."""
+    corners = program.function("corner").results[0].elements if program.has("corner") else ()
+    return len(flat.events.relations) + len(flat.events.contacts) + len(corners)
 
 
 def balance(flat: FlatModel, taken: Iterable[str]) -> Iterator[Scalar]:

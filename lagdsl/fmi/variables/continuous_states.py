@@ -18,17 +18,20 @@ def states(flat: FlatModel, program: Program, settings: Settings) -> Iterator[Sc
     """q, qd and z. The rate of a coordinate is its derivative and a state itself."""
     n, x = len(flat.coordinates), settings.start.x
     initial, reset = _initials(flat, program), _reset(flat, program)
-    for index, item in enumerate(flat.coordinates):
-        attributes = _state_attributes(item, settings.nominal[index], x[index])
-        yield Scalar(
+
+    def state(place: int, item: Coordinate | State) -> Scalar:
+        attributes = _state_attributes(item, settings.nominal[place], x[place])
+        return Scalar(
             name=named(item.name),
-            first=index,
+            first=place,
             attributes=attributes,
-            initial=initial[index],
-            start=x[index],
+            initial=initial[place],
+            start=x[place],
             key=attributes,
-            reinit=reset[index],
+            reinit=reset[place],
         )
+
+    yield from (state(place, item) for place, item in enumerate(flat.coordinates))
     for index, item in enumerate(flat.coordinates):
         attributes = _state_attributes(item, settings.nominal[index], x[index])
         yield Scalar(
@@ -41,17 +44,7 @@ def states(flat: FlatModel, program: Program, settings: Settings) -> Iterator[Sc
             derivative_of=index,
             reinit=reset[n + index],
         )
-    for place, state in enumerate(flat.states, 2 * n):
-        attributes = _state_attributes(state, settings.nominal[place], x[place])
-        yield Scalar(
-            name=named(state.name),
-            first=place,
-            attributes=attributes,
-            initial=initial[place],
-            start=x[place],
-            key=attributes,
-            reinit=reset[place],
-        )
+    yield from (state(place, item) for place, item in enumerate(flat.states, 2 * n))
 
 
 def derivatives(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:

@@ -92,7 +92,7 @@ def _scalars(
         chain(
             declared.contacts(flat),
             builtin_variables.multipliers(flat),
-            builtin_variables.indicators(flat, taken) if version == 3 else (),
+            builtin_variables.indicators(flat, program, taken) if version == 3 else (),
             builtin_variables.balance(flat, taken),
             builtin_variables.options(taken) if "cs" in kinds else (),
         )

@@ -11,6 +11,7 @@ from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import FrameStep
 from lagdsl.flat.quantity import Variability
+from lagdsl.semantics.operators.axes import axis_of
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import arguments_text, kind_of, quantity
 from lagdsl.semantics.scope.scope import Scope
@@ -107,15 +108,7 @@ def frame_member(ctx: Context, frame: FrameValue, name: str, span: Span) -> Vect
         origin = as_vector(base)
         assert origin is not None
         return Vector(origin.expression, ctx.conventions.dimension(LENGTH), base.variability, base.order)
-    return Vector(_axis(base.name, AXES.index(name)), DIMENSIONLESS, base.variability, base.order)
-
-
-def _axis(frame: str, axis: int) -> FlatExpression:
-    if frame != "world":
-        return flat.FrameAxis(frame, axis)
-    unit = [flat.ZERO, flat.ZERO, flat.ZERO]
-    unit[axis] = flat.ONE
-    return flat.Vector(*unit)
+    return Vector(axis_of(base.name, AXES.index(name)), DIMENSIONLESS, base.variability, base.order)
 
 
 def anchored(ctx: Context, frame: FrameValue, span: Span) -> FrameValue:
@@ -274,7 +267,7 @@ def along_axes(frame: str, offsets: tuple[FlatExpression, ...], start: FlatExpre
     result = start
     for axis, offset in enumerate(offsets):
         if offset != flat.ZERO:
-            term = flat.Binary("*", offset, _axis(frame, axis))
+            term = flat.Binary("*", offset, axis_of(frame, axis))
             result = term if result is None else flat.Binary("+", result, term)
     return result if result is not None else flat.ZERO_VECTOR
 

@@ -1,4 +1,4 @@
-"""What every client is asked, and how it answers: two files of JSON, given on the command line.
+"""Request to a client and its answer: two files of JSON, given on the command line.
 
 Asked: `fmu`, `folder` (the same unpacked), `variables` with `references`, `step`, `count`. Answered: `version` of the
 importer, `time`, `rows`. Clients run in an environment of their own that knows nothing of this project.

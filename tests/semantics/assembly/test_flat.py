@@ -1,4 +1,4 @@
-"""What assembly makes of connections: frames, cut joints, merged coordinates, nodes."""
+"""Results of assembly: frames, cut joints, merged coordinates, nodes."""
 
 from __future__ import annotations
 

@@ -17,9 +17,9 @@ from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import FrameStep, Move, Place, Rotate, RotateAbout, RotateQuaternion, SetAxes
 from lagdsl.record import record
 from lagdsl.semantics.assembly.closed_form.algebra import minus, negative, over, plus, times, total
-from lagdsl.semantics.assembly.closed_form.axes import axis_of, origin_of
 from lagdsl.semantics.assembly.closed_form.inverse import inverse
 from lagdsl.semantics.assembly.closed_form.linear import linear, variables
+from lagdsl.semantics.operators.axes import axis_of, origin_of
 
 
 class NoFormulaError(Exception):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
-from lagdsl.semantics.assembly.closed_form.axes import axis_of, origin_of
+from lagdsl.semantics.operators.axes import axis_of, origin_of
 
 
 def displacement(base: str, end: str) -> tuple[FlatExpression, ...]:

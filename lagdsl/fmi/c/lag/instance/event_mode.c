@@ -23,9 +23,15 @@ static const double ROUGH = 100.0;
 /* Length of the last step, where nobody tells. */
 static const double MOMENT = 1e-6;
 
+/* Relations and contacts. */
+static size_t watched(const lag_instance *instance)
+{
+    return instance->fmu->model->nindicator + instance->fmu->model->ncontact;
+}
+
 size_t lag_instance_indicator_count(const lag_fmu *fmu)
 {
-    return fmu->model->nindicator + fmu->model->ncontact;
+    return fmu->model->nindicator + fmu->model->ncontact + fmu->model->ncorner;
 }
 
 /* Value that passes zero downward when the relation or contact changes. */
@@ -50,19 +56,18 @@ static double side(const lag_instance *instance, size_t i)
 /* Values at a state. */
 static lag_status look(lag_instance *instance, double t, const double *x)
 {
-    const size_t count = lag_instance_indicator_count(instance->fmu);
-    const lag_status status = count > 0 ? lag_zero_crossing_look(&instance->run->crossings, t, x) : LAG_OK;
+    const lag_status status = watched(instance) > 0 ? lag_zero_crossing_look(&instance->run->crossings, t, x) : LAG_OK;
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
 lag_status lag_instance_look(lag_instance *instance)
 {
-    const size_t count = lag_instance_indicator_count(instance->fmu);
+    const size_t count = watched(instance);
     const lag_status status = look(instance, instance->held.t, instance->x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         instance->g[i] = side(instance, i) * (value(instance, i) + margin(instance, i) + instance->latched[i]);
     }
-    return status;
+    return status == LAG_OK ? lag_instance_look_at_corners(instance) : status;
 }
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
@@ -76,8 +81,8 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
 
 lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
 {
-    const size_t count = lag_instance_indicator_count(instance->fmu);
-    if (instance->fmu->model->nindicator > 0) {
+    const size_t count = watched(instance);
+    if (instance->fmu->model->nindicator + instance->fmu->model->ncorner > 0) {
         lag_noise_find(&instance->run->instants.noise, t, x);
     }
     lag_contacts_follow(&instance->run->instants.contacts, x);
@@ -88,18 +93,21 @@ lag_status lag_instance_latch(lag_instance *instance, double t, const double *x)
         instance->latched[i] = fmax(0.0, -value(instance, i));
         instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
     }
-    return status;
+    return status == LAG_OK ? lag_instance_face_corners(instance, t, x) : status;
 }
 
 lag_status lag_instance_release(lag_instance *instance)
 {
     const size_t count = lag_instance_indicator_count(instance->fmu);
     const lag_status status = count > 0 ? lag_instance_know(instance, LAG_KNOWN_INDICATORS) : LAG_OK;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+    for (size_t i = 0; i < watched(instance) && status == LAG_OK; ++i) {
         instance->largest[i] = fmax(instance->largest[i], fabs(value(instance, i)));
         if (value(instance, i) > margin(instance, i)) {
             instance->latched[i] = 0.0;
         }
+    }
+    if (status == LAG_OK) {
+        lag_instance_pass_corners(instance);
     }
     return status;
 }
@@ -107,7 +115,7 @@ lag_status lag_instance_release(lag_instance *instance)
 /* Flags of what has changed, beside those that are set already, into those of the run's alert; *any: whether anything has. */
 static lag_status find(lag_instance *instance, const double *located, int *any)
 {
-    const size_t count = lag_instance_indicator_count(instance->fmu);
+    const size_t count = watched(instance);
     const lag_status status = look(instance, instance->held.t, instance->x);
     *any = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
@@ -170,7 +178,7 @@ static double length_of_step(const lag_instance *instance, int located)
 
 static void step_back(lag_instance *instance, int idle)
 {
-    for (size_t i = 0; idle && i < lag_instance_indicator_count(instance->fmu); ++i) {
+    for (size_t i = 0; idle && i < watched(instance); ++i) {
         instance->latched[i] *= FARTHER;
     }
 }

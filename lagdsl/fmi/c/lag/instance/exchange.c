@@ -45,17 +45,6 @@ lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
     return status;
 }
 
-/* The largest residual against which projections are measured: that of rates as a part of the rates. */
-static double residual(const lag_instance *instance)
-{
-    const size_t n = instance->fmu->model->nq;
-    double pace = 1.0;
-    for (size_t i = 0; i < n; ++i) {
-        pace = fmax(pace, fabs(instance->x[n + i]) / instance->run->natural[i]);
-    }
-    return fmax(instance->residual[0], instance->residual[1] / pace);
-}
-
 /*
  * True if the constraint residuals are too large. A less accurate importer would have to restart again and again; after
  * frequent requests the bound is raised, and the stabilized accelerations reduce the rest.
@@ -65,7 +54,7 @@ static int is_off(lag_instance *instance)
     lag_held *held = &instance->held;
     held->limit = fmax(held->limit, held->tolerance);
     held->since += 1.0;
-    if (residual(instance) <= held->limit) {
+    if (fmax(instance->residual[0], instance->slip) <= held->limit) {
         return 0;
     }
     held->limit = held->since < SELDOM ? fmin(fmax(held->limit, MOST_LIMIT), RELAXED * held->limit) : held->limit;

@@ -35,13 +35,14 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) + model->ny;
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) +
+           model->ncorner + model->ny;
 }
 
 static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
-    return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ny + fmu->model->nd +
+    return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) + fmu->model->ncorner + fmu->model->ny + fmu->model->nd +
            fmu->model->nc + fmu->model->ni + lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) +
            lag_derivatives_memory(fmu->model) + 1;
 }
@@ -101,9 +102,11 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->given_inputs = lag_take(&memory, model->nu);
     instance->largest = lag_take(&memory, indicators);
     instance->latched = lag_take(&memory, indicators);
+    instance->side = lag_take(&memory, model->ncorner);
     instance->turned = lag_take(&memory, model->ny);
     instance->kept_count = (size_t)(memory - instance->kept);
     instance->g = lag_take(&memory, indicators);
+    instance->far = lag_take(&memory, model->ncorner);
     instance->xd = lag_take(&memory, size);
     instance->y = lag_take(&memory, model->ny);
     instance->local = lag_take(&memory, fmu->model->nd);

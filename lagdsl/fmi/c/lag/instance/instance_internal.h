@@ -66,14 +66,17 @@ struct lag_instance {
     double *given_inputs;   /* (nu) flags: this one was set */
     double *largest;        /* (indicators) magnitudes seen since they stand as they do */
     double *latched;        /* (indicators) what is nearer to zero than this had changed already at the last event */
+    double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
     double *turned;         /* (ny) outputs at the last accepted state, where they are angles known up to whole turns */
     /* what follows from these */
     unsigned known;
     double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
+    double *far;            /* (ncorner) distances of corners, as looked at last */
     double *unasked;        /* (nc) multipliers of accelerations that are pulled */
     double *point, *tangent; /* (2 nq + nz) */
     double *entry;          /* as many as the longest variable has */
     double energy[4], residual[2];
+    double slip;            /* the largest residual of rates, each as a part of the rates of its component */
     double *invariant_limits;   /* (ni) */
     unsigned char *written;     /* (2 nq + nz) 1: this start was set */
     double *initial_memory;     /* lag_initial_memory() */
@@ -127,6 +130,21 @@ lag_status lag_instance_ready(lag_instance *instance);
 lag_status lag_instance_know(lag_instance *instance, unsigned what);
 /* LAG_VIOLATED: an assertion does not hold at x at time t. */
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
+
+/* ---- corner_indicators.c ---- */
+
+/* The first indicator of a corner: they come after relations and contacts. */
+static inline size_t lag_instance_first_corner(const lag_instance *instance)
+{
+    return instance->fmu->model->nindicator + instance->fmu->model->ncontact;
+}
+
+/* Indicators of corners at the present state, into g. */
+lag_status lag_instance_look_at_corners(lag_instance *instance);
+/* An event at x at time t: corners that have been passed are on the other side from now on. */
+lag_status lag_instance_face_corners(lag_instance *instance, double t, const double *x);
+/* The present state, at which indicators are known, ends a step: magnitudes follow. */
+void lag_instance_pass_corners(lag_instance *instance);
 
 /* ---- turning.c ---- */
 

@@ -57,7 +57,8 @@ static lag_status residuals(lag_instance *instance)
     const lag_arguments *at = &instance->run->motion.at;
     lag_projection *projection = &instance->run->projection;
     lag_status status = LAG_OK;
-    instance->residual[0] = instance->residual[1] = 0.0;
+    instance->residual[0] = instance->residual[1] = instance->slip = 0.0;
+    lag_projection_measure(projection, instance->x + model->nq);
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
         status = (level == 0 ? model->position_constraint : model->velocity_constraint)(at, projection->phi, projection->jacobian);
         for (size_t i = 0; i < model->nc && status == LAG_OK; ++i) {
@@ -67,6 +68,9 @@ static lag_status residuals(lag_instance *instance)
             }
             if (level > 0 || model->position_level[i]) {
                 instance->residual[level] = fmax(instance->residual[level], part);
+            }
+            if (level > 0) {
+                instance->slip = fmax(instance->slip, part / lag_projection_pace(projection, i));
             }
         }
     }

@@ -223,15 +223,26 @@ static lag_status positions(lag_projection *projection, double t, const double *
     return projection->rows == 0 || before <= CLOSE ? LAG_OK : LAG_PROJECTION_FAILED;
 }
 
+void lag_projection_measure(lag_projection *projection, const double *rates)
+{
+    const lag_model *model = projection->motion->model;
+    clear_largest(projection, 1.0);
+    for (size_t i = 0; i < model->nq; ++i) {
+        enlarge(projection, component_of(model, i), fabs(rates[i]) / projection->sizes[i]);
+    }
+}
+
+double lag_projection_pace(const lag_projection *projection, size_t row)
+{
+    return largest_beside(projection, row);
+}
+
 /* The largest residual of the rates in limits, which grow with the rates of the row's component. Not a number stays none. */
 static double largest_of_rates(lag_projection *projection, const double *rates)
 {
     const lag_model *model = projection->motion->model;
     double most = 0.0;
-    clear_largest(projection, 1.0);
-    for (size_t i = 0; i < model->nq; ++i) {
-        enlarge(projection, component_of(model, i), fabs(rates[i]) / projection->sizes[i]);
-    }
+    lag_projection_measure(projection, rates);
     for (size_t i = 0; i < model->nc; ++i) {
         const double part = fabs(projection->phi[i]) / (projection->least[i] * largest_beside(projection, i));
         if (!(part <= most)) {

@@ -60,6 +60,10 @@ lag_status lag_projection_exact(lag_projection *projection, double t, double *x,
  */
 lag_status lag_projection_rates(lag_projection *projection, double t, double *x, const double *held);
 
+/* Measures rates (nq); then the largest of a row's component, in natural sizes a second, one at least. */
+void lag_projection_measure(lag_projection *projection, const double *rates);
+double lag_projection_pace(const lag_projection *projection, size_t row);
+
 /*
  * Residual of a row of position level at (t, x) with the present discretes, as a part of the row's size (of one, where no limits are set).
  * Not a number where there is none.

@@ -108,6 +108,11 @@ lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x
     return status;
 }
 
+static int pulls(const lag_contacts *contacts, size_t i)
+{
+    return -push(contacts, i) > NOTHING * fmax(contacts->force[i], 1e-300);
+}
+
 /* The closed contact, of those listed in `part`, that pulls most by its own measure; `closed` where none does. */
 static size_t find_pulling(const lag_contacts *contacts, size_t closed)
 {
@@ -125,25 +130,43 @@ static size_t find_pulling(const lag_contacts *contacts, size_t closed)
     return worst;
 }
 
-void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates)
+/*
+ * Takes the worst out of the closed contacts in `part` until none pulls; so many are left. Candidates that opened come
+ * behind them.
+ */
+static size_t open_those_that_pull(lag_contacts *contacts, double t, const double *x, size_t closed)
 {
-    const size_t count = contacts->motion->model->ncontact;
-    size_t closed = 0;
-    for (size_t i = 0; i < count; ++i) {
-        if (candidates[i] != 0.0) {
-            contacts->part[closed++] = (double)i;
-            *lag_contacts_flag(contacts, i) = 1.0;
-        }
-    }
     while (closed > 0) {
         lag_contacts_solve(contacts, t, x);
         const size_t worst = find_pulling(contacts, closed);
         if (worst == closed) {
             break;
         }
-        *lag_contacts_flag(contacts, (size_t)contacts->part[worst]) = 0.0;
+        const double opened = contacts->part[worst];
+        *lag_contacts_flag(contacts, (size_t)opened) = 0.0;
         --closed;
         memmove(contacts->part + worst, contacts->part + worst + 1, (closed - worst) * sizeof(double));
+        contacts->part[closed] = opened;
+    }
+    return closed;
+}
+
+void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates)
+{
+    const size_t count = contacts->motion->model->ncontact;
+    size_t all = 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (candidates[i] != 0.0) {
+            contacts->part[all++] = (double)i;
+            *lag_contacts_flag(contacts, i) = 1.0;
+        }
+    }
+    const size_t closed = open_those_that_pull(contacts, t, x, all);
+    for (size_t k = closed; k < all && all - closed > 1; ++k) { /* without the others it may not pull */
+        const size_t i = (size_t)contacts->part[k];
+        *lag_contacts_flag(contacts, i) = 1.0;
+        lag_contacts_solve(contacts, t, x);
+        *lag_contacts_flag(contacts, i) = pulls(contacts, i) ? 0.0 : 1.0;
     }
 }
 

@@ -59,7 +59,10 @@ int lag_contacts_pierced(lag_contacts *contacts, double t, const double *x, doub
 /* At the start: contacts that touch and do not move apart are closed unless they pull. */
 lag_status lag_contacts_settle(lag_contacts *contacts, double t, const double *x);
 
-/* Closes those of the candidates (ncontact flags) that do not pull: the one that pulls most opens until none does. */
+/*
+ * Closes those of the candidates (ncontact flags) that do not pull: the one that pulls most opens until none does. Of those that opened so,
+ * what does not pull without the others stays closed.
+ */
 void lag_contacts_press(lag_contacts *contacts, double t, const double *x, const double *candidates);
 
 /* Opens closed contacts that do not touch or do not stay. */

@@ -16,6 +16,8 @@ static const double NO_FORCE = 1e-13;
 static const double LIMITS = 4.0;
 /* Positions are moved by this part of their magnitudes to see how large forces are. */
 static const double CHANGE = 1e-4;
+/* Magnitudes of forces that differ by less than this factor are alike. */
+static const double ALIKE = 2.0;
 /* Gaps close now that close within this part of the moment. */
 static const double PASSING = 1e-2;
 
@@ -145,6 +147,31 @@ static lag_status find_forces(lag_contacts *contacts, const double *x)
     return status;
 }
 
+/*
+ * A contact that touches passes forces from one coordinate to the other, so magnitudes of forces spread along contacts.
+ * Contacts between bodies on which only their neighbours act then have a scale, too.
+ */
+static void hand_on(lag_contacts *contacts)
+{
+    const size_t n = contacts->motion->model->nq;
+    const size_t count = contacts->motion->model->ncontact;
+    int grew = 1;
+    for (size_t round = 0; round < count && grew; ++round) {
+        grew = 0;
+        for (size_t i = 0; i < count; ++i) {
+            const int touches = *lag_contacts_flag(contacts, i) != 0.0 || fabs(contacts->gap[i]) <= lag_contacts_touch(contacts, i);
+            const double force = touches ? force_of(contacts, i, 1) : 0.0;
+            for (size_t j = 0; j < n && force > 0.0; ++j) {
+                const double by = fabs(contacts->jacobian[i * n + j]) * force;
+                if (by > ALIKE * contacts->forces[j]) {
+                    contacts->forces[j] = by;
+                    grew = 1;
+                }
+            }
+        }
+    }
+}
+
 lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
 {
     lag_motion *motion = contacts->motion;
@@ -153,6 +180,9 @@ lag_status lag_contacts_weigh(lag_contacts *contacts, double t, const double *x)
     lag_status status = find_forces(contacts, x);
     if (status == LAG_OK) {
         status = model->mass_matrix(&motion->at, contacts->impact.mass);
+    }
+    if (status == LAG_OK) {
+        hand_on(contacts);
     }
     for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
         const double force = force_of(contacts, i, 1);

@@ -101,92 +101,6 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
 
 /* ---- contacts ---- */
 
-/* A contact has opened, or closed. A rest that was announced for later is canceled. */
-static lag_status tell_state(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i)
-{
-    iteration->contacts->until[i] = (double)INFINITY;
-    return lag_event_iteration_tell(iteration, t, x, what, i);
-}
-
-/* Reports the impact, opening or closing of a contact. A contact that is held for the rest of its bounces has struck. */
-static lag_status tell_contact(const lag_event_iteration *iteration, double t, const double *x, int before, size_t i)
-{
-    const int now = iteration->motion->w[iteration->places.contact + i] != 0.0;
-    const int bounces = now && iteration->contacts->until[i] < (double)INFINITY;
-    return before == now || bounces ? lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i)
-                                    : tell_state(iteration, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
-}
-
-/* Impacts, and what they did. */
-static lag_status collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted)
-{
-    const lag_contacts *contacts = iteration->contacts;
-    const double *closed = iteration->motion->w + iteration->places.contact;
-    lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
-    int any = contacts->struck > 0;
-    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
-        const size_t i = (size_t)contacts->order[k];
-        status = tell_contact(iteration, t, x, contacts->before[i] != 0.0, i);
-    }
-    for (size_t i = 0; i < iteration->motion->model->ncontact && status == LAG_OK; ++i) {
-        if (contacts->approach[i] == 0.0 && (contacts->before[i] != 0.0) != (closed[i] != 0.0)) {
-            any = 1;
-            status = tell_contact(iteration, t, x, contacts->before[i] != 0.0, i);
-        }
-    }
-    *acted = *acted || any;
-    return status == LAG_OK && any ? lag_projection_rates(iteration->projection, t, x, NULL) : status;
-}
-
-/* Clears the flags of contacts that do not pull a moment later: relations that turned with them may have taken the pull away. */
-static void keep_pulling(lag_event_iteration *iteration, double t, const double *x, double *pulling)
-{
-    lag_motion *motion = iteration->motion;
-    lag_event_iteration_move_on(iteration, t, x);
-    lag_event_iteration_solve(motion, t + iteration->lookahead, iteration->later);
-    for (size_t i = 0; i < motion->model->ncontact; ++i) {
-        const double force = motion->lam[motion->model->contact_rows[i]];
-        pulling[i] = pulling[i] != 0.0 && force < -lag_contacts_force_noise(iteration->contacts, i);
-    }
-}
-
-/* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
-static lag_status change_contacts(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *changed)
-{
-    const lag_model *model = iteration->motion->model;
-    const size_t count = model->ncontact;
-    double *closed = iteration->motion->w + iteration->places.contact;
-    double *meeting = iteration->meeting;
-    double *pulling = iteration->pulling;
-    lag_status status = LAG_OK;
-    int acted = 0;
-    for (size_t i = 0; i < count; ++i) {
-        meeting[i] = changed[i] != 0.0 && closed[i] == 0.0;
-        pulling[i] = changed[i] != 0.0 && closed[i] != 0.0;
-    }
-    if (relations != NULL && lag_any(model->nindicator, relations) && lag_any(count, pulling)) {
-        keep_pulling(iteration, t, x, pulling);
-    }
-    for (size_t i = 0; i < count; ++i) {
-        closed[i] = pulling[i] != 0.0 ? 0.0 : closed[i];
-    }
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = pulling[i] != 0.0 ? tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
-    }
-    const int any = lag_any(count, meeting) || lag_any(count, pulling);
-    if (any && status == LAG_OK) {
-        status = collide(iteration, t, x, NULL, &acted);
-    }
-    if (!any || acted || status != LAG_OK) {
-        return status;
-    }
-    lag_contacts_press(iteration->contacts, t, x, meeting);
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = meeting[i] != 0.0 && closed[i] != 0.0 ? tell_state(iteration, t, x, LAG_CLOSED, i) : LAG_OK;
-    }
-    return status;
-}
-
 /* Impacts of clauses, and contacts that something drives in now. */
 static lag_status strike(lag_event_iteration *iteration, double t, double *x, int *acted)
 {
@@ -196,7 +110,7 @@ static lag_status strike(lag_event_iteration *iteration, double t, double *x, in
         return LAG_OK;
     }
     *acted = *acted || any;
-    return collide(iteration, t, x, iteration->collision, acted);
+    return lag_event_iteration_collide(iteration, t, x, iteration->collision, acted);
 }
 
 /* ---- clauses ---- */
@@ -236,7 +150,7 @@ static lag_status part(lag_event_iteration *iteration, double t, const double *x
     memcpy(iteration->closed, closed, count * sizeof(double));
     lag_status status = lag_contacts_part(iteration->contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = iteration->closed[i] != closed[i] ? tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
+        status = iteration->closed[i] != closed[i] ? lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
     }
     return status;
 }
@@ -348,7 +262,7 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
 {
     const lag_model *model = iteration->motion->model;
     const double *w = iteration->motion->w;
-    lag_status status = contacts != NULL ? change_contacts(iteration, t, x, relations, contacts) : LAG_OK;
+    lag_status status = contacts != NULL ? lag_event_iteration_change_contacts(iteration, t, x, contacts) : LAG_OK;
     iteration->stopped = 0;
     for (int k = 0; k < MOST_PASSES && status == LAG_OK; ++k) {
         int acted = 0;

@@ -27,6 +27,7 @@ typedef struct lag_event_iteration {
     double *rate, *later;  /* (2 nq + nz) */
     double *now, *then;    /* (nindicator) */
     double *closed, *meeting, *pulling; /* (ncontact) */
+    int turned;            /* relations, or what time changes, turn with the contacts that are found to change */
     int stopped;           /* a `terminate` acted */
     size_t fault;          /* LAG_CONFLICT: a reset; LAG_ASSERTION_FAILED: an assertion */
     double *guilty;        /* (nw) LAG_EVENT_ITERATION_FAILED: 1, this one still changed; zero otherwise */
@@ -75,5 +76,14 @@ void lag_event_iteration_move_on(lag_event_iteration *iteration, double t, const
  * (flags, or null).
  */
 lag_status lag_event_iteration_ahead(lag_event_iteration *iteration, double t, const double *x, const double *turned);
+
+/* A contact has opened, or closed. A rest that was announced for later is canceled. */
+lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i);
+
+/* Impacts, those of clauses (ncollision flags, or null) first, and what they did; 1 in `acted` where there were any. */
+lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted);
+
+/* Contacts that pull open; the others strike, or, if they meet without speed, close as far as they push. */
+lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed);
 
 #endif

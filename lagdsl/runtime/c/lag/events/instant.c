@@ -312,6 +312,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, c
         }
     }
     if (status == LAG_OK) {
+        instants->iteration.turned = any || ticks;
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
     if (!crowds(&instants->crowd, t, any) || (status != LAG_OK && status != LAG_STOPPED)) {

@@ -1,0 +1,28 @@
+"""Texts of the command line, in Python: the unit must stand in them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel
+from lagdsl.numerics.rank import Floats
+from lagdsl.settings.axis import varied
+
+
+def grid_of(flat: FlatModel, name: str, values: ArrayLike | str) -> Floats:
+    """Values of what `lag modes --vary` takes, in SI units. Raises ValueError for a text that is none."""
+    if not isinstance(values, str):
+        return np.atleast_1d(np.asarray(values, dtype=np.float64))
+    sink = Sink()
+    _, found = varied(flat, name, values, sink)
+    require_units(sink)
+    return np.array(found)
+
+
+def require_units(sink: Sink) -> None:
+    """Raise ValueError for the first N0871: nobody would see the note."""
+    for note in sink.diagnostics:
+        if note.code == "N0871":
+            raise ValueError(f"{note.message}; {note.help}, or give numbers in SI units")

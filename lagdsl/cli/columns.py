@@ -1,0 +1,25 @@
+"""`--column`: names of the columns to keep."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import click
+
+from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.flat.model import FlatModel
+from lagdsl.settings.arrays import family
+from lagdsl.simulate.table import heads_of
+
+
+def columns_of(names: tuple[str, ...], models: Iterable[FlatModel]) -> tuple[str, ...] | None:
+    """The columns to keep, all of which some model has; None for all columns. An array stands for its elements."""
+    known = dict.fromkeys(head[0] for flat in models for head in heads_of(flat)[1:])
+    kept: dict[str, None] = {}
+    for name in names:
+        elements = [name] if name in known else family(name, known)
+        if not elements:
+            hint = did_you_mean(name, known, f"there are {', '.join(known)}")
+            raise click.UsageError(f"there is no column `{name}`; {hint}")
+        kept |= dict.fromkeys(elements)
+    return tuple(kept) or None

@@ -1,0 +1,35 @@
+"""One command: assignments that do not fit are wrong usage."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from lagdsl.settings.failure import SettingError
+
+
+class Command(click.Command):
+    """A click command that leaves with status 2 where a text is no value of what it is assigned to, and that knows the
+    usual slips of a command line: one dash for two, blanks without quotes."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        given = list(args)
+        try:
+            return super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            long = [name for param in self.params for name in param.opts if f"-{name.lstrip('-')}" in given]
+            if len(long) == 1 and long[0].startswith("--"):
+                raise click.UsageError(f"options have two dashes: write `{long[0]}`", ctx) from error
+            raise
+        except click.UsageError as error:
+            if error.message.startswith("Got unexpected extra argument"):
+                hint = "there is one FILE; a value with blanks stands in quotes, as in --set 'm=2 kg'"
+                raise click.UsageError(f"{error.message.rstrip('.')}: {hint}", ctx) from error
+            raise
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except SettingError as error:
+            raise click.UsageError(str(error), ctx) from error

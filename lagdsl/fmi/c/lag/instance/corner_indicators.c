@@ -1,0 +1,85 @@
+/*
+ * Corners of the equations as event indicators. No discrete changes there and no state jumps, but a step of an importer that leads across a
+ * corner is as inexact as it is long, and what is flat before it acts does not show in an error estimate at all.
+ */
+#include "lag/instance/instance_internal.h"
+
+#include <float.h>
+#include <math.h>
+
+/* The margin: so many times the round-off, and this part of what the tolerance lets the numbers do that enter. */
+static const double ROUNDINGS = 64.0;
+static const double PART = 0.1;
+/* Round-off as lag/events/noise.h finds it is so many units in the last place of these numbers. */
+static const double UNITS = 16.0;
+/* A corner that is so much of its margin behind zero has been passed. */
+static const double CLEARLY = 0.6;
+/* One that was never so many margins away from zero was passed by the errors of the importer: the next time it is so many times farther. */
+static const double NEAR = 16.0;
+static const double FARTHER = 4.0;
+
+static double margin(const lag_instance *instance, size_t corner)
+{
+    const double sigma = instance->run->instants.noise.sigma[instance->fmu->model->nindicator + corner];
+    const double allowed = PART * instance->held.tolerance / (UNITS * DBL_EPSILON);
+    return fmax(instance->latched[lag_instance_first_corner(instance) + corner], fmax(ROUNDINGS, allowed) * sigma);
+}
+
+/* Distances at x at time t, into `far`. */
+static lag_status look(lag_instance *instance, double t, const double *x)
+{
+    lag_motion *motion = &instance->run->motion;
+    const lag_model *model = motion->model;
+    double solved = 0.0;
+    lag_motion_look(motion, t, x);
+    lag_status status = model->corner(&motion->at, instance->far, &solved);
+    if (status == LAG_OK && solved != 0.0) {
+        status = lag_motion_solve(motion, t, x);
+        status = status == LAG_OK ? model->corner(&motion->at, instance->far, &solved) : status;
+    }
+    return status;
+}
+
+lag_status lag_instance_look_at_corners(lag_instance *instance)
+{
+    const size_t count = instance->fmu->model->ncorner;
+    const lag_status status = count > 0 ? look(instance, instance->held.t, instance->x) : LAG_OK;
+    double *g = instance->g + lag_instance_first_corner(instance);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        g[i] = instance->far[i] + (instance->side[i] < 0.0 ? -margin(instance, i) : margin(instance, i));
+    }
+    return status;
+}
+
+lag_status lag_instance_face_corners(lag_instance *instance, double t, const double *x)
+{
+    const size_t count = instance->fmu->model->ncorner;
+    const lag_status status = count > 0 ? look(instance, t, x) : LAG_OK;
+    double *largest = instance->largest + lag_instance_first_corner(instance);
+    double *latched = instance->latched + lag_instance_first_corner(instance);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        const double behind = -instance->side[i] * instance->far[i];
+        largest[i] = fmax(largest[i], fabs(instance->far[i]));
+        if (instance->side[i] == 0.0) {
+            instance->side[i] = instance->far[i] < 0.0 ? -1.0 : 1.0;
+        } else if (behind > CLEARLY * margin(instance, i)) {
+            latched[i] = largest[i] <= NEAR * margin(instance, i) ? FARTHER * margin(instance, i) : 0.0;
+            largest[i] = 0.0;
+            instance->side[i] = -instance->side[i];
+        }
+    }
+    return status;
+}
+
+void lag_instance_pass_corners(lag_instance *instance)
+{
+    const size_t count = instance->fmu->model->ncorner;
+    const double *g = instance->g + lag_instance_first_corner(instance);
+    double *largest = instance->largest + lag_instance_first_corner(instance);
+    if (count > 0) {
+        lag_noise_follow(&instance->run->instants.noise, instance->x);
+    }
+    for (size_t i = 0; i < count; ++i) {
+        largest[i] = fmax(largest[i], fabs(g[i]));
+    }
+}

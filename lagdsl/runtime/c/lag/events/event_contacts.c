@@ -1,0 +1,131 @@
+/* Contacts in passes over clauses: impacts, and what opens or closes where it was found to change. */
+#include <math.h>
+#include <string.h>
+
+#include "lag/events/event_iteration.h"
+#include "lag/linalg/arena.h"
+
+lag_status lag_event_iteration_tell_state(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t i)
+{
+    iteration->contacts->until[i] = (double)INFINITY;
+    return lag_event_iteration_tell(iteration, t, x, what, i);
+}
+
+/* Reports the impact, opening or closing of a contact. A contact that is held for the rest of its bounces has struck. */
+static lag_status tell_contact(const lag_event_iteration *iteration, double t, const double *x, int before, size_t i)
+{
+    const int now = iteration->motion->w[iteration->places.contact + i] != 0.0;
+    const int bounces = now && iteration->contacts->until[i] < (double)INFINITY;
+    return before == now || bounces ? lag_event_iteration_tell(iteration, t, x, LAG_IMPACT, i)
+                                    : lag_event_iteration_tell_state(iteration, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
+}
+
+lag_status lag_event_iteration_collide(lag_event_iteration *iteration, double t, double *x, const double *collision, int *acted)
+{
+    const lag_contacts *contacts = iteration->contacts;
+    const double *closed = iteration->motion->w + iteration->places.contact;
+    lag_status status = lag_contacts_strike(iteration->contacts, t, x, collision, iteration->restitution);
+    int any = contacts->struck > 0;
+    for (size_t k = 0; k < contacts->struck && status == LAG_OK; ++k) {
+        const size_t i = (size_t)contacts->order[k];
+        status = tell_contact(iteration, t, x, contacts->before[i] != 0.0, i);
+    }
+    for (size_t i = 0; i < iteration->motion->model->ncontact && status == LAG_OK; ++i) {
+        if (contacts->approach[i] == 0.0 && (contacts->before[i] != 0.0) != (closed[i] != 0.0)) {
+            any = 1;
+            status = tell_contact(iteration, t, x, contacts->before[i] != 0.0, i);
+        }
+    }
+    *acted = *acted || any;
+    return status == LAG_OK && any ? lag_projection_rates(iteration->projection, t, x, NULL) : status;
+}
+
+/* Multipliers a moment later, with contacts as they are now. */
+static void look_ahead(lag_event_iteration *iteration, double t, const double *x)
+{
+    lag_event_iteration_move_on(iteration, t, x);
+    lag_event_iteration_solve(iteration->motion, t + iteration->lookahead, iteration->later);
+}
+
+/* The force of a contact there, in round-offs of its own; what is no number pulls. */
+static double push(const lag_event_iteration *iteration, size_t i)
+{
+    const double force = iteration->motion->lam[iteration->motion->model->contact_rows[i]];
+    return force == force ? force / fmax(lag_contacts_force_noise(iteration->contacts, i), 1e-300) : -(double)INFINITY;
+}
+
+/* The contact that pulls most of those flagged in `pulling`; their number where none pulls clearly and none has to. */
+static size_t find_pulling(const lag_event_iteration *iteration, int one)
+{
+    const size_t count = iteration->motion->model->ncontact;
+    size_t worst = count;
+    for (size_t i = 0; i < count; ++i) {
+        const int pulls = iteration->pulling[i] != 0.0 && (one || push(iteration, i) < -1.0);
+        if (pulls && (worst == count || push(iteration, i) < push(iteration, worst))) {
+            worst = i;
+        }
+    }
+    return worst;
+}
+
+/*
+ * Opens contacts that were found to pull, the one that pulls most first, as far as they still do a moment later: one that opens may leave
+ * nothing that pulls at the others, and what turned with them may have taken the pull away. Flags of those that opened, in `pulling`.
+ */
+static void open_pulling(lag_event_iteration *iteration, double t, const double *x)
+{
+    const size_t count = iteration->motion->model->ncontact;
+    double *closed = iteration->motion->w + iteration->places.contact;
+    double *opened = iteration->closed;
+    size_t number = 0;
+    memset(opened, 0, count * sizeof(double));
+    while (lag_any(count, iteration->pulling)) {
+        look_ahead(iteration, t, x);
+        const size_t worst = find_pulling(iteration, number == 0 && !iteration->turned);
+        if (worst == count) {
+            break;
+        }
+        iteration->pulling[worst] = closed[worst] = 0.0;
+        opened[worst] = 1.0;
+        ++number;
+    }
+    for (size_t i = 0; i < count && number > 1; ++i) { /* without the others it may not have pulled */
+        closed[i] = opened[i] != 0.0 ? 1.0 : closed[i];
+        if (opened[i] != 0.0) {
+            look_ahead(iteration, t, x);
+            opened[i] = push(iteration, i) < -1.0;
+            closed[i] = 1.0 - opened[i];
+        }
+    }
+    memcpy(iteration->pulling, opened, count * sizeof(double));
+}
+
+lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, double t, double *x, const double *changed)
+{
+    const size_t count = iteration->motion->model->ncontact;
+    double *closed = iteration->motion->w + iteration->places.contact;
+    double *meeting = iteration->meeting;
+    double *pulling = iteration->pulling;
+    lag_status status = LAG_OK;
+    int acted = 0;
+    for (size_t i = 0; i < count; ++i) {
+        meeting[i] = changed[i] != 0.0 && closed[i] == 0.0;
+        pulling[i] = changed[i] != 0.0 && closed[i] != 0.0;
+    }
+    open_pulling(iteration, t, x);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        status = pulling[i] != 0.0 ? lag_event_iteration_tell_state(iteration, t, x, LAG_OPENED, i) : LAG_OK;
+    }
+    const int any = lag_any(count, meeting) || lag_any(count, pulling);
+    if (any && status == LAG_OK) {
+        status = lag_event_iteration_collide(iteration, t, x, NULL, &acted);
+    }
+    if (!any || acted || status != LAG_OK) {
+        return status;
+    }
+    lag_contacts_press(iteration->contacts, t, x, meeting);
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        status = meeting[i] != 0.0 && closed[i] != 0.0 ? lag_event_iteration_tell_state(iteration, t, x, LAG_CLOSED, i) : LAG_OK;
+    }
+    return status;
+}

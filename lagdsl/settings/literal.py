@@ -1,0 +1,73 @@
+"""Numbers and quantities as they are typed: `2`, `2000 g`, `true`."""
+
+from __future__ import annotations
+
+from lagdsl.diagnostics import Sink
+from lagdsl.record import record
+from lagdsl.settings.failure import SettingError, short
+from lagdsl.source import SourceFile
+from lagdsl.syntax import nodes
+from lagdsl.syntax.parser import parse_expression
+from lagdsl.units.definition import si_value
+from lagdsl.units.dimension import DIMENSIONLESS, TIME, Dimension
+from lagdsl.units.naming import describe
+from lagdsl.units.parse import parse_unit
+
+_CYCLES = ("Hz", "kHz", "MHz")
+
+
+@record()
+class Literal:
+    """A number as written, `value` in SI units; without a unit (`dimension` None) it takes that of what it is bound
+    to."""
+
+    text: str
+    value: float
+    dimension: Dimension | None
+    boolean: bool = False
+    counts_turns: bool = False  # a literal in Hz
+    is_point: bool = False  # in a unit with an offset
+
+
+def literal(name: str, text: str, example: str = "2 kg") -> Literal:
+    """A number, a quantity as in a model text (`2000 g`), or true or false. Raises SettingError."""
+    where = f"{name}={short(text)}"
+    sink = Sink()
+    expression = parse_expression(SourceFile(name, text), sink)
+    sign = ""
+    while isinstance(expression, nodes.Unary) and expression.operator in "+-":
+        sign = ("" if sign else "-") if expression.operator == "-" else sign
+        expression = expression.operand
+    if isinstance(expression, nodes.Number):
+        return Literal(text, float(sign + expression.text), None)
+    if isinstance(expression, nodes.Quantity):
+        definition = parse_unit(expression.unit)
+        value = si_value(sign + expression.number, definition)
+        cycles, is_point = expression.unit in _CYCLES, definition.shift != 0
+        return Literal(text, value, definition.dimension, counts_turns=cycles, is_point=is_point)
+    if isinstance(expression, nodes.Boolean):
+        return Literal(text, float(expression.value), DIMENSIONLESS, boolean=True)
+    for fault in sink.diagnostics:
+        if fault.code in ("E0105", "E0116"):  # no unit, no number of double precision
+            raise SettingError(f"{where}: {fault.message}; {fault.help}")
+    raise SettingError(f"{where}: expected a number with or without a unit, as in {example}")
+
+
+def require_dimension(name: str, given: Literal, dimension: Dimension, unit: str) -> None:
+    """Raise SettingError where a value of `dimension` [unit] cannot be `given`."""
+    if given.dimension is not None and given.dimension != dimension:
+        raise SettingError(
+            f"{name}={short(given.text)}: `{name}` is {describe(dimension)} [{unit}], "
+            f"this is {describe(given.dimension)}"
+        )
+    if given.counts_turns and unit == "rad/s":
+        raise SettingError(f"{name}={short(given.text)}: Hz counts turns; write `rev/s` or `rad/s`")
+
+
+def seconds(option: str, text: str | None) -> float | None:
+    """The value of an option that takes a time: `10` or `500 ms`. Raises SettingError."""
+    if text is None:
+        return None
+    given = literal(option, text, "10 or 500 ms")
+    require_dimension(option, given, TIME, "s")
+    return given.value

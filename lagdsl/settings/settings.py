@@ -1,0 +1,67 @@
+"""`name=value`: parameters, start values, structural parameters and inputs of one model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import field
+
+from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics.suggest import did_you_mean
+from lagdsl.flat.model import FlatModel
+from lagdsl.record import record
+from lagdsl.settings.arrays import spread
+from lagdsl.settings.failure import SettingError, UnknownSettingError, short
+from lagdsl.settings.target import find, lacks_unit, note_lacking_unit, targets, value_of
+
+
+@record()
+class Settings:
+    """Values in SI units by name; starts by `theta` or `der(theta)`."""
+
+    parameters: dict[str, float] = field(default_factory=dict)
+    start: dict[str, float] = field(default_factory=dict)
+    structural: dict[str, float] = field(default_factory=dict)
+
+
+def split(assignments: Sequence[str]) -> dict[str, str]:
+    """`name=value` texts by name. Raises SettingError."""
+    pairs: dict[str, str] = {}
+    for assignment in assignments:
+        name, equals, value = assignment.partition("=")
+        if not equals or not name.strip() or not value.strip():
+            raise SettingError(f"{short(assignment)}: expected name=value, as in 'm=2 kg'")
+        if name.strip() in pairs:
+            raise SettingError(f"`{name.strip()}` is set twice")
+        pairs[name.strip()] = value.strip()
+    return pairs
+
+
+def settings(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> Settings:
+    """Values of the assignments in this model; N0871 for numbers that lack a unit. Raises SettingError for unknown
+    names and values that do not fit."""
+    result = Settings()
+    known = targets(flat)
+    for name, text in spread(pairs, known).items():
+        target = find(flat, name, known)
+        given = value_of(target, text)
+        if lacks_unit(target, given):
+            note_lacking_unit(target, text, given.value, sink)
+        kinds = {"parameter": result.parameters, "structural": result.structural, "start": result.start}
+        kinds[target.kind][target.key] = given.value
+    return result
+
+
+def constants(flat: FlatModel, pairs: Mapping[str, str], sink: Sink) -> dict[str, float]:
+    """Inputs by name, SI units; N0871 for numbers that lack a unit. Raises SettingError for unknown names and values
+    that do not fit."""
+    known = targets(flat, ("input",))
+    values: dict[str, float] = {}
+    for name, text in spread(pairs, known).items():
+        if name not in known:
+            hint = did_you_mean(name, known, f"inputs: {', '.join(known) or 'none'}")
+            raise UnknownSettingError(f"{flat.name} has no input `{short(name)}`; {hint}")
+        given = value_of(known[name], text)
+        if lacks_unit(known[name], given):
+            note_lacking_unit(known[name], text, given.value, sink)
+        values[name] = given.value
+    return values

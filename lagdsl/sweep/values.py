@@ -1,0 +1,148 @@
+"""The runs that texts ask for: one value, a range, a list, or a distribution to draw from."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import TypeAlias
+
+import numpy as np
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.model import FlatModel, Parameter
+from lagdsl.numerics.rank import Floats
+from lagdsl.settings.arrays import spread
+from lagdsl.settings.axis import note_bare, values_of
+from lagdsl.settings.failure import SettingError, short
+from lagdsl.settings.literal import Literal
+from lagdsl.settings.pieces import QUANTITY
+from lagdsl.settings.ranges import CALL, grid_of
+from lagdsl.settings.target import Target, find, targets, value_of
+from lagdsl.sweep.plan import Axis, Plan, require_few
+from lagdsl.units.definition import si_value
+from lagdsl.units.parse import parse_unit
+
+Draw: TypeAlias = Callable[[np.random.Generator, int, list[float]], Floats]
+
+# Name: what the arguments mean (`1` for a number without unit), and how to draw.
+_DISTRIBUTIONS: dict[str, tuple[tuple[str, ...], Draw]] = {
+    "uniform": (("lowest", "highest"), lambda r, n, a: r.uniform(a[0], a[1], n)),
+    "normal": (("mean", "deviation"), lambda r, n, a: r.normal(a[0], a[1], n)),
+    "lognormal": (("median", "deviation of the logarithm"), lambda r, n, a: a[0] * np.exp(r.normal(0.0, a[1], n))),
+    "triangular": (("lowest", "likeliest", "highest"), lambda r, n, a: r.triangular(a[0], a[1], a[2], n)),
+}
+
+
+def plan(flat: FlatModel, pairs: Mapping[str, str], random: int | None, seed: int, sink: Sink) -> Plan:
+    """The runs that the texts ask for; notes about numbers without unit go to `sink`. Raises SettingError for what is
+    no value, range, list or distribution, ValueError for too many runs."""
+    axes: list[Axis] = []
+    fixed: list[Axis] = []
+    samples: list[Axis] = []
+    runs = 1 if random is None else random
+    require_few(runs)
+    known = targets(flat)
+    for number, (name, text) in enumerate(spread(pairs, known).items()):
+        target = find(flat, name, known)
+        call = CALL.fullmatch(text)
+        if call is not None and call[1] != "linspace":
+            _require_distribution(name, text, call)
+            if random is None:
+                raise SettingError(f"{name}={short(text)}: give the number of draws with --random N")
+            # A stream of its own for every name: one more name changes no other draws.
+            samples.append(_drawn(target, text, call, random, np.random.default_rng([seed, number]), sink))
+        else:
+            axis = axis_of(target, text, sink, runs)
+            runs *= len(axis.values)
+            (axes if len(axis.values) > 1 else fixed).append(axis)
+    if random is not None and not samples:
+        raise SettingError("--random needs a distribution, as in --set 'm=normal(1, 0.1) kg'")
+    return Plan(axes=tuple(axes), samples=tuple(samples), fixed=tuple(fixed))
+
+
+def axis_of(target: Target, text: str, sink: Sink, runs: int = 1) -> Axis:
+    """The values of a text, each of which makes `runs` runs. Raises SettingError, ValueError for too many."""
+    grid = grid_of(target.name, text)
+    require_few(grid.count * runs)
+    values = values_of(target, text, grid, sink)
+    if len(set(values)) < len(values):
+        raise SettingError(f"`{target.name}` has the same value twice")
+    return axis(target, values)
+
+
+def axis(target: Target, values: tuple[float, ...]) -> Axis:
+    """Raises SettingError for an input."""
+    if target.kind == "input":
+        raise SettingError(f"`{target.name}` is an input")
+    return Axis(
+        name=target.name,
+        key=target.key,
+        target=target.kind,
+        unit=target.unit,
+        values=values,
+        display=target.display,
+    )
+
+
+def _drawn(
+    target: Target, text: str, call: re.Match[str], count: int, generator: np.random.Generator, sink: Sink
+) -> Axis:
+    """`count` draws; those that a parameter may not have fail as runs, not here. N0871 for numbers that lack a unit."""
+    name = target.name
+    if target.kind == "structural":
+        raise SettingError(f"`{name}` is structural: it takes ranges and lists, not distributions")
+    meanings, draw = _DISTRIBUTIONS[call[1]]
+    given = [piece.strip() for piece in call[2].split(",")]
+    arguments: list[float] = []
+    literals: list[Literal] = []
+    free = _unbounded(target)
+    for meaning, piece in zip(meanings, given, strict=True):
+        found = QUANTITY.fullmatch(piece)
+        if found is None:
+            raise SettingError(f"{name}={short(text)}: the {meaning} must be a number")
+        if meaning == "deviation of the logarithm":
+            arguments.append(float(found[1]))
+            continue
+        unit = found[2] or call[3]
+        literals.append(value_of(free, f"{found[1]} {unit}".strip()))
+        arguments.append(_amount(found[1], unit) if meaning == "deviation" else literals[-1].value)
+    note_bare(target, text, literals, sink)
+    _require_drawable(name, text, call[1], arguments)
+    return axis(target, tuple(float(value) for value in draw(generator, count, arguments)))
+
+
+def _amount(digits: str, unit: str) -> float:
+    """A difference in SI units: the zero of the scale does not matter to it."""
+    return si_value(digits, replace(parse_unit(unit), shift=Fraction(0)))
+
+
+def _require_distribution(name: str, text: str, call: re.Match[str]) -> None:
+    """There is one of that name, and it takes so many numbers."""
+    if call[1] not in _DISTRIBUTIONS:
+        raise SettingError(f"{name}={short(text)}: there are the distributions {', '.join(_DISTRIBUTIONS)}")
+    meanings, _ = _DISTRIBUTIONS[call[1]]
+    if len(call[2].split(",")) != len(meanings):
+        raise SettingError(f"{name}={short(text)}: {call[1]} takes {', '.join(meanings)}")
+
+
+def _require_drawable(name: str, text: str, distribution: str, arguments: list[float]) -> None:
+    match distribution:
+        case "uniform" | "triangular":
+            sound = arguments == sorted(arguments) and arguments[0] < arguments[-1]
+            why = "from the lowest to the highest"
+        case "lognormal":
+            sound, why = arguments[0] > 0.0 and arguments[1] >= 0.0, "a positive median"
+        case _:
+            sound, why = arguments[1] >= 0.0, "a deviation that is not negative"
+    if not sound:
+        raise SettingError(f"{name}={short(text)}: {distribution} needs {why}")
+
+
+def _unbounded(target: Target) -> Target:
+    """With every value allowed: a deviation need not be what the parameter may be."""
+    item = target.quantity
+    return (
+        replace(target, quantity=replace(item, minimum=None, maximum=None)) if isinstance(item, Parameter) else target
+    )

@@ -1,0 +1,77 @@
+"""Bodies that touch in a row: one that is pulled away opens its own contact, the others go on as they are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from attack.rows import Attack, check, model, rows
+
+# Masses of 1 that touch, pushed by 1 for a second, then pulled back by 1: three go at 1/3, the first turns back.
+PUSHED = {"a": 1 / 6 + 1 / 3 - 1 / 2, "der(a)": -2 / 3, "der(b)": 1 / 3, "der(c)": 1 / 3, "c": 0.2 + 1 / 6 + 1 / 3}
+ONE_OPENS = {("one", "opened"): 1, ("two", "opened"): 0}
+
+
+def in_a_row(masses: Sequence[float], force: str) -> str:
+    names = "abcd"[: len(masses)]
+    items = [f"coordinate Real {x}(start = {0.1 * i:.1f});" for i, x in enumerate(names)]
+    items += [f"kinetic 1/2*{m!r}*der({x})^2;" for x, m in zip(names, masses, strict=True)]
+    contacts = zip(names, names[1:], ("one", "two", "three"), strict=False)
+    items += [f"contact {name}: {y} - {x} >= 0.1 with restitution = 0;" for x, y, name in contacts]
+    return "".join(items) + force
+
+
+ROW = [
+    Attack(
+        "pulled_by_time", model(in_a_row([1.0] * 3, "force if time < 1 then 1 else -1 on a;")), 2.0, PUSHED, ONE_OPENS
+    ),
+    Attack(
+        "pulled_by_a_saw",
+        model(in_a_row([1.0] * 3, "force 1 - 2*floor(time) on a;")),
+        1.999999,
+        {"der(b)": 1 / 3, "der(c)": 1 / 3},
+        ONE_OPENS,
+    ),
+    Attack(
+        "pulled_by_a_tick",
+        model(
+            in_a_row([1.0] * 3, "discrete Real u(start = 1); force u on a;"),
+            "when sample(1, 10) then u = -1; end when;",
+        ),
+        2.0,
+        PUSHED,
+        ONE_OPENS,
+    ),
+    Attack(
+        "pulled_by_its_place",
+        model(in_a_row([1.0] * 3, f"force if a > {1 / 6!r} then -1 else 1 on a;")),
+        1.25,
+        {"der(a)": 1 / 3 - 0.25, "der(b)": 1 / 3, "der(c)": 1 / 3},
+        ONE_OPENS,
+    ),
+    Attack(
+        "blow_without_a_force_afterwards",
+        model(in_a_row([1.0] * 3, "force 1e5*max(0, 1 - abs(time - 1)/1e-5) on a;")),
+        2.0,
+        {"der(a)": 1 / 3, "der(b)": 1 / 3, "der(c)": 1 / 3, "a": 1 / 3},
+        {("one", "opened"): 0, ("two", "opened"): 0},
+    ),
+    Attack(
+        "heavy_and_light",
+        model(in_a_row([1.0, 1e-6, 1e6, 1.0], "force if time < 1 then 1e6 else -1e6 on a;")),
+        1.5,
+        {"der(b)": 1e6 / (1e6 + 2.000001), "der(d)": 1e6 / (1e6 + 2.000001)},
+        {("one", "opened"): 1, ("two", "opened"): 0, ("three", "opened"): 0},
+    ),
+    Attack(
+        "pulled_from_both_ends",
+        model(in_a_row([1.0] * 3, "force if time < 1 then 1 else -1 on a;force if time < 1 then -1 else 1 on c;")),
+        2.0,
+        {"der(a)": -1.0, "der(b)": 0.0, "der(c)": 1.0},
+        {("one", "opened"): 1, ("two", "opened"): 1},
+    ),
+]
+
+
+@rows(ROW)
+def test_contacts_in_a_row(row: Attack, engine: str) -> None:
+    check(row, engine)
