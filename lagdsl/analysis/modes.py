@@ -82,7 +82,8 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
     if found.kind == "neither":
         first = ", ".join(f"{name} = {value:.3g}" for name, value in found.unbalanced[:3])
         sink.report("W0854", None, rates=first)
-    values, vectors = eigen(at.a)
+    turned = at if found.turning is None else found.turning.relative(at)
+    values, vectors = eigen(turned.a)
     layout = system.engine.layout
     return Modes(
         model=system.flat.name,

@@ -3,7 +3,8 @@
 The rule: a motion is steady if everything that influences anything keeps its value; what runs influences nothing but
 what runs itself. Coordinates of the minimal state without influence are found from zero columns of A, again and again
 without those found before: the travel of a wheel, then its heading. That they have no influence anywhere, nor the
-time, is tried at other values of them. A then is constant along the motion, and its eigenvalues decide.
+time, is tried at other values of them. A then is constant along the motion, and its eigenvalues decide. A body that
+turns steadily in a quaternion is judged in axes that move along with it (`turning.py`).
 Source of the notion (relative equilibria, ignorable coordinates): Routh, Advanced Rigid Dynamics, 6th ed., chapter III.
 """
 
@@ -17,12 +18,14 @@ import numpy as np
 
 from lagdsl.analysis.linearize import Reduced, reduce, state_names
 from lagdsl.analysis.point import Point, System
+from lagdsl.analysis.turning import Turning, in_chart, turnings
 from lagdsl.diagnostics import Sink
 from lagdsl.numerics.rank import Floats
 
 # Parts of the natural size per natural time that count as rest, and as the same derivative elsewhere.
 RESTS = 1e-9
 _SAME = 1e-7
+_TURN = 0.7
 _SHIFTS = (0.6180339887, -0.4142135623)
 _STEPS = 4
 
@@ -30,11 +33,13 @@ _STEPS = 4
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Steadiness:
     """`running` are names of what changes at a constant rate; `unbalanced` names what keeps a point from being steady,
-    with its rate of change in SI units."""
+    with its rate of change in SI units. `turning` is given where bodies turn steadily in quaternions: then A - X is
+    constant."""
 
     kind: Literal["equilibrium", "steady motion", "neither"]
     running: tuple[str, ...]
     unbalanced: tuple[tuple[str, float], ...]
+    turning: Turning | None = None
 
 
 def pace(a: Floats, speeds: Floats) -> float:
@@ -73,6 +78,23 @@ def without_influence(a: Floats, sizes: Floats, omega: float, candidates: Sequen
 
 def steadiness(system: System, at: Reduced) -> Steadiness:
     """Kind of the point `at`. `at` is reduced by the rows of position level alone."""
+    plain = _judged(system, at, None)
+    if plain.kind != "neither":
+        return plain
+    turned = (_judged(system, turning.relative(at), turning) for turning in turnings(system, at))
+    return next((found for found in turned if found.kind != "neither"), plain)
+
+
+def in_turning_axes(system: System, at: Reduced) -> Reduced:
+    """`at` with the matrix that is constant where bodies turn steadily in quaternions; `at` itself elsewhere."""
+    if next(turnings(system, at), None) is None:
+        return at
+    turning = steadiness(system, at).turning
+    return at if turning is None else turning.relative(at)
+
+
+def _judged(system: System, at: Reduced, turning: Turning | None) -> Steadiness:
+    """The kind of a point where `at` tells deviations from a steady rotation, if there is one."""
     sizes, omega = state_sizes(system, at)
     places = len(at.partition.position)
     first_state = places + len(at.partition.rate)
@@ -83,14 +105,17 @@ def steadiness(system: System, at: Reduced) -> Steadiness:
     moving = np.abs(at.value) / sizes / omega > RESTS
     unbalanced = [(_rate_name(names[i]), float(at.value[i])) for i in kept if moving[i]]
     if not unbalanced:
-        unbalanced = _elsewhere(system, at, sizes, omega, [i for i in idle if moving[i]], kept, names)
+        running_entries = [i for i in idle if moving[i]]
+        wrong = _elsewhere(system, at, turning, sizes, omega, running_entries, kept)
+        unbalanced = [(_rate_name(names[i]), rate) for i, rate in wrong]
     running = [names[i] for i in idle if moving[i]]
     speeds = np.abs(at.flow.point.qd) / at.partition.sizes / omega
     coordinates = [c.name for c in system.flat.coordinates]
     running += [n for n, speed in zip(coordinates, speeds, strict=True) if speed > RESTS and n not in running]
     if unbalanced:
         return Steadiness(kind="neither", running=tuple(running), unbalanced=tuple(unbalanced))
-    return Steadiness(kind="steady motion" if running else "equilibrium", running=tuple(running), unbalanced=())
+    kind: Literal["equilibrium", "steady motion"] = "steady motion" if running else "equilibrium"
+    return Steadiness(kind=kind, running=tuple(running), unbalanced=(), turning=turning)
 
 
 def _rate_name(name: str) -> str:
@@ -100,25 +125,46 @@ def _rate_name(name: str) -> str:
 def _elsewhere(
     system: System,
     at: Reduced,
+    turning: Turning | None,
     sizes: Floats,
     omega: float,
     running: Sequence[int],
     kept: Sequence[int],
-    names: Sequence[str],
-) -> list[tuple[str, float]]:
-    """Entries that change when the running entries and the time take other values."""
+) -> list[tuple[int, float]]:
+    """Entries that change when the running entries, the time and what turns take other values, with their rates."""
     for shift in _SHIFTS:
         other = _shifted(system, at, sizes, running, shift, abs(shift) / omega)
+        group = np.eye(len(at.flow.point.q))
+        if turning is not None and other is not None:
+            other, group = turning.turned(other, _TURN * shift / omega)
+            if not _holds(system, other, at):
+                return [(i, float(at.flow.point.qd[place])) for i, place in enumerate(at.partition.position[:1])]
         found = None if other is None else reduce(system, other, at.partition.held, Sink(), at.partition)
         if found is None:
             return []  # the chart ends there: nothing is known against it
+        if turning is not None:
+            found = turning.relative(found)
+        states = len(at.value)
+        along = at.along
+        moved = in_chart(at, along.q[:states] @ group.T, along.qd[:states] @ group.T, along.z[:states]).T
+        expected = moved @ at.a @ np.linalg.inv(moved)
         drift = np.abs(found.value[list(kept)]) / sizes[list(kept)] / omega
-        change = np.abs(found.a - at.a) * sizes / sizes[:, None] / omega
+        change = np.abs(found.a - expected) * sizes / sizes[:, None] / omega
         block = np.max(change[np.ix_(list(kept), list(kept))], axis=1, initial=0.0)
         wrong = [k for k in range(len(kept)) if drift[k] > _SAME or block[k] > _SAME]
         if wrong:
-            return [(_rate_name(names[kept[k]]), float(found.value[kept[k]])) for k in wrong]
+            return [(kept[k], float(found.value[kept[k]])) for k in wrong]
     return []
+
+
+def _holds(system: System, point: Point, at: Reduced) -> bool:
+    """True if the position rows hold at the point as at any other."""
+    rows = list(at.partition.held)
+    if not rows:
+        return True
+    phi, jacobian = system.engine.evaluate("position_constraint", *point.arguments)
+    sizes = np.linalg.norm(jacobian[rows] * at.partition.sizes, axis=1)
+    return bool(np.all(np.abs(phi[rows]) <= _SAME * sizes))
 
 
 def _shifted(

@@ -17,6 +17,7 @@ from lagdsl.analysis.eigen import Complexes, eigen
 from lagdsl.analysis.linearize import Named, reduce
 from lagdsl.analysis.modes import AXIS
 from lagdsl.analysis.point import Point, System
+from lagdsl.analysis.steady import in_turning_axes
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.numerics.rank import Floats
 
@@ -96,7 +97,7 @@ class _Spectrum:
             at = reduce(self.system, self.place(value), self.held, Sink())
         except CompilationFailed:
             return None
-        return None if at is None else eigen(at.a)[0]
+        return None if at is None else eigen(in_turning_axes(self.system, at).a)[0]
 
     def explain(self, value: float) -> None:
         """Raise what is wrong at `value`."""

@@ -12,6 +12,7 @@ from lagdsl.analysis.point import System
 from lagdsl.analysis.variation import Variation
 from lagdsl.cli.state_text import point_text, steadiness_text
 from lagdsl.cli.text_table import number, text_table
+from lagdsl.flat.display import Display
 
 _MOST_ENTRIES = 8
 _NEGLIGIBLE = 1e-9
@@ -69,31 +70,24 @@ def _phasor(value: complex) -> str:
     return f"{number(abs(value))} at {math.degrees(math.atan2(value.imag, value.real)):.4g} deg"
 
 
-def variation_text(found: Variation) -> str:
-    """Thresholds, then the intervals between them."""
-    unit = "" if found.varied.unit in ("", "1") else f" {found.varied.unit}"
+def variation_text(found: Variation, shown: Display) -> str:
+    """Thresholds, then the intervals between them; varied values in the unit `shown`."""
+    unit = f" {shown.unit}" if shown.unit else ""
     name = found.varied.name
-    first, last = float(found.values[0]), float(found.values[-1])
+    first, last = (shown(float(found.values[end])) for end in (0, -1))
     lines = [f"{found.model}: eigenvalues for {len(found.values)} values of {name} from {first:g} to {last:g}{unit}"]
     for each in found.thresholds:
         how = f"flutter at {number(each.frequency)} Hz" if each.kind == "flutter" else "divergence"
         side = "above" if each.unstable_above else "below"
-        lines.append(f"  threshold {name} = {each.value:.12g}{unit}: {how}, growing {side}")
+        lines.append(f"  threshold {name} = {shown(each.value):.12g}{unit}: {how}, growing {side}")
     if not found.thresholds:
         lines.append("  no eigenvalue crosses the imaginary axis")
     missing = sum(count < 0 for count in found.unstable)
     if missing:
         lines.append(f"  {missing} value(s) have no linearization")
-    rows = [_interval(found, *part) for part in _parts(found.unstable)]
-    return "\n".join(
-        [
-            *lines,
-            "",
-            text_table(
-                [f"{name}{f' [{unit.strip()}]' if unit else ''}", "growing modes", "fastest growth [1/s]"], rows
-            ),
-        ]
-    )
+    rows = [_interval(found, shown, *part) for part in _parts(found.unstable)]
+    head = [f"{name} [{shown.unit}]" if unit else name, "growing modes", "fastest growth [1/s]"]
+    return "\n".join([*lines, "", text_table(head, rows)])
 
 
 def _parts(counts: tuple[int, ...]) -> list[tuple[int, int]]:
@@ -102,8 +96,9 @@ def _parts(counts: tuple[int, ...]) -> list[tuple[int, int]]:
     return [(a, b - 1) for a, b in pairwise(edges)]
 
 
-def _interval(found: Variation, first: int, last: int) -> list[str]:
+def _interval(found: Variation, shown: Display, first: int, last: int) -> list[str]:
     values = found.eigenvalues[first : last + 1].real
     growth = float(np.nanmax(values, initial=0.0)) if found.unstable[first] > 0 else 0.0
     count = "no linearization" if found.unstable[first] < 0 else str(found.unstable[first])
-    return [f"{found.values[first]:g} to {found.values[last]:g}", count, number(growth) if growth > 0.0 else "-"]
+    limits = f"{shown(float(found.values[first])):g} to {shown(float(found.values[last])):g}"
+    return [limits, count, number(growth) if growth > 0.0 else "-"]

@@ -29,7 +29,22 @@ def steadiness_text(found: Steadiness) -> str:
         case "equilibrium":
             return "This is an equilibrium."
         case "steady motion":
-            return f"This is a steady motion; what runs has no influence: {', '.join(found.running)}."
+            return _steady_text(found)
         case "neither":
             left = ", ".join(f"{name} = {value:.4g}" for name, value in found.unbalanced[:4])
             return f"This is neither an equilibrium nor a steady motion: {left} (SI units)."
+
+
+def _steady_text(found: Steadiness) -> str:
+    names = () if found.turning is None else found.turning.names
+    running = [name for name in found.running if name.rpartition("[")[0] not in names]
+    parts = []
+    if found.turning is not None:
+        many = len(names) > 1
+        it = "them" if many else "it"
+        axes = f"that turn with {it}" if found.turning.with_body else f"that do not spin with {it}"
+        told = f"{'turn' if many else 'turns'} steadily, and modes are told in axes {axes}"
+        parts.append(f"{', '.join(f'`{name}`' for name in names)} {told}")
+    if running:
+        parts.append(f"what runs has no influence: {', '.join(running)}")
+    return f"This is a steady motion; {'; '.join(parts)}."

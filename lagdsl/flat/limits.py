@@ -1,4 +1,4 @@
-"""Limits of what events are told: restitutions, periods of clocks, stiffnesses. They may depend on parameters."""
+"""Limits of what parameters decide: all of it is finite; restitutions, periods of clocks, stiffnesses have bounds."""
 
 from __future__ import annotations
 
@@ -8,15 +8,16 @@ from collections.abc import Mapping
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.events import Limit
+from lagdsl.flat.finite import check_finite
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.spans import around, place
 
 
 def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -> None:
-    """E0334 for each limit that does not hold for these values of parameters; those left out have their defaults."""
-    if not flat.events.limits:
-        return
+    """E0334 for each limit that does not hold for these values of parameters, E0329 and E0506 for what they make
+    infinite or negative; those left out have their defaults."""
     evaluator = Evaluator(flat, Values(variables=parameters))
+    check_finite(flat, parameters, evaluator, sink)
     for limit in flat.events.limits:
         try:
             value = evaluator.scalar(limit.value)

@@ -76,6 +76,9 @@ class Input(Quantity):
     stated: bool = False
     smooth: int = 0
     derivative_of: str | None = None
+    nominal: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
 
 
 @record(kw_only=True)
@@ -97,6 +100,9 @@ class Output(Quantity):
     value: FlatExpression
     joint: str | None = None
     turning: bool = False
+    nominal: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
 
 
 @record(kw_only=True)

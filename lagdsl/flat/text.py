@@ -43,7 +43,7 @@ def flat_text(flat: fm.FlatModel) -> str:
     lines += _section("inputs", [_input(item) for item in flat.inputs])
     lines += _section("parameters", [_parameter(parameter) for parameter in flat.parameters])
     lines += _section("definitions", [_named(item) for item in flat.named])
-    lines += _section("outputs", [_quantity(output, text_of(output.value)) for output in flat.outputs])
+    lines += _section("outputs", [_output(output) for output in flat.outputs])
     for title, found in event_sections(flat.events):
         lines += _section(title, [_Line(text, source) for text, source in found])
     lines += _section("invariants", [_invariant(invariant) for invariant in flat.invariants])
@@ -174,7 +174,14 @@ def _input(item: fm.Input) -> _Line:
     default = f"default = {text_of(item.default)}{_displayed(item.default, item)}" if item.stated else "no default"
     if item.derivative_of is not None:
         default = f"derivative of {item.derivative_of}"
-    return _Line(f"{item.type_name} {item.name} [{_units(item)}], {default}{smooth}{_doc(item.doc)}", item)
+    limits = "".join(f", {bound}" for bound in _bounds(item.minimum, item.maximum, item.nominal))
+    text = f"{item.type_name} {item.name} [{_units(item)}], {default}{smooth}{limits}{_doc(item.doc)}"
+    return _Line(text, item)
+
+
+def _output(item: fm.Output) -> _Line:
+    limits = "".join(f", {bound}" for bound in _bounds(item.minimum, item.maximum, item.nominal))
+    return _quantity(item, f"{text_of(item.value)}{limits}")
 
 
 def _parameter(parameter: fm.Parameter) -> _Line:

@@ -7,6 +7,7 @@ from pathlib import Path
 from shutil import copyfile
 from tempfile import TemporaryDirectory
 
+from lagdsl.backends.reserved import report_renamed
 from lagdsl.diagnostics import Sink
 from lagdsl.fmi.capability_checks import refuse
 from lagdsl.fmi.contents import library_files, source_files, terminal_files, texts
@@ -64,6 +65,7 @@ def export(
     require_fmpy()
     refuse(compilation.flat, version, parameters or {}, own)
     own.raise_if_errors()
+    report_renamed(compilation.program.name, "c", own)
     exported = export_model(compilation, version, kinds, parameters or {}, start or {}, own, engine)
     description, sources = texts(exported)
     told(_WRITTEN)

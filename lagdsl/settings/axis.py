@@ -25,8 +25,8 @@ def values_of(target: Target, text: str, grid: Grid, sink: Sink) -> tuple[float,
     return tuple(each.value for each in given)
 
 
-def varied(flat: FlatModel, name: str, text: str, sink: Sink) -> tuple[str, tuple[float, ...]]:
-    """The name in the model, and the values of a range `0:0.1:3 N`, a list, or an interval `0:3 N`, in SI units.
+def varied(flat: FlatModel, name: str, text: str, sink: Sink) -> tuple[Target, tuple[float, ...]]:
+    """The target that `name` means, and the values of a range `0:0.1:3 N`, a list, or an interval `0:3 N`, in SI units.
     N0873 where a range may have been meant as from:to:count. Raises SettingError."""
     target = _varied_target(flat, name)
     whole = f"{name}={short(text)}"
@@ -40,7 +40,7 @@ def varied(flat: FlatModel, name: str, text: str, sink: Sink) -> tuple[str, tupl
         sink.report("N0873", None, what=whole, count=grid.count, other=other, number=parts[2][0])
     if len(set(values)) < len(values):
         raise SettingError(f"{whole}: the range is empty, or holds a value twice")
-    return target.key, values
+    return target, values
 
 
 def note_bare(target: Target, text: str, given: list[Literal], sink: Sink) -> None:

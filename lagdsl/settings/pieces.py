@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+# Exponents of three digits: with more, the exact fractions of ranges would fill the memory.
+NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3}(?!\d))?"
 QUANTITY = re.compile(rf"\s*({NUMBER})\s*(.*?)\s*")
 
 

@@ -173,13 +173,17 @@ def _function(
                 "E0817", None, name=_base(item.name), first=times[0], last=times[-1], start=span[0], stop=span[1]
             )
             return _Constant(0.0)
+        _check_bounds(item, values if order == 0 else values[:0], sink)
         return _of_table(item, source, (times, values), orders, breaks, sink)
     try:
         constant = float(cast(float, signal))
     except (TypeError, ValueError) as error:
         raise ValueError(f"input `{item.name}` must be {_KINDS}") from error
+    if not np.isfinite(constant):
+        raise ValueError(f"input `{item.name}` must be a finite number, not {constant:g}")
     if order == 0:
         _check_whole(item, np.array([constant]), sink)
+        _check_bounds(item, np.array([constant]), sink)
     return _Constant(constant if order == 0 else 0.0)
 
 
@@ -244,6 +248,19 @@ def _check_whole(item: Input, values: Floats, sink: Sink) -> None:
     odd = values[values != np.round(values)]
     if len(odd) and item.base in ("Integer", "Enumeration"):
         sink.report("E0845", item.spans[0] if item.spans else None, name=item.name, value=odd[0])
+
+
+def _check_bounds(item: Input, values: Floats, sink: Sink) -> None:
+    """W0328 for the value that is farthest outside of `min` or `max`."""
+    if not len(values):
+        return
+    unit = "" if item.unit == "1" else f" {item.unit}"
+    low, high = float(np.min(values)), float(np.max(values))
+    for which, value, limit in (("min", low, item.minimum), ("max", high, item.maximum)):
+        if limit is not None and (value < limit if which == "min" else value > limit):
+            place = item.spans[0] if item.spans else None
+            value_text, limit_text = f"{value:g}{unit}", f"{limit:g}{unit}"
+            sink.report("W0328", place, name=item.name, value=value_text, which=which, limit=limit_text)
 
 
 @record()

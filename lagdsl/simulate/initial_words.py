@@ -12,6 +12,7 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.program.program import Layout
 from lagdsl.runtime.run_view import Found, RunView
 from lagdsl.runtime.structures import InitialFault
+from lagdsl.simulate.contradictions import report_contradiction
 from lagdsl.structure.names import Located, configuration, located, place, seat, unit_suffix
 
 # Residuals, as a part of the row's size, above which a constraint is said to be left over (LAG_HOLDS).
@@ -20,8 +21,14 @@ _MOST_JOINTS = 6
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
 
-def report_no_start(flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink) -> None:
-    """E0801, E0802, E0803, E0815, E0816, E0831, E0837 or E0838, if there is no start."""
+def report_no_start(
+    flat: FlatModel, layout: Layout, run: RunView, t: float, found: Found, sink: Sink, *, searched: bool = True
+) -> None:
+    """E0801, E0802, E0803, E0815, E0816, E0831, E0837, E0838 or E0839, if there is no start; the last one only if it is
+    `searched` for."""
+    unmet = found.fault in (InitialFault.POSITIONS, InitialFault.RATES, InitialFault.EQUATIONS)
+    if searched and unmet and flat.initial_equations and report_contradiction(flat, layout, run, t, found, sink):
+        return
     match found.fault:
         case InitialFault.NONE:
             return
@@ -148,6 +155,7 @@ def _report_overdetermined(flat: FlatModel, found: Found, sink: Sink) -> None:
         "E0801",
         Label(spans[-1], _ordinal(len(fixed), fixed[-1])) if spans else None,
         *(Label(span, "fixed as well") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]),
+        *(Label(span, "holds at the start") for span in dict.fromkeys(map(place_of, flat.initial_equations)) if span),
         notes=(f"the mechanism has {degrees}, {can}; fixed are {', '.join(shown)}{more}",),
         excess=found.excess,
     )

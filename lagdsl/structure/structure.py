@@ -13,12 +13,14 @@ from lagdsl.program.program import Program
 from lagdsl.record import record
 from lagdsl.structure.constraints import report_impossible, report_inconsistent_rates
 from lagdsl.structure.count import Count, count, count_text
+from lagdsl.structure.degenerate import report_degenerate
 from lagdsl.structure.dependence import Dependence, dependence, report_dependence
 from lagdsl.structure.functions import ProgramFunctions
 from lagdsl.structure.inertia import report_massless
 from lagdsl.structure.names import contact_rows
 from lagdsl.structure.points import Functions, Geometry, Probe, geometry, probes
 from lagdsl.structure.rates import report_integrable, report_nonlinear
+from lagdsl.structure.rigid import report_rigid
 
 
 @record(kw_only=True)
@@ -90,11 +92,13 @@ def examine(flat: FlatModel, functions: Functions, sink: Sink) -> Examination:
     impossible = bool(flat.constraints) and report_impossible(flat, space, sink)
     points = [] if impossible else probes(flat, space, space.position_rows)
     found = dependence(space, points)
-    if flat.constraints and points:
+    wrong = not impossible and report_degenerate(flat, space, points, sink)
+    if flat.constraints and points and not wrong:
         wrong = report_nonlinear(flat, space, points, sink) or report_inconsistent_rates(flat, space, points, sink)
         if not wrong:
             report_dependence(flat, space, points, found, sink)
             report_integrable(flat, space, points, found.redundant, sink)
+            report_rigid(flat, found, sink)
     report_massless(flat, space, points, sink)
     holonomic = set(space.position_rows)
     kept = [row for row, redundant in enumerate(found.redundant) if not redundant]

@@ -16,6 +16,9 @@ from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.motion import MOST_STEPS
 from lagdsl.sweep.run import first_error
 
+# Of so many runs it is looked for what contradicts each other at the start, which takes as long as many runs.
+_MOST_SEARCHED = 8
+
 
 class FailureWords:
     """`told` has, by the number of a run, its message and the time of its end [s], None where it did not begin.
@@ -45,7 +48,8 @@ class FailureWords:
         flat, layout, run, t0, sink = self._flat, self._layout, failed.run, self._settings.t, Sink()
         if failed.found is not None:
             if not report_numbers(flat, failed.starts, self._inputs(row, t0), sink):
-                report_no_start(flat, layout, run, t0, failed.found, sink)
+                searched = len(self.told) < _MOST_SEARCHED
+                report_no_start(flat, layout, run, t0, failed.found, sink, searched=searched)
             return _message(first_error(sink.diagnostics)), None
         limit = self.wrong(run.p)
         if limit is not None:

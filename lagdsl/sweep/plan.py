@@ -83,7 +83,7 @@ def require_sound(plan: Plan) -> None:
 def require_few(runs: int) -> None:
     """Raise ValueError for more runs than a sweep may have."""
     if runs > LARGEST:
-        raise ValueError(f"the sweep has {runs:.6g} runs, at most {LARGEST} are possible")
+        raise ValueError(f"the sweep has {min(runs, 10**300):.6g} runs, at most {LARGEST} are possible")
 
 
 def settings(plan: Plan, index: int) -> dict[Target, dict[str, float]]:

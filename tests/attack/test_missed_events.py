@@ -126,6 +126,22 @@ OSCILLATORS = [
 ]
 
 
-@rows([*COUNTERS, *OSCILLATORS])
+# Thrown back by a clause, times become a geometric series: the model says nothing beyond its sum, where the run ends.
+THROWN_BACK = [
+    Attack(
+        f"bounces_of_{e}_by_a_clause",
+        model(
+            "coordinate Real h(start = 1); kinetic 1/2*der(h)^2; potential 9.81*h;",
+            f"when h < 0 then reinit(der(h), -{e}*pre(der(h))); end when;",
+        ),
+        3.0,
+        {"h": 0.0},
+        refused=("E0833",),
+    )
+    for e in (0.05, 0.2, 0.35, 0.6)
+]
+
+
+@rows([*COUNTERS, *OSCILLATORS, *THROWN_BACK])
 def test_missed_events(row: Attack, engine: str) -> None:
     check(row, engine)

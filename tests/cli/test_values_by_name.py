@@ -165,6 +165,11 @@ class TestUnits:
         assert {"time [s]", "theta [rad]", "der(theta) [rad/s]"} <= {*header}
         assert invoke(name, pendulum, *options, "--units").exit_code == 2
 
+    def test_a_varied_angle_is_shown_in_degrees(self, invoke: Invoke, two: Path) -> None:
+        result = invoke("modes", two, "--vary", "q[1].start=0:30:90 deg", "--input", "tau=0 N.m")
+        assert "4 values of q[1] from 0 to 90 deg" in result.stdout
+        assert "q[1] [deg]" in result.stdout
+
     def test_flat_and_check_tell_the_display_unit(self, invoke: Invoke, pendulum: Path) -> None:
         assert "Angle theta [rad, shown in deg], start = 1.047" in invoke("flat", pendulum).stdout
         shown = invoke("check", pendulum).stdout

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -35,7 +36,7 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
         return Report("hang", engine)
     if found.code == "E0834":  # two mechanisms drawn into each other
         return Report("same", "refused")
-    if found.code is not None:
+    if found.code not in (None, "E0833"):
         return Report("differs", f"ends with {found.code}")
     times = found.motion.time[:: max(1, len(found.motion.time) // 40)]
     try:
@@ -43,7 +44,25 @@ def compare(text: str, engine: EngineName, stop: float, known: Sequence[float] =
             oracle = motion(program_of(text), stop, np.unique(times), known, least)
     except HangError:
         return Report("hang", "oracle")
-    return _judged(found, finer, oracle, least)
+    if found.code is None:
+        return _judged(found, finer, oracle, least)
+    # Resets whose times are a geometric series: the model says nothing beyond its sum, and the run ends there.
+    if not _accumulate(oracle.instants, found.end):
+        return Report("differs", f"ends with E0833 at {found.end:.9g}")
+    return _judged(found, finer, _until(oracle, found.end - CROWDED), least)
+
+
+def _accumulate(instants: Sequence[float], end: float) -> bool:
+    """True if the last six times before the end become denser, so that what is left of them does not go beyond it."""
+    times = np.array([t for t in instants if t <= end])[-6:]
+    gaps = np.diff(times)
+    return len(gaps) == 5 and bool(np.all(np.diff(gaps) < 0)) and bool(end - times[-1] < gaps[-1])
+
+
+def _until(oracle: Motion, end: float) -> Motion:
+    count = int(np.searchsorted(oracle.times, end))
+    told = [each for each in oracle.told if each.time < end]
+    return replace(oracle, times=oracle.times[:count], states=oracle.states[:count], told=told)
 
 
 def _judged(found: Run, finer: Run, oracle: Motion, least: float) -> Report:

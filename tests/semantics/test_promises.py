@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import time
 
+import numpy as np
 import pytest
-from choice import chosen
+from choice import ALL
 from flattening import run
 
+from lagdsl.diagnostics import Sink
 from lagdsl.flat.evaluate import Evaluator, Values
+from lagdsl.semantics.scope import limits
+from lagdsl.semantics.wellformed.check import check as check_physics
+from lagdsl.signals.inputs import signals
 
 
 def errors(text: str) -> list[str]:
@@ -78,7 +83,15 @@ def test_a_number_is_not_called_an_angle() -> None:
     assert "angle" not in said and "at P" not in said
 
 
-@pytest.mark.parametrize("levels", chosen([5, 9, 60], [60]))
+@pytest.fixture
+def _few_components(monkeypatch: pytest.MonkeyPatch) -> None:
+    """`make check` meets a bound that is a tenth as high."""
+    if not ALL:
+        monkeypatch.setattr(limits, "MAX_COMPONENTS", limits.MAX_COMPONENTS // 10)
+
+
+@pytest.mark.usefixtures("_few_components")
+@pytest.mark.parametrize("levels", [5, 9, 60])
 def test_too_many_components_are_told_early(levels: int) -> None:
     classes = "".join(f"model L{k} L{k - 1} c[10]; end L{k};\n" for k in range(1, levels + 1))
     text = f"model L0 coordinate Length x; kinetic 1/2*(1 kg)*der(x)^2; end L0;\n{classes}model M L{levels} c; end M;"
@@ -87,6 +100,7 @@ def test_too_many_components_are_told_early(levels: int) -> None:
     assert time.process_time() - before < 30
 
 
+@pytest.mark.usefixtures("_few_components")
 def test_doubling_components_are_told_early() -> None:
     classes = "".join(f"model L{k} L{k - 1} a, b; end L{k};\n" for k in range(1, 40))
     text = f"model L0 coordinate Length x; kinetic 1/2*(1 kg)*der(x)^2; end L0;\n{classes}model M L39 c; end M;"
@@ -146,3 +160,57 @@ def test_members_of_arrays_of_components(output: str, expected: list[float]) -> 
 )
 def test_members_that_are_not_there(text: str, code: str) -> None:
     assert set(errors(f"{WHEELS} {text} end M;")) == {code}
+
+
+def test_empty_parentheses_modify_nothing() -> None:
+    """As in Modelica: `Weld j();`."""
+    text = """
+    model Slider parameter Real k() = 1; coordinate Length x(start() = 1 m); kinetic 1/2*k*(1 kg)*der(x)^2; end Slider;
+    model Other = Slider();
+    model M extends Slider(); Other s(x()), t(); end M;
+    """
+    flat, sink = run(text, model="M")
+    assert flat is not None and not sink.has_errors
+    assert [c.name for c in flat.coordinates] == ["x", "s.x", "t.x"]
+
+
+def test_limits_of_inputs_and_outputs() -> None:
+    """These were refused. Values out of bounds are told, and FMUs have them."""
+    text = """
+    model M
+      input Force u[2](each min = -1 N, max = {1 N, 2 N}, each nominal = 0.5 N);
+      coordinate Length x;
+      kinetic 1/2*(1 kg)*der(x)^2;
+      force u[1] + u[2] on x;
+      output Length y(min = 0 m, max = 3 m, nominal = 1 m) = x;
+    end M;"""
+    flat, sink = run(text, model="M")
+    assert flat is not None and not sink.diagnostics
+    assert [(i.minimum, i.maximum, i.nominal) for i in flat.inputs] == [(-1.0, 1.0, 0.5), (-1.0, 2.0, 0.5)]
+    (output,) = flat.outputs
+    assert (output.minimum, output.maximum, output.nominal) == (0.0, 3.0, 1.0)
+    for value, told in ((1.0, []), (5.0, ["W0328"]), (([0.0, 1.0], [0.0, -2.0]), ["W0328"])):
+        found = Sink()
+        signals(flat, np.zeros(2), {"u[1]": value}, (0.0, 1.0), found)
+        assert [each.code for each in found.diagnostics] == told
+    with pytest.raises(ValueError, match="finite"):
+        signals(flat, np.zeros(2), {"u[1]": float("nan")}, (0.0, 1.0), Sink())
+
+
+@pytest.mark.parametrize(
+    ("declaration", "code"),
+    [
+        ("input Force u(max = 1 N, start = 5 N);", "W0328"),
+        ("input Force u(min = 1 N);", "W0328"),
+        ("input Force u(min = 2 N, max = 1 N);", "E0517"),
+        ("input Force u; output Length y(min = 3 m, max = 2 m) = x;", "E0517"),
+        ("input Force u; output Length y(nominal = -1 m) = x;", "E0517"),
+        ("input Force u; output Length y(min = 1 s) = x;", "E0415"),
+    ],
+)
+def test_impossible_limits(declaration: str, code: str) -> None:
+    text = f"model M {declaration} coordinate Length x; kinetic 1/2*(1 kg)*der(x)^2; force u on x; end M;"
+    flat, sink = run(text, model="M")
+    if flat is not None:
+        check_physics(flat, sink)
+    assert code in {each.code for each in sink.diagnostics}

@@ -331,7 +331,7 @@ def test_equilibrium_that_fixed_values_exclude() -> None:
     x = length("x", 1.5, 4.0, nominal=1.0, fixed=True, rate_fixed=True)
     engine = Spring(flat_model([x], states=["z"], initial_equations=2))
     engine.start_z = (0.0,)
-    assert start(engine)[1] == ["E0801"]
+    assert start(engine)[1] == ["E0839"]
 
 
 def test_equilibrium_that_does_not_exist() -> None:

@@ -21,6 +21,8 @@ FROZEN = (
 )
 # As parts of the length of the run: how far ahead what is zero now is looked at, what counts as now.
 AHEAD, NOW = 1e-6, 1e-9
+# The same for what time alone decides, which is as exact as the time is: nothing may change in between.
+_TIME_AHEAD = 1e-10
 _ROUND_OFF = 1e-11
 _SCAN = 4000  # looks at what depends on time alone, in a run
 
@@ -126,7 +128,7 @@ class System:
         is as it is now."""
         w = s.w.copy()
         if self.timed:
-            w[self.timed] = self.timed_values(s, s.t + AHEAD * self.length)
+            w[self.timed] = self.timed_values(s, s.t + _TIME_AHEAD * self.length)
         s = replace(s, w=w)
         corners = self.functions.standing(self.point(self.later(s, b, AHEAD), self.solved(s, b)))
         if not self.relations:
@@ -151,7 +153,7 @@ class System:
         """When one of them changes next, up to round-off; `end` without."""
         if not self.timed:
             return end
-        low, step = s.t + AHEAD * self.length, self.length / _SCAN
+        low, step = s.t + _TIME_AHEAD * self.length, self.length / _SCAN
         now = self.timed_values(s, low)
         while low < end:
             high = min(low + step, end)

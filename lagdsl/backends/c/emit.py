@@ -11,6 +11,7 @@ from lagdsl.backends.c.lanes import states_source, tangents_source
 from lagdsl.backends.c.literal import number
 from lagdsl.backends.c.source import header, source, symbol
 from lagdsl.backends.identifier import identifier
+from lagdsl.backends.reserved import C_NAMES
 from lagdsl.backends.start import Start
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder, sources_in
@@ -21,15 +22,6 @@ PARTS: dict[str, Callable[[Program, str], str]] = {
     "parameter_tangents": partial(tangents_source, parameters=True),
 }
 
-# Names that the Makefile, the runtime, the examples, the headers of FMI or the devices of Windows have taken.
-_RESERVED = frozenset(
-    {
-        *("main", "realtime", "makefile", "lag", "freestanding", "all", "clean"),
-        *("fmi2functions", "fmi2functiontypes", "fmi2typesplatform"),
-        *("fmi3functions", "fmi3functiontypes", "fmi3platformtypes"),
-        *("con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(10))),
-    }
-)
 _EXAMPLES = ("main.c", "realtime.c")
 
 
@@ -60,7 +52,7 @@ class CBackend:
 
 def stem_of(program: Program) -> str:
     """Stem of the names of files and constants of the model: an identifier, and a file name everywhere."""
-    return identifier(program.name, _RESERVED)
+    return identifier(program.name, C_NAMES)
 
 
 def model_symbol(program: Program) -> str:

@@ -9,6 +9,7 @@ from lagdsl.backends.identifier import identifier
 from lagdsl.backends.python.body import body, body_name
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.backends.python.tables import tables
+from lagdsl.backends.reserved import PYTHON_NAMES
 from lagdsl.graph.operation import ARGUMENT_NAMES, Group
 from lagdsl.program.functions import ALONG_MANY
 from lagdsl.program.program import Function, Program
@@ -28,7 +29,6 @@ _PUBLIC = (
     "output_jacobian",
 )
 _DROPPED = ("import ", "from ", "Floats = ", "Flags = ", "Evaluate = ")
-_RESERVED = frozenset({"numpy", "scipy", "setup", "conftest"})
 
 _INTRODUCTION = '''"""Equations of motion of one model, generated. Needs NumPy only.
 
@@ -45,7 +45,7 @@ class PythonBackend:
     name = "numpy"
 
     def emit(self, program: Program) -> Artifact:
-        return Artifact({f"{identifier(program.name, _RESERVED)}.py": module(program)})
+        return Artifact({f"{identifier(program.name, PYTHON_NAMES)}.py": module(program)})
 
 
 def module(program: Program) -> str:

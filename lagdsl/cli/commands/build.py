@@ -58,11 +58,12 @@ def command(
     compilation = compile_flat(flat, sink, derivation) if flat is not None else None
     if compilation is None:
         leave_with_errors(sink.diagnostics, style)
-    tell(sink.diagnostics, style)
-
     from lagdsl.backends.c.emit import CBackend
     from lagdsl.backends.registry import BACKENDS
+    from lagdsl.backends.reserved import report_renamed
 
+    report_renamed(compilation.program.name, "c" if target == "c" else "python", sink)
+    tell(sink.diagnostics, style)
     backend = CBackend(batch=batch, start=_start(compilation)) if target == "c" else BACKENDS[target]
     artifact = backend.emit(compilation.program)
     for name, text in artifact.files.items():

@@ -40,10 +40,12 @@ def command(options: Options, assignment: str | None, picture: Path | None) -> N
         found = asked.ask(modes)
         finish(asked, modes_text(asked.system, found), _modes_data(found), _modes_table(found))
     else:
-        ((given, text),) = split([assignment]).items()
-        name, values = varied(asked.system.flat, given, text, asked.sink)
-        found_over = asked.ask(lambda system, at, sink: vary(system, at, name, np.array(values), sink))
-        finish(asked, variation_text(found_over), _variation_data(found_over), _variation_table(found_over))
+        ((name, grid),) = split([assignment]).items()
+        target, values = varied(asked.system.flat, name, grid, asked.sink)
+        found_over = asked.ask(lambda system, at, sink: vary(system, at, target.key, np.array(values), sink))
+        finish(
+            asked, variation_text(found_over, target.display), _variation_data(found_over), _variation_table(found_over)
+        )
     if picture is not None:
         from lagdsl.plot.modes import plot_modes, plot_variation
 

@@ -36,4 +36,19 @@ ROWS: dict[str, Row] = {
         "a singular position of the mechanism",
         "the motion is not unique there; the simulation takes the branch of the smallest accelerations",
     ),
+    "E0609": error(
+        "the gradient of `{name}` {fault}, so no force can enforce it",
+        "restricts the motion, and determines no direction of its force",
+        "write the condition itself, not its square, its absolute value or a length: `x = l`, not `(x - l)^2 = 0`",
+    ),
+    "E0610": error(
+        "{subject} only touch: where they hold together, they do not determine their forces",
+        "the mechanism cannot move there, and its tangents say that it can",
+        "change a length or a position, so that it moves; or fix the coordinates by conditions of their own",
+    ),
+    "N0611": note(
+        "nothing can move: {independent} leave no degree of freedom",
+        "the last of them",
+        "this is correct for a structure whose reactions are sought; else delete the constraints that are too many",
+    ),
 }

@@ -33,4 +33,8 @@ ROWS: dict[str, Row] = {
         "the finished FMU does not run, so it was not written: {reason}",
         help="check that `lag run` works from the same start values",
     ),
+    "N0910": note(
+        "the files and constants of `{name}` are named `{stem}`: {reason}",
+        help="rename the model to have files of its name",
+    ),
 }

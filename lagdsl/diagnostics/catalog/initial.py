@@ -192,6 +192,11 @@ ROWS: dict[str, Row] = {
         "solved for at initialization",
         "check the initial equations, or give a guess closer to the solution you mean",
     ),
+    "E0839": error(
+        "the initial state is over-determined: {last} contradicts {others}",
+        "no state was found that satisfies them together",
+        "delete one of them; without `fixed = true` a start is a guess",
+    ),
     "E0845": error(
         "input `{name}` takes whole numbers, not {value}",
         "whole numbers only",

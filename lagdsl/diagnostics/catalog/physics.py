@@ -109,4 +109,14 @@ ROWS: dict[str, Row] = {
         label="the kinetic energy depends on it",
         help="write `reinit(der(q), ...)` in the same clause to set the velocity",
     ),
+    "W0522": warning(
+        "{subject} is negative: {value}",
+        label="drives the motion instead of damping it",
+        help="check the sign; write a force or torque in the direction of the motion as a load",
+    ),
+    "N0523": note(
+        "this `{keyword}` has neither mass nor inertia with the given parameters",
+        label="adds nothing to the equations of motion",
+        help="this is correct for a link whose mass is neglected",
+    ),
 }

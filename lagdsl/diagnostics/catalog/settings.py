@@ -20,6 +20,8 @@ ROWS: dict[str, Row] = {
     ),
     "E0874": error(
         "no {what} `{name}`; {hint}",
+        None,
+        "the names stand in model.parameters, model.coordinates, model.states and model.inputs",
     ),
     "N0875": note(
         "no value is given for {names}: {zero}",

@@ -104,6 +104,12 @@ ROWS: dict[str, Row] = {
         label="out of bounds",
         help="choose a value within the bounds, or change the bounds",
     ),
+    "E0329": error(
+        "{subject} has no finite value{conditions}",
+        label="infinite, or not a number",
+        help="change the parameters that it is made of, or choose another expression where they are zero: "
+        "`if k > 0 then 1/k else 0`",
+    ),
     "E0330": error(
         "the condition of {what} must be known when the model is compiled",
         label="depends on a parameter",

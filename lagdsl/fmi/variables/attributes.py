@@ -6,7 +6,7 @@ import math
 from typing import TypedDict
 
 from lagdsl.flat.events import Discrete
-from lagdsl.flat.model import Coordinate, Parameter, State
+from lagdsl.flat.model import Coordinate, Input, Output, Parameter, State
 from lagdsl.flat.quantity import Base, Quantity
 from lagdsl.fmi.variables.scalar import Attributes, Role, Type
 from lagdsl.units.dimension import TIME
@@ -44,7 +44,7 @@ def attributes_of(item: Quantity, role: Role) -> Attributes:
     )
 
 
-def bounds(item: Parameter | Coordinate | State | Discrete, start: float | None) -> Bounds:
+def bounds(item: Parameter | Coordinate | State | Discrete | Input | Output, start: float | None) -> Bounds:
     """The finite bounds that contain the start value: the standard permits no others."""
     low, high = item.minimum, item.maximum
     if low is not None and (not math.isfinite(low) or (start is not None and not low <= start)):

@@ -67,6 +67,7 @@ def inputs(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
         attributes = replace(attributes_of(item, Role.INPUT), causality="input", setting="ALWAYS")
         if item.derivative_of is not None:  # of another type than the input itself
             attributes = replace(attributes, type_name=None, doc=f"time derivative of {item.derivative_of}")
+        attributes = replace(attributes, **bounds(item, float(value)), nominal=item.nominal)
         yield Scalar(
             name=named(item.name), first=index, attributes=attributes, initial=None, start=value, key=attributes
         )
@@ -129,6 +130,8 @@ def _computed(
     if item.base != "Real" and variability == "continuous":
         variability = "discrete"
     attributes = replace(attributes_of(item, role), causality=causality, variability=variability)
+    if isinstance(item, Output):
+        attributes = replace(attributes, **bounds(item, None), nominal=item.nominal)
     return Scalar(
         name=named(item.name),
         first=index,

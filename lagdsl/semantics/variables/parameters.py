@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from itertools import product as cartesian
 
 from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
+from lagdsl.flat.finite import is_unbounded
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
@@ -91,6 +93,8 @@ def _element(
         return Scalar(flat.Variable(name), dimension, variability, Order.STILL, value.kind)
     try:
         number = evaluate(value.expression)
+        if math.isinf(number) and not is_unbounded(value.expression):
+            raise NoValue("the number is too large")
     except NoValue as fault:
         place = next(iter(symbol.given.bindings.values())).node.span if symbol.given.bindings else symbol.span
         ctx.sink.report("E0323", place, reason=str(fault))

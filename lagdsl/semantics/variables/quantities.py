@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Literal, cast
+from typing import Literal, TypedDict, cast
 
 from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
@@ -227,10 +227,11 @@ def inputs(ctx: Context, symbol: Symbol) -> list[flat_model.Input]:
     stated = bool(defaults or start)
     smooth = smoothness(ctx, symbol)
     sign = attributes.text(ctx, found.get("symbol"))
+    limits = _limits(ctx, found, dimension, shape)
     result = []
     for k, indices in enumerate(every(shape)):
         fields = quantity_fields(symbol, indices, sign)
-        result.append(flat_model.Input(**fields, default=values[k], smooth=smooth, stated=stated))
+        result.append(flat_model.Input(**fields, **limits[k], default=values[k], smooth=smooth, stated=stated))
         for level in range(1, smooth + 1):
             rate = quantity_fields(symbol, indices, None)
             base = rate["name"]
@@ -284,9 +285,28 @@ def outputs(ctx: Context, symbol: Symbol) -> list[flat_model.Output]:
         return []
     result = []
     sign = attributes.sign_of(ctx, symbol)
-    for indices in every(shape):
+    found = attributes.attributes(ctx, symbol)
+    limits = None
+    for k, indices in enumerate(every(shape)):
         value = ctx.resolver.element(ctx, symbol, indices, symbol.span)
         if isinstance(value, Scalar):
             fields = quantity_fields(symbol, indices, sign, value.dimension)
-            result.append(flat_model.Output(**fields, value=value.expression))
+            limits = _limits(ctx, found, fields["dimension"], shape) if limits is None else limits
+            result.append(flat_model.Output(**fields, **limits[k], value=value.expression))
     return result
+
+
+class _Limits(TypedDict):
+    nominal: float | None
+    minimum: float | None
+    maximum: float | None
+
+
+def _limits(ctx: Context, found: dict[str, Attribute], dimension: Dimension, shape: tuple[int, ...]) -> list[_Limits]:
+    """`nominal`, `min` and `max` of each element."""
+    numbers = (
+        attributes.numbers(ctx, found.get(name), f"`{name}`", dimension, shape) for name in ("nominal", "min", "max")
+    )
+    return [
+        {"nominal": nominal, "minimum": least, "maximum": most} for nominal, least, most in zip(*numbers, strict=True)
+    ]

@@ -1,17 +1,22 @@
-"""W0328, E0517: `min`, `max`, `nominal` and the start values of coordinates and states."""
+"""W0328, E0517: `min`, `max`, `nominal` and the start values of coordinates, states and inputs."""
 
 from __future__ import annotations
+
+from typing import TypeAlias
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat import model as fm
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.spans import around, place
+
+_Bounded: TypeAlias = fm.Coordinate | fm.State | fm.Input | fm.Output
 
 
 def check_bounds(flat: fm.FlatModel, sink: Sink) -> None:
     """E0517 for bounds that leave no value and sizes that are none, W0328 for a start value out of bounds."""
     evaluator = Evaluator(flat, Values())
-    items: tuple[fm.Coordinate | fm.State, ...] = (*flat.coordinates, *flat.states)
+    items: tuple[_Bounded, ...] = (*flat.coordinates, *flat.states, *flat.inputs, *flat.outputs)
     for item in items:
         low, high = item.minimum, item.maximum
         if low is not None and high is not None and low > high:
@@ -25,13 +30,17 @@ def check_bounds(flat: fm.FlatModel, sink: Sink) -> None:
         elif item.nominal is not None and not 0.0 < item.nominal < float("inf"):
             reason = f"its nominal size must be positive and finite, found {item.nominal:g}"
             sink.report("E0517", place(item), *around(item), name=item.name, reason=reason)
-        elif item.start_explicit:
-            _check_start(item, evaluator, sink)
+        elif isinstance(item, fm.Input):
+            _check_start(item, item.default, evaluator, sink)
+        elif not isinstance(item, fm.Output) and item.start_explicit:
+            _check_start(item, item.start, evaluator, sink)
 
 
-def _check_start(item: fm.Coordinate | fm.State, evaluator: Evaluator, sink: Sink) -> None:
+def _check_start(
+    item: fm.Coordinate | fm.State | fm.Input, value_: FlatExpression, evaluator: Evaluator, sink: Sink
+) -> None:
     try:
-        start = evaluator.scalar(item.start)
+        start = evaluator.scalar(value_)
     except NotEvaluable:
         return
     for limit, outside, word in (

@@ -1,4 +1,4 @@
-"""E0502, E0504, E0512, W0514, W0518: the form of hand-written energies."""
+"""E0502, E0504, E0512, W0514, W0518, W0522: the form of hand-written energies."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.probe import ProbeState, probes
 from lagdsl.flat.spans import around, place
+from lagdsl.semantics.wellformed.damping import check_damping
 
 _POINTS = 6
 # Through zero for abs(v); on one side of it for what is defined there only.
@@ -41,6 +42,8 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
             _check_effect(term, orders, sink)
     if not sink.has_errors:
         _check_sign(flat, trials, sink)
+        if not check_damping(flat, sink):
+            _check_dissipation(flat, trials, sink)
 
 
 class _Trials:
@@ -81,6 +84,22 @@ def _check_sign(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
         if sum(parts) < -1e-9 * max(map(abs, parts)):
             worst = min(zip(parts, terms, strict=True), key=lambda pair: pair[0])[1]
             sink.report("W0518", place(worst), *around(worst))
+            return
+
+
+def _check_dissipation(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
+    """W0522 where the dissipation functions together are negative for some rates."""
+    terms = [term for term in flat.energies if term.kind == "dissipation"]
+    for moment in range(_POINTS if terms else 0):
+        try:
+            parts = [trials.value(term, moment, 1.0) for term in terms]
+        except NotEvaluable:
+            return
+        if sum(parts) < -1e-9 * max(map(abs, parts)):
+            worst, term = min(zip(parts, terms, strict=True), key=lambda pair: pair[0])
+            sink.report(
+                "W0522", place(term), *around(term), subject="dissipation", value=f"{worst:.3g} W for some rates"
+            )
             return
 
 

@@ -1,4 +1,4 @@
-"""E0505, E0506, E0509: masses and inertias must be possible."""
+"""E0505, E0506, E0509, W0514, N0523: masses and inertias must be possible."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from lagdsl.flat.spans import around, place
 from lagdsl.record import record
 
 _MOMENTS = ("Ixx", "Iyy", "Izz")
+_GIVE = "give it a mass or an inertia, or delete it"
 _SLACK = 1e-9  # a thin disc lies on the boundary, up to rounding
 
 
@@ -24,6 +25,7 @@ def check_inertias(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
     for mass in flat.masses:
         if checks.constant(mass, "mass", mass.mass):
             checks.not_negative(mass, "mass", mass.mass, "kg")
+            checks.not_nothing(mass, "mass", (mass.mass,))
     for body in flat.bodies:
         checks.body(body)
 
@@ -48,6 +50,7 @@ class _Checks:
             sound = [self.not_negative(body, what, value, unit) for what, value, unit in parts]
             if all(sound):
                 self._triangle(body)
+                self.not_nothing(body, "body", (body.mass, *body.inertia))
 
     def constant(self, item: Item, what: str, value: fx.FlatExpression) -> bool:
         """E0505 unless the value is built from parameters."""
@@ -61,6 +64,14 @@ class _Checks:
         if number < 0.0:
             self.sink.report("E0506", place(item), *around(item), what=what, value=f"{number:.6g}", unit=unit)
         return not number < 0.0
+
+    def not_nothing(self, item: Item, keyword: str, values: tuple[fx.FlatExpression, ...]) -> None:
+        """W0514 where all of them are written as zero, N0523 where the parameters make them zero."""
+        if all(value == fx.ZERO for value in values):
+            reason = "it has neither mass nor inertia"
+            self.sink.report("W0514", place(item), *around(item), keyword=keyword, reason=reason, help=_GIVE)
+        elif all(self.moment.scalar(value) == 0.0 for value in values):
+            self.sink.report("N0523", place(item), *around(item), keyword=keyword)
 
     def _triangle(self, body: fm.RigidBody) -> None:
         """E0509 for the three moments as given, else for the principal ones.

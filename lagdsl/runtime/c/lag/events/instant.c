@@ -14,6 +14,9 @@ static const double ULPS = 4096.0;
 /* So many intervals in a row, each shorter than the one before, down to this part of the first, */
 enum { MANY = 20, SAME = 100 };
 static const double PART = 1e-6;
+/* or so many ratios of them in a row that differ by less than this part: bounces by resets that lose much are over after fewer; */
+enum { REGULAR = 3 };
+static const double ALIKE = 0.1;
 /* or so many events at times that are the same but for round-off. */
 static const double ROUNDING = 1e-14;
 
@@ -51,6 +54,9 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
 static int crowds(lag_crowd *crowd, double t, int relations)
 {
     const double interval = t - crowd->last;
+    const double ratio = interval / crowd->interval;
+    crowd->regular = relations && fabs(ratio - crowd->ratio) <= ALIKE * crowd->ratio ? crowd->regular + 1 : 0;
+    crowd->ratio = ratio;
     if (relations && crowd->interval < (double)INFINITY && interval < crowd->interval) {
         ++crowd->shrinking;
     } else {
@@ -60,7 +66,8 @@ static int crowds(lag_crowd *crowd, double t, int relations)
     crowd->still = interval <= ROUNDING * fabs(t) ? crowd->still + 1 : 0;
     crowd->last = t;
     crowd->interval = interval;
-    return (crowd->shrinking > MANY && interval < PART * crowd->first) || crowd->still > SAME;
+    const int many = crowd->shrinking > MANY || (crowd->regular >= REGULAR && crowd->shrinking > REGULAR);
+    return (many && interval < PART * crowd->first) || crowd->still > SAME;
 }
 
 /* ---- clocks ---- */

@@ -11,11 +11,6 @@
 /* Up to this residual, as a part of the rows' sizes, the start values are not moved. */
 static const double THERE = 1e-15;
 
-static size_t larger(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
-
 enum { SAMPLES = 3 };
 
 /* ---- positions ---- */
@@ -27,20 +22,11 @@ typedef struct positions {
     double *base;  /* (nq) where they begin */
 } positions;
 
-static size_t count_rows(const lag_model *model)
-{
-    size_t rows = 0;
-    for (size_t i = 0; i < model->nc; ++i) {
-        rows += model->position_level[i] != 0;
-    }
-    return rows;
-}
-
 size_t lag_initialization_q_memory(const lag_model *model)
 {
-    const size_t m = count_rows(model);
+    const size_t m = lag_initialization_rows(model);
     const size_t n = model->nq;
-    return 2 * n + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
+    return 2 * n + m * n + n + LAG_NEAREST_OTHERS * n + lag_parts_memory(m, n) + lag_larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
 }
 
 /* True if initial equations determine coordinates of a row. */
@@ -200,10 +186,10 @@ void lag_initialization_find_q(lag_initialization *b, double *x)
 
 size_t lag_initial_memory(const lag_model *model)
 {
-    const size_t q = larger(lag_initialization_q_memory(model), lag_initialization_qd_memory(model));
+    const size_t q = lag_larger(lag_initialization_q_memory(model), lag_initialization_qd_memory(model));
     const size_t all = model->ne > 0 ? lag_initialization_all_memory(model) : 0;
-    const size_t ranks = larger(lag_initialization_rank_memory(model), model->nc * model->nq + lag_svd_memory(model->nc, model->nq));
-    return model->nc + model->ne == 0 ? 0 : lag_initialization_memory(model) + larger(larger(q, all), ranks);
+    const size_t ranks = lag_larger(lag_initialization_rank_memory(model), model->nc * model->nq + lag_svd_memory(model->nc, model->nq));
+    return model->nc + model->ne == 0 ? 0 : lag_initialization_memory(model) + lag_larger(lag_larger(q, all), ranks);
 }
 
 static size_t first_wrong(size_t count, const double *x)

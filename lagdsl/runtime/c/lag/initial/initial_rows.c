@@ -13,11 +13,7 @@ enum { POINTS = 3 };
 
 static size_t count_rows(const lag_model *model)
 {
-    size_t rows = model->nc + model->ne;
-    for (size_t i = 0; i < model->nc; ++i) {
-        rows += model->position_level[i] != 0;
-    }
-    return rows;
+    return lag_initialization_rows(model) + model->nc + model->ne;
 }
 
 size_t lag_joint_memory(const lag_model *model)

@@ -22,21 +22,25 @@ enum { SIZED_AT = 9 };
 /* The coordinates that a row depends on, if the model does not tell them, are determined at this many points. */
 enum { LOOKED_AT = 3 };
 
-static size_t numbers(const lag_model *model)
+size_t lag_initialization_rows(const lag_model *model)
 {
-    return lag_motion_size(model);
+    size_t rows = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        rows += model->position_level[i] != 0;
+    }
+    return rows;
 }
 
 size_t lag_initialization_memory(const lag_model *model)
 {
-    return 5 * numbers(model) + 3 * model->nc + model->nc * model->nq + 2 * model->nq + model->nz + model->nu + model->nw + model->nq +
+    return 5 * lag_motion_size(model) + 3 * model->nc + model->nc * model->nq + 2 * model->nq + model->nz + model->nu + model->nw + model->nq +
            model->nc + SIZED_AT * model->nc + model->nc * model->nq;
 }
 
 void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *memory)
 {
     const lag_model *model = motion->model;
-    const size_t size = numbers(model);
+    const size_t size = lag_motion_size(model);
     memset(b, 0, sizeof *b);
     b->motion = motion;
     b->row = lag_take(&memory, model->nc);
@@ -183,7 +187,7 @@ static void find_sizes(lag_initialization *b, const double *q)
         b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : b->sizes[i];
         b->sizes[n + i] = b->sizes[i];
     }
-    for (size_t i = 2 * n; i < numbers(model) && nominal != NULL; ++i) {
+    for (size_t i = 2 * n; i < lag_motion_size(model) && nominal != NULL; ++i) {
         b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : 1.0;
     }
 }
@@ -247,7 +251,7 @@ static void find_row_sizes(lag_initialization *b, const double *q)
 static void find_widths(lag_initialization *b, const unsigned char *set)
 {
     const lag_start *start = b->start;
-    for (size_t i = 0; i < numbers(b->motion->model); ++i) {
+    for (size_t i = 0; i < lag_motion_size(b->motion->model); ++i) {
         const int written = (start != NULL && start->written != NULL && start->written[i]) || (set != NULL && set[i]);
         b->written[i] = written;
         b->fixed[i] = start != NULL && start->fixed != NULL && start->fixed[i];
@@ -306,7 +310,7 @@ lag_status lag_initialization_at(lag_initialization *b, const lag_start *start, 
     b->t = t;
     lag_fill(n + model->nc, 0.0, b->still);
     lag_motion_look(motion, t, x); /* and the inputs of the motion, which stay */
-    memcpy(b->x, x, numbers(model) * sizeof(double));
+    memcpy(b->x, x, lag_motion_size(model) * sizeof(double));
     lag_status status = model->start(&motion->at, own, own + n, own + 2 * n, b->u);
     if (status != LAG_OK) {
         return status;

@@ -30,6 +30,9 @@ typedef struct lag_initialization {
     lag_initial told;
 } lag_initialization;
 
+/* Rows of position level. */
+size_t lag_initialization_rows(const lag_model *model);
+
 /* Doubles without `memory`. */
 size_t lag_initialization_memory(const lag_model *model);
 void lag_initialization_place(lag_initialization *b, lag_motion *motion, double *memory);

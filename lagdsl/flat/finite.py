@@ -1,0 +1,107 @@
+"""Quantities that the parameters alone decide have finite values, whatever the parameters are.
+
+The constant `inf` is a bound that is none; what is made of it may be infinite, but no mass, inertia or gravity is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat import expression as fx
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable
+from lagdsl.flat.model import Definition, FlatModel
+from lagdsl.flat.quantity import Item, Variability
+from lagdsl.flat.spans import around, place
+from lagdsl.flat.traversal import operands, postorder
+
+_STEADY = (Variability.CONSTANT, Variability.STRUCTURAL, Variability.PARAMETER)
+_MOST_SHOWN = 4
+_LEAVES = (fx.Variable, fx.Number)
+_WEIGHTS = {"mass": "kg", "moment of inertia": "kg.m2", "product of inertia": "kg.m2"}
+_MOMENTS = 3
+
+
+def is_unbounded(value: fx.FlatExpression) -> bool:
+    """True if the constant `inf` stands in it."""
+    return any(isinstance(node, fx.Number) and math.isinf(node.value) for node in postorder(value, {}))
+
+
+def check_finite(flat: FlatModel, parameters: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
+    """E0329 for each dependent parameter, mass, inertia and gravity that is infinite or no number, E0506 for a mass
+    that values other than the defaults make negative."""
+    values = {parameter.name: parameter.value for parameter in flat.parameters} | dict(parameters)
+    units = {parameter.name: "" if parameter.unit == "1" else f" {parameter.unit}" for parameter in flat.parameters}
+    told: set[str] = set()
+    unbounded = {name for name, value in values.items() if math.isinf(value)}
+    if not parameters:  # those that are found with the start have guesses only
+        unbounded |= {parameter.name for parameter in flat.parameters if parameter.free}
+    for item, subject, value in _decided(flat, values):
+        names = dict.fromkeys(node.name for node in postorder(value, {}) if isinstance(node, fx.Variable))
+        known = told if not told.isdisjoint(names) else None
+        if subject not in _WEIGHTS and (not unbounded.isdisjoint(names) or is_unbounded(value)):
+            known = unbounded
+        number = 0.0 if known is not None else _number(evaluator, value)
+        if not math.isfinite(number):
+            shown = [f"{name} = {values[name]:g}{units[name]}" for name in names if name in values]
+            sink.report("E0329", place(item), *around(item), subject=subject, conditions=_conditions(shown))
+            known = told
+        elif parameters and number < 0.0 and subject in _WEIGHTS and not subject.startswith("product"):
+            sink.report(
+                "E0506", place(item), *around(item), what=subject, value=f"{number:.6g}", unit=_WEIGHTS[subject]
+            )
+        if known is not None and isinstance(item, Definition):
+            known.add(item.name)
+    _check_gravity(flat, values, evaluator, sink)
+
+
+def _number(evaluator: Evaluator, value: fx.FlatExpression) -> float:
+    try:
+        return evaluator.scalar(value)
+    except NotEvaluable:
+        return 0.0
+
+
+def _conditions(shown: list[str]) -> str:
+    return f" with {' and '.join(shown[:_MOST_SHOWN])}" if shown else ""
+
+
+def _decided(flat: FlatModel, values: Mapping[str, float]) -> Iterator[tuple[Item, str, fx.FlatExpression]]:
+    """What parameters alone decide, definitions first, each after those that it needs."""
+    steady = set(values)
+    for item in flat.named:
+        if isinstance(item, Definition) and item.variability in _STEADY:
+            steady.add(item.name)
+            yield item, f"`{item.name}`", item.value
+    for mass in flat.masses:
+        if _is_steady(mass.mass, steady):
+            yield mass, "mass", mass.mass
+    for body in flat.bodies:
+        if _is_steady(body.mass, steady):
+            yield body, "mass", body.mass
+        for index, moment in enumerate(body.inertia):
+            if _is_steady(moment, steady):
+                yield body, "moment of inertia" if index < _MOMENTS else "product of inertia", moment
+
+
+def _is_steady(value: fx.FlatExpression, steady: set[str]) -> bool:
+    leaves = (node for node in postorder(value, {}) if not operands(node))
+    return all(
+        isinstance(node, fx.Number) or (isinstance(node, fx.Variable) and node.name in steady) for node in leaves
+    )
+
+
+def _check_gravity(flat: FlatModel, values: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
+    """Where its vector is made of independent parameters and axes."""
+    if flat.gravity is None or sink.has_errors:
+        return
+    leaves = [node for node in postorder(flat.gravity, {}) if not operands(node)]
+    names = dict.fromkeys(leaf.name for leaf in leaves if isinstance(leaf, fx.Variable))
+    others = [leaf for leaf in leaves if not isinstance(leaf, (*_LEAVES, fx.FrameAxis))]
+    if others or not names.keys() <= values.keys() or np.all(np.isfinite(evaluator.vector(flat.gravity))):
+        return
+    shown = [f"{name} = {values[name]:g}" for name in names]
+    sink.report("E0329", flat.gravity_span, subject="gravity", conditions=_conditions(shown))

@@ -1,0 +1,145 @@
+"""Constraints whose gradient vanishes, jumps or does not exist where they hold; constraints that touch; structures."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagdsl.diagnostics import Diagnostic
+from lagdsl.pipeline import check
+from lagdsl.source import SourceFile
+
+_MODEL = """
+model M
+  parameter Length l = 1 m, r = 0.5 m;
+  coordinate Length x(start = {x} m), y(start = {y} m), z;
+  coordinate Angle a(start = {a} rad);
+  gravity = -g_n*world.z;
+  mass 1 kg at {{x, y, z}};
+  mass 1 kg at {{l*sin(a), 2*r, -l*cos(a)}};
+  {constraints}
+end M;
+"""
+
+
+def told(constraints: str, x: float = 0.0, y: float = 0.0, a: float = 0.0) -> dict[str, Diagnostic]:
+    text = _MODEL.format(constraints=constraints, x=x, y=y, a=a)
+    found, _ = check(SourceFile("M.lag", text))
+    return {each.code: each for each in found}
+
+
+@pytest.mark.parametrize(
+    ("condition", "start", "rewrite"),
+    [
+        ("(x - l)^2 = 0", (1.0, 0.0, 0.0), "`x = l`"),
+        ("(x - l)^2 = 0", (1.5, 0.0, 0.0), "`x = l`"),
+        ("(x - 1 m)*(x - 1 m) = 0", (1.2, 0.0, 0.0), "`x = 1 m`"),
+        ("x^2 - 2*x*l + l^2 = 0", (1.2, 0.0, 0.0), None),
+        ("(x - l)^3 = 0", (1.0, 0.0, 0.0), "`x = l`"),
+        ("x^4 + y^4 = 0", (0.1, 0.1, 0.0), "`x = 0` and `y = 0`"),
+        ("(x - l)^2 + 0.0001*(y - l)^2 = 0", (1.3, 1.0, 0.0), "`x = l` and `y = l`"),
+        ("sqrt(x^2 + y^2) = 0", (1.5, 0.0, 0.0), "`x = 0` and `y = 0`"),
+        ("norm({x - l, y, 0}) = 0", (0.5, 0.5, 0.0), "`x = l` and `y = 0`"),
+        ("abs(x) = 0", (0.1, 0.0, 0.0), "`x = 0`"),
+        ("max(abs(x), abs(y)) = 0", (0.2, 0.1, 0.0), None),
+        ("1 - cos(a) = 0", (0.0, 0.0, 0.3), "`a = 0`"),
+        ("cos(a) = -1", (0.0, 0.0, 3.0), None),
+        ("(sin(a) - 0.5)^2 = 0", (0.0, 0.0, 0.4), "`sin(a) = 0.5`"),
+        ("(x^2 + y^2 - l^2)^2 = 0", (1.0, 0.1, 0.0), "`x^2 + y^2 = l^2`"),
+        ("(x - l*(1 + time/(1 s)))^2 = 0", (1.0, 0.0, 0.0), None),
+        ("x^2 + y^2 = (l - 2*r)^2", (0.5, 0.2, 0.0), None),
+        ("{x^2, y*l, 0} = {0, 0, 0}", (0.1, 0.0, 0.0), "`x = 0`"),
+        ("x*abs(x) = 0", (0.3, 0.0, 0.0), None),
+    ],
+)
+def test_no_gradient_where_it_holds(condition: str, start: tuple[float, float, float], rewrite: str | None) -> None:
+    """These were dropped as identically satisfied, or ended in accelerations that are not numbers."""
+    found = told(f"constraint c: {condition};", *start)
+    assert "E0609" in found and "N0605" not in found
+    if rewrite is not None:
+        assert found["E0609"].help == f"write {rewrite}"
+
+
+@pytest.mark.parametrize(
+    ("condition", "start"),
+    [
+        ("x^2 + y^2 = l^2", (0.0, 0.0, 0.0)),  # zero at the start only
+        ("x*y = 0", (0.0, 0.0, 0.0)),
+        ("x^2 = y^2", (0.0, 0.0, 0.0)),
+        ("x^2*l = y^3", (0.0, 0.0, 0.0)),
+        ("x^2*y = 0", (1.0, 0.01, 0.0)),
+        ("(x - l)^2 = 1e-6 m2", (1.0, 0.0, 0.0)),
+        ("1e-8*(x - l) = 0", (0.4, 0.0, 0.0)),
+        ("sin(1000*a) = 0", (0.0, 0.0, 0.001)),
+        ("cos(a) = 0.99999", (0.0, 0.0, 0.01)),
+        ("x + abs(y) = 0", (0.0, 0.0, 0.0)),
+        ("(if x > 0 then x else 2*x) = 0", (0.2, 0.0, 0.0)),
+        ("x^2/l^2 + y^2/(1e-3*l)^2 = 1", (1.0, 0.0, 0.0)),
+        ("log(x/l) = 0", (0.8, 0.0, 0.0)),
+    ],
+)
+def test_rows_that_only_look_so(condition: str, start: tuple[float, float, float]) -> None:
+    found = told(f"constraint c: {condition};", *start)
+    assert not {"E0609", "E0610", "N0605", "N0607"} & found.keys()
+
+
+def test_zero_everywhere_is_another_thing() -> None:
+    assert "N0605" in told("constraint c: sin(a)^2 + cos(a)^2 = 1;", a=1.0)
+
+
+def test_zero_where_others_hold_follows_from_them() -> None:
+    found = told("constraint a1: x = 0; constraint b1: y = 0; constraint c: x*y = 0;")
+    assert "`a1` and `b1`" in found["N0607"].message and not {"N0605", "E0609", "E0610"} & found.keys()
+
+
+_SHAFT = """
+model Shaft
+  coordinate Angle a(start = 0.3 rad), b(start = 0.1 rad), c(start = 0.2 rad);
+  frame turned = world.rotx(a).roty(b).rotz(c);
+  gravity = 0;
+  body d(m = 1 kg, I = {1, 1, 1}) on turned;
+  constraint axis: turned.x = world.x;
+end Shaft;
+"""
+
+
+def test_component_of_a_unit_vector_follows_from_the_others() -> None:
+    """It is 1 where they are 0, and has no gradient there: cos(b) = 1 alone would be an error."""
+    found, compilation = check(SourceFile("Shaft.lag", _SHAFT))
+    assert compilation is not None and "E0609" not in {each.code for each in found}
+    assert compilation.structure.freedom == 1
+
+
+@pytest.mark.parametrize(
+    "pair",
+    [
+        ("x^2 + y^2 = l^2", "x = l"),
+        ("x^2 + y^2 = l^2", "(x - 3*l)^2 + y^2 = (2*l)^2"),
+        ("x = y", "x*y = 0"),
+        ("x^2 + y^2 = l^2", "x + y = sqrt(2)*l"),
+        ("y*l = x^2", "y = 0"),
+    ],
+)
+def test_constraints_that_touch(pair: tuple[str, str]) -> None:
+    """The first four were accepted, and the motion ended with E0830 at once."""
+    found = told(f"constraint c: {pair[0]}; constraint d: {pair[1]};", 0.9, 0.2)
+    assert "E0610" in found and "constraint `c` and constraint `d`" in found["E0610"].message
+
+
+@pytest.mark.parametrize(
+    "pair",
+    [
+        ("x^2 + y^2 = l^2", "x = 0.9999*l"),
+        ("x^2 + y^2 = l^2", "2*x^2 + 2*y^2 = 2*l^2"),
+        ("x^2 + y^2 = l^2", "z = 1e-7*x"),
+        ("y*l = x^2", "y = 0.001*x"),
+    ],
+)
+def test_constraints_that_do_not_touch(pair: tuple[str, str]) -> None:
+    assert "E0610" not in told(f"constraint c: {pair[0]}; constraint d: {pair[1]};", 0.9, 0.2)
+
+
+def test_a_structure_is_told() -> None:
+    held = "constraint c: {x, y, z} = {0, 0, l}; constraint d: a = 0;"
+    assert "N0611" in told(held)
+    assert "N0611" not in told("constraint c: {x, y, z} = {0, 0, l}; constraint d: a = 1 rad/s*time;")
+    assert "N0611" not in told("constraint c: {x, y, z} = {0, 0, l};")
