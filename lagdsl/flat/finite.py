@@ -31,8 +31,8 @@ def is_unbounded(value: fx.FlatExpression) -> bool:
 
 
 def check_finite(flat: FlatModel, parameters: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
-    """E0329 for each dependent parameter, start of a discrete variable, mass, inertia and gravity that is infinite or no
-    number, E0506 for a mass that values other than the defaults make negative."""
+    """E0329 for each dependent parameter, start of a discrete variable, mass, inertia and gravity that is infinite or
+    no number, E0506 for a mass that values other than the defaults make negative."""
     values = {parameter.name: parameter.value for parameter in flat.parameters} | dict(parameters)
     units = {parameter.name: "" if parameter.unit == "1" else f" {parameter.unit}" for parameter in flat.parameters}
     told: set[str] = set()
