@@ -31,8 +31,8 @@ def is_unbounded(value: fx.FlatExpression) -> bool:
 
 
 def check_finite(flat: FlatModel, parameters: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
-    """E0329 for each dependent parameter, mass, inertia and gravity that is infinite or no number, E0506 for a mass
-    that values other than the defaults make negative."""
+    """E0329 for each dependent parameter, start of a discrete variable, mass, inertia and gravity that is infinite or
+    no number, E0506 for a mass that values other than the defaults make negative."""
     values = {parameter.name: parameter.value for parameter in flat.parameters} | dict(parameters)
     units = {parameter.name: "" if parameter.unit == "1" else f" {parameter.unit}" for parameter in flat.parameters}
     told: set[str] = set()
@@ -76,6 +76,9 @@ def _decided(flat: FlatModel, values: Mapping[str, float]) -> Iterator[tuple[Ite
         if isinstance(item, Definition) and item.variability in _STEADY:
             steady.add(item.name)
             yield item, f"`{item.name}`", item.value
+    for discrete in flat.events.discretes:
+        if _is_steady(discrete.start, steady):
+            yield discrete, f"the start of `{discrete.name}`", discrete.start
     for mass in flat.masses:
         if _is_steady(mass.mass, steady):
             yield mass, "mass", mass.mass
