@@ -37,17 +37,20 @@ lint: $(READY)
 # The jobs of this make are none of those that tests start.
 ALONE := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 
+# Tests of a file share what they compile. In the order of their names many small ones come last: all processes end together.
+SPREAD := -n auto --dist loadfile --no-loadscope-reorder
+
 test: shell-objects  ## the tests, with one of each kind where they repeat a rule
-	$(ALONE) $(BIN)/python -m pytest -n auto --dist loadgroup
+	$(ALONE) $(BIN)/python -m pytest $(SPREAD)
 
 test-all: shell-objects  ## the tests, with every model
-	$(ALONE) LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto --dist loadgroup
+	$(ALONE) LAGDSL_ALL=1 $(BIN)/python -m pytest $(SPREAD)
 
 coverage: $(READY)  ## all tests of the floors, which cover at least 95 % of the branches; tracing takes three times as long
-	LAGDSL_ALL=1 $(BIN)/python -m pytest -n auto --dist loadgroup -m 'not no_cover' --cov --cov-report=term
+	LAGDSL_ALL=1 $(BIN)/python -m pytest $(SPREAD) -m 'not no_cover' --cov --cov-report=term
 
 test-fast: $(READY)  ## the tests of the floors, without models and packaging
-	$(BIN)/python -m pytest -n auto tests --ignore=tests/models --ignore=tests/packaging
+	$(BIN)/python -m pytest $(SPREAD) tests --ignore=tests/models --ignore=tests/packaging
 
 c-check: c-runtime c-shells  ## tests of the C runtime and of the shells of FMUs under sanitizers
 
@@ -69,7 +72,7 @@ c-test: c-check  ## the same, with warnings of every compiler there is, the sani
 	$(MAKE) --directory=lagdsl/fmi/c PYTHON=$(abspath $(BIN)/python) test
 
 fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (half an hour)
-	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest -n auto --dist loadgroup tests/fmi
+	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest $(SPREAD) tests/fmi
 
 update: $(READY)  ## regenerate what is generated: automaton of the grammar, unit table, functions in C, list of the library, expectations of the corpus
 	$(BIN)/python -m lagdsl.syntax.generate

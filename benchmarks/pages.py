@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+import auto
 import motion
 from dynamics import OURS, family, ratio_name
 from targets import Results, table, targets
@@ -50,8 +51,11 @@ def page(found: dict[str, Results]) -> str:
         ("growth", _growth),
         ("accuracy", _accuracy),
         ("start", _start),
+        ("auto", _auto),
         ("tape", _tape),
         ("runtime", _runtime),
+        ("ensembles", _ensembles),
+        ("drive", _drive),
         ("fmus", _fmus),
     ):
         if key in found:
@@ -304,6 +308,54 @@ def _tape(found: Results) -> list[str]:
     for row in found["built"]:
         lines.append(f"| {row['model']} {row['n'] or ''} | {row['python']:.3f} | {row['bytes'] / 1000:.0f} |")
     return lines
+
+
+def _auto(found: Results) -> list[str]:
+    rows, least = found["rows"], found["least"]
+    lines = [
+        "## The engine `auto`",
+        "",
+        "Every model of `models/`, from its program to the end of its experiment, CPU seconds with those of the",
+        "compiler: the least of five, of one where that takes long. Cold: nothing lies in the cache; warm: libraries",
+        "lie there. The ratio is that of `auto` to the better of tape and C; times below",
+        f"{1e3 * least:.0f} ms count as that. The ten longest and the ten with the largest ratios:",
+        "",
+        "| | tape | C cold | `auto` cold | ratio | C warm | `auto` warm | ratio |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+
+    def largest(row: Results) -> float:
+        return max(auto.ratio(row, cache, least) for cache in ("cold", "warm"))
+
+    longest = sorted(rows, key=lambda row: -row["tape"])[:10]
+    apart = sorted(rows, key=lambda row: -largest(row))[:10]
+    for row in (*longest, *(row for row in apart if row not in longest)):
+        cold, warm = (auto.ratio(row, cache, least) for cache in ("cold", "warm"))
+        lines.append(
+            f"| {row['model']} | {row['tape']:.3f} | {row['c cold']:.3f} | {row['auto cold']:.3f} | {cold:.2f} "
+            f"| {row['c warm']:.3f} | {row['auto warm']:.3f} | {warm:.2f} |"
+        )
+    within = sum(largest(row) <= auto.MOST for row in rows)
+    return [*lines, "", f"Of {len(rows)} models {within} are within {auto.MOST:g} with both caches."]
+
+
+def _ensembles(found: Results) -> list[str]:
+    return [
+        "## Sweeps",
+        "",
+        f"`lag sweep` of {found['runs']} motions of the double pendulum to a file, two parameters random, 10 s to",
+        f"1e-6, 101 rows each: {found['wall']:.1f} s wall, the whole command, median of three.",
+    ]
+
+
+def _drive(found: Results) -> list[str]:
+    return [
+        "## A drive",
+        "",
+        "Motor, gear and slider-crank under a PID of 5 ms (`benchmarks/models/drive.lag`), 5 s to 1e-6:",
+        f"`model.simulate` {found['wall']:.2f} s wall, the whole `lag run` {found['command']:.2f} s;",
+        f"{found['steps']} steps.",
+    ]
 
 
 def _fmus(found: Results) -> list[str]:

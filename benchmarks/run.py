@@ -14,6 +14,8 @@ from pathlib import Path
 
 import accuracy
 import arm
+import auto
+import bulk
 import chains
 import figures
 import fmus
@@ -37,6 +39,9 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "accuracy": accuracy.measure,
     "growth": growth.measure,
     "start": start.measure,
+    "auto": auto.measure,
+    "ensembles": bulk.ensembles,
+    "drive": bulk.drive,
     "runtime": motion.measure,
     "fmus": fmus.measure,
 }

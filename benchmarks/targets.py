@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import auto
 import motion
 from growth import exponent
 
@@ -147,6 +148,7 @@ def targets(found: Results) -> list[Target]:
         *_starts(found.get("start", {})),
         *_motions(found),
         *_tapes(found),
+        *_whole(found),
         Target(
             "7-axis arm as an FMU of one platform, when it is new [CPU s]",
             (10,),
@@ -247,6 +249,35 @@ def _tapes(found: Results) -> list[Target]:
             (0.1,),
             (built.get(("spatial_chain", 100)),),
             "tape",
+        ),
+    ]
+
+
+def _whole(found: Results) -> list[Target]:
+    chosen = found.get("auto", {})
+    rows, least = chosen.get("rows", []), chosen.get("least", 0.0)
+    return [
+        Target(
+            "`auto` against the better of tape and C, worst model of `models/`: cold / warm cache",
+            (auto.MOST,) * 2,
+            (1.15,) * 2,
+            (auto.worst(rows, "cold", least), auto.worst(rows, "warm", least)),
+            "auto",
+        ),
+        Target(
+            "`lag sweep`: 10 000 double pendulums, 10 s to 1e-6 [s wall]",
+            (8,),
+            (4,),
+            (found.get("ensembles", {}).get("wall"),),
+            "ensembles",
+            "{:.1f}",
+        ),
+        Target(
+            "motor, gear, slider-crank, PID of 5 ms, 5 s [s wall]",
+            (1,),
+            (0.5,),
+            (found.get("drive", {}).get("wall"),),
+            "drive",
         ),
     ]
 

@@ -1,4 +1,4 @@
-"""The living page of a model: in a browser, or inside a notebook."""
+"""The living page of a model, in a browser or inside a notebook, and its certificate."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ from lagdsl.diagnostics import Sink
 if TYPE_CHECKING:
     from lagdsl.signals.inputs import Signal
     from lagdsl.source import SourceFile
+    from lagdsl.verify.certificate import Certificate
 
 _FRAME_HEIGHT = 640  # pixels
 
 
 class Shown(Described):
-    """A model that can be looked at. `_source` is the text that the page shows."""
+    """A model that can be looked at and verified. `_source` is the text that the page shows."""
 
     _source: SourceFile | None
 
@@ -46,6 +47,12 @@ class Shown(Described):
         """
         text = self._page(stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs, sink=sink)
         return write_page(text, self.name, path, browser=browser)
+
+    def verify(self) -> Certificate:
+        """Everything that can be computed in two ways, compared: `.lines` with figures and limits, `.holds`."""
+        from lagdsl.verify.certify import certify
+
+        return certify(self._compilation, self._source)
 
     def _repr_html_(self) -> str:
         return framed(self._page(), self.name)

@@ -25,6 +25,7 @@ _COMMANDS = {
     "linearize": "Show the matrices of the motion about a state.",
     "modes": "Show frequencies, damping, mode shapes, stability and thresholds.",
     "trim": "Find an equilibrium.",
+    "verify": "Compare everything that can be computed in two ways.",
     "derive": "Show the derivation of the equations of motion, step by step.",
     "build": "Write the equations as a module that stands alone.",
     "fmu": "Write the model as an FMU, for other tools to run.",

@@ -37,6 +37,8 @@ def check_finite(flat: FlatModel, parameters: Mapping[str, float], evaluator: Ev
     units = {parameter.name: "" if parameter.unit == "1" else f" {parameter.unit}" for parameter in flat.parameters}
     told: set[str] = set()
     unbounded = {name for name, value in values.items() if math.isinf(value)}
+    if not parameters:  # those that are found with the start have guesses only
+        unbounded |= {parameter.name for parameter in flat.parameters if parameter.free}
     for item, subject, value in _decided(flat, values):
         names = dict.fromkeys(node.name for node in postorder(value, {}) if isinstance(node, fx.Variable))
         known = told if not told.isdisjoint(names) else None

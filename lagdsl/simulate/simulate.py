@@ -66,9 +66,9 @@ def simulate(
         check_limits(flat, dict(zip(names, parameters.tolist(), strict=True)), own)
         own.raise_if_errors()
         defaults = engine.evaluate("start", t0, parameters)[3]
-        report_missing(flat, inputs or {}, own)
         given = signals(flat, defaults, inputs or {}, (t0, end), own)
         own.raise_if_errors()
+        report_missing(flat, inputs or {}, own)
     asked = Asked(
         flat=flat,
         engine=engine,

@@ -59,7 +59,7 @@ def report_degenerate(flat: FlatModel, space: Geometry, points: list[Probe], sin
             if not suspected[row] or not np.any(space.pattern[row]):
                 continue
             fault = _fault(space, bases[-1], row)
-            if fault is not None:
+            if fault is not None and not _follows(space, bases[-1], row, rows):
                 rewrite = restated(constraint.residuals[index], constraint.dimension)
                 sink.report(
                     "E0609",
@@ -115,6 +115,20 @@ def _fault(space: Geometry, base: Floats, row: int) -> _Fault | None:
             return None
         fault = _kind(alone, reached.point, row)
     return fault
+
+
+def _follows(space: Geometry, base: Floats, row: int, rows: list[int]) -> bool:
+    """True if `row` holds wherever the other rows do, as one of three components of a unit vector."""
+    others = [other for other in rows if other != row]
+    generator = np.random.default_rng(SEED + 2)
+    for _ in range(_STARTS if others else 0):
+        aside = base + _ASIDE * space.sizes * generator.standard_normal(len(base))
+        reached = space.project(aside, others)
+        if reached.size <= HOLDS:
+            phi = space.position(reached.point)[0]
+            if not abs(phi[row]) <= HOLDS * space.row_sizes[row]:
+                return False
+    return bool(others)
 
 
 def _kind(space: Geometry, point: Floats, row: int) -> _Fault:

@@ -16,6 +16,7 @@ from lagdsl.record import record
 from lagdsl.structure.names import comes_and_goes, joint_text, listed, located, loop_text, place
 from lagdsl.structure.points import Geometry, Probe, part_ranks
 
+_MOST_NAMED = 4
 _GROUND = "the equations determine the potentials up to a constant only; in a circuit, connect a `Ground` to one node"
 
 
@@ -142,9 +143,13 @@ def _sources(space: Geometry, point: Probe, found: Dependence, split: Partition,
     part = split.row_labels[row]
     kept = [index for index, other in enumerate(found.redundant) if not other and split.row_labels[index] == part]
     weights = minimum_norm(point.rows[kept].T, point.rows[row])
+    constraints = space.functions.layout.constraints
+    if found.empty[row]:  # its gradient tells nothing of them
+        names = [f"`{constraints[index].name}`" for index in kept]
+        return listed(names if len(names) <= _MOST_NAMED else [*names[:_MOST_NAMED], "others"])
     names = [
-        f"`{space.functions.layout.constraints[index].name}`"
+        f"`{constraints[index].name}`"
         for index, weight in zip(kept, weights.tolist(), strict=True)
-        if abs(weight) > 1e-7 or found.empty[row]
+        if abs(weight) > 1e-7
     ]
     return listed(names)

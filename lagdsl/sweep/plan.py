@@ -29,7 +29,7 @@ class Axis:
     target: Target
     unit: str
     values: tuple[float, ...]
-    display: Display
+    display: Display | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -105,7 +105,12 @@ def place(plan: Plan, index: int) -> str:
     """Settings of run `index`, for people: `l = 0.1 m, theta.start = 20 deg`; what all runs share is left out."""
     chosen = settings(plan, index)
     varied = (*plan.axes, *plan.samples)
-    return ", ".join(f"{a.name} = {a.display(chosen[a.target][a.key]):.6g} {a.display.unit}".rstrip() for a in varied)
+    return ", ".join(_shown(axis, chosen[axis.target][axis.key]) for axis in varied)
+
+
+def _shown(axis: Axis, value: float) -> str:
+    shown = axis.display or Display(axis.unit)
+    return f"{axis.name} = {shown(value):.6g} {shown.unit}".rstrip()
 
 
 def variants(plan: Plan) -> list[dict[str, float]]:

@@ -13,8 +13,6 @@ from pathlib import Path
 import pytest
 from python_trees import trees
 
-pytestmark = pytest.mark.xdist_group("python trees")  # which are parsed once
-
 
 def _leaves(pattern: ast.pattern) -> Iterator[ast.pattern]:
     """The alternatives of a pattern."""

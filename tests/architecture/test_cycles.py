@@ -5,11 +5,8 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-import pytest
 from c_layers import between_rooms, cycles, defined, included, read, rooms
 from python_trees import trees
-
-pytestmark = pytest.mark.xdist_group("python trees")  # which are parsed once
 
 
 def _module(path: str) -> str:

@@ -9,8 +9,6 @@ from pathlib import Path
 import pytest
 from python_trees import trees
 
-pytestmark = pytest.mark.xdist_group("python trees")  # which are parsed once
-
 # Documented names, underscored so that fields cannot collide with them: of named tuples, of structures of ctypes.
 PUBLIC = {"_replace", "_asdict", "_fields", "_make", "_fields_"}
 # Names of other packages that have no public one.

@@ -9,8 +9,6 @@ from pathlib import Path
 import pytest
 from python_trees import trees
 
-pytestmark = pytest.mark.xdist_group("python trees")  # which are parsed once
-
 SOURCES = (".py", ".c", ".h")
 MOST_FILES, MOST_LINES, MOST_FIELDS = 25, 400, 10
 

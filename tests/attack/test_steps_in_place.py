@@ -6,6 +6,7 @@ from math import pi, sqrt
 
 import pytest
 from attack.rows import Attack, check, model, rows
+from choice import engines
 
 FREE = "coordinate Real x(der(start = {})); kinetic 1/2*der(x)^2; "
 
@@ -165,6 +166,6 @@ def test_steps_in_place(row: Attack, engine: str) -> None:
     check(row, engine)
 
 
-@pytest.mark.parametrize("engine", ["tape", "c", "numpy"])
+@pytest.mark.parametrize("engine", engines(["tape", "c", "numpy"]))
 def test_every_engine_ends_steps_at_corners(engine: str) -> None:
     check(Attack("time_and_place", TIME_AND_PLACE, 3.0, {"der(x)": AFTER}), engine)

@@ -8,10 +8,13 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
+from choice import ALL
+
 Done = subprocess.CompletedProcess[str]
 Made = Callable[..., Done]
-# Tests share these, and with them the object files of the runtime. Without optimization compiling takes half the time.
-PLAIN = "-O1"
+# Tests share these, and with them the object files of the runtime. Without optimization compiling takes half the time,
+# and the compiler sees less to warn of.
+PLAIN = "-O1" if ALL else "-O0"
 SANITIZED = "-O0 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 _RUNTIME = Path(__file__).parents[2] / "lagdsl" / "runtime" / "c"
 

@@ -22,7 +22,6 @@ from lagdsl.backends.identifier import comment_text, identifier
 from lagdsl.backends.registry import BACKENDS
 from lagdsl.program.program import Program, Slot
 
-pytestmark = pytest.mark.xdist_group("made modules")  # whose runtime is compiled once
 HOSTILE = 'a"*/ #define x ??/\n\\end\u2603\'"""; import os'
 
 

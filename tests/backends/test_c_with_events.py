@@ -19,7 +19,6 @@ from made_modules import PLAIN, SANITIZED, Made
 import lagdsl
 from lagdsl.cli.main import lag
 
-pytestmark = pytest.mark.xdist_group("made modules")  # whose runtime is compiled once
 G = 9.80665
 BALL = """
 model Ball

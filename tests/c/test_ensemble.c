@@ -91,18 +91,42 @@ static void check_stopped(const lag_ensemble *ensemble)
     free(block);
 }
 
-/* A start that is no number, and too many steps, fail a run and no other. */
+/* The last run of which a failure was told. */
+typedef struct heard {
+    size_t run, count;
+    int status, begun;
+    double t, height;
+} heard;
+
+static void hear(void *context, size_t i, lag_run *run, int failed, const double *starts, const double *at, const lag_initial *told)
+{
+    heard *own = context;
+    lag_fault fault;
+    lag_run_explain(run, (lag_status)failed, &fault);
+    (void)at;
+    *own = (heard){.run = i, .count = own->count + 1, .status = failed, .begun = told == NULL, .t = fault.t, .height = starts[0]};
+}
+
+/* A start that is no number, and too many steps, fail a run and no other; both are told while the run is there. */
 static void check_failures(const lag_ensemble *ensemble)
 {
-    lag_ensemble few = *ensemble;
+    heard last = {.count = 0};
+    double found[3] = {0.0};
+    lag_ensemble told = *ensemble;
+    told.failed = hear;
+    told.context = &last;
+    told.found = found;
+    lag_ensemble few = told;
     void *block = malloc(lag_ensemble_size(ensemble));
     const double height = x[SIZE];
     x[SIZE] = (double)NAN;
-    CHECK(lag_ensemble_run(ensemble, 0, 3, block) == 3);
+    CHECK(lag_ensemble_run(&told, 0, 3, block) == 3);
+    CHECK(last.count == 1 && last.run == 1 && last.status == LAG_NOT_FINITE && !last.begun && isnan(last.height));
     CHECK(status[0] == LAG_OK && status[1] == LAG_NOT_FINITE && status[2] == LAG_OK && kept[1] == 0 && isnan(ended[1]));
     x[SIZE] = height;
     few.most_steps = 3;
     CHECK(lag_ensemble_run(&few, 0, 1, block) == 1 && status[0] == LAG_TOO_LONG);
+    CHECK(last.count == 2 && last.run == 0 && last.begun && last.t > 0.0 && last.height == x[0]);
     free(block);
 }
 

@@ -263,6 +263,39 @@ static void equations(void)
     CHECK(told.fault == LAG_INITIAL_EQUATIONS && told.residual > 1e-3);
 }
 
+/* A free radius of the first circle: as large as the fixed point asks for. */
+static void free_parameters(void)
+{
+    const lag_model model = model_of(0, 1);
+    const unsigned char fixed[SIZE] = {1, 1, 0, 0, 0, 0, 0, 0, 0};
+    const unsigned char set[SIZE] = {1, 1, 0, 0, 0, 0, 0, 0, 0};
+    const double changed[SIZE] = {1.2, 0.9};
+    const unsigned char first[2] = {1, 0};
+    const unsigned char both[2] = {1, 1};
+    const double least[2] = {0.0, 0.0};
+    const double most[2] = {2.0, 2.0};
+    const double low[2] = {1.4, 1.4};
+    lag_start said = {.fixed = fixed, .free = first, .parameter_minimum = least, .parameter_maximum = most};
+    double x[SIZE];
+    double p[2];
+    lag_initial told = {.p = p};
+    CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_OK);
+    CHECK(x[0] == 1.2 && x[1] == 0.9 && p[1] == 1.0);
+    CHECK_NEAR(p[0], 1.5, 1e-10);
+    CHECK_NEAR(x[A], 1.2, 1e-10);
+    said.parameter_maximum = low;
+    CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_PROJECTION_FAILED);
+    CHECK(told.fault == LAG_INITIAL_BOUNDS && told.which == 0);
+    CHECK_NEAR(told.residual, 1.5, 1e-10);
+    said.free = both; /* the second radius is in no equation */
+    CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_PROJECTION_FAILED);
+    CHECK(told.fault == LAG_INITIAL_PARAMETERS && told.which == 1);
+    told.p = NULL; /* nobody asks for them: they are held */
+    said.free = first;
+    CHECK(find(&model, &said, P, changed, set, x, &told) == LAG_PROJECTION_FAILED);
+    CHECK(told.fault == LAG_INITIAL_POSITIONS || told.fault == LAG_INITIAL_EQUATIONS);
+}
+
 static void faults(void)
 {
     const lag_model model = model_of(0, 0);
@@ -332,6 +365,7 @@ int main(void)
     weights();
     away_from_the_center();
     equations();
+    free_parameters();
     faults();
     other_ranks();
     (void)printf("initial: ok\n");

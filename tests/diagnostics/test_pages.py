@@ -1,6 +1,7 @@
 """The manual of diagnostics: a page for each code, and every example does what its page says."""
 
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ ELSEWHERE = "Reported "  # how the front line of a page begins if no model text 
 _EXAMPLE = re.compile(r"^```lag (?P<kind>reject|accept)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
+@cache
 def page(code: str) -> str:
     return (diagnostics_folder() / f"{code}.md").read_text(encoding="utf-8")
 
@@ -26,6 +28,7 @@ def is_elsewhere(code: str) -> bool:
     return page(code).split("\n")[2].startswith(ELSEWHERE)
 
 
+@cache
 def examples() -> list[tuple[str, str, str]]:
     pages = sorted(diagnostics_folder().glob("*.md"))
     return [
@@ -33,6 +36,11 @@ def examples() -> list[tuple[str, str, str]]:
         for path in pages
         for match in _EXAMPLE.finditer(path.read_text(encoding="utf-8"))
     ]
+
+
+@cache
+def texts_of_tests() -> list[str]:
+    return [path.read_text(encoding="utf-8") for path in TESTS.rglob("test_*.py")]
 
 
 def test_pages_and_rows_are_the_same_codes():
@@ -52,8 +60,7 @@ def test_page_has_a_title_and_both_examples(code):
 def test_code_is_tested(code):
     if not list((TESTS / "corpus" / "reject").glob(f"{code}*.lag")):
         assert is_elsewhere(code), "there is no reject case"
-        tests = [path for path in TESTS.rglob("test_*.py") if code in path.read_text(encoding="utf-8")]
-        assert tests, "no test speaks of this code"
+        assert any(code in text for text in texts_of_tests()), "no test speaks of this code"
 
 
 @pytest.mark.parametrize("code", ROWS)

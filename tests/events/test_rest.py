@@ -32,7 +32,7 @@ def closing(motion: lagdsl.Trajectory, name: str = "floor") -> float:
 def test_rest_is_the_sum_of_the_flights(e: float) -> None:
     """A drop of t takes t + 2 t (e + e^2 + ...) = t (1 + e)/(1 - e)."""
     exact = sqrt(2.0 / G) * (1.0 + e) / (1.0 - e)
-    motion = lagdsl.compile(BALL, engine="c").simulate(stop=1.2 * exact, parameters={"e": e})
+    motion = lagdsl.compile(BALL, engine="tape").simulate(stop=1.2 * exact, parameters={"e": e})
     assert closing(motion) == pytest.approx(exact, rel=1e-10)
     assert abs(motion["h"][-1]) < 1e-15
     assert motion["s"][-1] == pytest.approx(2.0 * 1.2 * exact, rel=1e-12)
@@ -42,7 +42,7 @@ def test_rest_is_the_sum_of_the_flights(e: float) -> None:
 @pytest.mark.parametrize("mass", [1e-18, 1e20])
 def test_rest_knows_no_scale(height: float, mass: float) -> None:
     exact = 3.0 * sqrt(2.0 * height / G)
-    motion = lagdsl.compile(BALL, engine="c").simulate(stop=1.2 * exact, parameters={"height": height, "m": mass})
+    motion = lagdsl.compile(BALL, engine="tape").simulate(stop=1.2 * exact, parameters={"height": height, "m": mass})
     assert closing(motion) == pytest.approx(exact, rel=1e-9)
     assert abs(motion["h"][-1]) < 1e-12 * height
 
@@ -51,7 +51,7 @@ def test_rest_knows_no_scale(height: float, mass: float) -> None:
 def test_rest_far_from_zero(ground: float) -> None:
     """Bounces end where they are lower than round-off of the position: a fall through that is the error of the time."""
     exact = 3.0 * sqrt(2.0 / G)
-    motion = lagdsl.compile(BALL, engine="c").simulate(stop=2.0, parameters={"ground": ground})
+    motion = lagdsl.compile(BALL, engine="tape").simulate(stop=2.0, parameters={"ground": ground})
     assert closing(motion) == pytest.approx(exact, abs=1e-9 + sqrt(2.0 * np.spacing(abs(ground)) / G))
     assert motion["h"][-1] == pytest.approx(ground, rel=1e-15)
 
@@ -67,7 +67,7 @@ def test_what_nothing_presses_parts_however_slowly() -> None:
       contact c: b - a >= 0 with restitution = 1e-6;
     end Apart;
     """
-    motion = lagdsl.compile(text, engine="c").simulate(stop=3.0)
+    motion = lagdsl.compile(text, engine="tape").simulate(stop=3.0)
     assert [event.kind for event in motion.events] == ["impact"]
     assert motion["der(b)"][-1] - motion["der(a)"][-1] == pytest.approx(1e-6, rel=1e-8)
     assert motion["b"][-1] - motion["a"][-1] == pytest.approx(2e-6, rel=1e-8)
@@ -84,7 +84,7 @@ def test_two_balls_rest_each_in_its_time() -> None:
       contact low: b >= 0 with restitution = 0.6;
     end Two;
     """
-    motion = lagdsl.compile(text, engine="c").simulate(stop=4.0)
+    motion = lagdsl.compile(text, engine="tape").simulate(stop=4.0)
     assert closing(motion, "high") == pytest.approx(sqrt(2.0 / G) * 1.7 / 0.3, rel=1e-10)
     assert closing(motion, "low") == pytest.approx(sqrt(2e-3 / G) * 1.6 / 0.4, rel=1e-9)
 
@@ -92,7 +92,7 @@ def test_two_balls_rest_each_in_its_time() -> None:
 def test_a_ball_in_an_elevator_rests_by_the_gravity_that_it_feels() -> None:
     """The floor accelerates upward at 5 m/s2 from rest: flights are those under g + 5."""
     text = BALL.replace("h >= ground", "h >= ground + 1/2*(5 m/s2)*time^2")
-    motion = lagdsl.compile(text, engine="c").simulate(stop=2.0)
+    motion = lagdsl.compile(text, engine="tape").simulate(stop=2.0)
     exact = sqrt(2.0 / (G + 5.0)) * 3.0
     assert closing(motion) == pytest.approx(exact, rel=1e-9)
     assert motion["h"][-1] == pytest.approx(10.0, rel=1e-12)

@@ -28,7 +28,7 @@ PHASE = atan2(0.1, 1.0 / RATE)
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
 def test_stops_around_crossings_count_each_once(tolerance: float) -> None:
     """The k-th zero of sin(w t + phase) is at (k pi - phase)/w; it has happened, or it comes at the stop."""
-    model = lagdsl.compile(TURN, engine="c")
+    model = lagdsl.compile(TURN, engine="tape")
     for k in range(1, 12):
         crossing = (k * pi - PHASE) / RATE
         for stop in (crossing, nextafter(crossing, -inf), nextafter(crossing, inf), crossing - 1e-13, crossing + 1e-13):
@@ -53,7 +53,7 @@ def test_a_stop_at_a_crossing_of_a_straight_motion(relation: str, at: float) -> 
       when x {relation} there then n = pre(n) + 1; end when;
     end Straight;
     """
-    model = lagdsl.compile(text, engine="c")
+    model = lagdsl.compile(text, engine="tape")
     for ulps in range(-6, 7):
         stop = at + ulps * np.spacing(at)
         motion = model.simulate(stop=stop, parameters={"there": at})
@@ -74,7 +74,7 @@ def test_a_tick_at_a_crossing_is_one_event() -> None:
       when {x > there, sample(1 s/3, 1 s/3)} then either = pre(either) + 1; end when;
     end Ticks;
     """
-    model = lagdsl.compile(text, engine="c")
+    model = lagdsl.compile(text, engine="tape")
     for multiple in (1, 2, 3, 5):
         for ulps in (-3, -1, 0, 1, 3):
             there = multiple / 3.0 + ulps * np.spacing(multiple / 3.0)

@@ -42,10 +42,9 @@ EVERY = tuple(MODELS) if EXPLORE else SAMPLE
 
 def in_versions(names: Sequence[str]) -> pytest.MarkDecorator:
     """The test for each `name` in each `version` of the standard; in one of them in turn where not all is run: the same
-    functions stand behind both. All tests of a model run in one process, which compiles it once."""
+    functions stand behind both."""
     pairs = chosen(product(names, VERSIONS), [(name, VERSIONS[i % 2]) for i, name in enumerate(names)])
-    marked = [pytest.param(*pair, marks=pytest.mark.xdist_group(pair[0])) for pair in pairs]
-    return pytest.mark.parametrize(("name", "version"), marked)
+    return pytest.mark.parametrize(("name", "version"), pairs)
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ Floats = np.ndarray
 
 @cache
 def model(name: str) -> lagdsl.Model:
-    return lagdsl.compile(path_of(name), engine="c")
+    return lagdsl.compile(path_of(name), engine="tape")
 
 
 def span(name: str) -> tuple[float, float, float]:

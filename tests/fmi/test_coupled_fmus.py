@@ -64,7 +64,7 @@ BOTH = pytest.mark.parametrize("version", VERSIONS)
 
 def monolithic() -> Floats:
     """s, r, a at the end."""
-    motion = lagdsl.compile(BOTH_IN_ONE, engine="c").simulate(stop=STOP, tolerance=1e-11)
+    motion = lagdsl.compile(BOTH_IN_ONE, engine="tape").simulate(stop=STOP, tolerance=1e-11)
     return np.array([motion[name][-1] for name in ("s", "r", "a")])
 
 

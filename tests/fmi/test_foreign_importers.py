@@ -41,7 +41,7 @@ NAMES = (
     "van_der_pol",
     "library/parts_with_play",
 )
-MODELS = pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in NAMES])
+MODELS = pytest.mark.parametrize("name", NAMES)
 SMOOTH = (
     "double_pendulum",
     "four_bar",
@@ -128,7 +128,7 @@ def test_ecos(name: str, version: int, tmp_path: Path) -> None:
     record(importer="ecospy", version=told["version"], fmi=version, kind="cs", model=name, error=error)
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in SMOOTH])
+@pytest.mark.parametrize("name", SMOOTH)
 @BOTH
 def test_casadi(name: str, version: int, tmp_path: Path) -> None:
     """Right-hand sides, the Jacobian that CasADi assembles from few directions by the pattern, and a motion."""

@@ -37,7 +37,6 @@ def run(*command: str, folder: Path) -> None:
 
 
 @pytest.mark.parametrize("name", MODELS)
-@pytest.mark.xdist_group("sanitized")
 def test_calls_at_random_get_a_status(name: str, tmp_path: Path) -> None:
     """By the table of FMI 3, which has arrays, too."""
     run("make", "--silent", f"PYTHON={sys.executable}", ARCHIVE, folder=SHELLS)

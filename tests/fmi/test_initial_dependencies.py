@@ -25,7 +25,7 @@ def started(fmu: Exported, values: dict[str, float], unknowns: list[str]) -> dic
         return None
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in EVERY])
+@pytest.mark.parametrize("name", EVERY)
 def test_nothing_moves_that_is_not_told(name: str) -> None:
     fmu = exported(name, 2)
     told = {

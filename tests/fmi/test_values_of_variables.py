@@ -34,7 +34,7 @@ if os.environ.get("LAGDSL_EXPLORE"):
 
 
 def together(names: tuple[str, ...]) -> pytest.MarkDecorator:
-    return pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in names])
+    return pytest.mark.parametrize("name", names)
 
 
 @dataclass

@@ -6,13 +6,13 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from choice import ALL, EXPLORE
+from choice import ALL, EXPLORE, engines
 from fuzz.agreement import compare
 from fuzz.event_models import event_model
 
 import lagdsl
 
-COUNT = 1000 if EXPLORE else 24 if ALL else 8
+COUNT = 1000 if EXPLORE else 24 if ALL else 5
 # Where an engine does not agree with itself at a tenth of the tolerance: an event hinges on less than the tolerance.
 MOST_GRAZING = 0.1
 
@@ -74,7 +74,7 @@ end Sampled;
 """
 
 
-@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize("engine", engines(["numpy", "c"]))
 def test_sampled_controllers_are_the_same_to_the_bit_for_any_grid(engine: str) -> None:
     model = lagdsl.compile(SAMPLED, engine=engine)  # type: ignore[arg-type]
     motions = [model.simulate(interval=interval) for interval in (2.0, 0.07, 0.01, 0.000937, 0.3333)]
@@ -87,7 +87,7 @@ def test_sampled_controllers_are_the_same_to_the_bit_for_any_grid(engine: str) -
             np.testing.assert_array_equal(column.values[at], other.values[there])
 
 
-@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize("engine", engines(["numpy", "c"]))
 def test_every_instant_has_two_rows(engine: str) -> None:
     motion = lagdsl.compile(SAMPLED, engine=engine).simulate(interval=0.05)  # type: ignore[arg-type]
     for time in {event.time for event in motion.events} - {0.0}:

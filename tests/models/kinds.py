@@ -42,13 +42,15 @@ OF_EACH_KIND = (
 
 
 def over(names: list[str]) -> pytest.MarkDecorator:
-    """The test for each of these models. All tests of a model run in one process, which compiles it once."""
-    return pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in names])
+    """The test for each of these models."""
+    return pytest.mark.parametrize("name", names)
 
 
 EVERY = over(MODELS)
 # What a rule of all models is shown by.
 SOME = over(chosen(MODELS, OF_EACH_KIND))
+# What a rule is shown by that other tests show of each kind, too.
+FEW = over(chosen(MODELS, OF_EACH_KIND[1::3]))
 
 
 def kinds(name: str) -> set[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from choice import chosen
 
 from lagdsl.graph.operation import Op
 from lagdsl.program.functions import STATE
@@ -12,14 +13,14 @@ from lagdsl.program.program import Program
 from lagdsl.runtime.engines.broadcast import BatchEngine
 from lagdsl.runtime.engines.c_engine import CEngine
 from lagdsl.runtime.engines.numpy_engine import NumpyEngine
-from models.corpus import Arrays, compiled, textbook
-from models.kinds import SOME
+from models.corpus import MODELS, Arrays, compiled, textbook
+from models.kinds import OF_EACH_KIND, over
 from models.many_states import left_in_equations, many_states
 
 LEFT = 1e-10  # of the size of the terms
 
 
-@SOME
+@over(chosen(MODELS, OF_EACH_KIND[::2]))
 def test_solutions_satisfy_the_equations_of_both_derivations(name: str) -> None:
     program, states = compiled(name).graph, many_states(name)
     ways: list[BatchEngine] = [

@@ -20,7 +20,7 @@ from models.references.integrate import G_N
 
 @cache
 def _model(name: str) -> lagdsl.Model:
-    return lagdsl.compile(path_of(name), engine="c")
+    return lagdsl.compile(path_of(name), engine="tape")
 
 
 def _parameters(name: str) -> dict[str, float]:

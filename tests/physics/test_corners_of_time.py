@@ -23,7 +23,7 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(40)
 
 @cache
 def _model(text: str) -> Model:
-    return lagdsl.compile(text, engine="c")
+    return lagdsl.compile(text, engine="tape")
 
 
 def run(text: str, **values: float) -> Trajectory:

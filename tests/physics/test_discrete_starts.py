@@ -8,14 +8,14 @@ from pathlib import Path
 
 import fmpy
 import pytest
-from choice import chosen
+from choice import chosen, engines
 
 import lagdsl
 from lagdsl.diagnostics import CompilationFailed
 from lagdsl.record import record
 from lagdsl.simulate.failure import SimulationFailed
 
-ENGINES = ("tape", "c", "numpy")
+ENGINES = engines(("tape", "c", "numpy"))
 
 
 @record(kw_only=True)
@@ -135,7 +135,7 @@ def test_check(case: Case) -> None:
     assert [d.code for d in lagdsl.check(_text(case)) if d.severity == "error"] == []
 
 
-@pytest.mark.parametrize(("k", "fmi"), chosen(product((0, 5, 7), (2, 3)), [(0, 2), (5, 3), (7, 2)]))
+@pytest.mark.parametrize(("k", "fmi"), chosen(product((0, 5, 7), (2, 3)), [(0, 2), (5, 3)]))
 def test_fmu(k: int, fmi: int, tmp_path: Path) -> None:
     case = CASES[k]
     lagdsl.compile(_text(case)).export_fmu(tmp_path / "begun.fmu", fmi=fmi)

@@ -15,7 +15,7 @@ MODELS = Path(__file__).parents[2] / "models"
 
 @cache
 def _motion(name: str, load: float) -> lagdsl.Trajectory:
-    model = lagdsl.compile(MODELS / f"{name}.lag", engine="c")
+    model = lagdsl.compile(MODELS / f"{name}.lag", engine="tape")
     smooth = {"kick": 1.0}  # no jump of the pressure: the motions can be compared closely
     return model.simulate(stop=0.2, interval=1e-3, tolerance=1e-12, parameters=smooth, inputs={"load": load})
 

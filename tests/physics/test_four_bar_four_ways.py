@@ -18,7 +18,7 @@ WAYS = ["four_bar", "four_bar_points", "four_bar_spatial"]
 
 @cache
 def _motion(name: str) -> lagdsl.Trajectory:
-    return lagdsl.compile(MODELS / f"{name}.lag", engine="c").simulate(stop=2.0, interval=0.01, tolerance=1e-11)
+    return lagdsl.compile(MODELS / f"{name}.lag", engine="tape").simulate(stop=2.0, interval=0.01, tolerance=1e-11)
 
 
 def _crank(name: str) -> NDArray[np.float64]:

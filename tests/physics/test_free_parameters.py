@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 from lagdsl.diagnostics import CompilationFailed
 
-ENGINES = ("tape", "c", "numpy")
+ENGINES = engines(("tape", "c", "numpy"))
 G = 9.80665
 
 CLOCK = """

@@ -9,14 +9,15 @@ from typing import Literal
 
 import numpy as np
 import pytest
+from choice import engines
 from scipy.optimize import brentq
 
 import lagdsl
 
 MODELS = Path(__file__).parents[2] / "models"
 G = 9.80665
-Engine = Literal["numpy", "c"]
-BOTH = pytest.mark.parametrize("engine", ["numpy", "c"])
+Engine = Literal["numpy", "c", "tape"]
+BOTH = pytest.mark.parametrize("engine", engines(["numpy", "c"]))
 
 
 @cache

@@ -19,7 +19,7 @@ G = 9.81
 
 @cache
 def run(text: str) -> Trajectory:
-    return lagdsl.compile(text, engine="c").simulate()
+    return lagdsl.compile(text, engine="tape").simulate()
 
 
 def last(motion: Trajectory, *names: str) -> list[float]:

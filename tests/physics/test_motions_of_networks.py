@@ -136,7 +136,7 @@ def test_a_motor_on_a_joint_of_a_loop_is_one_tied_to_it_by_a_constraint(joint: s
     """Whether the joint is kept or cut, its coordinate is that of the motor."""
     found = []
     for text in (f"connect(motor.phi, {joint}.q);", f"constraint shaft: der(motor.phi) = der({joint}.q);"):
-        model = lagdsl.compile(MOTOR_ON_A_LOOP.replace("MERGED", text), engine="c")
+        model = lagdsl.compile(MOTOR_ON_A_LOOP.replace("MERGED", text), engine="tape")
         motion = model.simulate(stop=0.2, interval=0.1, tolerance=1e-9)
         found.append(np.array([motion["A.q"], motion["i"]]))
     np.testing.assert_allclose(found[0], found[1], atol=1e-8)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import chosen
 from maximal_coordinates import BASE, SIZES, WORLD, equations, hubs
 from random_mechanisms import mechanism, text
 
@@ -102,7 +103,7 @@ def check(found, model, t, q, qd, bound):
     assert determined[: begin[-1]].all()
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", chosen([1, 2], [1]))
 @pytest.mark.parametrize("name", CASES)
 def test_motion_and_reactions(name, seed):
     case = CASES[name]

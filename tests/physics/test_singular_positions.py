@@ -11,6 +11,7 @@ from pathlib import Path
 import linkages
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 from lagdsl.simulate.failure import SimulationFailed
@@ -79,7 +80,7 @@ def drift(motion: lagdsl.Trajectory) -> float:
     return float(np.max(np.abs(energy - energy[0])) / np.max(np.abs(energy)))
 
 
-@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize("engine", engines(["numpy", "c"]))
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
 @pytest.mark.parametrize(
     ("text", "pairs"),

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 
 SIZES = (1e-9, 1e-7, 1e7, 1e9)
-ENGINES = ("tape", "numpy")
+ENGINES = engines(("tape", "numpy"))
 
 # Links 2, 3, 4 and ground 5 m: placed from guesses, moved by one rate.
 LINKAGE = """

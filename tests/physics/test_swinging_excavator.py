@@ -13,7 +13,7 @@ MODEL = Path(__file__).parents[2] / "models" / "excavator.lag"
 
 
 def test_it_moves_as_four_free_bodies_with_pins() -> None:
-    model = lagdsl.compile(MODEL, engine="c")
+    model = lagdsl.compile(MODEL, engine="tape")
     drive, turning = 4e5, 0.8
     motion = model.simulate(
         stop=0.4, interval=0.02, tolerance=1e-10, start={"der(swing)": turning}, inputs={"swing_drive": drive}

@@ -25,6 +25,7 @@ from lagdsl.runtime.building.compiler import FLAGS, Compiler, find_compiler
 from lagdsl.runtime.engines.c_engine import CEngine
 from lagdsl.runtime.engines.native_model import load_compiled
 
+QUICKLY = ["-O0"]
 SOURCES = {"answer.c": "int answer(void);\nint answer(void) { return 42; }\n"}
 
 
@@ -39,7 +40,7 @@ def runtime() -> Path:
     """The cache of all other tests, with the object files of the runtime."""
     with pytest.MonkeyPatch.context() as patch:
         patch.delenv("CC", raising=False)
-        build(sources(pendulum("First")))
+        build(sources(pendulum("First")), QUICKLY)
         return cache_folder()
 
 
@@ -48,9 +49,6 @@ def _compiled_runtime(_own_cache: None, runtime: Path) -> None:
     """The cache holds what all models share."""
     for path in runtime.glob("*.o"):
         shutil.copy(path, cache_folder())
-
-
-COMPILED_RUNTIME = pytest.mark.usefixtures("_compiled_runtime")
 
 
 def _code(caught: pytest.ExceptionInfo[CompilationFailed]) -> str:
@@ -77,7 +75,6 @@ def test_the_name_depends_on_everything() -> None:
     assert len(hashes) == 9
 
 
-@COMPILED_RUNTIME
 def test_a_broken_library_is_built_again() -> None:
     program = pendulum()
     library = build(engine_sources(program))
@@ -85,7 +82,6 @@ def test_a_broken_library_is_built_again() -> None:
     assert np.isfinite(CEngine(program).evaluate("start", 0.0, np.array(program.layout.defaults))[0]).all()
 
 
-@COMPILED_RUNTIME
 def test_another_version_of_the_interface_is_refused() -> None:
     program = pendulum("Old")
     texts = engine_sources(program)
@@ -202,11 +198,11 @@ def test_nothing_reorders_arithmetic() -> None:
     assert not any("fast-math" in flag for flag in FLAGS)
 
 
-@COMPILED_RUNTIME
+@pytest.mark.usefixtures("_compiled_runtime")
 def test_the_runtime_is_compiled_once_for_all_modules() -> None:
     before = set(cache_folder().iterdir())
     assert before
-    library = build(sources(pendulum("Second")))
+    library = build(sources(pendulum("Second")), QUICKLY)
     assert set(cache_folder().iterdir()) - before == {library}
 
 
@@ -244,7 +240,6 @@ print(engine.solve(0.0, q, qd, none, none, none, np.array([1.0, 2.0, 3.0]))[0].t
 """
 
 
-@COMPILED_RUNTIME
 def test_runs_are_identical_to_the_bit(root: Path) -> None:
     command = [sys.executable, "-c", _RUN, str(root), str(root / "tests")]
     runs = {subprocess.run(command, capture_output=True, text=True, check=True).stdout for _ in range(2)}

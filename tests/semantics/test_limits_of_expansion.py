@@ -6,9 +6,11 @@ import sys
 import time
 
 import pytest
+from choice import ALL
 from flattening import run, said
 
 from lagdsl.flat import model as fm
+from lagdsl.semantics.scope import limits
 from lagdsl.semantics.scope.limits import MAX_TURNS
 
 HEAD = "model A\n  coordinate Length x;\n"
@@ -42,7 +44,9 @@ def test_chain_of_eighty_links_is_quick(root) -> None:  # type: ignore[no-untype
 
 
 @pytest.mark.no_cover
-def test_functions_that_multiply() -> None:
+def test_functions_that_multiply(monkeypatch: pytest.MonkeyPatch) -> None:
+    if not ALL:
+        monkeypatch.setattr(limits, "MAX_CALLS", limits.MAX_CALLS // 10)
     doubling = "".join(f"function f{i}(Real x) -> Real = f{i - 1}(x) + f{i - 1}(x);\n" for i in range(1, 30))
     _, sink = run(f"function f0(Real x) -> Real = x;\n{doubling}" + body("  potential f29(x/(1 m))*(1 J);"))
     assert {code for code, _ in said(sink)} == {"E0326"}

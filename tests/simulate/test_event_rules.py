@@ -6,12 +6,13 @@ import math
 
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.simulate.failure import SimulationFailed
 
-ENGINES: tuple[EngineName, ...] = ("numpy", "c")
+ENGINES = engines(("numpy", "c"))
 
 
 def model(text: str, engine: EngineName) -> lagdsl.Model:

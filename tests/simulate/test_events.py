@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 from lagdsl.runtime.engines.engine import EngineName
@@ -27,7 +28,7 @@ end Ball;
 """
 
 
-@pytest.fixture(autouse=True, params=["numpy", "c"])
+@pytest.fixture(autouse=True, params=engines(["numpy", "c"]))
 def engine(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> EngineName:
     """Everything here holds for both engines, which know of each other's rules nothing."""
     monkeypatch.setattr(lagdsl, "compile", partial(lagdsl.compile, engine=request.param))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 
@@ -44,7 +45,7 @@ def _end(model: lagdsl.Model, **options: object) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("solver", "order"), [("rk4", 4), ("leapfrog", 2), ("ros2", 2)])
-@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize("engine", engines(["numpy", "c"]))
 def test_the_order_is_what_is_told(solver: str, order: int, engine: str) -> None:
     model = lagdsl.compile(DRIVEN, engine=engine)
     exact = _end(model, solver="dop853", tolerance=1e-12)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from choice import engines
 
 import lagdsl
 from lagdsl.cli.summary import summary
@@ -31,7 +32,7 @@ end Ball;
 """
 
 
-@pytest.mark.parametrize("engine", ["tape", "numpy"])
+@pytest.mark.parametrize("engine", engines(["tape", "numpy"]))
 def test_rows_that_nobody_asked_for_show_the_motion(engine: EngineName) -> None:
     """Rows every hundredth of a second would show a mass that stands still."""
     motion = lagdsl.compile(FAST, engine=engine).simulate(stop=0.5)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import numpy as np
 import pytest
+from choice import EXPLORE, chosen
 
 import lagdsl
 from lagdsl.diagnostics import Severity, Sink
@@ -27,7 +27,6 @@ CHOSEN = (
     "slider_crank_components",
     "watt_governor",
 )
-EXPLORE = os.environ.get("LAGDSL_EXPLORE") == "1"
 EVERY = sorted(path.stem for path in MODELS.glob("*.lag"))
 
 CRANK = """
@@ -78,9 +77,9 @@ class _Starts:
             assert not coordinate.rate_fixed or found.qd[place] == pytest.approx(declared[n + place], abs=1e-9)
 
 
-@pytest.mark.parametrize("name", EVERY if EXPLORE else CHOSEN)
+@pytest.mark.parametrize("name", EVERY if EXPLORE else chosen(CHOSEN, [n for n in CHOSEN if n != "double_wishbone"]))
 def test_starts_satisfy_what_is_asked_for_any_parameters(name: str) -> None:
-    model = lagdsl.compile(MODELS / f"{name}.lag", engine="c")
+    model = lagdsl.compile(MODELS / f"{name}.lag", engine="tape")
     flat = model._compilation.flat
     if not flat.constraints:
         pytest.skip("nothing moves its start values")
@@ -90,8 +89,8 @@ def test_starts_satisfy_what_is_asked_for_any_parameters(name: str) -> None:
     for _ in range(2):
         p = starts.defaults * (1.0 + 0.05 * generator.standard_normal(len(starts.defaults)))
         starts.check(p, {})
-        chosen = generator.choice(len(starts.names), size=min(2, len(starts.names)), replace=False).tolist()
-        starts.check(p, {starts.names[k]: starts.declared(p)[k] + 0.2 * generator.standard_normal() for k in chosen})
+        picked = generator.choice(len(starts.names), size=min(2, len(starts.names)), replace=False).tolist()
+        starts.check(p, {starts.names[k]: starts.declared(p)[k] + 0.2 * generator.standard_normal() for k in picked})
 
 
 def test_what_cannot_be_satisfied() -> None:

@@ -91,6 +91,24 @@ def test_zero_where_others_hold_follows_from_them() -> None:
     assert "`a1` and `b1`" in found["N0607"].message and not {"N0605", "E0609", "E0610"} & found.keys()
 
 
+_SHAFT = """
+model Shaft
+  coordinate Angle a(start = 0.3 rad), b(start = 0.1 rad), c(start = 0.2 rad);
+  frame turned = world.rotx(a).roty(b).rotz(c);
+  gravity = 0;
+  body d(m = 1 kg, I = {1, 1, 1}) on turned;
+  constraint axis: turned.x = world.x;
+end Shaft;
+"""
+
+
+def test_component_of_a_unit_vector_follows_from_the_others() -> None:
+    """It is 1 where they are 0, and has no gradient there: cos(b) = 1 alone would be an error."""
+    found, compilation = check(SourceFile("Shaft.lag", _SHAFT))
+    assert compilation is not None and "E0609" not in {each.code for each in found}
+    assert compilation.structure.freedom == 1
+
+
 @pytest.mark.parametrize(
     "pair",
     [

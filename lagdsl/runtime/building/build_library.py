@@ -48,7 +48,7 @@ def build_library(folder: Path, name: str | None = None, objects: Path | None = 
     compiler = _compiler(name)
     system = (name or this_machine()).partition("-")[0]
     file = library_name(system)
-    more = libraries(system, by_zig=_is_zig(compiler))
+    more = libraries(system, by_zig=False)  # of what ziglang compiles, the test of the processor's registers is needed
     return compile_runtime(compiler, folder / file, link_flags(system, file), more, objects)
 
 

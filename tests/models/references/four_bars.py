@@ -1,6 +1,7 @@
 """The four-bar linkage as three free bars held by pins: angles and the force in the pin between coupler and rocker."""
 
 from collections.abc import Mapping
+from functools import cache
 
 import numpy as np
 
@@ -14,7 +15,7 @@ LENGTHS, MASSES, GROUND_LINK, CRANK = (0.4, 1.0, 0.8), (1.0, 2.0, 1.5), 1.0, np.
 
 def four_bar(_: Parameters, t: Floats) -> dict[str, Floats]:
     """Joint angles as the components count them; the rocker's own x axis points from C to D."""
-    a, b, c, pin = _bars(t)
+    a, b, c, pin = _bars(tuple(t))
     start = np.radians([60, -30, -110])
     relative = {"A.q": a, "B.q": b - a, "C.q": c + np.pi - b, "D.q": -c - np.pi}
     columns = {name: q - 2 * np.pi * np.round((q[0] - s) / (2 * np.pi)) for (name, q), s in zip(
@@ -30,17 +31,18 @@ def four_bar_spatial(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 def four_bar_points(_: Parameters, t: Floats) -> dict[str, Floats]:
     """Angles from the horizontal."""
-    a, b, c, pin = _bars(t)
+    a, b, c, pin = _bars(tuple(t))
     return {"a": a, "b": b, "c": c} | {f"pinC[{k + 1}]": pin[:, k] for k in range(3)}
 
 
 def four_bar_crank(_: Parameters, t: Floats) -> dict[str, Floats]:
     """The crank angle, and the pin's force as the model works it out."""
-    a, _b, _c, pin = _bars(t)
+    a, _b, _c, pin = _bars(tuple(t))
     return {"a": a} | {f"pinC[{k + 1}]": pin[:, k] for k in range(3)}
 
 
-def _bars(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+@cache
+def _bars(times: tuple[float, ...]) -> tuple[Floats, Floats, Floats, Floats]:
     """Angles of crank, coupler and rocker (from D to C) from the horizontal; force of the coupler on the rocker.
 
     The crank turns about z; the other pins are ball joints, which the plane motion does not notice.
@@ -63,7 +65,7 @@ def _bars(t: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         spherical(far[2], far[1]),
     ]
     weights = [(Point(i, np.zeros(3)), np.array([0, -m * G_N, 0]), np.zeros(3)) for i, m in enumerate(MASSES)]
-    states, _, forces = motion(bars, joints, lambda *_: weights, t)
+    states, _, forces = motion(bars, joints, lambda *_: weights, np.array(times))
     turned_by = [np.unwrap([np.arctan2(s.R[i, 1, 0], s.R[i, 0, 0]) for s in states]) for i in range(3)]
     return turned_by[0], turned_by[1], turned_by[2], np.array([f[-3:] for f in forces])
 

@@ -41,6 +41,12 @@ def solve(
 
 
 def linear(a: ArrayLike, start: Sequence[float], t: Floats) -> Floats:
-    """Rows of the solution of x' = a x, x(t[0]) = start, by the matrix exponential; shape (len(start), len(t))."""
-    matrix = np.asarray(a, dtype=float)
-    return np.array([expm(matrix * (time - t[0])) @ np.asarray(start, dtype=float) for time in t]).T
+    """Rows of the solution of x' = a x, x(t[0]) = start, shape (len(start), len(t)): from time to time by the matrix
+    exponential, one for each length of a step."""
+    matrix, rows = np.asarray(a, dtype=float), [np.asarray(start, dtype=float)]
+    over: dict[float, Floats] = {}
+    for step in np.diff(t).tolist():
+        if step not in over:
+            over[step] = expm(matrix * step)
+        rows.append(over[step] @ rows[-1])
+    return np.array(rows).T

@@ -1,0 +1,38 @@
+"""`lag verify FILE`: everything that can be computed in two ways, compared."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from lagdsl.cli.compile_model import compile_or_leave
+from lagdsl.cli.model_file import Format, read_or_leave, takes_model
+from lagdsl.cli.output import require_writable, write_text
+from lagdsl.cli.status import FAILED_RUN
+from lagdsl.diagnostics import Sink
+
+
+@click.command("verify")
+@takes_model
+@click.option(
+    "--to", "form", type=click.Choice(["text", "json", "html"]), help="Default: by the suffix of -o, else text."
+)
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file instead.")
+def command(file: Path, model: str | None, style: Format, form: str | None, output: Path | None) -> None:
+    """Compare both derivations, all engines, derivatives, power and the motion of the model in FILE.
+
+    Leaves with status 3 if a line fails.
+    """
+    require_writable(output)
+    source = read_or_leave(file, style)
+    compilation, _ = compile_or_leave(source, Sink(), style, model, "graph", {})
+
+    from lagdsl.verify.certify import certify
+    from lagdsl.verify.forms import FORMS
+
+    suffix = "" if output is None else output.suffix.removeprefix(".")
+    certificate = certify(compilation, source)
+    write_text(FORMS[form or (suffix if suffix in FORMS else "text")](certificate), output)
+    if not certificate.holds:
+        click.get_current_context().exit(FAILED_RUN)

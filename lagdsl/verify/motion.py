@@ -1,0 +1,74 @@
+"""Lines on the motion: constraints, invariants, a smaller tolerance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from lagdsl.diagnostics import CompilationFailed
+from lagdsl.flat.model import FlatModel
+from lagdsl.runtime.engines.engine import Engine
+from lagdsl.signals.trajectory import Trajectory
+from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.simulate import simulate
+from lagdsl.verify.certificate import Line
+
+_ROWS = 201
+_ON_CONSTRAINTS = 1e-6
+_FINER = 0.1
+
+
+def motion(flat: FlatModel, engine: Engine) -> Iterator[Line]:
+    """The motion of the model's experiment, and the same with a tenth of its tolerance."""
+    name, says = "motion", "the motion of the experiment runs to its end"
+    experiment = flat.experiment
+    interval = (experiment.stop_time - experiment.start_time) / (_ROWS - 1)
+    try:
+        found = simulate(engine, flat, interval=interval)
+        finer = simulate(engine, flat, interval=interval, tolerance=_FINER * experiment.tolerance)
+    except (CompilationFailed, SimulationFailed) as failure:
+        yield Line(name=name, says=says, figure=1.0, limit=0.0, note=failure.diagnostics[0].message)
+        return
+    if flat.constraints:
+        yield _on_constraints(found)
+    for invariant in found.invariants:
+        yield Line(
+            name=f"invariant {invariant.name}",
+            says="what is claimed to be constant stays so along the motion",
+            figure=invariant.drift,
+            limit=invariant.limit,
+        )
+    yield _against_finer(found, finer)
+
+
+def _on_constraints(found: Trajectory) -> Line:
+    size = max(
+        (float(np.max(np.abs(c.values), initial=0.0)) for c in found.columns if c.kind == "coordinate"), default=1.0
+    )
+    residual = float(np.max(found.position_residual, initial=0.0))
+    return Line(
+        name="constraints",
+        says="positions stay on the constraints; as a part of the largest coordinate",
+        figure=residual / (size or 1.0),
+        limit=_ON_CONSTRAINTS,
+    )
+
+
+def _against_finer(found: Trajectory, finer: Trajectory) -> Line:
+    """The largest difference of a coordinate, as a part of its range, at the times that both have."""
+    largest, where = 0.0, ""
+    for mine, other in zip(found.columns, finer.columns, strict=True):
+        if mine.kind != "coordinate":
+            continue
+        at = np.interp(found.time, finer.time, other.values)
+        spread = max(mine.highest - mine.lowest, np.finfo(float).tiny)
+        part = float(np.max(np.abs(mine.values - at), initial=0.0)) / spread
+        if part > largest:
+            largest, where = part, f"largest in {mine.name}"
+    return Line(
+        name="a tenth of the tolerance",
+        says="difference of a coordinate from the motion with a tenth of the tolerance, as a part of its range",
+        figure=largest,
+        note=where,
+    )

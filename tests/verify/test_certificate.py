@@ -1,0 +1,153 @@
+"""A certificate holds for sound models, and names the line where a fault is planted."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from choice import chosen
+from click.testing import CliRunner
+from models.corpus import MODELS, compiled, path_of
+
+import lagdsl
+from lagdsl.cli.main import lag
+from lagdsl.pipeline import Compilation
+from lagdsl.program.program import Program
+from lagdsl.runtime.engines.c_engine import CEngine
+from lagdsl.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.runtime.engines.tape_engine import TapeEngine
+from lagdsl.verify import certify as certify_module
+from lagdsl.verify import motion as motion_module
+from lagdsl.verify.certificate import Certificate
+from lagdsl.verify.certify import certify
+from lagdsl.verify.forms import FORMS
+
+NAME = "bead_on_circular_wire_redundant"  # a constraint, a load, dissipation
+
+
+@pytest.mark.parametrize("name", chosen(MODELS, ("double_pendulum", NAME, "van_der_pol")))
+def test_every_line_holds(name: str) -> None:
+    found = certify(compiled(name).compilation)
+    assert [(line.name, line.figure) for line in found.lines if line.verdict == "failed"] == []
+    assert sum(line.verdict == "held" for line in found.lines) >= 6
+
+
+def failing(found: Certificate) -> set[str]:
+    return {line.name for line in found.lines if line.verdict == "failed"}
+
+
+def wrong(program: Program, function: str, block: int) -> Program:
+    """The same with the sign of the first element of a result turned."""
+    blocks = list(program.function(function).results)
+    first, *others = blocks[block].elements
+    blocks[block] = replace(blocks[block], elements=(program.graph.negate(first), *others))
+    functions = [replace(each, results=tuple(blocks)) if each.name == function else each for each in program.functions]
+    return replace(program, functions=tuple(functions))
+
+
+def in_program(function: str, block: int) -> Callable[[pytest.MonkeyPatch], Compilation]:
+    def plant(_: pytest.MonkeyPatch) -> Compilation:
+        compilation = compiled(NAME).compilation
+        return replace(compilation, program=wrong(compilation.program, function, block))
+
+    return plant
+
+
+def in_method(engine: type, method: str) -> Callable[[pytest.MonkeyPatch], Compilation]:
+    """An engine that gives something else by a millionth of a part."""
+
+    def plant(patch: pytest.MonkeyPatch) -> Compilation:
+        sound = getattr(engine, method)
+
+        def off(self: Any, *arguments: Any) -> Any:
+            found = sound(self, *arguments)
+            return tuple(1.000001 * block for block in found) if isinstance(found, tuple) else 1.000001 * found
+
+        patch.setattr(engine, method, off)
+        return compiled(NAME).compilation
+
+    return plant
+
+
+def dropped_load(_: pytest.MonkeyPatch) -> Compilation:
+    compilation = compiled(NAME).compilation
+    return replace(compilation, flat=replace(compilation.flat, loads=()))
+
+
+def drifting(patch: pytest.MonkeyPatch) -> Compilation:
+    sound = motion_module.simulate
+
+    def off(*arguments: Any, **options: Any) -> Any:
+        found = sound(*arguments, **options)
+        return replace(found, position_residual=found.position_residual + 1e-3)
+
+    patch.setattr(motion_module, "simulate", off)
+    return compiled(NAME).compilation
+
+
+def false_claim(_: pytest.MonkeyPatch) -> Compilation:
+    text = path_of(NAME).read_text().replace("  constraint wire", "  invariant x_stays: x;\n  constraint wire")
+    from named_models import compiled as from_text
+
+    return from_text(text)
+
+
+FAULTS = {
+    "a value in the NumPy emitter": (in_method(NumpyEngine, "evaluate"), "engine numpy"),
+    "a value on the tape": (in_method(TapeEngine, "evaluate"), "engine tape"),
+    "a value in the C emitter": (in_method(CEngine, "evaluate"), "engine c"),
+    "a sign in the mass matrix": (in_program("mass_matrix", 0), "two derivations"),
+    "a wrong gamma": (in_program("dynamics", 3), "two derivations"),
+    "a sign in the residual": (in_program("residual", 0), "two derivations"),
+    "a sign in the power of the loads": (in_program("power", 0), "power balance"),
+    "a dropped load": (dropped_load, "two derivations"),
+    "a wrong tangent": (in_method(TapeEngine, "jacobian"), "tangents"),
+    "a wrong solution": (in_method(TapeEngine, "solve"), "solution"),
+    "constraints that drift": (drifting, "constraints"),
+    "an invariant that is none": (false_claim, "motion"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_the_line_of_a_fault_fails(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    plant, line = FAULTS[fault]
+    found = certify(plant(monkeypatch))
+    assert line in failing(found)
+    assert not found.holds
+
+
+def test_forms() -> None:
+    found = replace(certify(compiled("pendulum").compilation), model="<b>&")
+    told = json.loads(FORMS["json"](found))
+    assert told["holds"] is True
+    assert [line["name"] for line in told["lines"]] == [line.name for line in found.lines]
+    assert "<b>&" not in FORMS["html"](found)
+    assert "&lt;b&gt;&amp;" in FORMS["html"](found)
+    assert str(found) == FORMS["text"](found)
+    assert "lines held" in str(found)
+
+
+def test_the_command_says_the_same(tmp_path: Any) -> None:
+    target = tmp_path / "certificate.json"
+    done = CliRunner().invoke(lag, ["verify", str(path_of("pendulum")), "-o", str(target)])
+    assert done.exit_code == 0, done.output
+    assert json.loads(target.read_text())["model"] == "Pendulum"
+    assert lagdsl.compile(path_of("pendulum")).verify().holds
+
+
+def test_a_failed_line_is_the_status_of_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    in_method(NumpyEngine, "evaluate")(monkeypatch)
+    done = CliRunner().invoke(lag, ["verify", str(path_of("pendulum"))])
+    assert done.exit_code == 3
+    assert "FAILED  engine numpy" in done.output
+
+
+def test_no_regular_state_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(certify_module, "random_states", lambda *_: {})
+    found = certify(compiled("pendulum").compilation)
+    assert found.lines[0].verdict == "left out"
+    assert np.all([line.name != "two derivations" for line in found.lines])
