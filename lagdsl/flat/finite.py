@@ -31,8 +31,8 @@ def is_unbounded(value: fx.FlatExpression) -> bool:
 
 
 def check_finite(flat: FlatModel, parameters: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
-    """E0329 for each dependent parameter, mass, inertia and gravity that is infinite or no number, E0506 for a mass
-    that values other than the defaults make negative."""
+    """E0329 for each dependent parameter, start of a discrete variable, mass, inertia and gravity that is infinite or
+    no number, E0506 for a mass that values other than the defaults make negative."""
     values = {parameter.name: parameter.value for parameter in flat.parameters} | dict(parameters)
     units = {parameter.name: "" if parameter.unit == "1" else f" {parameter.unit}" for parameter in flat.parameters}
     told: set[str] = set()
@@ -70,12 +70,15 @@ def _conditions(shown: list[str]) -> str:
 
 
 def _decided(flat: FlatModel, values: Mapping[str, float]) -> Iterator[tuple[Item, str, fx.FlatExpression]]:
-    """What parameters alone decide, definitions first, each after those that it needs."""
+    """Values that parameters alone determine, definitions first, each after those that it needs."""
     steady = set(values)
     for item in flat.named:
         if isinstance(item, Definition) and item.variability in _STEADY:
             steady.add(item.name)
             yield item, f"`{item.name}`", item.value
+    for discrete in flat.events.discretes:
+        if _is_steady(discrete.start, steady):
+            yield discrete, f"the start of `{discrete.name}`", discrete.start
     for mass in flat.masses:
         if _is_steady(mass.mass, steady):
             yield mass, "mass", mass.mass
@@ -95,7 +98,7 @@ def _is_steady(value: fx.FlatExpression, steady: set[str]) -> bool:
 
 
 def _check_gravity(flat: FlatModel, values: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
-    """Where its vector is made of independent parameters and axes."""
+    """Checks the vector of gravity if it consists of independent parameters and axes."""
     if flat.gravity is None or sink.has_errors:
         return
     leaves = [node for node in postorder(flat.gravity, {}) if not operands(node)]

@@ -40,6 +40,7 @@ def told(statements: str) -> dict[str, str]:
         ("parameter Real k = 0, g = (k - 1)^0.5;", "`g` has no finite value with k = 0"),
         ("parameter Real k = 0, g = atan2(1/k, 1);", "`g` has no finite value with k = 0"),
         ("parameter Real k = 0; mass 1 kg/k at {x, 1 m};", "mass has no finite value with k = 0"),
+        ("parameter Real k = 0; discrete Real n(start = 1/k);", "the start of `n` has no finite value with k = 0"),
         ("parameter Mass m = inf; mass m at {x, 1 m};", "mass has no finite value with m = inf kg"),
         (
             "parameter Real k = 0; body b(m = 1 kg, Izz = 1 kg.m2/k) on world.move({x, 0, 0});",

@@ -1,3 +1,4 @@
+#include "lag/equations/rank.h"
 #include "lag/initial/initialization.h"
 
 #include <float.h>
@@ -125,6 +126,13 @@ size_t lag_initialization_rank(size_t count, size_t width, const double *matrix,
     }
     const lag_svd svd = lag_svd_of(count, width, matrix, memory);
     return lag_svd_rank(&svd, RANK);
+}
+
+int lag_initialization_is_regular(lag_initialization *b, double *memory)
+{
+    lag_look look;
+    lag_look_place(&look, b->motion->model, b->sizes, b->row_sizes, memory);
+    return lag_look_at(&look, b->jacobian) == LAG_OK;
 }
 
 /* ---- sizes ---- */
