@@ -12,7 +12,7 @@ static const double NEAR = 0.1;
  * x' (J0 + s (J1 - J0)) J0' x > 0.
  */
 static const double LEFT = 0.25;
-/* Where more rows last than are independent, one with a pivot below this follows from those before it. */
+/* If more rows last than are independent, a row with a pivot below this follows from those before it. */
 static const double FOLLOWS = 1e-6;
 
 static size_t entries_of(const lag_model *model)
@@ -45,7 +45,7 @@ static void list_columns(lag_look *look)
     look->first[look->m] = (double)next;
 }
 
-/* Whether two rows share a coordinate; `marks` (n) are those of one of them. */
+/* True if two rows share a coordinate; `marks` (n) are those of one of them. */
 static int shares(const lag_look *look, size_t row, const double *marks)
 {
     const size_t end = (size_t)look->first[row + 1];
