@@ -57,7 +57,7 @@ class Turning:
         return replace(at, value=value, a=a)
 
     def _entry_sizes(self, at: Reduced, along: Floats) -> Floats:
-        """What the entries of A - X are judged by, so that zeros are zeros: the numbers they are the difference of, and
+        """Scales of the entries of A - X, by which zeros are zeros: the numbers that they are differences of, and
         between numbers of quaternions that turn the powers of their pace. Round-off would make pairs of eigenvalues of
         double zeros."""
         sizes = np.abs(at.a) + np.abs(along)

@@ -43,7 +43,7 @@ _HEADERS = """
     streambuf string_view thread tuple type_traits typeinfo unordered_map unordered_set utility valarray variant
     vector version
 """
-# What the Makefile, the runtime, the examples and the headers of FMI are called.
+# Names of the Makefile, the runtime, the examples and the headers of FMI.
 _OWN = """
     main realtime makefile readme lag freestanding all clean sources binaries
     fmi2functions fmi2functiontypes fmi2typesplatform fmi3functions fmi3functiontypes fmi3platformtypes

@@ -70,7 +70,7 @@ def _conditions(shown: list[str]) -> str:
 
 
 def _decided(flat: FlatModel, values: Mapping[str, float]) -> Iterator[tuple[Item, str, fx.FlatExpression]]:
-    """What parameters alone decide, definitions first, each after those that it needs."""
+    """Values that parameters alone determine, definitions first, each after those that it needs."""
     steady = set(values)
     for item in flat.named:
         if isinstance(item, Definition) and item.variability in _STEADY:
@@ -98,7 +98,7 @@ def _is_steady(value: fx.FlatExpression, steady: set[str]) -> bool:
 
 
 def _check_gravity(flat: FlatModel, values: Mapping[str, float], evaluator: Evaluator, sink: Sink) -> None:
-    """Where its vector is made of independent parameters and axes."""
+    """Checks the vector of gravity if it consists of independent parameters and axes."""
     if flat.gravity is None or sink.has_errors:
         return
     leaves = [node for node in postorder(flat.gravity, {}) if not operands(node)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from lagdsl.eliminate.count import flops
+from lagdsl.mechanics.correction import correction
 from lagdsl.mechanics.eliminated import eliminate
 from lagdsl.mechanics.equations import Equations
 from lagdsl.mechanics.tangent import acceleration_tangent
@@ -13,8 +14,8 @@ from lagdsl.structure.structure import Structure
 
 
 def solve(equations: Equations, program: Program, structure: Structure | None = None) -> Program:
-    """`program`, arranged from `equations`, with the functions `elimination` and `acceleration_tangent`; as it
-    is where solving at run time is cheaper or `structure` has no point of the constraints.
+    """`program`, arranged from `equations`, with the functions `elimination` and `acceleration_tangent`, in long ones
+    with `correction`; as it is where solving at run time is cheaper or `structure` has no point of the constraints.
 
     `structure` is needed where there are constraints: their ranks decide which multipliers are eliminated.
     """
@@ -24,8 +25,9 @@ def solve(equations: Equations, program: Program, structure: Structure | None = 
     if found is None:
         return program
     change = acceleration_tangent(found, *program.function("residual_tangent").results)
+    added = (found.function, change, *correction(equations, found))
     kept = tuple(row.index for row in found.factor.rows.kept)
-    return replace(program, functions=(*program.functions, found.function, change), kept_rows=kept)
+    return replace(program, functions=(*program.functions, *added), kept_rows=kept)
 
 
 def _cost_of_forming(program: Program) -> int:

@@ -19,7 +19,8 @@ at run time. The multipliers of the nk rows `Program.kept_rows` are left to run 
 with J and gamma of the kept rows, and J Y' symmetric and positive semidefinite. `pivot` is what subtraction left of the
 smallest pivot, relatively: where it is small or no number, the others are not to be used.
 `acceleration_tangent`, there with `elimination`, solves M dqdd - J' dlam = -dr, J dqdd = -ds in the same way: dqdd and
-dlam with the multipliers of the kept rows held, and ds of these rows.
+dlam with the multipliers of the kept rows held, and ds of these rows. So does `correction`, in long programs with
+constraints, for M change - J' lam = 0, J change = -residual: the residuals of the rows stand in place of lam.
 Directions `dp` hold one entry per independent parameter.
 
 Models with discretes: an indicator is positive (or, for relations that allow it, zero) where its relation holds. Gaps
@@ -51,6 +52,7 @@ class Presence(Enum):
     DISCRETES = "Only in models with discretes"
     CORNERS = "Only in models with corners"
     NAMED = "Only in programs that tell every named value"
+    CORRECTED = "Only in programs of many coordinates with constraints that are solved while they are expressions"
 
 
 @record()
@@ -210,6 +212,14 @@ FUNCTIONS: tuple[Signature, ...] = (
         "motion[nq] rows[nc] phi[nc] residual[nc] rates[nz] y[ny] total kinetic potential jacobi d[nd]",
         "how everything changes with t alone: dr, ds, dphi, d(J qd + b), dzd, dy, the energies, dd",
         Presence.NAMED,
+    ),
+    _function(
+        "correction",
+        (*STATE, Group.LAMBDA),
+        "change[nq] lam_change[nc] pivot",
+        "for lam in place of the residuals of the rows: the change of least inertia that takes them away to first "
+        "order, and its multipliers, with those of `kept_rows` zero; what is left of the smallest pivot, relatively",
+        Presence.CORRECTED,
     ),
     _function(
         "acceleration_tangent",

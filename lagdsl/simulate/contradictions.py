@@ -1,4 +1,4 @@
-"""Which conditions of the start contradict each other: initial equations, fixed starts and constraints.
+"""Conditions of the start that contradict each other: initial equations, fixed starts and constraints.
 
 From those that cannot hold together one after the other is left out; one that is not missed stays out. The rest
 contradict each other, and none of them can be spared (the deletion filter of Chinneck, Feasibility and Infeasibility in

@@ -102,7 +102,7 @@ def _unforetold(space: Geometry, base: Floats) -> Flags:
 
 
 def _fault(space: Geometry, base: Floats, row: int) -> _Fault | None:
-    """What is wrong with the gradient of `row` on its own set; None if it is as it should be anywhere there."""
+    """Fault of the gradient of `row` on its own set; None if it is as it should be anywhere there."""
     alone = space.only([row])
     generator = np.random.default_rng(SEED + 1)
     fault: _Fault | None = None

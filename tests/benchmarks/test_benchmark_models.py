@@ -10,9 +10,17 @@ import pytest
 import lagdsl
 
 NAMES = (
+    "balls",
     "beam",
     "drive",
     "four_bars",
+    "iftomm_a01",
+    "iftomm_a02",
+    "iftomm_a04",
+    "iftomm_a05",
+    "ladder",
+    "masses",
+    "net",
     "panda",
     "panda_scalars",
     "planar_chain",

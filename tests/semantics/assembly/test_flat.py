@@ -217,7 +217,7 @@ end M;
     )
     assert names(flat) == ["a[1]", "a[2]"]
     assert [coordinate.fixed for coordinate in flat.coordinates] == [False, True]
-    assert "Angle last [rad] = a[2]" in flat_text(flat)
+    assert "Angle last [rad, shown in deg] = a[2]" in flat_text(flat)
     assert codes == []
 
 

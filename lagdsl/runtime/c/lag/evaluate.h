@@ -40,7 +40,8 @@ typedef enum lag_function {
     LAG_START_TANGENT,
     LAG_ENERGIES_TANGENT,
     LAG_INITIAL_EQUATION_TANGENT,
-    LAG_TIME_TANGENT
+    LAG_TIME_TANGENT,
+    LAG_CORRECTION
     /* ---- end of what is generated ---- */
 } lag_function;
 

@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 2u
+#define LAG_MODEL_VERSION 3u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -229,6 +229,12 @@ typedef struct lag_model {
     lag_status (*time_tangent)(
         const lag_arguments *at, double *motion, double *rows, double *phi, double *residual, double *rates, double *y,
         double *total, double *kinetic, double *potential, double *jacobi, double *d);
+    /*
+     * t q qd z u w p lam -> change (nq), lam_change (nc), pivot: for lam in place of the residuals of the rows: the change of least
+     * inertia that takes them away to first order, and its multipliers, with those of `kept_rows` zero; what is left of the
+     * smallest pivot, relatively. Only in programs of many coordinates with constraints that are solved while they are expressions
+     */
+    lag_status (*correction)(const lag_arguments *at, double *change, double *lam_change, double *pivot);
     /* ---- end of what is generated ---- */
 
     /* where J can be nonzero; null: anywhere */

@@ -253,6 +253,14 @@ static lag_status evaluate_time_tangent(const lag_model *model, const lag_argume
     return model->time_tangent == NULL ? LAG_MISSING : model->time_tangent(at, motion, rows, phi, residual, rates, y, total, kinetic, potential, jacobi, d);
 }
 
+static lag_status evaluate_correction(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const change = results;
+    double *const lam_change = change + model->nq;
+    double *const pivot = lam_change + model->nc;
+    return model->correction == NULL ? LAG_MISSING : model->correction(at, change, lam_change, pivot);
+}
+
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results)
 {
     switch (which) {
@@ -324,6 +332,8 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return evaluate_initial_equation_tangent(model, at, results);
     case LAG_TIME_TANGENT:
         return evaluate_time_tangent(model, at, results);
+    case LAG_CORRECTION:
+        return evaluate_correction(model, at, results);
     }
     return LAG_MISSING;
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/correction.h"
 #include "lag/linalg/arena.h"
 
 static const double ROUNDING = 1e-14;
@@ -33,7 +34,8 @@ size_t lag_projection_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t rows = m + most_held(model);
-    return 4 * m + 2 * rows + 5 * n + model->nz + m * n + rows * n + n * n + lag_system_memory(n, rows);
+    return 4 * m + 2 * rows + 5 * n + model->nz + m * n + rows * n + n * n + lag_correction_memory(model) +
+           lag_system_memory(n, rows);
 }
 
 /* All belong together where nobody tells what the rows hold. */
@@ -93,7 +95,8 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->point = projection->lam + rows;
     projection->component = projection->point + n;
     projection->largest = projection->component + m;
-    projection->system = projection->largest + n + motion->model->nz;
+    projection->correction = projection->largest + n + motion->model->nz;
+    projection->system = projection->correction + lag_correction_memory(motion->model);
     for (size_t i = 0; i < n; ++i) {
         projection->sizes[i] = 1.0;
         projection->force[i] = 0.0;
@@ -142,6 +145,16 @@ static void fill_mass(lag_projection *projection)
     }
 }
 
+/* M where it was not formed for this projection. */
+static lag_status form_mass(lag_projection *projection)
+{
+    if (projection->formed) {
+        return LAG_OK;
+    }
+    projection->formed = 1;
+    return projection->motion->model->mass_matrix(&projection->motion->at, projection->mass);
+}
+
 /*
  * The change that makes the residuals vanish in the first order. Coordinates without inertia that other rows hold (charges, by the sums
  * of currents) may be free as far as positions go: then as little changes as can.
@@ -152,6 +165,14 @@ static lag_status smallest(lag_projection *projection, int every)
     const size_t n = model->nq;
     size_t rows = 0;
     lag_system system;
+    if ((every || projection->rows == model->nc) &&
+        lag_correction(model, &projection->motion->at, projection->phi, projection->jacobian, projection->round_off, projection->correction,
+            projection->change) == LAG_OK) {
+        return LAG_OK;
+    }
+    if (form_mass(projection) != LAG_OK) {
+        return LAG_PROJECTION_FAILED;
+    }
     for (size_t i = 0; i < model->nc; ++i) {
         if (every || model->position_level[i]) {
             memcpy(projection->chosen + rows * n, projection->jacobian + i * n, n * sizeof(double));
@@ -180,8 +201,9 @@ static lag_status positions(lag_projection *projection, double t, const double *
     memcpy(projection->point, x, n * sizeof(double));
     lag_motion_look(motion, t, x);
     motion->at.q = projection->point;
+    projection->formed = 0;
     for (unsigned k = 0; k < projection->iterations && projection->rows > 0; ++k) {
-        lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
+        const lag_status status = motion->model->position_constraint(&motion->at, projection->phi, projection->jacobian);
         const double size = largest(projection);
         if (status != LAG_OK || !(size < (double)INFINITY) || size > CLOSE * before) {
             return LAG_PROJECTION_FAILED;
@@ -190,10 +212,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
             return LAG_OK;
         }
         before = size;
-        if (!*moved) {
-            status = motion->model->mass_matrix(&motion->at, projection->mass);
-        }
-        if (status != LAG_OK || smallest(projection, 0) != LAG_OK) {
+        if (smallest(projection, 0) != LAG_OK) {
             return LAG_PROJECTION_FAILED;
         }
         *moved = 1;
@@ -238,7 +257,7 @@ static lag_status velocities(lag_projection *projection, double *x, int *moved)
 {
     lag_motion *motion = projection->motion;
     const size_t n = motion->model->nq;
-    lag_status status = motion->model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
+    const lag_status status = motion->model->velocity_constraint(&motion->at, projection->phi, projection->jacobian);
     const double size = status == LAG_OK ? largest_of_rates(projection, x + n) : (double)INFINITY;
     if (!(size < (double)INFINITY)) {
         return LAG_PROJECTION_FAILED;
@@ -246,8 +265,8 @@ static lag_status velocities(lag_projection *projection, double *x, int *moved)
     if (size <= 1.0) {
         return LAG_OK;
     }
-    status = motion->model->mass_matrix(&motion->at, projection->mass);
-    if (status != LAG_OK || smallest(projection, 1) != LAG_OK) {
+    projection->formed = 0;
+    if (smallest(projection, 1) != LAG_OK) {
         return LAG_PROJECTION_FAILED;
     }
     *moved = 1;

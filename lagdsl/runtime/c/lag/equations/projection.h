@@ -20,13 +20,15 @@ typedef struct lag_projection {
     double *sizes;         /* (nq) natural sizes of the coordinates */
     double *phi;           /* (nc) residuals, and */
     double *jacobian;      /* (nc, nq) their Jacobian, as they were looked at last */
-    double *mass;          /* (nq, nq) */
+    double *mass;          /* (nq, nq), */
+    int formed;            /* where it is that of the present projection */
     double *chosen;        /* (nc + most held, nq) */
     double *right, *force; /* (nc + most held) (nq) */
     double *change, *lam;  /* (nq) (nc + most held) */
     double *point;         /* (nq) */
     double *component;     /* (nc) that of the coordinates of each row, */
     double *largest;       /* (nq + nz) and what is largest in each of them */
+    double *correction;
     double *system;
     size_t count;          /* of states that were moved */
 } lag_projection;

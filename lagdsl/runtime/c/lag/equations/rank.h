@@ -1,6 +1,11 @@
 /*
  * Are the constraints about to lose rank, or has J turned so far in one step that they might have lost it on the way? A cheap look
  * that says yes too often rather than too seldom.
+ *
+ * It looks at products of rows only, of those that last and depend on no others. Rows that share coordinates stand near to each other, in
+ * the order of Cuthill and McKee; then J J' is a band along a chain of loops, and a look costs as much as the chain is long.
+ *
+ * Source: George and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4.
  */
 #ifndef LAG_RANK_H
 #define LAG_RANK_H
@@ -8,19 +13,21 @@
 #include "lag/model.h"
 
 typedef struct lag_look {
+    const lag_model *model;
     size_t m, n, most;        /* rows, columns, independent rows */
     size_t rank;              /* at the state looked at last; 0: none */
     const double *sizes;      /* (n) natural sizes of the coordinates */
     const double *row_sizes;  /* (m) */
     const double *lasting;    /* (m) 0: this row comes and goes and is not looked at; null: all are */
     double *rows, *now;       /* (m, n) J in these sizes, at the last state and now */
-    double *factors;          /* (m, n) of the last one, by lag_qr */
-    double *tau, *diagonal;   /* (m) */
-    double *pivot, *part;     /* (m) (n) */
+    double *first, *column;   /* (m + 1) (entries) where J can be nonzero, row by row */
+    double *order, *reach;    /* (m) rows in their order; the first in that order with which each shares a coordinate */
+    double *follows;          /* (m) 1: the row follows from others there, which nobody said */
+    double *start, *band;     /* (m + 1) where its line begins in the lower half of a symmetric matrix of rows */
 } lag_look;
 
-/* Doubles for a look at J (m, n). */
-size_t lag_look_memory(size_t m, size_t n);
+/* Doubles for a look at J. */
+size_t lag_look_memory(const lag_model *model);
 
 void lag_look_place(lag_look *look, const lag_model *model, const double *sizes, const double *row_sizes, double *memory);
 

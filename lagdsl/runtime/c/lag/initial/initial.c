@@ -259,7 +259,7 @@ static void find(lag_initialization *b, const unsigned char *set, double *x)
 }
 
 /* Rates that the constraints leave free at x. */
-static size_t find_freedom(lag_initialization *b, const double *x)
+static size_t find_freedom(lag_initialization *b, const unsigned char *set, const double *x)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
@@ -267,6 +267,9 @@ static size_t find_freedom(lag_initialization *b, const double *x)
     double *matrix = lag_take(&memory, model->nc * n);
     memcpy(b->q, x, n * sizeof(double));
     lag_initialization_velocities(b);
+    if (as_compiled(b, set) && lag_initialization_is_regular(b, memory)) {
+        return n - model->rank;
+    }
     for (size_t i = 0; i < model->nc; ++i) {
         for (size_t j = 0; j < n; ++j) {
             matrix[i * n + j] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
@@ -331,7 +334,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
         status = lag_initialization_at(&b, start, set, t, x);
         if (status == LAG_OK) {
             find(&b, set, x);
-            b.told.freedom = find_freedom(&b, x);
+            b.told.freedom = find_freedom(&b, set, x);
             copy(model->nc, b.row_sizes, found.row_sizes);
             copy(model->nc * model->nq, b.pattern, found.pattern);
             found = b.told;

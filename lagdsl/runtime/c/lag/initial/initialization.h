@@ -53,6 +53,9 @@ void lag_initialization_point(const lag_initialization *b, unsigned long long *s
 /* A number of normal distribution, about. */
 double lag_initialization_draw(unsigned long long *seed);
 
+/* 1: rows that are independent in general are clearly so in J as it was looked at last; lag_look_memory() doubles. */
+int lag_initialization_is_regular(lag_initialization *b, double *memory);
+
 /* Independent ones of the rows (count, width), whose numbers stand in `matrix`; `memory`: lag_svd_memory(). None where one is no number. */
 size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *memory);
 

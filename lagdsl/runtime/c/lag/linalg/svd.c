@@ -20,13 +20,21 @@ size_t lag_svd_memory(size_t m, size_t n)
     return 3 * k + k * m + n * n + m * n + m + k * k;
 }
 
+/* Four sums wait for each other less than one. */
 static double product(size_t n, const double *a, const double *b)
 {
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
+    double w = 0.0, x = 0.0, y = 0.0, z = 0.0;
+    size_t i = 0;
+    for (; i + 3 < n; i += 4) {
+        w += a[i] * b[i];
+        x += a[i + 1] * b[i + 1];
+        y += a[i + 2] * b[i + 2];
+        z += a[i + 3] * b[i + 3];
     }
-    return sum;
+    for (; i < n; ++i) {
+        w += a[i] * b[i];
+    }
+    return (w + x) + (y + z);
 }
 
 static void turn(size_t n, double c, double s, double *a, double *b)
@@ -39,16 +47,19 @@ static void turn(size_t n, double c, double s, double *a, double *b)
     }
 }
 
-/* Rows of `u` (k, m) become orthogonal by rotations, which `turned` (k, k) goes through, too. */
-static void orthogonalize(size_t k, size_t m, double *u, double *turned)
+/* Rows of `u` (k, m) become orthogonal by rotations, which `turned` (k, k) goes through, too; `square` (k): of their lengths. */
+static void orthogonalize(size_t k, size_t m, double *u, double *turned, double *square)
 {
     int rotated = 1;
+    for (size_t p = 0; p < k; ++p) {
+        square[p] = product(m, u + p * m, u + p * m);
+    }
     for (int sweep = 0; sweep < MOST_SWEEPS && rotated; ++sweep) {
         rotated = 0;
         for (size_t p = 0; p + 1 < k; ++p) {
             for (size_t q = p + 1; q < k; ++q) {
-                const double a = product(m, u + p * m, u + p * m);
-                const double b = product(m, u + q * m, u + q * m);
+                const double a = square[p];
+                const double b = square[q];
                 const double both = product(m, u + p * m, u + q * m);
                 if (!(fabs(both) > DBL_EPSILON * sqrt(a) * sqrt(b)) || !(fabs(both) > DBL_MIN)) {
                     continue;
@@ -58,6 +69,8 @@ static void orthogonalize(size_t k, size_t m, double *u, double *turned)
                 const double c = 1.0 / hypot(1.0, tangent);
                 turn(m, c, c * tangent, u + p * m, u + q * m);
                 turn(k, c, c * tangent, turned + p * k, turned + q * k);
+                square[p] = product(m, u + p * m, u + p * m);
+                square[q] = product(m, u + q * m, u + q * m);
                 rotated = 1;
             }
         }
@@ -142,7 +155,7 @@ lag_svd lag_svd_of(size_t m, size_t n, const double *a, double *memory)
             svd.u[j * m + row] = j == i ? svd.diagonal[i] : svd.factors[i * n + j];
         }
     }
-    orthogonalize(k, m, svd.u, svd.turned);
+    orthogonalize(k, m, svd.u, svd.turned, svd.value);
     sort(&svd);
     right_vectors(&svd, rank);
     return svd;

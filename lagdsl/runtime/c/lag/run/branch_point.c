@@ -1,53 +1,91 @@
-/*
- * Branches that meet do so in a saddle of a combination u of the rows: u'J = 0 there. Its height, u'phi, is zero; where it is not, they miss
- * each other by as much and the motion turns away, however sharply.
- */
+#include "lag/run/branch_point.h"
+
 #include <math.h>
 #include <string.h>
 
-#include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
-#include "lag/run.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/linalg.h"
+#include "lag/linalg/lu.h"
 #include "lag/linalg/svd.h"
+#include "lag/linalg/vector.h"
+#include "lag/run.h"
 
 static const double NEAR = 0.05;
 static const double LOOSE = 1e-6;
 static const double SETTLED = 1e-8;
 static const double LEVEL = 1e-6;
 static const double DIFFERENCE = 1e-5;
+/* After a step that is longer than this second derivatives are taken anew. */
+static const double FAR = 1e-4;
+/* The golden angle: weights of sums that repeat nowhere. */
+static const double GOLDEN = 2.399963229728653;
 enum { ITERATIONS = 12 };
 
-/* A search: time is a coordinate like others, scaled so that the constraints move by their size. */
-typedef struct branch_point {
-    lag_singular *s;
-    double t, pace;
-    const double *x;     /* the state it starts from */
-    size_t held, lost;   /* combinations of rows that do not vanish, and those that do */
-} branch_point;
-
-static double product(size_t n, const double *a, const double *b)
+size_t lag_branch_point_memory(const lag_model *model)
 {
-    double sum = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
+    const size_t m = model->nc;
+    const size_t n = model->nq + 1;
+    const size_t wide = lag_svd_memory(m, n);
+    const size_t tall = lag_svd_memory(n, m);
+    return 2 * lag_motion_size(model) + model->nq + 4 * n + 5 * m + 5 * m * m + 4 * m * n + 4 * n * n + LAG_BRANCH_SUMS * (m + n + n * n) +
+           (wide > tall ? wide : tall);
 }
 
-/* phi, of position rows, into `left` and [J b] into `wide` (nc, nq + 1), scaled, at a point; 0: no numbers. */
-static int rows_at(const branch_point *it, const double *point)
+void lag_branch_point_place(lag_branch_point *s, lag_run *run, double *memory)
 {
-    lag_singular *s = it->s;
+    const lag_model *model = run->motion.model;
+    const size_t m = model->nc;
+    const size_t n = model->nq + 1;
+    double **const coordinates[] = {&s->point, &s->step, &s->eigen, &s->wanted};
+    double **const rows[] = {&s->phi, &s->pivot, &s->other_pivot, &s->right, &s->back};
+    double **const among_rows[] = {&s->holding, &s->combinations, &s->vanishing, &s->inner, &s->transposed};
+    double **const of_rows[] = {&s->rows, &s->along, &s->moved, &s->slope};
+    double **const among_coordinates[] = {&s->free, &s->tangents, &s->normal, &s->vectors};
+    memset(s, 0, sizeof *s);
+    s->run = run;
+    s->origin = lag_take(&memory, lag_motion_size(model));
+    s->state = lag_take(&memory, lag_motion_size(model));
+    s->still = lag_take(&memory, model->nq);
+    for (size_t i = 0; i < 4; ++i) {
+        *coordinates[i] = lag_take(&memory, n);
+        *of_rows[i] = lag_take(&memory, m * n);
+        *among_coordinates[i] = lag_take(&memory, n * n);
+    }
+    for (size_t i = 0; i < 5; ++i) {
+        *rows[i] = lag_take(&memory, m);
+        *among_rows[i] = lag_take(&memory, m * m);
+    }
+    s->sums = lag_take(&memory, LAG_BRANCH_SUMS * m);
+    s->slopes = lag_take(&memory, LAG_BRANCH_SUMS * n);
+    s->bends = lag_take(&memory, LAG_BRANCH_SUMS * n * n);
+    s->memory = memory;
+    lag_fill(model->nq, 0.0, s->still);
+}
+
+static size_t rows_of(const lag_branch_point *s)
+{
+    return s->run->motion.model->nc;
+}
+
+static size_t width_of(const lag_branch_point *s)
+{
+    return s->run->motion.model->nq + 1;
+}
+
+/* phi, of position rows, and [J b] at the point; 0: no numbers. */
+static int look(lag_branch_point *s)
+{
     lag_motion *motion = &s->run->motion;
     lag_projection *projection = &s->run->projection;
     const lag_model *model = motion->model;
     const size_t n = model->nq;
     const double *sizes = s->run->natural;
-    memcpy(s->state, it->x, lag_motion_size(model) * sizeof(double));
+    memcpy(s->state, s->origin, lag_motion_size(model) * sizeof(double));
     for (size_t j = 0; j < n; ++j) {
-        s->state[j] = point[j] * sizes[j];
+        s->state[j] = s->point[j] * sizes[j];
     }
-    lag_motion_look(motion, it->t + it->pace * point[n], s->state);
+    lag_motion_look(motion, s->t + s->pace * s->point[n], s->state);
     motion->at.qd = s->still;
     if (model->velocity_constraint(&motion->at, projection->phi, projection->jacobian) != LAG_OK) {
         return 0;
@@ -55,196 +93,292 @@ static int rows_at(const branch_point *it, const double *point)
     for (size_t i = 0; i < model->nc; ++i) {
         const double row = s->run->row_sizes[i];
         for (size_t j = 0; j < n; ++j) {
-            s->wide[i * (n + 1) + j] = projection->jacobian[i * n + j] * sizes[j] / row;
+            s->rows[i * (n + 1) + j] = projection->jacobian[i * n + j] * sizes[j] / row;
         }
-        s->wide[i * (n + 1) + n] = projection->phi[i] * it->pace / row;
+        s->rows[i * (n + 1) + n] = projection->phi[i] * s->pace / row;
     }
     if (model->position_constraint(&motion->at, projection->phi, projection->jacobian) != LAG_OK) {
         return 0;
     }
     for (size_t i = 0; i < model->nc; ++i) {
-        s->left[i] = model->position_level[i] ? projection->phi[i] / s->run->row_sizes[i] : 0.0;
+        s->phi[i] = model->position_level[i] ? projection->phi[i] / s->run->row_sizes[i] : 0.0;
     }
-    return lag_finite(model->nc, s->left) && lag_finite(model->nc * (n + 1), s->wide);
+    return lag_finite(model->nc, s->phi) && lag_finite(model->nc * (n + 1), s->rows);
 }
 
-/* Finds the combinations of rows that vanish and the directions that the others leave free; 0 if too many vanish. */
-static int take_apart(branch_point *it)
+/* Combinations (count, nc) of the rows, into `moved`. */
+static void combine(lag_branch_point *s, size_t count, const double *weights)
 {
-    lag_singular *s = it->s;
-    const size_t m = s->run->motion.model->nc;
-    const size_t n = s->run->motion.model->nq + 1;
+    const size_t m = rows_of(s);
+    const size_t n = width_of(s);
+    lag_fill(count * n, 0.0, s->moved);
+    for (size_t i = 0; i < m; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            const double entry = s->rows[i * n + j];
+            for (size_t k = 0; k < count && entry != 0.0; ++k) {
+                s->moved[k * n + j] += weights[k * m + i] * entry;
+            }
+        }
+    }
+}
+
+/* Finds, at the first look, the combinations of rows that vanish, and the directions that the others take and leave open. */
+static void take_apart(lag_branch_point *s)
+{
+    const size_t m = rows_of(s);
+    const size_t n = width_of(s);
     size_t large = 0;
     for (size_t i = 0; i < m; ++i) {
         for (size_t j = 0; j < n; ++j) {
-            s->tall[j * m + i] = s->wide[i * n + j];
+            s->moved[j * m + i] = s->rows[i * n + j];
         }
     }
-    const lag_svd rows = lag_svd_of(n, m, s->tall, s->memory);
-    while (large < rows.k && large < s->general && rows.value[large] > NEAR) {
+    const lag_svd tall = lag_svd_of(n, m, s->moved, s->memory);
+    while (large < tall.k && large < s->general && tall.value[large] > NEAR) {
         ++large;
     }
-    it->held = large < s->general - 1 ? large : s->general - 1;
-    it->lost = s->general - it->held;
-    if (it->lost > LAG_MOST_LOST) {
+    s->held = large < s->general - 1 ? large : s->general - 1;
+    s->lost = s->general - s->held;
+    s->open = n - s->held;
+    memcpy(s->holding, tall.v, s->held * m * sizeof(double));
+    memcpy(s->combinations, tall.v + s->held * m, s->lost * m * sizeof(double));
+    const lag_svd wide = lag_svd_of(m, n, s->rows, s->memory);
+    memcpy(s->along, wide.v, s->held * n * sizeof(double));
+    memcpy(s->free, wide.v + s->held * n, s->open * n * sizeof(double));
+}
+
+/* Factors the rows that do not vanish, seen in their directions, and finds the tangents that they leave open; 0 if they are singular. */
+static int find_tangents(lag_branch_point *s)
+{
+    const size_t n = width_of(s);
+    const size_t held = s->held;
+    combine(s, held, s->holding);
+    for (size_t i = 0; i < held; ++i) {
+        for (size_t j = 0; j < held; ++j) {
+            s->inner[i * held + j] = s->transposed[j * held + i] = lag_dot(n, s->moved + i * n, s->along + j * n);
+        }
+    }
+    if (!lag_lu(held, s->inner, s->pivot) || !lag_lu(held, s->transposed, s->other_pivot)) {
         return 0;
     }
-    memcpy(s->holding, rows.v, it->held * m * sizeof(double));
-    memcpy(s->vanishing, rows.v + it->held * m, it->lost * m * sizeof(double));
-    const lag_svd columns = lag_svd_of(m, n, s->wide, s->memory);
-    memcpy(s->free, columns.v + it->held * n, (n - it->held) * n * sizeof(double));
+    for (size_t f = 0; f < s->open; ++f) {
+        for (size_t i = 0; i < held; ++i) {
+            s->right[i] = lag_dot(n, s->moved + i * n, s->free + f * n);
+        }
+        lag_lu_solve(held, s->inner, s->pivot, s->right);
+        memcpy(s->tangents + f * n, s->free + f * n, n * sizeof(double));
+        for (size_t j = 0; j < held; ++j) {
+            lag_axpy(n, -s->right[j], s->along + j * n, s->tangents + f * n);
+        }
+    }
     return 1;
 }
 
-/* u'[J b] (lost, nq + 1) for those that vanish, added with a factor. */
-static void add_slope(const branch_point *it, double factor, double *slope)
+/* The combinations that vanish along the directions of the others, and their slopes along the tangents. */
+static void find_slopes(lag_branch_point *s)
 {
-    const lag_singular *s = it->s;
-    const size_t m = s->run->motion.model->nc;
-    const size_t n = s->run->motion.model->nq + 1;
-    for (size_t k = 0; k < it->lost; ++k) {
-        for (size_t i = 0; i < m; ++i) {
-            for (size_t j = 0; j < n; ++j) {
-                slope[k * n + j] += factor * s->vanishing[k * m + i] * s->wide[i * n + j];
-            }
+    const size_t m = rows_of(s);
+    const size_t n = width_of(s);
+    combine(s, s->lost, s->combinations);
+    memcpy(s->vanishing, s->combinations, s->lost * m * sizeof(double));
+    for (size_t k = 0; k < s->lost; ++k) {
+        for (size_t j = 0; j < s->held; ++j) {
+            s->right[j] = lag_dot(n, s->moved + k * n, s->along + j * n);
+        }
+        lag_lu_solve(s->held, s->transposed, s->other_pivot, s->right);
+        for (size_t j = 0; j < s->held; ++j) {
+            lag_axpy(m, -s->right[j], s->holding + j * m, s->vanishing + k * m);
+        }
+    }
+    combine(s, s->lost, s->vanishing);
+    for (size_t k = 0; k < s->lost; ++k) {
+        for (size_t f = 0; f < s->open; ++f) {
+            s->slope[k * s->open + f] = lag_dot(n, s->moved + k * n, s->tangents + f * n);
         }
     }
 }
 
-/* Second derivatives of the combinations that vanish, (direction, combination, column). */
-static int bend(const branch_point *it)
+/* Everything at the point; 0: there is none of it. */
+static int reduce(lag_branch_point *s)
 {
-    lag_singular *s = it->s;
-    const size_t n = s->run->motion.model->nq + 1;
-    for (size_t d = 0; d < n; ++d) {
-        double *slope = s->slopes + d * LAG_MOST_LOST * n;
-        const double kept = s->point[d];
-        lag_fill(LAG_MOST_LOST * n, 0.0, slope);
+    if (!look(s) || !find_tangents(s)) {
+        return 0;
+    }
+    find_slopes(s);
+    return lag_finite(s->lost * s->open, s->slope);
+}
+
+static size_t sums_of(const lag_branch_point *s)
+{
+    return s->lost < LAG_BRANCH_SUMS ? s->lost : LAG_BRANCH_SUMS;
+}
+
+/* Few combinations stand for themselves. */
+static double weight(const lag_branch_point *s, size_t sum, size_t combination)
+{
+    if (s->lost <= LAG_BRANCH_SUMS) {
+        return sum == combination ? 1.0 : 0.0;
+    }
+    return cos(1.0 + GOLDEN * (double)((sum + 1) * (combination + 1))) / sqrt((double)s->lost);
+}
+
+static void add_up(lag_branch_point *s)
+{
+    const size_t m = rows_of(s);
+    lag_fill(LAG_BRANCH_SUMS * m, 0.0, s->sums);
+    lag_fill(LAG_BRANCH_SUMS * s->open, 0.0, s->slopes);
+    for (size_t sum = 0; sum < sums_of(s); ++sum) {
+        for (size_t k = 0; k < s->lost; ++k) {
+            lag_axpy(m, weight(s, sum, k), s->vanishing + k * m, s->sums + sum * m);
+            lag_axpy(s->open, weight(s, sum, k), s->slope + k * s->open, s->slopes + sum * s->open);
+        }
+    }
+}
+
+/* Second derivatives of the sums along the tangents, (sum, tangent, tangent): what else changes is of second order. */
+static int bend(lag_branch_point *s)
+{
+    const size_t n = width_of(s);
+    const size_t open = s->open;
+    lag_fill(LAG_BRANCH_SUMS * open * open, 0.0, s->bends);
+    memcpy(s->step, s->point, n * sizeof(double));
+    for (size_t d = 0; d < open; ++d) {
         for (int sign = 1; sign >= -1; sign -= 2) {
-            s->point[d] = kept + sign * DIFFERENCE;
-            if (!rows_at(it, s->point)) {
-                s->point[d] = kept;
+            memcpy(s->point, s->step, n * sizeof(double));
+            lag_axpy(n, sign * DIFFERENCE, s->tangents + d * n, s->point);
+            const int known = look(s);
+            memcpy(s->point, s->step, n * sizeof(double));
+            if (!known) {
                 return 0;
             }
-            add_slope(it, sign / (2.0 * DIFFERENCE), slope);
+            combine(s, sums_of(s), s->sums);
+            for (size_t sum = 0; sum < sums_of(s); ++sum) {
+                for (size_t f = 0; f < open; ++f) {
+                    s->bends[(sum * open + d) * open + f] +=
+                        sign / (2.0 * DIFFERENCE) * lag_dot(n, s->moved + sum * n, s->tangents + f * n);
+                }
+            }
         }
-        s->point[d] = kept;
     }
-    return 1;
+    return lag_finite(LAG_BRANCH_SUMS * open * open, s->bends);
 }
 
-/* Newton's equations for u'[J b] = 0 along what is free, where the rows that do not vanish hold. Returns their number. */
-static size_t state_lines(const branch_point *it, const double *phi, const double *slope)
+/* The step along the tangents that makes the slopes of the sums vanish, as well as that can be, of least length: into `wanted` (open). */
+static void solve(lag_branch_point *s)
 {
-    lag_singular *s = it->s;
-    const size_t m = s->run->motion.model->nc;
-    const size_t n = s->run->motion.model->nq + 1;
-    size_t line = 0;
-    for (; line < it->held; ++line) {
-        s->wanted[line] = product(m, s->holding + line * m, phi);
-        for (size_t j = 0; j < n; ++j) {
-            double sum = 0.0;
-            for (size_t i = 0; i < m; ++i) {
-                sum += s->holding[line * m + i] * s->tall[j * m + i];
-            }
-            s->lines[line * n + j] = sum;
-        }
-    }
-    for (size_t k = 0; k < it->lost; ++k) {
-        for (size_t i = 0; i < n - it->held; ++i, ++line) {
-            s->wanted[line] = product(n, s->free + i * n, slope + k * n);
-            for (size_t d = 0; d < n; ++d) {
-                s->lines[line * n + d] = product(n, s->free + i * n, s->slopes + (d * LAG_MOST_LOST + k) * n);
+    const size_t open = s->open;
+    double largest = 0.0;
+    lag_fill(open * open, 0.0, s->normal);
+    lag_fill(open, 0.0, s->step);
+    for (size_t sum = 0; sum < sums_of(s); ++sum) {
+        const double *bends = s->bends + sum * open * open;
+        for (size_t d = 0; d < open; ++d) {
+            s->step[d] -= lag_dot(open, bends + d * open, s->slopes + sum * open);
+            for (size_t e = 0; e < open; ++e) {
+                s->normal[d * open + e] += lag_dot(open, bends + d * open, bends + e * open);
             }
         }
     }
-    return line;
+    lag_symmetric_eigen(open, s->normal, s->eigen, s->vectors);
+    for (size_t i = 0; i < open; ++i) {
+        largest = fmax(largest, s->eigen[i]);
+    }
+    lag_fill(open, 0.0, s->wanted);
+    for (size_t i = 0; i < open; ++i) {
+        double part = 0.0;
+        for (size_t d = 0; d < open; ++d) {
+            part += s->vectors[d * open + i] * s->step[d];
+        }
+        for (size_t d = 0; d < open && s->eigen[i] > LOOSE * LOOSE * largest; ++d) {
+            s->wanted[d] += s->vectors[d * open + i] * part / s->eigen[i];
+        }
+    }
+}
+
+/* One step of Newton's method from the point, where everything is known; its length, infinite where there is none. */
+static double improve(lag_branch_point *s, int anew)
+{
+    const size_t m = rows_of(s);
+    const size_t n = width_of(s);
+    add_up(s);
+    for (size_t j = 0; j < s->held; ++j) {
+        s->back[j] = -lag_dot(m, s->holding + j * m, s->phi);
+    }
+    lag_lu_solve(s->held, s->inner, s->pivot, s->back);
+    if (anew && !bend(s)) {
+        return (double)INFINITY;
+    }
+    solve(s);
+    lag_fill(n, 0.0, s->step);
+    for (size_t f = 0; f < s->open; ++f) {
+        lag_axpy(n, s->wanted[f], s->tangents + f * n, s->step);
+    }
+    for (size_t j = 0; j < s->held; ++j) {
+        lag_axpy(n, s->back[j], s->along + j * n, s->step);
+    }
+    const double length = sqrt(lag_dot(n, s->step, s->step));
+    if (!(length <= 1.0)) {
+        return (double)INFINITY;
+    }
+    lag_axpy(n, 1.0, s->step, s->point);
+    return length;
 }
 
 /* Height of the combinations that vanish at the point, if they are level there. */
-static double height(const branch_point *it)
+static double height(lag_branch_point *s)
 {
-    lag_singular *s = it->s;
-    const size_t m = s->run->motion.model->nc;
-    const size_t n = s->run->motion.model->nq + 1;
-    double *slope = s->lines;
+    const size_t m = rows_of(s);
     double most = 0.0;
-    if (!rows_at(it, s->point)) {
+    if (!reduce(s)) {
         return (double)INFINITY;
     }
-    lag_fill(it->lost * n, 0.0, slope);
-    add_slope(it, 1.0, slope);
-    for (size_t i = 0; i < it->lost * n; ++i) {
-        if (!(fabs(slope[i]) <= LEVEL)) {
-            return (double)INFINITY;
-        }
+    for (size_t k = 0; k < s->lost; ++k) {
+        most = fmax(most, fabs(lag_dot(m, s->vanishing + k * m, s->phi)));
     }
-    for (size_t k = 0; k < it->lost; ++k) {
-        most = fmax(most, fabs(product(m, s->vanishing + k * m, s->left)));
+    for (size_t i = 0; i < s->lost * s->open; ++i) {
+        most = fabs(s->slope[i]) <= LEVEL ? most : (double)INFINITY;
     }
     return most;
 }
 
-/* One step of Newton's method; its length, infinite where there is none. */
-static double improve(branch_point *it)
-{
-    lag_singular *s = it->s;
-    const size_t m = s->run->motion.model->nc;
-    const size_t n = s->run->motion.model->nq + 1;
-    double *phi = s->step + n;
-    double *slope = phi + m;
-    if (!rows_at(it, s->point) || !take_apart(it)) {
-        return (double)INFINITY;
-    }
-    memcpy(phi, s->left, m * sizeof(double));
-    lag_fill(LAG_MOST_LOST * n, 0.0, slope);
-    add_slope(it, 1.0, slope);
-    if (!bend(it)) {
-        return (double)INFINITY;
-    }
-    const size_t lines = state_lines(it, phi, slope);
-    if (!lag_finite(lines * n, s->lines)) {
-        return (double)INFINITY;
-    }
-    const lag_svd svd = lag_svd_of(lines, n, s->lines, s->memory);
-    lag_svd_solve(&svd, s->wanted, LOOSE, 0.0, s->step);
-    const double length = sqrt(product(n, s->step, s->step));
-    for (size_t j = 0; j < n && length <= 1.0; ++j) {
-        s->point[j] -= s->step[j];
-    }
-    return length <= 1.0 ? length : (double)INFINITY;
-}
-
-double lag_branch_point_height(lag_singular *s, double t, const double *x)
+/* Time moves the constraints by their size where its coordinate grows by one. */
+static int begin(lag_branch_point *s, double t, const double *x)
 {
     const lag_model *model = s->run->motion.model;
     const size_t n = model->nq;
-    branch_point it = {s, t, 0.0, x, 0, 0};
     double speed = 0.0;
-    if (s->general == 0) {
-        return (double)INFINITY;
-    }
-    memcpy(s->origin, x, lag_motion_size(model) * sizeof(double));
-    it.x = s->origin;
+    memmove(s->origin, x, lag_motion_size(model) * sizeof(double));
     for (size_t j = 0; j < n; ++j) {
         s->point[j] = x[j] / s->run->natural[j];
     }
+    s->t = t;
     s->point[n] = 0.0;
-    it.pace = 1.0;
-    if (!rows_at(&it, s->point)) {
-        return (double)INFINITY;
+    s->pace = 1.0;
+    if (!look(s)) {
+        return 0;
     }
     for (size_t i = 0; i < model->nc; ++i) {
-        speed = fmax(speed, fabs(s->wide[i * (n + 1) + n]));
+        speed = fmax(speed, fabs(s->rows[i * (n + 1) + n]));
     }
-    it.pace = speed > 0.0 ? 1.0 / speed : 1.0;
-    for (int k = 0; k < ITERATIONS; ++k) {
-        const double length = improve(&it);
+    s->pace = speed > 0.0 ? 1.0 / speed : 1.0;
+    return look(s);
+}
+
+double lag_branch_point_height(lag_branch_point *s, size_t general, double t, const double *x)
+{
+    double length = 1.0;
+    s->general = general;
+    if (general == 0 || !begin(s, t, x)) {
+        return (double)INFINITY;
+    }
+    take_apart(s);
+    for (int k = 0; k < ITERATIONS && reduce(s); ++k) {
+        length = improve(s, length > FAR);
         if (!(length < (double)INFINITY)) {
             return (double)INFINITY;
         }
         if (length <= SETTLED) {
-            return height(&it);
+            return height(s);
         }
     }
     return (double)INFINITY;

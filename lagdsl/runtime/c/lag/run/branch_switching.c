@@ -5,11 +5,10 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 #include "lag/run.h"
+#include "lag/run/fit_polynomial.h"
 
-enum { NODES = 7, HALVINGS = 4, ITERATIONS = 30, BETWEEN = 5 };
+enum { NODES = LAG_FIT_NODES, HALVINGS = 4, ITERATIONS = 30, BETWEEN = 5 };
 
-/* Not too near the start, where positions are hardly told apart from the singular one. */
-static const double FIRST = 0.3;
 /*
  * Part of the time in which a coordinate moves by its natural size: long enough to leave the singular position, short enough for so many
  * points. Halved where the motion has shorter times of its own.
@@ -27,6 +26,11 @@ static const double USELESS = 1e-4;
  */
 static const double ACROSS[] = {8.0, 32.0, 4.0, 128.0};
 static const double LEAST_ACROSS = 4.0;
+/* The first point of a motion that begins beside a singular position has rows as independent as this; how long it is in such times. */
+static const double CLEAR = 0.05;
+static const double AWAY[] = {1.0, 0.5, 2.0, 4.0};
+enum { DOUBLINGS = 30 };
+static const double SOON = 1e-6;
 static const double PLACES[BETWEEN] = {0.06, 0.125, 0.19, 0.25, 0.6};
 static const double KEPT = 1e-9;
 /* By how much branches that meet may miss each other. */
@@ -35,11 +39,6 @@ static const double MEETING = 1e-12;
 static const double SMOOTH = 10.0;
 static const double SMOOTHEST = 1e-9;
 static const double ROUGHEST = 1e-7;
-
-static double node(size_t i)
-{
-    return FIRST + (1.0 - FIRST) * (double)i / (double)(NODES - 1);
-}
 
 static size_t order_of(const lag_singular *s)
 {
@@ -50,69 +49,6 @@ static size_t order_of(const lag_singular *s)
 static size_t width_of(const lag_singular *s)
 {
     return order_of(s) + s->run->motion.model->nz;
-}
-
-/* Polynomials through values (count, width) at the last `count` nodes; rows of `values` become coefficients of the powers of time. */
-static void interpolate(size_t count, size_t width, double *values)
-{
-    double powers[NODES][NODES];
-    for (size_t i = 0; i < count; ++i) {
-        powers[i][0] = 1.0;
-        for (size_t k = 1; k < count; ++k) {
-            powers[i][k] = powers[i][k - 1] * node(NODES - count + i);
-        }
-    }
-    for (size_t k = 0; k < count; ++k) {
-        size_t pivot = k;
-        for (size_t i = k + 1; i < count; ++i) {
-            pivot = fabs(powers[i][k]) > fabs(powers[pivot][k]) ? i : pivot;
-        }
-        for (size_t j = 0; j < count && pivot != k; ++j) {
-            const double kept = powers[k][j];
-            powers[k][j] = powers[pivot][j];
-            powers[pivot][j] = kept;
-        }
-        for (size_t j = 0; j < width && pivot != k; ++j) {
-            const double kept = values[k * width + j];
-            values[k * width + j] = values[pivot * width + j];
-            values[pivot * width + j] = kept;
-        }
-        for (size_t i = k + 1; i < count; ++i) {
-            const double factor = powers[i][k] / powers[k][k];
-            for (size_t j = k; j < count; ++j) {
-                powers[i][j] -= factor * powers[k][j];
-            }
-            for (size_t j = 0; j < width; ++j) {
-                values[i * width + j] -= factor * values[k * width + j];
-            }
-        }
-    }
-    for (size_t k = count; k-- > 0;) {
-        for (size_t j = 0; j < width; ++j) {
-            double value = values[k * width + j];
-            for (size_t i = k + 1; i < count; ++i) {
-                value -= powers[k][i] * values[i * width + j];
-            }
-            values[k * width + j] = value / powers[k][k];
-        }
-    }
-}
-
-/* The state at a part of the interval: qd and z as integrals of the polynomials, q as double integrals; not projected. */
-static void state_at(size_t n, size_t width, const double *coefficients, const double *start, double length, double part, double *x)
-{
-    for (size_t j = 0; j < width; ++j) {
-        double once = 0.0;
-        double twice = 0.0;
-        for (size_t k = NODES; k-- > 0;) {
-            once = once * part + coefficients[k * width + j] / (double)(k + 1);
-            twice = twice * part + coefficients[k * width + j] / (double)((k + 1) * (k + 2));
-        }
-        x[n + j] = start[n + j] + length * part * once;
-        if (j < n) {
-            x[j] = start[j] + length * part * (start[n + j] + length * part * twice);
-        }
-    }
 }
 
 static lag_status rates_at(lag_singular *s, double t, const double *x)
@@ -140,10 +76,10 @@ static int collocate(lag_singular *s, double t, const double *x, double length)
         const double previous = change;
         change = 0.0;
         memcpy(s->coefficients, s->branch, NODES * width * sizeof(double));
-        interpolate(NODES, width, s->coefficients);
+        lag_fit_interpolate(NODES, width, s->coefficients);
         for (size_t i = 0; i < NODES; ++i) {
-            const double time = t + length * node(i);
-            state_at(n, width, s->coefficients, x, length, node(i), s->state);
+            const double time = t + length * lag_fit_node(i);
+            lag_fit_state_at(n, width, s->coefficients, x, length, lag_fit_node(i), s->state);
             if (lag_projection_exact(&s->run->projection, time, s->state, &moved) != LAG_OK || rates_at(s, time, s->state) != LAG_OK) {
                 return 0;
             }
@@ -155,7 +91,7 @@ static int collocate(lag_singular *s, double t, const double *x, double length)
         }
         if (change <= CONVERGED || (change <= SETTLED && change > 0.2 * previous)) {
             memcpy(s->coefficients, s->branch, NODES * width * sizeof(double));
-            interpolate(NODES, width, s->coefficients);
+            lag_fit_interpolate(NODES, width, s->coefficients);
             return 1;
         }
     }
@@ -182,7 +118,7 @@ static void prepare_doubt(lag_singular *s)
 {
     const size_t width = width_of(s);
     memcpy(s->earlier, s->branch + width, (NODES - 1) * width * sizeof(double));
-    interpolate(NODES - 1, width, s->earlier);
+    lag_fit_interpolate(NODES - 1, width, s->earlier);
 }
 
 /* ---- out of a singular position ---- */
@@ -230,7 +166,7 @@ int lag_fit_out(lag_singular *s, double t, const double *x, double limit, double
         const int fits = collocate(s, t, x, trial);
         const double error = fits ? error_of(s) : (double)INFINITY;
         if (fits && error < smallest) {
-            state_at(n, width, s->coefficients, x, trial, 1.0, s->state);
+            lag_fit_state_at(n, width, s->coefficients, x, trial, 1.0, s->state);
             if (lag_projection_exact(&s->run->projection, t + trial, s->state, &moved) == LAG_OK) {
                 memcpy(s->end, s->state, (n + width) * sizeof(double));
                 memcpy(s->best, s->coefficients, NODES * width * sizeof(double));
@@ -289,29 +225,85 @@ static int keeps(lag_singular *s, double t, const double *x, double distance, do
     int moved = 0;
     for (size_t k = 0; k <= BETWEEN; ++k) {
         const double part = k < BETWEEN ? PLACES[k] : distance / length;
-        state_at(n, width, s->coefficients, x, length, part, s->state);
+        lag_fit_state_at(n, width, s->coefficients, x, length, part, s->state);
         if (!(distance_of(s, t + length * part, s->state) <= KEPT)) {
             return 0;
         }
     }
     memcpy(s->end, s->state, (n + width) * sizeof(double));
-    if (!(lag_branch_point_height(s, t + distance, s->end) <= MEETING)) {
+    if (!(lag_branch_point_height(&s->saddle, s->general, t + distance, s->end) <= MEETING)) {
         return 0;
     }
-    state_at(n, width, s->coefficients, x, length, 1.0, s->end);
+    lag_fit_state_at(n, width, s->coefficients, x, length, 1.0, s->end);
     return lag_projection_exact(&s->run->projection, t + length, s->end, &moved) == LAG_OK;
+}
+
+/* The motion of this length that fits, into `best` and `end`. */
+static int fits(lag_singular *s, double t, const double *x, double distance, double length)
+{
+    const int found = collocate(s, t, x, length) && smooth(s, length) && keeps(s, t, x, distance, length);
+    if (found) {
+        memcpy(s->best, s->coefficients, NODES * width_of(s) * sizeof(double));
+    }
+    return found;
 }
 
 int lag_fit_across(lag_singular *s, double t, const double *x, double distance, double limit, double *length)
 {
-    for (size_t k = 0; k < sizeof ACROSS / sizeof *ACROSS; ++k) {
+    const size_t count = sizeof ACROSS / sizeof *ACROSS;
+    for (size_t k = 0; k < count; ++k) {
         *length = fmin(ACROSS[k] * distance, 0.999 * (limit - t));
-        if (*length >= LEAST_ACROSS * distance && collocate(s, t, x, *length) && smooth(s, *length) && keeps(s, t, x, distance, *length)) {
-            memcpy(s->best, s->coefficients, NODES * width_of(s) * sizeof(double));
+        if (*length >= LEAST_ACROSS * distance && fits(s, t, x, distance, *length)) {
+            return 1;
+        }
+    }
+    for (size_t k = 0; k < count; ++k) {
+        *length = ACROSS[k] * distance;
+        if (*length > 0.999 * (limit - t) && fits(s, t, x, distance, *length)) {
             return 1;
         }
     }
     return 0;
+}
+
+/* ---- from beside one ---- */
+
+/* The time in which the rates lead away to where rows are independent; infinite where they do not. */
+static double time_to_clear(lag_singular *s, double t, const double *x)
+{
+    const size_t n = order_of(s);
+    double speed = 0.0;
+    for (size_t j = 0; j < n; ++j) {
+        speed = fmax(speed, fabs(x[n + j]) / s->run->natural[j]);
+    }
+    memcpy(s->state, x, s->run->stepper.ode->size * sizeof(double));
+    double time = SOON / speed;
+    for (int k = 0; k < DOUBLINGS && speed > 0.0 && time * speed < 1.0; ++k, time *= 2.0) {
+        for (size_t j = 0; j < n; ++j) {
+            s->state[j] = x[j] + time * x[n + j];
+        }
+        if (lag_singular_margin(s, t + time, s->state, s->now) >= CLEAR) {
+            return time;
+        }
+    }
+    return (double)INFINITY;
+}
+
+int lag_fit_beside(lag_singular *s, double t, const double *x, double *length)
+{
+    const double time = time_to_clear(s, t, x) / lag_fit_node(0);
+    for (size_t k = 0; k < sizeof AWAY / sizeof *AWAY && time < (double)INFINITY; ++k) {
+        *length = AWAY[k] * time;
+        if (fits(s, t, x, 0.0, *length)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+void lag_fit_state(const lag_singular *s, const double *x, double length, double part, double *state)
+{
+    lag_fit_state_at(order_of(s), width_of(s), s->best, x, length, part, state);
 }
 
 /* ---- as a step that was done ---- */
@@ -339,7 +331,7 @@ static void dense(const lag_stepper *s, double t, double *x)
 {
     const size_t n = (size_t)s->work[0];
     const double part = (t - s->t_before) / s->work[1];
-    state_at(n, s->ode->size - n, s->work + 2, s->x_before, s->work[1], part, x);
+    lag_fit_state_at(n, s->ode->size - n, s->work + 2, s->x_before, s->work[1], part, x);
 }
 
 static size_t memory_of(size_t size)

@@ -19,7 +19,7 @@ size_t lag_run_numbers(const lag_model *model, const lag_run_options *options)
 {
     const size_t size = lag_motion_size(model);
     return lag_motion_memory(model) + lag_stepper_memory(size) + lag_projection_memory(model) +
-           lag_look_memory(model->nc, model->nq) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
+           lag_look_memory(model) + lag_zero_crossing_memory(model) + lag_instants_memory(model) + lag_watch_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni + 4 * options->indicators + options->clocks +
            model->nindicator + model->ncontact + model->np + 1;
 }
@@ -103,7 +103,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
 {
     const size_t size = lag_motion_size(model);
     char *bytes = block;
-    memset(block, 0, lag_run_size(model, options));
+    memset(block, 0, lag_run_size(model, options) - scratch(model, options) * sizeof(double)); /* pages that nobody asks for stay untouched */
     lag_run *run = block;
     run->options = *options;
     run->clock = (lag_clock *)(void *)(bytes + padded(sizeof(lag_run)));
@@ -128,7 +128,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     run->row_sizes = lag_take(&memory, model->nc);
     run->motion.sizes = run->natural;
     run->motion.row_sizes = run->row_sizes;
-    lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model->nc, model->nq)));
+    lag_look_place(&run->look, model, run->natural, run->row_sizes, lag_take(&memory, lag_look_memory(model)));
     run->lasting = lag_take(&memory, model->nc);
     run->dependent = lag_take_flags(&memory, model->nc);
     run->look.lasting = run->lasting;

@@ -10,8 +10,10 @@
 #include "lag/linalg/svd.h"
 
 /* Singular values of J, rows of size one: where rank counts as lost, where that seems near, and where branches are not told apart any more. */
-static const double LOST = 1e-7;
+static const double LOST = LAG_LOST;
 static const double NEAR = 0.05;
+/* A motion that begins where they are smaller than this is fitted away from there. */
+static const double BESIDE = 1e-3;
 static const double UNDECIDED = 1e-5;
 /* J has turned by much in a step where less than this part of a direction is left; so often a step is halved to see whether steadily. */
 static const double TURNED = 0.25;
@@ -31,11 +33,8 @@ size_t lag_singular_memory(const lag_model *model)
     const size_t m = model->nc;
     const size_t n = model->nq;
     const size_t k = m < n ? m : n;
-    const size_t lines = m + LAG_MOST_LOST * (n + 1);
-    const size_t svd = larger(lag_svd_memory(lines, n + 1), lag_svd_memory(n + 1, m));
-    return lag_parts_memory(m, n) + (m + n) + 4 * m * n + k * k + 2 * m * (n + 1) + (n + 1) + m + LAG_MOST_LOST * m +
-           (n + 1) * (n + 1) + m * m + (n + 1) * (n + 1) * LAG_MOST_LOST + lines * (n + 1) + lines + (n + 1) + m +
-           LAG_MOST_LOST * (n + 1) + n + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) + larger(svd, lag_eigenvalues_memory(k));
+    return lag_parts_memory(m, n) + (m + n) + 4 * m * n + k * k + 2 * (m + n) + m * m + n * n + m + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) +
+           lag_branch_point_memory(model) + larger(larger(lag_svd_memory(m, n), lag_svd_memory(n, m)), lag_eigenvalues_memory(k));
 }
 
 void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
@@ -44,7 +43,6 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
     const size_t m = model->nc;
     const size_t n = model->nq;
     const size_t k = m < n ? m : n;
-    const size_t lines = m + LAG_MOST_LOST * (n + 1);
     const lag_pattern *entries = model->jacobian_pattern;
     memset(s, 0, sizeof *s);
     s->run = run;
@@ -55,18 +53,12 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
     s->block = lag_take(&memory, m * n);
     s->other = lag_take(&memory, m * n);
     s->turned = lag_take(&memory, k * k);
-    s->wide = lag_take(&memory, m * (n + 1));
-    s->tall = lag_take(&memory, m * (n + 1));
-    s->point = lag_take(&memory, n + 1);
+    s->kept = lag_take(&memory, m + n);
+    s->values = lag_take(&memory, m + n);
+    s->left_vectors = lag_take(&memory, m * m);
+    s->right_vectors = lag_take(&memory, n * n);
     s->left = lag_take(&memory, m);
-    s->vanishing = lag_take(&memory, LAG_MOST_LOST * m);
-    s->free = lag_take(&memory, (n + 1) * (n + 1));
-    s->holding = lag_take(&memory, m * m);
-    s->slopes = lag_take(&memory, (n + 1) * (n + 1) * LAG_MOST_LOST);
-    s->lines = lag_take(&memory, lines * (n + 1));
-    s->wanted = lag_take(&memory, lines);
-    s->step = lag_take(&memory, (n + 1) + m + LAG_MOST_LOST * (n + 1));
-    s->still = lag_take(&memory, n);
+    lag_branch_point_place(&s->saddle, run, lag_take(&memory, lag_branch_point_memory(model)));
     double **const along[] = {&s->branch, &s->earlier, &s->coefficients, &s->best};
     double **const states[] = {&s->state, &s->rates, &s->origin, &s->end};
     for (size_t i = 0; i < 4; ++i) {
@@ -79,7 +71,6 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
         s->now[entries->row[i] * n + entries->column[i]] = 1.0;
     }
     s->parts = lag_parts_of(m, n, s->now, for_parts);
-    lag_fill(n, 0.0, s->still);
     s->margin = (double)INFINITY;
 }
 
@@ -185,59 +176,15 @@ size_t lag_singular_rank(lag_singular *s, double t, const double *x, size_t *gen
     return rank;
 }
 
-/* Part number `which` of J, seen in the singular vectors of the one before: U'J V / values, of those that were not lost. Returns their number. */
-static size_t seen_before(lag_singular *s, size_t which, const double *jacobian)
-{
-    const size_t n = s->run->motion.model->nq;
-    size_t first = 0;
-    const size_t rows = lag_parts_rows(&s->parts, which, &first);
-    const size_t columns = lag_parts_columns(&s->parts, which, &first);
-    size_t kept = 0;
-    (void)lag_parts_block(&s->parts, which, n, s->before, s->block);
-    (void)lag_parts_block(&s->parts, which, n, jacobian, s->other);
-    const lag_svd svd = lag_svd_of(rows, columns, s->block, s->memory);
-    while (kept < svd.k && (double)kept < s->counts[which] && svd.value[kept] > LOST) {
-        ++kept;
-    }
-    for (size_t a = 0; a < kept; ++a) {
-        for (size_t b = 0; b < kept; ++b) {
-            double sum = 0.0;
-            for (size_t i = 0; i < rows; ++i) {
-                for (size_t j = 0; j < columns; ++j) {
-                    sum += svd.u[a * rows + i] * s->other[i * columns + j] * svd.v[b * columns + j];
-                }
-            }
-            s->turned[a * kept + b] = sum / svd.value[a];
-        }
-    }
-    return kept;
-}
-
-/* Turn of J since `before`: 1 for none, 0 if a direction is lost, negative if one has changed its sign. */
-static double turn_since(lag_singular *s, const double *jacobian)
-{
-    double least = (double)INFINITY;
-    for (size_t which = 0; which < s->parts.count; ++which) {
-        size_t first = 0;
-        if (lag_parts_rows(&s->parts, which, &first) > 0 && lag_parts_columns(&s->parts, which, &first) > 0) {
-            const size_t kept = seen_before(s, which, jacobian);
-            const double part = lag_least_real_part(kept, s->turned, s->memory);
-            if (!(part >= least)) {
-                least = part < least ? part : -(double)INFINITY;
-            }
-        }
-    }
-    return least;
-}
-
 static double turn_at(lag_singular *s, double t, const double *x)
 {
-    return jacobian_at(s, t, x, s->now) ? turn_since(s, s->now) : -(double)INFINITY;
+    return jacobian_at(s, t, x, s->now) ? lag_singular_turn(s, s->now) : -(double)INFINITY;
 }
 
 /* J at a time within the last step is what turns are seen against. */
 static int see_from(lag_singular *s, double t)
 {
+    s->seen = 0;
     return lag_stepper_dense(&s->run->stepper, t, s->end) == LAG_OK && jacobian_at(s, t, s->end, s->before);
 }
 
@@ -277,14 +224,27 @@ static double lost_at(lag_singular *s)
 
 /* ---- the way on ---- */
 
+/* The fitted motion ends at `limit` at the latest. */
+static double cut(lag_singular *s, double t, const double *x, double length, double limit)
+{
+    int moved = 0;
+    if (t + length <= limit) {
+        return t + length;
+    }
+    lag_fit_state(s, x, length, (limit - t) / length, s->end);
+    (void)lag_projection_apply(&s->run->projection, limit, s->end, &moved); /* where it cannot, it is as it was fitted */
+    return limit;
+}
+
 /* The fitted motion stands as the last step. */
-static lag_status take(lag_singular *s, double t, const double *x, double length)
+static lag_status take(lag_singular *s, double t, const double *x, double length, double limit)
 {
     lag_run *run = s->run;
     lag_stepper *stepper = &run->stepper;
     const size_t n = run->motion.model->nq;
     const size_t size = stepper->ode->size;
     memcpy(s->origin, x, size * sizeof(double));
+    const double end = cut(s, t, s->origin, length, limit);
     run->behind = stepper->method == &lag_branch_switching ? run->behind : stepper->method;
     stepper->method = &lag_branch_switching;
     stepper->work[0] = (double)n;
@@ -296,7 +256,7 @@ static lag_status take(lag_singular *s, double t, const double *x, double length
     memcpy(stepper->x_before, s->origin, size * sizeof(double));
     memcpy(stepper->x, s->end, size * sizeof(double));
     stepper->t_before = t;
-    stepper->t = t + length;
+    stepper->t = end;
     stepper->h = 0.0;
     stepper->error = stepper->h_of_error = stepper->urge = 0.0;
     stepper->dense_ready = 1;
@@ -319,7 +279,7 @@ static int goes_across(lag_singular *s, double t, const double *x, double distan
     for (size_t j = 0; j < n; ++j) {
         s->end[j] += distance * x[n + j];
     }
-    const double height = lag_branch_point_height(s, t + distance, s->end); /* a first look, much cheaper than a fit */
+    const double height = lag_branch_point_height(&s->saddle, s->general, t + distance, s->end); /* a first look, much cheaper than a fit */
     if (height > MEETING && height < (double)INFINITY) {
         return 0;
     }
@@ -333,7 +293,7 @@ static int decided(lag_singular *s, double margin, double t, const double *x, do
     if (margin > UNDECIDED && !(step < stepper->h_least)) {
         return 1;
     }
-    return margin > LOST && !(lag_branch_point_height(s, t, x) < (double)INFINITY);
+    return margin > LOST && !(lag_branch_point_height(&s->saddle, s->general, t, x) < (double)INFINITY);
 }
 
 void lag_singular_begin(lag_singular *s, int attention)
@@ -341,7 +301,8 @@ void lag_singular_begin(lag_singular *s, int attention)
     const lag_stepper *stepper = &s->run->stepper;
     s->distance = 0.0;
     s->margin = (double)INFINITY;
-    s->leave = attention && lag_singular_margin(s, stepper->t, stepper->x, s->now) <= LOST;
+    const double margin = attention ? lag_singular_margin(s, stepper->t, stepper->x, s->now) : (double)INFINITY;
+    s->leave = margin <= LOST ? 1 : margin <= BESIDE ? 2 : 0;
 }
 
 lag_status lag_singular_ahead(lag_singular *s, double limit, int *done)
@@ -354,10 +315,11 @@ lag_status lag_singular_ahead(lag_singular *s, double limit, int *done)
     s->leave = 0;
     s->distance = 0.0;
     s->margin = (double)INFINITY;
-    *done = leave ? lag_fit_out(s, stepper->t, stepper->x, limit, &length)
+    *done = leave ? (leave == 1 && lag_fit_out(s, stepper->t, stepper->x, limit, &length)) ||
+                        lag_fit_beside(s, stepper->t, stepper->x, &length)
                   : goes_across(s, stepper->t, stepper->x, distance, limit, &length);
     if (*done) {
-        return take(s, stepper->t, stepper->x, length);
+        return take(s, stepper->t, stepper->x, length, limit);
     }
     return decided(s, margin, stepper->t, stepper->x, (double)INFINITY) ? LAG_OK : LAG_BRANCH_POINT;
 }
@@ -371,6 +333,7 @@ lag_status lag_singular_after(lag_singular *s, double limit, double *shorter)
     double length = 0.0;
     int moved = 0;
     const double before = lag_singular_margin(s, t, stepper->x_before, s->before);
+    s->seen = 0;
     *shorter = SHORTER * step;
     if (before < NEAR) { /* branches are told apart by the constraints alone where rank is nearly lost */
         if (lag_projection_exact(&run->projection, stepper->t, stepper->x, &moved) != LAG_OK) {
@@ -384,7 +347,7 @@ lag_status lag_singular_after(lag_singular *s, double limit, double *shorter)
     if (lost < (double)INFINITY) {
         memcpy(run->point, stepper->x_before, stepper->ode->size * sizeof(double));
         if (goes_across(s, t, run->point, lost - t, limit, &length)) {
-            return take(s, t, run->point, length);
+            return take(s, t, run->point, length, limit);
         }
         return decided(s, before, t, run->point, *shorter) ? LAG_ATTENTION : LAG_BRANCH_POINT;
     }

@@ -5,16 +5,16 @@
  * zero and change their sign. A step that jumps across shows it: seen in the singular vectors of the state before, J has
  * turned around. There the derivatives of rates and states are polynomials in time that agree with the equations at
  * collocation points behind the position, whose states are projected onto the constraints. The height of the saddle of the
- * vanishing combination of rows decides whether branches meet.
+ * vanishing combinations of rows decides whether branches meet (lag/run/branch_point.h).
  *
- * Sources: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.7; Rheinboldt, Numerical Analysis
- * of Parametrized Nonlinear Equations, 1986.
+ * Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.7.
  */
 #ifndef LAG_SINGULAR_H
 #define LAG_SINGULAR_H
 
 #include "lag/linalg/levenberg_marquardt.h"
 #include "lag/equations/motion.h"
+#include "lag/run/branch_point.h"
 #include "lag/stepper.h"
 
 struct lag_run;
@@ -28,25 +28,23 @@ typedef struct lag_singular {
     double *counts;              /* (nc + nq) independent rows of each part in general */
     size_t general;              /* all of them */
     /* what is to be done before the next step */
-    int leave;                   /* 1: rank is lost here */
+    int leave;                   /* 1: rank is lost here; 2: nearly */
     double distance;             /* [s] to a singular position ahead; 0: none is known */
     double margin;               /* smallest singular value at the present state; infinite: not looked at */
     double *before, *now;        /* (nc, nq) J, scaled, at the beginning of a step and at another state */
     double *block, *other, *turned; /* (nc, nq) (nc, nq) (k, k), k: the smaller of both */
-    double *wide, *tall;         /* (nc, nq + 1) (nq + 1, nc) */
-    double *point, *left;        /* (nq + 1) (nc) */
-    double *vanishing, *free;    /* (LAG_MOST_LOST, nc) (nq + 1, nq + 1) */
-    double *holding;             /* (nc, nc) combinations of rows that do not vanish */
-    double *slopes;              /* (nq + 1, LAG_MOST_LOST, nq + 1) */
-    double *lines, *wanted, *step; /* (nc + LAG_MOST_LOST (nq + 1), nq + 1) and its right-hand side; (nq + 1 and more) */
-    double *still;               /* (nq) zeros */
+    int seen;                    /* 1: here are those of `before`, part after part: */
+    double *kept, *values;       /* (nc + nq) singular values that were not lost: their number, they */
+    double *left_vectors, *right_vectors; /* (nc, nc) (nq, nq) and their vectors, row by row */
+    double *left;                /* (nc) */
+    lag_branch_point saddle;
     double *branch, *earlier, *coefficients, *best; /* (7, nq + nz) */
     double *state, *rates, *origin, *end; /* (2 nq + nz) */
     double *memory;              /* of singular and other values */
 } lag_singular;
 
-/* So many combinations of rows at most may vanish at one time. */
-enum { LAG_MOST_LOST = 6 };
+/* A singular value of J, rows of size one, below which rank counts as lost. */
+#define LAG_LOST 1e-7
 
 /* Doubles for it. */
 size_t lag_singular_memory(const lag_model *model);
@@ -81,10 +79,17 @@ lag_status lag_singular_after(lag_singular *singular, double limit, double *shor
 
 /* 1: the fitted motion from the state x at time t into *length, `best` and `end`, out of a singular position, */
 int lag_fit_out(lag_singular *singular, double t, const double *x, double limit, double *length);
-/* or across one so far ahead. */
+/* or across one so far ahead, beyond `limit` where nothing shorter fits, */
 int lag_fit_across(lag_singular *singular, double t, const double *x, double distance, double limit, double *length);
-/* By how much branches miss each other at the saddle near a state, as a part of the sizes of the rows; infinite where there is none. */
-double lag_branch_point_height(lag_singular *singular, double t, const double *x);
+/* or from a state beside one, where it moves. */
+int lag_fit_beside(lag_singular *singular, double t, const double *x, double *length);
+/* The state at a part of that motion, not projected. */
+void lag_fit_state(const lag_singular *singular, const double *x, double length, double part, double *state);
+/*
+ * How far J has turned from `before` to `jacobian` (nc, nq): 1 not at all, 0 where a direction is lost, negative where one has changed its
+ * sign. `seen` is 0 where `before` is new.
+ */
+double lag_singular_turn(lag_singular *singular, const double *jacobian);
 /* The smallest of the singular values of J at a state that are not zero in general; J into `jacobian` (nc, nq), scaled. */
 double lag_singular_margin(lag_singular *singular, double t, const double *x, double *jacobian);
 

@@ -49,6 +49,7 @@ static const lag_tape_signature SIGNATURES[LAG_TAPE_ALONG] = {
     [1 + LAG_INITIAL_EQUATION_TANGENT] = {0xffff, 1, {VECTOR(NE)}},
     [1 + LAG_TIME_TANGENT] = {0x01ff, 11, {VECTOR(NQ), VECTOR(NC), VECTOR(NC), VECTOR(NC), VECTOR(NZ),
         VECTOR(NY), NUMBER, NUMBER, NUMBER, NUMBER, VECTOR(ND)}},
+    [1 + LAG_CORRECTION] = {0x017f, 3, {VECTOR(NQ), VECTOR(NC), NUMBER}},
     /* ---- end of what is generated ---- */
 };
 

@@ -231,6 +231,12 @@ static lag_status time_tangent(
     return run(at, 1 + LAG_TIME_TANGENT, results);
 }
 
+static lag_status correction(const lag_arguments *at, double *change, double *lam_change, double *pivot)
+{
+    double *const results[] = {change, lam_change, pivot};
+    return run(at, 1 + LAG_CORRECTION, results);
+}
+
 static void give(lag_tape *tape)
 {
     tape->model.start = lag_tape_has(tape, LAG_START) ? start : NULL;
@@ -267,6 +273,7 @@ static void give(lag_tape *tape)
     tape->model.energies_tangent = lag_tape_has(tape, LAG_ENERGIES_TANGENT) ? energies_tangent : NULL;
     tape->model.initial_equation_tangent = lag_tape_has(tape, LAG_INITIAL_EQUATION_TANGENT) ? initial_equation_tangent : NULL;
     tape->model.time_tangent = lag_tape_has(tape, LAG_TIME_TANGENT) ? time_tangent : NULL;
+    tape->model.correction = lag_tape_has(tape, LAG_CORRECTION) ? correction : NULL;
 }
 /* ---- end of what is generated ---- */
 

@@ -1,0 +1,80 @@
+#include "lag/equations/correction.h"
+
+#include <math.h>
+
+#include "lag/dynamics.h"
+#include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
+#include "lag/linalg/vector.h"
+
+/* What may be left of the residuals, as a part of the largest. */
+static const double LEFT = 1e-8;
+
+size_t lag_correction_memory(const lag_model *model)
+{
+    const size_t n = model->nq;
+    const size_t m = model->nc;
+    const size_t kept = model->nk;
+    return n + 2 * m + kept * (2 * n + m + 2) + lag_delassus_memory(m, kept);
+}
+
+/* What the multipliers of the rows left to run time add. */
+static lag_status add_kept(const lag_model *model, const lag_arguments *at, const double *residual, double *memory, double *change, double *lam)
+{
+    double pivot = 0.0;
+    double *qdd = lag_take(&memory, model->nq);
+    double *own = lag_take(&memory, model->nc);
+    double *response = lag_take(&memory, model->nk * model->nq);
+    double *lam_response = lag_take(&memory, model->nk * model->nc);
+    double *jacobian = lag_take(&memory, model->nk * model->nq);
+    double *gamma = lag_take(&memory, model->nk);
+    double *right = lag_take(&memory, model->nk);
+    lag_delassus system;
+    lag_status status = model->elimination(at, qdd, own, response, lam_response, jacobian, gamma, &pivot);
+    if (status == LAG_OK) {
+        status = lag_factor_eliminated(model, response, lam_response, jacobian, pivot, memory, &system);
+    }
+    for (size_t i = 0; i < model->nk; ++i) {
+        right[i] = -residual[model->kept_rows[i]];
+    }
+    if (status == LAG_OK) {
+        lag_delassus_solve(&system, right, change, lam);
+    }
+    return status;
+}
+
+/* Whether the residuals go away, those of rows that follow from others left out. */
+static int takes_away(const lag_model *model, const double *residual, const double *jacobian, const double *sizes, const double *change)
+{
+    double largest = 0.0;
+    double left = 0.0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const double size = sizes[i] > 0.0 ? sizes[i] : 1.0;
+        largest = fmax(largest, fabs(residual[i]) / size);
+        if (!(model->redundant != NULL && model->redundant[i])) {
+            left = fmax(left, fabs(residual[i] + lag_dot(model->nq, jacobian + i * model->nq, change)) / size);
+        }
+    }
+    return left <= LEFT * largest;
+}
+
+lag_status lag_correction(const lag_model *model, const lag_arguments *at, const double *residual, const double *jacobian,
+    const double *sizes, double *memory, double *change)
+{
+    lag_arguments here = *at;
+    double pivot = 0.0;
+    if (model->correction == NULL || model->elimination == NULL) {
+        return LAG_MISSING;
+    }
+    double *lam = lag_take(&memory, model->nc);
+    here.lam = residual;
+    lag_status status = model->correction(&here, change, lam, &pivot);
+    if (status == LAG_OK && !(pivot > lag_smallest_pivot(model))) {
+        status = LAG_MISSING;
+    }
+    if (status == LAG_OK && model->nk > 0) {
+        status = add_kept(model, at, residual, memory, change, lam);
+    }
+    const int good = status == LAG_OK && lag_finite(model->nq, change) && takes_away(model, residual, jacobian, sizes, change);
+    return good ? LAG_OK : LAG_MISSING;
+}

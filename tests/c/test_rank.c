@@ -1,0 +1,115 @@
+/* A look at ranks: rows of a chain, each sharing a coordinate with the next one. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "lag/equations/rank.h"
+
+enum { ROWS = 60, COLUMNS = ROWS + 1, ENTRIES = 2 * ROWS };
+
+static size_t row[ENTRIES], column[ENTRIES];
+static const lag_pattern PATTERN = {ROWS, COLUMNS, ENTRIES, row, column};
+static double sizes[COLUMNS], row_sizes[ROWS], lasting[ROWS];
+
+static lag_model model_of(const lag_pattern *pattern, size_t rank)
+{
+    return (lag_model){.version = LAG_MODEL_VERSION, .size = sizeof(lag_model), .nq = COLUMNS, .nc = ROWS, .rank = rank, .jacobian_pattern = pattern};
+}
+
+/* Row i holds i and i + 1, by 0.8 and 0.6. */
+static void chain(double *jacobian)
+{
+    memset(jacobian, 0, ROWS * COLUMNS * sizeof(double));
+    for (size_t i = 0; i < ROWS; ++i) {
+        jacobian[i * COLUMNS + i] = 0.8;
+        jacobian[i * COLUMNS + i + 1] = 0.6;
+    }
+}
+
+static lag_look place(const lag_model *model, double **memory)
+{
+    lag_look look;
+    *memory = malloc(lag_look_memory(model) * sizeof(double));
+    CHECK(*memory != NULL);
+    lag_look_place(&look, model, sizes, row_sizes, *memory);
+    look.lasting = lasting;
+    return look;
+}
+
+static void turns_and_losses_are_seen(const lag_pattern *pattern)
+{
+    const lag_model model = model_of(pattern, ROWS);
+    static double jacobian[ROWS * COLUMNS];
+    double *memory = NULL;
+    lag_look look = place(&model, &memory);
+    chain(jacobian);
+    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    jacobian[30 * COLUMNS + 30] = 0.7; /* a little */
+    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    jacobian[30 * COLUMNS + 30] = jacobian[30 * COLUMNS + 31] = -0.7; /* all around */
+    CHECK(lag_look_at(&look, jacobian) == LAG_ATTENTION);
+    chain(jacobian);
+    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    look.rank = 0; /* nothing to compare with */
+    for (size_t j = 0; j < COLUMNS; ++j) {
+        jacobian[12 * COLUMNS + j] *= 0.5;
+    }
+    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    look.rank = 0;
+    for (size_t j = 0; j < COLUMNS; ++j) { /* hardly a row any more */
+        jacobian[12 * COLUMNS + j] *= 0.1;
+    }
+    CHECK(lag_look_at(&look, jacobian) == LAG_ATTENTION);
+    free(memory);
+}
+
+/* One row less is independent than there are, and nobody says which. */
+static void rows_that_follow_are_found(void)
+{
+    const lag_model model = model_of(NULL, ROWS - 1);
+    static double jacobian[ROWS * COLUMNS];
+    double *memory = NULL;
+    lag_look look = place(&model, &memory);
+    chain(jacobian);
+    memcpy(jacobian + 41 * COLUMNS, jacobian + 40 * COLUMNS, COLUMNS * sizeof(double));
+    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    memcpy(jacobian + 11 * COLUMNS, jacobian + 10 * COLUMNS, COLUMNS * sizeof(double));
+    CHECK(lag_look_at(&look, jacobian) == LAG_ATTENTION);
+    free(memory);
+}
+
+/* A row that comes and goes is not looked at. */
+static void rows_that_go_are_left_out(void)
+{
+    const lag_model model = model_of(&PATTERN, ROWS);
+    static double jacobian[ROWS * COLUMNS];
+    double *memory = NULL;
+    lag_look look = place(&model, &memory);
+    lasting[7] = 0.0;
+    chain(jacobian);
+    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    memset(jacobian + 7 * COLUMNS, 0, COLUMNS * sizeof(double));
+    CHECK(lag_look_at(&look, jacobian) == LAG_OK);
+    lasting[7] = 1.0;
+    free(memory);
+}
+
+int main(void)
+{
+    for (size_t i = 0; i < ROWS; ++i) {
+        row[2 * i] = row[2 * i + 1] = i;
+        column[2 * i] = i;
+        column[2 * i + 1] = i + 1;
+        row_sizes[i] = lasting[i] = 1.0;
+    }
+    for (size_t j = 0; j < COLUMNS; ++j) {
+        sizes[j] = 1.0;
+    }
+    turns_and_losses_are_seen(&PATTERN);
+    turns_and_losses_are_seen(NULL);
+    rows_that_follow_are_found();
+    rows_that_go_are_left_out();
+    (void)printf("rank: ok\n");
+    return 0;
+}
