@@ -147,7 +147,7 @@ static int counts(const lag_look *look, size_t row)
 }
 
 /* So many of the rows that count follow from others, although nobody said which. */
-static size_t surplus(const lag_look *look)
+static size_t redundant_rows(const lag_look *look)
 {
     size_t count = 0;
     for (size_t i = 0; i < look->m; ++i) {
@@ -241,5 +241,5 @@ lag_status lag_look_at(lag_look *look, const double *jacobian)
     look->rank = look->most;
     lag_fill(look->m, 0.0, look->follows);
     multiply(look, look->now, look->now, 0.0);
-    return least_pivot(look, surplus(look)) > NEAR * NEAR ? LAG_OK : LAG_ATTENTION;
+    return least_pivot(look, redundant_rows(look)) > NEAR * NEAR ? LAG_OK : LAG_ATTENTION;
 }
