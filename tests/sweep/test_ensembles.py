@@ -84,8 +84,8 @@ def _tasks(compilation: Compilation) -> list[Task]:
 
 
 def test_memory_stays() -> None:
-    """Runs leave nothing behind: of four hundred of them no more memory is kept than of two hundred, when the free lists
-    of the interpreter have grown."""
+    """Runs leave nothing behind: of four hundred of them no more memory is kept than of two hundred, after the free
+    lists of the interpreter have grown."""
     compilation = lagdsl.compile(MODELS / "bouncing_ball.lag")._compilation
     options = Options(stop=1.0, interval=0.5, tolerance=None, solver="auto", engine="tape", inputs={})
     ensemble, bench = Ensemble(compilation.flat, TapeEngine(compilation.program), options), Bench()
