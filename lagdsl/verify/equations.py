@@ -200,7 +200,8 @@ class _Worst:
     def compare(self, ours: Any, theirs: Any, size: Any, function: str) -> None:
         alike = (ours == theirs) | (np.isnan(ours) & np.isnan(theirs))
         with np.errstate(all="ignore"):
-            parts = np.where(alike, 0.0, np.abs(ours - theirs) / size)
+            # A size may be no number where a pivot is infinite; the value itself is a size, too.
+            parts = np.where(alike, 0.0, np.abs(ours - theirs) / np.fmax(size, np.abs(theirs)))
         worst = float(np.max(np.where(np.isnan(parts), np.inf, parts), initial=0.0))
         if worst > self.part:
             self.part, self.where = worst, f"largest in {function}"

@@ -154,7 +154,44 @@ DOCKING = [
     ),
 ]
 
+BESIDE = [
+    Attack(
+        "micrometres_beside_a_thousand_kilometres",
+        # both swing like a pendulum of length 1 under 9.81
+        model(
+            "coordinate Real x(start = 6e-7, nominal = 1e-6), y(start = -8e-7, nominal = 1e-6);"
+            "coordinate Real p(start = 6e5, nominal = 1e6), q(start = -8e5, nominal = 1e6);"
+            "kinetic 1/2*(der(x)^2 + der(y)^2 + der(p)^2 + der(q)^2); potential 9.81e-6*y + 9.81e6*q;"
+            "constraint small: x^2 + y^2 = 1e-12; constraint large: p^2 + q^2 = 1e12;"
+            "output Real off = 1e6*x - 1e-6*p; output Real r = (x^2 + y^2)*1e12;"
+        ),
+        2.0,
+        {"off": 0.0, "r": 1.0},
+        near=1e-7,
+    ),
+    Attack(
+        "contradiction_beside_something_fast",
+        model(
+            "coordinate Real x, y; kinetic 1/2*(der(x)^2 + der(y)^2); constraint one: der(x) = 1;"
+            "constraint other: der(x) = 1.001; constraint fast: der(y) = 1e9;"
+        ),
+        1.0,
+        {"x": -1.0},
+        refused=("E0603", "E0803"),
+    ),
+    Attack(
+        "contradiction_beside_something_far",
+        model(
+            "coordinate Real x, y; kinetic 1/2*(der(x)^2 + der(y)^2); constraint one: der(x) = 1e-6;"
+            "constraint other: der(x) = 2e-6; constraint fast: der(y) = 1e3;"
+        ),
+        1.0,
+        {"x": -1.0},
+        refused=("E0603",),
+    ),
+]
 
-@rows([*FALLS, *DOCKING])
+
+@rows([*FALLS, *DOCKING, *BESIDE])
 def test_scales(row: Attack, engine: str) -> None:
     check(row, engine)

@@ -67,7 +67,9 @@ def inputs(flat: FlatModel, settings: Settings) -> Iterator[Scalar]:
         attributes = replace(attributes_of(item, Role.INPUT), causality="input", setting="ALWAYS")
         if item.derivative_of is not None:  # of another type than the input itself
             attributes = replace(attributes, type_name=None, doc=f"time derivative of {item.derivative_of}")
-        attributes = replace(attributes, **bounds(item, float(value)), nominal=item.nominal)
+        attributes = replace(
+            attributes, **bounds(item, float(value)), nominal=item.nominal if item.base == "Real" else None
+        )
         yield Scalar(
             name=named(item.name), first=index, attributes=attributes, initial=None, start=value, key=attributes
         )
@@ -131,7 +133,7 @@ def _computed(
         variability = "discrete"
     attributes = replace(attributes_of(item, role), causality=causality, variability=variability)
     if isinstance(item, Output):
-        attributes = replace(attributes, **bounds(item, None), nominal=item.nominal)
+        attributes = replace(attributes, **bounds(item, None), nominal=item.nominal if item.base == "Real" else None)
     return Scalar(
         name=named(item.name),
         first=index,

@@ -7,7 +7,7 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/vector.h"
 
-/* What may be left of the residuals, as a part of the largest. */
+/* Largest residual after the correction, as a part of the largest before it. */
 static const double LEFT = 1e-8;
 
 size_t lag_correction_memory(const lag_model *model)
@@ -18,7 +18,7 @@ size_t lag_correction_memory(const lag_model *model)
     return n + 2 * m + kept * (2 * n + m + 2) + lag_delassus_memory(m, kept);
 }
 
-/* What the multipliers of the rows left to run time add. */
+/* Adds the effect of the multipliers of the rows left to run time. */
 static lag_status add_kept(const lag_model *model, const lag_arguments *at, const double *residual, double *memory, double *change, double *lam)
 {
     double pivot = 0.0;
@@ -43,7 +43,7 @@ static lag_status add_kept(const lag_model *model, const lag_arguments *at, cons
     return status;
 }
 
-/* Whether the residuals go away, those of rows that follow from others left out. */
+/* True if the residuals vanish, except those of rows that follow from others. */
 static int takes_away(const lag_model *model, const double *residual, const double *jacobian, const double *sizes, const double *change)
 {
     double largest = 0.0;

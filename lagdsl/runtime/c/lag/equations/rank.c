@@ -12,7 +12,7 @@ static const double NEAR = 0.1;
  * x' (J0 + s (J1 - J0)) J0' x > 0.
  */
 static const double LEFT = 0.25;
-/* Where more rows last than are independent, one with a pivot below this follows from those before it. */
+/* If more rows last than are independent, a row with a pivot below this follows from those before it. */
 static const double FOLLOWS = 1e-6;
 
 static size_t entries_of(const lag_model *model)
@@ -45,7 +45,7 @@ static void list_columns(lag_look *look)
     look->first[look->m] = (double)next;
 }
 
-/* Whether two rows share a coordinate; `marks` (n) are those of one of them. */
+/* True if two rows share a coordinate; `marks` (n) are those of one of them. */
 static int shares(const lag_look *look, size_t row, const double *marks)
 {
     const size_t end = (size_t)look->first[row + 1];
@@ -147,7 +147,7 @@ static int counts(const lag_look *look, size_t row)
 }
 
 /* So many of the rows that count follow from others, although nobody said which. */
-static size_t surplus(const lag_look *look)
+static size_t redundant_rows(const lag_look *look)
 {
     size_t count = 0;
     for (size_t i = 0; i < look->m; ++i) {
@@ -241,5 +241,5 @@ lag_status lag_look_at(lag_look *look, const double *jacobian)
     look->rank = look->most;
     lag_fill(look->m, 0.0, look->follows);
     multiply(look, look->now, look->now, 0.0);
-    return least_pivot(look, surplus(look)) > NEAR * NEAR ? LAG_OK : LAG_ATTENTION;
+    return least_pivot(look, redundant_rows(look)) > NEAR * NEAR ? LAG_OK : LAG_ATTENTION;
 }

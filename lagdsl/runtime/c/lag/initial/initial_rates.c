@@ -101,7 +101,7 @@ static void state_conditions(lag_rates *r, const double *x)
     r->conditions = count;
 }
 
-/* Whether the start values satisfy everything, where rows are clearly independent: then they are the rates. */
+/* True if rows are clearly independent and the start values satisfy all of them: then these are the rates. */
 static int are_as_wanted(lag_rates *r)
 {
     const size_t n = r->b->motion->model->nq;

@@ -217,13 +217,45 @@ static double usual(size_t count, double *lengths)
     return some > 0 ? lengths[(some - 1) / 2] : 0.0;
 }
 
+/* The component of the coordinate that enters a row most; all are one where nobody tells. */
+static size_t component_of(const lag_initialization *b, size_t row)
+{
+    const lag_model *model = b->motion->model;
+    const double *entries = b->pattern + row * model->nq;
+    size_t most = 0;
+    for (size_t j = 1; j < model->nq; ++j) {
+        most = entries[j] > entries[most] ? j : most;
+    }
+    return model->components != NULL && model->nq > 0 ? model->components[most] : 0;
+}
+
+/* Rows that are zero but for the round-off of others of their component have no size and no entries. */
+static void leave_out_round_off(lag_initialization *b)
+{
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    double *most = b->widths;
+    lag_fill(lag_motion_size(model), 0.0, most);
+    for (size_t i = 0; i < model->nc && n > 0; ++i) {
+        const size_t component = component_of(b, i);
+        most[component] = fmax(most[component], b->row_sizes[i]);
+        b->lengths[i] = (double)component;
+    }
+    for (size_t i = 0; i < model->nc && n > 0; ++i) {
+        const double round_off = ROUNDING * most[(size_t)b->lengths[i]];
+        for (size_t j = 0; j < n; ++j) {
+            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], round_off);
+        }
+        b->row_sizes[i] = b->row_sizes[i] > round_off ? b->row_sizes[i] : 1.0;
+    }
+}
+
 /* Rows are as large as their derivatives usually come out, at the start and at points about it. */
 static void find_row_sizes(lag_initialization *b, const double *q)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
     double *lengths = b->lengths;
-    double most = 0.0;
     unsigned long long seed = 20011;
     memcpy(b->q, q, n * sizeof(double));
     lag_fill(model->nc * n, 0.0, b->pattern);
@@ -245,14 +277,8 @@ static void find_row_sizes(lag_initialization *b, const double *q)
     }
     for (size_t i = 0; i < model->nc; ++i) {
         b->row_sizes[i] = usual(SIZED_AT, lengths + i * SIZED_AT);
-        most = fmax(most, b->row_sizes[i]);
     }
-    for (size_t i = 0; i < model->nc; ++i) {
-        for (size_t j = 0; j < n; ++j) {
-            b->pattern[i * n + j] = b->pattern[i * n + j] > fmax(ABSENT * b->row_sizes[i], ROUNDING * most);
-        }
-        b->row_sizes[i] = b->row_sizes[i] > ROUNDING * most ? b->row_sizes[i] : 1.0;
-    }
+    leave_out_round_off(b);
     find_pattern(b);
 }
 

@@ -86,7 +86,7 @@ int lag_fit_beside(lag_singular *singular, double t, const double *x, double *le
 /* The state at a part of that motion, not projected. */
 void lag_fit_state(const lag_singular *singular, const double *x, double length, double part, double *state);
 /*
- * How far J has turned from `before` to `jacobian` (nc, nq): 1 not at all, 0 where a direction is lost, negative where one has changed its
+ * Turn of J from `before` to `jacobian` (nc, nq): 1 for none, 0 if a direction is lost, negative if one has changed its
  * sign. `seen` is 0 where `before` is new.
  */
 double lag_singular_turn(lag_singular *singular, const double *jacobian);

@@ -1,4 +1,4 @@
-/* How far J has turned: U' J V / values, in the singular vectors of J as it was before. */
+/* Turn of J: U' J V / values, in the singular vectors of J as it was before. */
 #include <math.h>
 #include <string.h>
 
