@@ -98,6 +98,33 @@ def rods(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
             point = base
 
 
+def arms(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+    """A thin arm from the origin of a frame to that of one that is built on it elsewhere; from the world only where the
+    distance is held."""
+    joined = [drawing for drawing in flat.drawings if drawing.place == "between"]
+    at = [evaluator_at(flat, seed) for seed in range(_POSITIONS)]
+    known = {
+        _ends([each.vector(end) for each in at for end in drawing.anchors if not isinstance(end, str)])
+        for drawing in joined
+    }
+    for item in flat.named:
+        if not isinstance(item, fm.Frame) or item.image is not None:
+            continue
+        parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
+        ends = [each.vector(end) for each in at for end in (parent, own)]
+        lengths = np.linalg.norm(np.array(ends[1::2]) - np.array(ends[::2]), axis=1)
+        held = np.ptp(lengths) <= _HELD * lengths.max()
+        if lengths.min() > _HELD and (held or item.parent != "world") and _ends(ends) not in known:
+            known.add(_ends(ends))
+            yield _between("rope", f"to {item.name}", parent, own, item.spans, columns)
+
+
+def _ends(places: list[NDArray[np.float64]]) -> frozenset[bytes]:
+    """The same for the same two points, in either order, at all positions."""
+    rounded = [np.round(place, 9) + 0.0 for place in places]
+    return frozenset(np.array(rounded[first::2]).tobytes() for first in (0, 1))
+
+
 def grounds(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
     """The plane that a contact keeps a mass or the origin of a body's frame from, where there is one: its gap then
     changes as n . P does, with one unit vector n at all positions. A round shape touches it with its rim."""

@@ -11,7 +11,7 @@ from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, Values
 from lagdsl.record import record
 from lagdsl.scene.drawings import drawn
-from lagdsl.scene.implied import bodies, frames, gauges, grounds, is_planar, loads, masses, rods, ropes, springs
+from lagdsl.scene.implied import arms, bodies, frames, gauges, grounds, is_planar, loads, masses, rods, ropes, springs
 from lagdsl.scene.shapes import Columns, Scene, Shape
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
 
@@ -48,7 +48,7 @@ def scene_of(flat: fm.FlatModel) -> Scene:
     """Shapes of the drawings, then those that the rules add."""
     columns = Columns()
     shapes: list[Shape] = [drawn(drawing, columns) for drawing in flat.drawings]
-    for rule in (masses, bodies, springs, ropes, rods, grounds, loads):
+    for rule in (masses, bodies, springs, ropes, rods, arms, grounds, loads):
         shapes += rule(flat, columns)
     shapes += gauges(flat, columns)
     shapes += frames(flat, columns)

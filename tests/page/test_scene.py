@@ -125,3 +125,12 @@ end M;
     assert own == {"l": 2.0, "x.start": 3.0, "der(x).start": 0.0, "der(y).start": 0.0}
     chosen = {p.name: p.value for p in living(flat, ["y"]).flat.parameters}
     assert chosen["y.start"] == 4.0
+
+
+def test_frames_that_are_built_elsewhere_hang_on_arms() -> None:
+    arm = "coordinate Angle a, b; frame f = world.rotz(a); frame g = f.move({1 m, 0, 0}).rotz(b); gravity = 0;"
+    arm += "body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f; body d(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on g;"
+    assert kinds(scene(arm)) == {"body": 2, "rope": 1}
+    assert kinds(scene(arm + "draw rod from f.origin to g.origin;")) == {"body": 2, "rod": 1}
+    free = "coordinate Length x(start = 1 m); frame f = world.move({x, 0, 0}); gravity = 0;"
+    assert kinds(scene(free + "body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f;")) == {"body": 1}
