@@ -21,12 +21,14 @@ _PEERS = {
 
 
 def draw(found: Results, folder: Path) -> None:
-    """growth.png and chains.png in `folder`, as far as there are results."""
+    """growth.png, sizes.png and chains.png in `folder`, as far as there are results."""
     import matplotlib as mpl
 
     mpl.use("Agg")
     if "growth" in found:
         _growth(found["growth"], folder / "growth.png")
+    if "sizes" in found:
+        _sizes(found["sizes"], folder / "sizes.png")
     if "chains" in found:
         _chains(found["chains"]["rows"], folder / "chains.png")
 
@@ -54,6 +56,24 @@ def _growth(found: Results, path: Path) -> None:
         axes[1].loglog(
             *zip(*pairs, strict=True), "s--", color=_COLORS["CasADi"], label="CasADi, planar, -O0", markersize=4
         )
+    _finish(figure, axes, path)
+
+
+def _sizes(found: Results, path: Path) -> None:
+    import matplotlib.pyplot as plt
+    from sizes import FAMILIES
+
+    figure, axes = plt.subplots(1, 3, figsize=(14, 4.6), layout="constrained")
+    panels = (("derive", "derivation [CPU s]"), ("whole", "start and motion [CPU s]"), ("memory", "memory [MB]"))
+    for axis, (key, title) in zip(axes, panels, strict=True):
+        for index, (name, points) in enumerate(found["curves"].items()):
+            pairs = [(p["n"], p["start"] + p["motion"] if key == "whole" else p[key]) for p in points]
+            pairs = [(n, value) for n, value in pairs if value > 0.0]
+            axis.loglog(*zip(*pairs, strict=True), "o-", color=f"C{index}", label=FAMILIES[name][0]) if pairs else None
+        low = axis.get_ylim()[0]
+        for power, style in ((1.0, ":"), (2.0, "-.")):
+            axis.loglog([5, 80], [2 * low, 2 * low * 16**power], style, color="0.6", label=f"slope {power:g}", zorder=0)
+        axis.set(title=title, xlabel="N")
     _finish(figure, axes, path)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import auto
 import motion
+import sizes_page
 from dynamics import OURS, family, ratio_name
 from targets import Results, table, targets
 
@@ -49,6 +50,8 @@ def page(found: dict[str, Results]) -> str:
         ("chains", _chains),
         ("text", _text),
         ("growth", _growth),
+        ("sizes", sizes_page.sizes),
+        ("iftomm", sizes_page.iftomm),
         ("accuracy", _accuracy),
         ("start", _start),
         ("auto", _auto),

@@ -20,11 +20,13 @@ import chains
 import figures
 import fmus
 import growth
+import iftomm
 import machine
 import motion
 import ours
 import pages
 import peers
+import sizes
 import start
 import tape
 import text
@@ -38,6 +40,8 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "chains": chains.measure,
     "accuracy": accuracy.measure,
     "growth": growth.measure,
+    "sizes": sizes.measure,
+    "iftomm": iftomm.measure,
     "start": start.measure,
     "auto": auto.measure,
     "ensembles": bulk.ensembles,
