@@ -119,4 +119,9 @@ ROWS: dict[str, Row] = {
         label="adds nothing to the equations of motion",
         help="this is correct for a link whose mass is neglected",
     ),
+    "E0524": error(
+        "the mass center of the {what} moves in its frame with `{name}`",
+        label="`com` must be built from parameters",
+        help="give the body a frame that moves with it: `frame c = f.move({{x, 0, 0}});`, then `body ... on c`",
+    ),
 }

@@ -1,4 +1,4 @@
-"""E0505, E0506, E0509, W0514, N0523: masses and inertias must be possible."""
+"""E0505, E0506, E0509, W0514, N0523, E0524: masses and inertias must be possible."""
 
 from __future__ import annotations
 
@@ -46,6 +46,7 @@ class _Checks:
         everything = [(what, value) for what, value, _ in parts]
         everything += [(f"inertia of {name}", product) for product in body.inertia[3:]]
         sound = [self.constant(body, what, value) for what, value in everything]
+        self._center(body, name)
         if all(sound):
             sound = [self.not_negative(body, what, value, unit) for what, value, unit in parts]
             if all(sound):
@@ -58,6 +59,12 @@ class _Checks:
         if changing:
             self.sink.report("E0505", place(item), *around(item), what=what, name=changing[0])
         return not changing
+
+    def _center(self, body: fm.RigidBody, name: str) -> None:
+        """E0524 unless the mass centre rests in the frame: the body is rigid."""
+        changing = [each for each in self.dependence.of_all(body.com) if each not in self.parameters]
+        if changing:
+            self.sink.report("E0524", place(body), *around(body), what=name, name=changing[0])
 
     def not_negative(self, item: Item, what: str, value: fx.FlatExpression, unit: str) -> bool:
         number = self.moment.scalar(value)
