@@ -3,6 +3,7 @@ unit`. Counted in the decimals that were typed (docs/adr/0094)."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import field
@@ -55,7 +56,7 @@ def grid_of(name: str, text: str) -> Grid:
 def evenly(name: str, first: tuple[str, str], last: tuple[str, str], count: int) -> Grid:
     """`count` values between two numbers with units, which must be the same or stand at the last only."""
     unit = _common_unit(name, [first[1], last[1]])
-    begin, end = Fraction(first[0]), Fraction(last[0])
+    begin, end = _exact(name, first[0]), _exact(name, last[0])
     return Grid(count=count, first=begin, step=(end - begin) / (count - 1), unit=unit)
 
 
@@ -65,6 +66,8 @@ def parts_of(name: str, text: str) -> list[tuple[str, str]]:
     parts = [(part[1], part[2]) for part in found if part is not None]
     if len(parts) < len(found):
         raise SettingError(f"{name}={short(text)}: a range is first:step:last, as in 0.1:0.1:1 m")
+    for number, _ in parts:
+        _exact(f"{name}={short(text)}", number)
     return parts
 
 
@@ -135,6 +138,13 @@ def _common_unit(where: str, units: list[str]) -> str:
     if len({unit for unit in units if unit}) > 1 or (any(units) and not units[-1]):
         raise SettingError(f"{where}: give one unit for the whole range, at its end")
     return units[-1]
+
+
+def _exact(where: str, number: str) -> Fraction:
+    """The number as it is typed. Raises SettingError where a double cannot hold it."""
+    if math.isinf(float(number)):
+        raise SettingError(f"{where}: {number} is too large for a number")
+    return Fraction(number)
 
 
 def _decimal(number: Fraction) -> str | None:
