@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from lagdsl.backends.tape.emit import PARTS, tape
 from lagdsl.diagnostics import CompilationFailed
+from lagdsl.program.digest import digest
 from lagdsl.program.program import Program
 from lagdsl.resources import c_folder
 from lagdsl.runtime.building.cache import cache_folder
@@ -42,7 +43,6 @@ class AutoEngine(TapeEngine):
     name: EngineName = "auto"
 
     def __init__(self, program: Program) -> None:
-        self._tape = tape(program)
         self._compiled: NativeModel | None = None
         self._worked = 0.0
         self._build: BackgroundBuild | None = None
@@ -101,9 +101,14 @@ class AutoEngine(TapeEngine):
             return None
 
     @cached_property
+    def _tape(self) -> bytes:
+        """Where a library lies in the cache nobody asks for it."""
+        return tape(self._program)
+
+    @cached_property
     def _key(self) -> str:
-        """Prefix of the names of libraries in the cache that were made of this tape."""
-        return hashlib.sha256(self._tape).hexdigest()[:20]
+        """Prefix of the names of libraries in the cache that were made of this program."""
+        return digest(self._program)[:20]
 
     def _name(self, compiler: Compiler) -> str:
         """Of the library in the cache: made of all that decides what is in it."""
@@ -150,7 +155,7 @@ def _loaded(library: Path, program: Program) -> NativeModel | None:
 @cache
 def _writers() -> str:
     """Modules that write C, and headers that the C is compiled against: a change of them makes another library of the
-    same tape."""
+    same program."""
     digest = hashlib.sha256(__version__.encode())
     emitter = Path(__file__).resolve().parents[2] / "backends"
     for path in sorted([*emitter.rglob("*.py"), *(c_folder() / "lag").rglob("*.h")]):
