@@ -12,9 +12,9 @@ def digest(program: Program) -> str:
     """Of the whole graph, the functions and the layout, as 64 hexadecimal digits; a tenth of the time of a tape."""
     graph = program.graph
     found = hashlib.sha256(bytes(graph.op))
-    for operands in (graph.a, graph.b):
-        found.update(array("q", operands).tobytes())
-    parts = (graph.c, graph.value, program.name, program.layout, program.functions, program.kept_rows)
-    for part in parts:
+    for numbers in (graph.a, graph.b, graph.c, graph.value.keys()):
+        found.update(array("q", numbers).tobytes())
+    found.update(array("d", graph.value.values()).tobytes())
+    for part in (program.name, program.layout, program.functions, program.kept_rows):
         found.update(repr(part).encode() + b"\0")
     return found.hexdigest()

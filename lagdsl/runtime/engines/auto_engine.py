@@ -83,9 +83,17 @@ class AutoEngine(TapeEngine):
         return self._compiled
 
     def _provide(self, part: str | None = None) -> NativeModel:
-        if part is None and _has_library(self._key) and self._compiler is not None:
+        if part is None and self._has_library() and self._compiler is not None:
             self._compiled = _cached(self._name(self._compiler), self._program)
         return super()._provide(part) if part is not None or self._compiled is None else self._compiled
+
+    def _has_library(self) -> bool:
+        """True if the cache has a library whose name begins with the key; its whole name takes longer to find."""
+        try:
+            libraries = [path.name for path in cache_folder().iterdir() if path.suffix == ".so"]
+        except (CompilationFailed, OSError):
+            return False
+        return any(name.startswith(self._key) for name in libraries)
 
     def _made(self, part: str | None) -> bytes:
         return super()._made(part) if part in PARTS else self._tape
@@ -116,14 +124,6 @@ class AutoEngine(TapeEngine):
         from lagdsl.runtime.building.compiler import ALIKE
 
         return f"{self._key}-{content_hash({'program': _writers()}, compiler, (ALIKE,))}"
-
-
-def _has_library(key: str) -> bool:
-    """True if the cache has a library whose name begins so; its whole name takes longer to find."""
-    try:
-        return any(path.name.startswith(key) for path in cache_folder().iterdir())
-    except (CompilationFailed, OSError):
-        return False
 
 
 def _building(program: Program, name: str) -> BackgroundBuild:
