@@ -110,7 +110,7 @@ class AutoEngine(TapeEngine):
 
     @cached_property
     def _tape(self) -> bytes:
-        """Where a library lies in the cache nobody asks for it."""
+        """Made when it is first asked for: not where a library lies in the cache."""
         return tape(self._program)
 
     @cached_property
