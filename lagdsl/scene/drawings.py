@@ -17,7 +17,7 @@ _VECTORS = (
 
 def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
     """The shape of one statement."""
-    numbers, vectors = dict(placed(drawing.place, drawing.anchors, columns)), []
+    numbers, vectors = dict(placed(drawing.anchors, columns)), []
     texts = {}
     for role, value in drawing.arguments:
         if isinstance(value, str):
@@ -37,7 +37,7 @@ def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
     )
 
 
-def placed(place: str, anchors: tuple[fx.FlatExpression | str, ...], columns: Columns) -> list[tuple[str, int]]:
+def placed(anchors: tuple[fx.FlatExpression | str, ...], columns: Columns) -> list[tuple[str, int]]:
     """Columns of the place of a shape: `at` a point, `on` a frame, `between` two points."""
     found: list[tuple[str, int]] = []
     for role, anchor in zip(("at", "to"), anchors, strict=False):

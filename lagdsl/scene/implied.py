@@ -6,21 +6,25 @@ A `draw` statement of the same instance of a class takes the place of what the r
 
 from __future__ import annotations
 
+import math
 import random
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.flat import expression as fx
 from lagdsl.flat import model as fm
+from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.quantity import Spans
 from lagdsl.flat.traversal import postorder
+from lagdsl.record import record
 from lagdsl.scene.drawings import on_frame
 from lagdsl.scene.shapes import Columns, Shape, ShapeKind
 from lagdsl.units.dimension import LENGTH
 
+_NONE: Mapping[str, float] = {}
 _WORLD = fx.FrameOrigin("world")
 # A distance is held if it changes by less than this part of itself between positions at random.
 _HELD = 1e-9
@@ -31,21 +35,57 @@ _THIN = ("trace", "text", "arrow", "rod", "spring", "damper")
 _MOST_FRAMES = 60
 
 
-def masses(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+@record()
+class Machine:
+    """What all rules read: the model, the columns that they fill, its values at some positions, and what is drawn.
+
+    `standing` are points and frames of drawings with a body of their own, `reached` the second ends of those between
+    two points, `owners` the instances of classes that draw themselves.
+    """
+
+    flat: fm.FlatModel
+    columns: Columns
+    positions: tuple[Evaluator, ...]
+    dependence: Dependence
+    named: Mapping[str, fm.Named]
+    standing: frozenset[fx.FlatExpression | str]
+    reached: frozenset[fx.FlatExpression | str]
+    owners: frozenset[Spans]
+
+    def is_drawn(self, spans: Spans) -> bool:
+        """Does the instance of a class that an item comes from draw itself?"""
+        return bool(spans[1:]) and spans[1:] in self.owners
+
+
+def machine_of(flat: fm.FlatModel, columns: Columns) -> Machine:
+    drawings = flat.drawings
+    return Machine(
+        flat,
+        columns,
+        tuple(_evaluator(flat, seed) for seed in range(_POSITIONS)),
+        Dependence(flat),
+        {item.name: item for item in flat.named},
+        standing=frozenset(a for drawing in drawings if drawing.shape not in _THIN for a in drawing.anchors),
+        reached=frozenset(drawing.anchors[-1] for drawing in drawings if drawing.place == "between"),
+        owners=frozenset(drawing.spans[1:] for drawing in drawings),
+    )
+
+
+def masses(machine: Machine) -> Iterator[Shape]:
     """A ball at each point mass to which nothing is drawn."""
-    taken = _anchors(flat)
-    for k, item in enumerate(flat.masses, 1):
-        if item.position in taken or _is_drawn(flat, item.spans):
+    columns = machine.columns
+    for k, item in enumerate(machine.flat.masses, 1):
+        if item.position in machine.standing or machine.is_drawn(item.spans):
             continue
         numbers = (("at", columns.vector(item.position)), ("mass", columns.scalar(item.mass)))
         yield Shape(kind="mass", name=f"mass {k}", numbers=numbers, spans=item.spans)
 
 
-def bodies(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def bodies(machine: Machine) -> Iterator[Shape]:
     """The homogeneous ellipsoid of the same mass and inertia, where nothing is drawn on the frame."""
-    taken = _anchors(flat)
-    for k, item in enumerate(flat.bodies, 1):
-        if item.frame in taken or _is_drawn(flat, item.spans):
+    columns = machine.columns
+    for k, item in enumerate(machine.flat.bodies, 1):
+        if item.frame in machine.standing or machine.is_drawn(item.spans):
             continue
         numbers = (
             *on_frame(item.frame, columns),
@@ -56,58 +96,53 @@ def bodies(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
         yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, spans=item.spans)
 
 
-def springs(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def springs(machine: Machine) -> Iterator[Shape]:
     """A spring between two points whose distance stands in a potential; a damper likewise, in a dissipation."""
-    named = {item.name: item for item in flat.named}
     seen: set[tuple[str, fx.FlatExpression, fx.FlatExpression]] = set()
-    for term in flat.energies:
-        if term.kind not in {"potential", "dissipation"} or _is_drawn(flat, term.spans):
+    for term in machine.flat.energies:
+        if term.kind not in {"potential", "dissipation"} or machine.is_drawn(term.spans):
             continue
         kind: ShapeKind = "spring" if term.kind == "potential" else "damper"
-        for a, b in _distances(term.value, named):
+        for a, b in _distances(term.value, machine.named):
             if (kind, a, b) not in seen:
                 seen.add((kind, a, b))
-                yield _between(kind, term.label or kind, a, b, term.spans, columns)
+                yield _between(kind, term.label or kind, a, b, term.spans, machine.columns)
 
 
-def ropes(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def ropes(machine: Machine) -> Iterator[Shape]:
     """A massless rod or rope between two points whose distance a constraint holds."""
-    named = {item.name: item for item in flat.named}
-    for constraint in flat.constraints:
-        if constraint.level != "position" or constraint.closure is not None or _is_drawn(flat, constraint.spans):
+    for constraint in machine.flat.constraints:
+        if constraint.level != "position" or constraint.closure is not None or machine.is_drawn(constraint.spans):
             continue
         for residual in constraint.residuals:
-            for a, b in _distances(residual, named):
-                yield _between("rope", constraint.name, a, b, constraint.spans, columns)
+            for a, b in _distances(residual, machine.named):
+                yield _between("rope", constraint.name, a, b, constraint.spans, machine.columns)
 
 
-def rods(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def rods(machine: Machine) -> Iterator[Shape]:
     """A massless rod to each point mass that keeps its distance from the point it is built on, down to the world."""
-    named = {item.name: item for item in flat.named}
-    taken = _anchors(flat, joined=True)
-    positions = [evaluator_at(flat, seed) for seed in range(_POSITIONS)]
     done: set[fx.FlatExpression] = set()
-    for item in flat.masses:
+    for item in machine.flat.masses:
         point = item.position
-        while point not in done and point not in taken and not _is_drawn(flat, item.spans):
+        while point not in done and point not in machine.reached and not machine.is_drawn(item.spans):
             done.add(point)
-            base = _base(point, named)
-            if base is None or not _is_held(positions, point, base):
+            base = _base(point, machine.named)
+            if base is None or not _is_held(machine.positions, point, base):
                 break
-            yield _between("rod", "massless rod", base, point, item.spans, columns)
+            yield _between("rod", "massless rod", base, point, item.spans, machine.columns)
             point = base
 
 
-def arms(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def arms(machine: Machine) -> Iterator[Shape]:
     """A thin arm from the origin of a frame to that of one that is built on it elsewhere; from the world only where the
     distance is held."""
-    joined = [drawing for drawing in flat.drawings if drawing.place == "between"]
-    at = [evaluator_at(flat, seed) for seed in range(_POSITIONS)]
+    at = machine.positions
     known = {
         _ends([each.vector(end) for each in at for end in drawing.anchors if not isinstance(end, str)])
-        for drawing in joined
+        for drawing in machine.flat.drawings
+        if drawing.place == "between"
     }
-    for item in flat.named:
+    for item in machine.flat.named:
         if not isinstance(item, fm.Frame) or item.image is not None:
             continue
         parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
@@ -116,7 +151,7 @@ def arms(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
         held = np.ptp(lengths) <= _HELD * lengths.max()
         if lengths.min() > _HELD and (held or item.parent != "world") and _ends(ends) not in known:
             known.add(_ends(ends))
-            yield _between("rope", f"to {item.name}", parent, own, item.spans, columns)
+            yield _between("rope", f"to {item.name}", parent, own, item.spans, machine.columns)
 
 
 def _ends(places: list[NDArray[np.float64]]) -> frozenset[bytes]:
@@ -125,13 +160,16 @@ def _ends(places: list[NDArray[np.float64]]) -> frozenset[bytes]:
     return frozenset(np.array(rounded[first::2]).tobytes() for first in (0, 1))
 
 
-def grounds(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def grounds(machine: Machine) -> Iterator[Shape]:
     """The plane that a contact keeps a mass or the origin of a body's frame from, where there is one: its gap then
     changes as n . P does, with one unit vector n at all positions. A round shape touches it with its rim."""
-    places = [*(mass.position for mass in flat.masses), *_origins(flat)]
+    flat, columns = machine.flat, machine.columns
+    origins = (fx.FrameOrigin(body.frame) for body in flat.bodies)
+    places = [(place, _movers(machine, place)) for place in (*(mass.position for mass in flat.masses), *origins)]
     for contact in flat.events.contacts:
-        for place in places:
-            normal = _normal(flat, contact.gap, place)
+        own = _movers(machine, contact.gap)
+        for place, movers in places:
+            normal = _normal(flat, contact.gap, place, movers) if own and own <= movers else None
             if normal is None:
                 continue
             n = fx.Vector(*(fx.Number(float(x)) for x in normal))
@@ -143,8 +181,10 @@ def grounds(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
             break
 
 
-def _origins(flat: fm.FlatModel) -> list[fx.FlatExpression]:
-    return [fx.FrameOrigin(body.frame) for body in flat.bodies]
+def _movers(machine: Machine, expression: fx.FlatExpression) -> frozenset[str]:
+    """The coordinates that an expression depends on."""
+    coordinates = {coordinate.name for coordinate in machine.flat.coordinates}
+    return frozenset(name for name in machine.dependence.of(expression) if name in coordinates)
 
 
 def _radius(flat: fm.FlatModel, place: fx.FlatExpression) -> fx.FlatExpression | None:
@@ -157,13 +197,15 @@ def _radius(flat: fm.FlatModel, place: fx.FlatExpression) -> fx.FlatExpression |
     return None
 
 
-def _normal(flat: fm.FlatModel, gap: fx.FlatExpression, place: fx.FlatExpression) -> NDArray[np.float64] | None:
-    """The unit vector n with d(gap)/dq_j = n . d(place)/dq_j for all coordinates, at two positions at random."""
+def _normal(
+    flat: fm.FlatModel, gap: fx.FlatExpression, place: fx.FlatExpression, movers: frozenset[str]
+) -> NDArray[np.float64] | None:
+    """The unit vector n with d(gap)/dq_j = n . d(place)/dq_j for all `movers`, at two positions at random."""
     found = []
     for seed in range(2):
         moves, changes = [], []
-        for coordinate in flat.coordinates:
-            at = evaluator_at(flat, seed, rates={coordinate.name: 1.0})
+        for name in sorted(movers):
+            at = _evaluator(flat, seed, {name: 1.0})
             try:
                 moves.append(at.vector(fx.Derivative(place)))
                 changes.append(at.scalar(fx.Derivative(gap)))
@@ -179,9 +221,10 @@ def _normal(flat: fm.FlatModel, gap: fx.FlatExpression, place: fx.FlatExpression
     return found[0] if np.abs(found[0] - found[1]).max() <= _HELD else None
 
 
-def loads(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def loads(machine: Machine) -> Iterator[Shape]:
     """Forces at their points, torques at the origins of their frames."""
-    for load in flat.loads:
+    columns = machine.columns
+    for load in machine.flat.loads:
         match load:
             case fm.PointForce():
                 numbers = (("at", columns.vector(load.point)), ("vector", columns.vector(load.force)))
@@ -194,33 +237,35 @@ def loads(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
                 pass  # it acts on a coordinate, which is no place
 
 
-def frames(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def frames(machine: Machine) -> Iterator[Shape]:
     """The axes of the world and of the named frames."""
-    found = [item for item in flat.named if isinstance(item, fm.Frame)][:_MOST_FRAMES]
+    columns = machine.columns
+    found = [item for item in machine.flat.named if isinstance(item, fm.Frame)][:_MOST_FRAMES]
     yield Shape(kind="frame", name="world", numbers=tuple(on_frame("world", columns)), spans=())
     for item in found:
         yield Shape(kind="frame", name=item.name, numbers=tuple(on_frame(item.name, columns)), spans=item.spans)
 
 
-def gauges(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def gauges(machine: Machine) -> Iterator[Shape]:
     """A slider for each length and a dial for each other coordinate that moves nothing of what is drawn."""
-    drawn = tuple(columns.expressions)
-    before = _numbers(evaluator_at(flat, 0), drawn)
-    for coordinate in flat.coordinates:
-        after = _numbers(evaluator_at(flat, 0, {coordinate.name: 0.1}), drawn)
-        if not np.array_equal(before, after, equal_nan=True):
+    drawn = tuple(machine.columns.expressions)
+    for coordinate in machine.flat.coordinates:
+        moved = _evaluator(machine.flat, 0, moved={coordinate.name: 0.1})
+        # A ball that turns in its place depends on its angle, and nothing is seen of it.
+        likely = (each for each in drawn if coordinate.name in machine.dependence.of(each))
+        if any(_is_changed(_number(machine.positions[0], each), _number(moved, each)) for each in likely):
             continue
         kind: ShapeKind = "slider" if coordinate.dimension == LENGTH else "dial"
-        numbers = (("value", columns.scalar(fx.Variable(coordinate.name))),)
+        numbers = (("value", machine.columns.scalar(fx.Variable(coordinate.name))),)
         yield Shape(kind=kind, name=coordinate.name, numbers=numbers, spans=coordinate.spans)
 
 
-def is_planar(flat: fm.FlatModel, columns: Columns, shapes: Iterable[Shape]) -> bool:
+def is_planar(machine: Machine, shapes: Iterable[Shape]) -> bool:
     """Does every place keep z = 0, and every axis the plane, wherever the coordinates are?"""
     firsts = [first for shape in shapes for role, first in shape.numbers if role in {"at", "to"}]
     flat_axes = [first for shape in shapes if shape.kind != "frame" for role, first in shape.numbers if role == "z"]
-    for seed in range(2):
-        values = _numbers(evaluator_at(flat, seed), tuple(columns.expressions))
+    for at in machine.positions[:2]:
+        values = _numbers(at, machine.columns.expressions)
         sizes = np.abs(values[np.isfinite(values)])
         room = 1e-12 * float(np.max(sizes, initial=1.0))
         if any(abs(values[first + 2]) > room for first in firsts):
@@ -230,19 +275,24 @@ def is_planar(flat: fm.FlatModel, columns: Columns, shapes: Iterable[Shape]) -> 
     return True
 
 
-def evaluator_at(
-    flat: fm.FlatModel, seed: int, moved: dict[str, float] | None = None, rates: dict[str, float] | None = None
+def _is_changed(before: float, after: float) -> bool:
+    return before != after and not (math.isnan(before) and math.isnan(after))
+
+
+def _evaluator(
+    flat: fm.FlatModel, seed: int, rates: Mapping[str, float] = _NONE, moved: Mapping[str, float] = _NONE
 ) -> Evaluator:
-    """At coordinates, states and a time at random: the same ones for the same seed, plus what is `moved`."""
+    """At coordinates, states and a time at random, the same ones for the same seed, plus what is `moved`; rates that
+    are not given are 0."""
     chance = random.Random(seed)
     variables = {item.name: chance.uniform(0.2, 1.2) for item in (*flat.coordinates, *flat.states)}
     variables["time"] = chance.uniform(0.1, 1.0)
-    for name, step in (moved or {}).items():
+    for name, step in moved.items():
         variables[name] += step
-    return Evaluator(flat, Values(variables=variables, rates=dict.fromkeys(variables, 0.0) | (rates or {})))
+    return Evaluator(flat, Values(variables=variables, rates=dict.fromkeys(variables, 0.0) | dict(rates)))
 
 
-def _numbers(at: Evaluator, expressions: tuple[fx.FlatExpression, ...]) -> NDArray[np.float64]:
+def _numbers(at: Evaluator, expressions: Iterable[fx.FlatExpression]) -> NDArray[np.float64]:
     return np.array([_number(at, expression) for expression in expressions])
 
 
@@ -260,21 +310,8 @@ def _between(
     return Shape(kind=kind, name=name, numbers=numbers, spans=spans)
 
 
-def _anchors(flat: fm.FlatModel, *, joined: bool = False) -> set[fx.FlatExpression | str]:
-    """Points and frames that drawings with a body of their own stand at, or, `joined`, those that some reach to."""
-    if joined:
-        return {drawing.anchors[-1] for drawing in flat.drawings if drawing.place == "between"}
-    return {anchor for drawing in flat.drawings if drawing.shape not in _THIN for anchor in drawing.anchors}
-
-
-def _is_drawn(flat: fm.FlatModel, spans: Spans) -> bool:
-    """Does the instance of a class that an item comes from draw itself?"""
-    owner = spans[1:]
-    return bool(owner) and any(drawing.spans[1:] == owner for drawing in flat.drawings)
-
-
 def _distances(
-    expression: fx.FlatExpression, named: dict[str, fm.Named]
+    expression: fx.FlatExpression, named: Mapping[str, fm.Named]
 ) -> Iterator[tuple[fx.FlatExpression, fx.FlatExpression]]:
     """Pairs of points whose distance, or its square, stands in an expression or in a definition that it uses."""
     waiting, seen = [expression], set[str]()
@@ -294,7 +331,7 @@ def _distances(
                     waiting.append(item.value)
 
 
-def _base(point: fx.FlatExpression, named: dict[str, fm.Named]) -> fx.FlatExpression | None:
+def _base(point: fx.FlatExpression, named: Mapping[str, fm.Named]) -> fx.FlatExpression | None:
     """The point that another one is built on: `A` of `A + r`; the origin of the world for a position of its own."""
     if isinstance(point, fx.PointReference):
         item = named[point.name]
@@ -307,7 +344,7 @@ def _base(point: fx.FlatExpression, named: dict[str, fm.Named]) -> fx.FlatExpres
     return _WORLD
 
 
-def _is_held(positions: list[Evaluator], a: fx.FlatExpression, b: fx.FlatExpression) -> bool:
+def _is_held(positions: Sequence[Evaluator], a: fx.FlatExpression, b: fx.FlatExpression) -> bool:
     """Is their distance the same, and not zero, at all positions, though the point moves?"""
     try:
         places = np.array([at.vector(a) for at in positions])

@@ -11,7 +11,20 @@ from lagdsl.flat.dependence import Dependence
 from lagdsl.flat.evaluate import Evaluator, Values
 from lagdsl.record import record
 from lagdsl.scene.drawings import drawn
-from lagdsl.scene.implied import arms, bodies, frames, gauges, grounds, is_planar, loads, masses, rods, ropes, springs
+from lagdsl.scene.implied import (
+    arms,
+    bodies,
+    frames,
+    gauges,
+    grounds,
+    is_planar,
+    loads,
+    machine_of,
+    masses,
+    rods,
+    ropes,
+    springs,
+)
 from lagdsl.scene.shapes import Columns, Scene, Shape
 from lagdsl.units.dimension import DIMENSIONLESS, TIME
 
@@ -48,11 +61,10 @@ def scene_of(flat: fm.FlatModel) -> Scene:
     """Shapes of the drawings, then those that the rules add."""
     columns = Columns()
     shapes: list[Shape] = [drawn(drawing, columns) for drawing in flat.drawings]
-    for rule in (masses, bodies, springs, ropes, rods, arms, grounds, loads):
-        shapes += rule(flat, columns)
-    shapes += gauges(flat, columns)
-    shapes += frames(flat, columns)
-    return Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=is_planar(flat, columns, shapes))
+    machine = machine_of(flat, columns)
+    for rule in (masses, bodies, springs, ropes, rods, arms, grounds, loads, gauges, frames):
+        shapes += rule(machine)
+    return Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=is_planar(machine, shapes))
 
 
 def _starts_as_parameters(
@@ -62,7 +74,7 @@ def _starts_as_parameters(
     dependence, at = Dependence(flat), Evaluator(flat, Values())
     coordinates, found = [], []
     for item in flat.coordinates:
-        position, rate = item, None
+        position = item
         if item.name in chosen or not dependence.of(item.start):
             start = _parameter(item, item.name + START, at.scalar(item.start), per_second=False)
             found.append(start)

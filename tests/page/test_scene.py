@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
+from typing import Any
 
 import numpy as np
 import pytest
 from named_models import compiled
 
 from lagdsl.flat.evaluate import Evaluator, Values
+from lagdsl.scene import implied
 from lagdsl.scene.living import living, scene_of
 from lagdsl.scene.shapes import Scene, Shape
 
@@ -134,3 +136,25 @@ def test_frames_that_are_built_elsewhere_hang_on_arms() -> None:
     assert kinds(scene(arm + "draw rod from f.origin to g.origin;")) == {"body": 2, "rod": 1}
     free = "coordinate Length x(start = 1 m); frame f = world.move({x, 0, 0}); gravity = 0;"
     assert kinds(scene(free + "body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f;")) == {"body": 1}
+
+
+def test_contacts_look_at_their_own_coordinates_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A row of balls over the floor: each of its contacts asks for as many positions as that of one ball."""
+    asked: list[int] = []
+    evaluator = implied._evaluator
+
+    def counted(*arguments: Any, **options: Any) -> Evaluator:
+        asked.append(1)
+        return evaluator(*arguments, **options)
+
+    monkeypatch.setattr(implied, "_evaluator", counted)
+    counts = []
+    for n in (2, 12):
+        ball = "coordinate Length x{k}, h{k}(start = 1 m); mass 1 kg at {{x{k}, h{k}}};"
+        ball += "contact floor{k}: h{k} >= 0 with restitution = 0.5;"
+        asked.clear()
+        found = scene("gravity = -g_n*world.y;" + "".join(ball.format(k=k) for k in range(n)))
+        assert kinds(found)["ground"] == n
+        counts.append(len(asked))
+    few, many = counts
+    assert many <= 6 * few
