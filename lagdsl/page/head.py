@@ -11,7 +11,7 @@ from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.model import FlatModel, Input, Parameter
 from lagdsl.flat.quantity import Quantity, Spans
 from lagdsl.page.words import WORDS
-from lagdsl.scene.living import START, Living
+from lagdsl.scene.living import Living
 from lagdsl.scene.shapes import Scene, Shape
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.source import SourceFile
@@ -38,6 +38,8 @@ def head_of(
     count = len(living.scene.columns)
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
+    own = {parameter.name for parameter in model.parameters}
+    docs = {item.name: item.doc for item in (*model.coordinates, *model.states, *model.outputs)}
     return {
         "name": model.name,
         "doc": model.doc,
@@ -54,29 +56,22 @@ def head_of(
                 "kind": column.kind,
                 "unit": column.unit,
                 "display": _display(column.display),
-                "doc": _doc(model, column.name),
+                "doc": docs.get(column.name),
             }
             for column in motion.columns[:first]
         ],
         "scene": {"first": first, "count": count, "shapes": [_shape(s, source) for s in living.scene.shapes]},
         "rows": len(motion),
         "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in motion.events],
-        "parameters": [_slider(item, value, _group(item, model)) for item, value in zip(independent, p, strict=True)],
+        "parameters": [
+            _slider(item, value, "parameter" if item.name in own else "start")
+            for item, value in zip(independent, p, strict=True)
+        ],
         "inputs": [_slider(i, value, "input") for i, value in zip(model.inputs, u, strict=True)],
         "lasting": sorted(contact_rows(model)),
         "said": said,
         "words": {str(int(status)): words for status, words in WORDS.items()},
     }
-
-
-def _doc(model: FlatModel, name: str) -> str | None:
-    named = (*model.coordinates, *model.states, *model.outputs)
-    return next((item.doc for item in named if item.name == name), None)
-
-
-def _group(parameter: Parameter, model: FlatModel) -> str:
-    own = any(parameter.name == item.name for item in model.parameters)
-    return "start" if not own and parameter.name.endswith(START) else "parameter"
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:

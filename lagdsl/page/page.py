@@ -31,7 +31,7 @@ from lagdsl.resources import page_folder
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.scene.living import START, living
-from lagdsl.signals.inputs import Signal
+from lagdsl.signals.inputs import Signal, signals
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
 from lagdsl.simulate.simulate import simulate
@@ -75,7 +75,7 @@ def page(flat: FlatModel, wishes: Wishes, *, source: SourceFile | None = None, s
     motion, ended = _motion(engine, made.flat, p, end, tolerance, wishes, sink)
     moving = {"coordinate", "rate", "state"}
     x = [float(column.values[0]) for column in motion.columns if column.kind in moving]
-    u = engine.evaluate("start", t, p)[3]
+    u = signals(made.flat, engine.evaluate("start", t, p)[3], wishes.inputs, (t, end), Sink()).at(t)
     head = head_of(
         flat,
         shown,

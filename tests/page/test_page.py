@@ -138,3 +138,19 @@ def test_models_and_motions_show_themselves(tmp_path: Path) -> None:
     assert "<script" not in frame
     with pytest.raises(KeyError):
         model.show(tmp_path / "x.html", browser=False, parameters={"length": 2.0})
+
+
+def test_sliders_of_inputs_begin_with_the_values_that_are_given(tmp_path: Path) -> None:
+    model = compile_model("""model Pushed
+  input Force u = 2 N;
+  coordinate Length x;
+  gravity = 0;
+  mass 1 kg at {x, 0};
+  force {u, 0} at {x, 0};
+  annotation(experiment(StopTime = 1));
+end Pushed;
+""")
+    for given, begun in (({}, 2.0), ({"u": 5.0}, 5.0), ({"u": lambda t: 3.0 + t}, 3.0)):
+        path = model.show(tmp_path / "page.html", browser=False, inputs=given)
+        (slider,) = Elements(path.read_text()).head["inputs"]
+        assert (slider["name"], slider["value"]) == ("u", begun)
