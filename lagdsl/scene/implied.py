@@ -37,7 +37,7 @@ _MOST_FRAMES = 60
 
 @record()
 class Machine:
-    """What all rules read: the model, the columns that they fill, its values at some positions, and what is drawn.
+    """Input of all rules: the model, the columns that they fill, its values at some positions, and what is drawn.
 
     `standing` are points and frames of drawings with a body of their own, `reached` the second ends of those between
     two points, `owners` the instances of classes that draw themselves.

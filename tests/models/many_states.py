@@ -7,16 +7,16 @@ import numpy as np
 from lagdsl.graph.operation import Group
 from lagdsl.program.functions import STATE
 from lagdsl.program.program import Program
-from models.corpus import (
+from lagdsl.verify.states import (
     Arrays,
     about,
-    compiled,
-    parameter_is_whole,
+    is_regular,
     random_discretes,
-    regular,
     values,
     values_with_size,
+    whole_parameters,
 )
+from models.corpus import compiled
 
 MANY = 200
 _ROUNDS = 8
@@ -29,7 +29,7 @@ def many_states(name: str) -> Arrays:
     found: list[Arrays] = []
     for _ in range(_ROUNDS):
         state = onto_constraints(program, _draw(name, random))
-        sound = regular(program, state)
+        sound = is_regular(program, state)
         found.append({group: rows[sound] for group, rows in state.items()})
         if sum(len(part[Group.TIME]) for part in found) >= MANY:
             return {group: np.concatenate([part[group] for part in found])[:MANY] for group in STATE}
@@ -39,7 +39,7 @@ def many_states(name: str) -> Arrays:
 def _draw(name: str, random: np.random.Generator) -> Arrays:
     program = compiled(name).graph
     layout, count = program.layout, MANY + MANY // 4
-    whole = np.array([parameter_is_whole(name, slot.name) for slot in layout.parameters], dtype=bool)
+    whole = whole_parameters(compiled(name).flat)
     p = np.array(layout.defaults) * np.where(whole, 1.0, random.uniform(0.9, 1.1, (count, len(whole))))
     t = random.uniform(0.0, 1.0, count)
     start = values(program, "start", {Group.TIME: t, Group.P: p})
@@ -50,7 +50,7 @@ def _draw(name: str, random: np.random.Generator) -> Arrays:
         Group.QD: qd,
         Group.Z: z,
         Group.U: u,
-        Group.W: random_discretes(name, t, p, random),
+        Group.W: random_discretes(compiled(name).flat, program, t, p, random),
         Group.P: p,
     }
 

@@ -11,30 +11,24 @@ from choice import ALL
 
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.text import flat_text
-from lagdsl.graph.evaluate import evaluate
 from lagdsl.graph.operation import Group
 from lagdsl.program.functions import ALONG_MANY, SIGNATURES
 from lagdsl.program.program import Program
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.syntax.parser import parse
 from lagdsl.syntax.printer import format_text
+from lagdsl.verify.states import Arrays, independent_rows, saddle_point, values, values_with_size
 from models.corpus import (
     MODELS,
     STATES,
-    Arrays,
     arguments,
     c_engine,
     compiled,
     expectations,
-    independent_rows,
     numpy_engine,
     path_of,
     random_states,
-    saddle_point,
-    stacked,
     textbook,
-    values,
-    values_with_size,
 )
 from models.kinds import EVERY, FEW, OF_EACH_KIND, SOME, kinds
 
@@ -253,14 +247,7 @@ def _complex_solution(program: Program, state: Arrays) -> tuple[np.ndarray, np.n
 
 
 def _complex(program: Program, function: str, state: Arrays) -> list[np.ndarray]:
-    definition = program.function(function)
-    leading = np.shape(state[Group.TIME])
-    given = {group: state[group] for group in definition.arguments}
-    blocks = []
-    for block in definition.results:
-        numbers = evaluate(program.graph, block.elements, given)
-        blocks.append(stacked(numbers, leading).astype(complex).reshape(leading + block.shape))
-    return blocks
+    return [block.astype(complex) for block in values(program, function, state)]
 
 
 # ---- power -----------------------------------------------------------------------------------------------------------
