@@ -64,6 +64,11 @@ class Page {
     this.motion.state(until, this.numbers);
     this.stage.pose(this.motion, this.numbers, until);
     this.curves.point(until);
+    if (!place("table-panel").hidden) this.tell();
+  }
+
+  /** The present values, where somebody can read them. */
+  private tell(): void {
     this.cells.forEach((cell, i) => (cell.textContent = shown(this.head.columns[i], this.numbers[i])));
   }
 
@@ -115,13 +120,17 @@ class Page {
       }
     };
     tabs.forEach((tab, i) => {
-      tab.onclick = () => choose(tab);
+      tab.onclick = () => {
+        choose(tab);
+        this.tell();
+      };
       tab.onkeydown = (event) => {
         const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
         if (step === 0) return;
         event.stopPropagation();
         const next = tabs[(i + step + tabs.length) % tabs.length];
         choose(next);
+        this.tell();
         next.focus();
       };
     });

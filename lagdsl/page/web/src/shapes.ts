@@ -247,8 +247,19 @@ function circle(shape: Shape, sizes: Sizes): Drawn {
   };
 }
 
-/** Arrows of forces have a length of their own; those that are drawn by the user, too, unless they have a scale. */
-function arrow(scaled: "force" | "torque" | "none"): Maker {
+/** From tail to tip. Loads are as long as they are large; a direction of the user has one length, two points theirs. */
+type Way = (shape: Shape, frame: Frame, sizes: Sizes) => Vector3;
+
+const load =
+  (kind: "force" | "torque"): Way =>
+  (shape, frame, sizes) => vector(shape, "vector", frame).multiplyScalar(sizes[kind]);
+
+const direction: Way = (shape, frame, sizes) =>
+  "vector" in shape.numbers
+    ? vector(shape, "vector", frame).normalize().multiplyScalar(0.2 * sizes.length)
+    : vector(shape, "to", frame).sub(vector(shape, "at", frame));
+
+function arrow(wayOf: Way): Maker {
   return (shape, sizes) => {
     const object = new Group();
     const shaft = solid(shape, unitCylinder());
@@ -259,10 +270,7 @@ function arrow(scaled: "force" | "torque" | "none"): Maker {
       shape,
       update(frame) {
         const at = vector(shape, "at", frame);
-        const value = "vector" in shape.numbers ? vector(shape, "vector", frame) : vector(shape, "to", frame).sub(at);
-        const factor = scaled === "none" ? (shape.numbers.vector === undefined ? 1 : 0.2 * sizes.length) : sizes[scaled];
-        if (scaled === "none" && shape.numbers.vector !== undefined && value.lengthSq() > 0) value.normalize();
-        const way = value.multiplyScalar(factor);
+        const way = wayOf(shape, frame, sizes);
         const length = way.length();
         object.visible = length > 1e-6 * sizes.length;
         if (!object.visible) return;
@@ -387,9 +395,9 @@ export const MAKERS: Record<string, Maker> = {
   mass: ball,
   body: ellipsoid,
   circle,
-  arrow: arrow("none"),
-  force: arrow("force"),
-  torque: arrow("torque"),
+  arrow: arrow(direction),
+  force: arrow(load("force")),
+  torque: arrow(load("torque")),
   trace,
   text: written,
   frame: tripod,

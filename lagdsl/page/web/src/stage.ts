@@ -174,9 +174,10 @@ export class Stage {
 
   pose(motion: Motion, numbers: Float64Array, t: number): void {
     const frame = { numbers, first: this.head.scene.first };
+    const row = motion.rowAt(t);
     for (const drawn of this.drawn) {
       drawn.update(frame);
-      drawn.trace?.(motion, motion.rowAt(t));
+      drawn.trace?.(motion, row);
       if (drawn.object.userData.hidden) drawn.object.visible = false;
       drawn.object.updateMatrixWorld(true);
     }
