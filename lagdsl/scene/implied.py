@@ -143,7 +143,7 @@ def arms(machine: Machine) -> Iterator[Shape]:
         if drawing.place == "between"
     }
     for item in machine.flat.named:
-        if not isinstance(item, fm.Frame) or item.image is not None:
+        if not isinstance(item, fm.Frame) or item.image is not None or _is_placed(item):
             continue
         parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
         ends = [each.vector(end) for each in at for end in (parent, own)]
@@ -152,6 +152,11 @@ def arms(machine: Machine) -> Iterator[Shape]:
         if lengths.min() > _HELD and (held or item.parent != "world") and _ends(ends) not in known:
             known.add(_ends(ends))
             yield _between("rope", f"to {item.name}", parent, own, item.spans, machine.columns)
+
+
+def _is_placed(frame: fm.Frame) -> bool:
+    """Does its origin stand at a position of its own, whatever frame its axes are built on?"""
+    return any(isinstance(step, fm.Place) for step in frame.steps)
 
 
 def _ends(places: list[NDArray[np.float64]]) -> frozenset[bytes]:

@@ -134,6 +134,9 @@ def test_frames_that_are_built_elsewhere_hang_on_arms() -> None:
     arm += "body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f; body d(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on g;"
     assert kinds(scene(arm)) == {"body": 2, "rope": 1}
     assert kinds(scene(arm + "draw rod from f.origin to g.origin;")) == {"body": 2, "rod": 1}
+    rolls = "coordinate Length x(start = 1 m); coordinate Angle a; frame f = world.rotz(a); gravity = 0;"
+    rolls += "frame g = f.at({x, 1 m, 0}).rotx(a); body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on g;"
+    assert kinds(scene(rolls)) == {"body": 1}
     free = "coordinate Length x(start = 1 m); frame f = world.move({x, 0, 0}); gravity = 0;"
     assert kinds(scene(free + "body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f;")) == {"body": 1}
 
