@@ -15,9 +15,11 @@ export PYTHONDONTWRITEBYTECODE :=
 help:  ## this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 12
 
-# Modules that nothing imports need not be compiled.
+# Modules that nothing imports need not be compiled. The pip of a distribution may be years old, and takes a third longer than the
+# newest.
 $(READY): pyproject.toml
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --upgrade pip
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --editable '.[dev]'
 	touch $@
 
@@ -38,7 +40,8 @@ lint: $(READY)
 ALONE := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 
 # Tests of a file share what they compile. In the order of their names many small ones come last: all processes end together.
-SPREAD := -n auto --dist loadfile --no-loadscope-reorder
+# A process that crashes ends the run: pytest-xdist would wait for the rest of its files for ever.
+SPREAD := -n auto --dist loadfile --no-loadscope-reorder --max-worker-restart=0
 
 test: shell-objects  ## the tests, with one of each kind where they repeat a rule
 	$(ALONE) $(BIN)/python -m pytest $(SPREAD)
@@ -99,7 +102,7 @@ bench: $(READY)  ## the figures of benchmarks/README.md, against the peers that 
 
 peers:  ## an environment of their own for the libraries that the benchmarks compare with, and for importers of FMUs
 	test -x $(PEERS)/bin/python || $(PYTHON) -m venv $(PEERS)
-	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae libcosimpy ecospy
+	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check 'pin>=4' cmeel-eigen mujoco casadi scipy numba scikit-sundae libcosimpy ecospy jax
 
 $(VENV)/.docs: $(READY)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
@@ -111,3 +114,5 @@ docs: $(VENV)/.docs  ## the site in build/site; broken links are errors
 figures: $(READY)  ## figures of the documents
 	$(BIN)/lag run models/double_pendulum.lag --plot docs/images/double_pendulum.png -o /dev/null
 	$(BIN)/lag run models/bouncing_ball.lag --plot docs/images/bouncing_ball.png -o /dev/null
+	$(BIN)/lag run models/bouncing_ball.lag --plot docs/images/bouncing_ball_phase.png --show h --xy h 'der(h)' -o /dev/null
+	$(BIN)/python docs/figures/scene.py

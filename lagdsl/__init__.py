@@ -12,6 +12,7 @@ from lagdsl.version import __version__ as __version__
 if TYPE_CHECKING:
     from lagdsl.api.check import check
     from lagdsl.api.compile import compile
+    from lagdsl.api.import_robot import import_robot
     from lagdsl.api.model import Model
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.diagnostics import CompilationFailed, Diagnostic, UnknownName
@@ -28,6 +29,7 @@ _HOMES = {
     "UnknownName": "lagdsl.diagnostics",
     "check": "lagdsl.api.check",
     "compile": "lagdsl.api.compile",
+    "import_robot": "lagdsl.api.import_robot",
 }
 
 __all__ = [
@@ -40,6 +42,7 @@ __all__ = [
     "UnknownName",
     "check",
     "compile",
+    "import_robot",
 ]
 
 
@@ -54,4 +57,5 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+    """The names that users complete; none of how the package is made."""
+    return sorted([*__all__, "__version__", "__doc__"])

@@ -86,6 +86,32 @@ def flatten_unit(
     return None if sink.has_errors else flat
 
 
+def flatten_set(unit: nodes.Unit, sink: Sink, *, model: str | None, pairs: Mapping[str, str]) -> FlatModel | None:
+    """The same with `pairs`, `{"m": "2 kg"}`, as if they stood in the text: nothing is said of the values there.
+
+    Raises SettingError for unknown names and values that do not fit.
+    """
+    from lagdsl.flat.given_values import with_values
+    from lagdsl.settings.settings import settings
+
+    if not pairs:
+        return flatten_unit(unit, sink, model=model)
+    first = Sink()
+    with deep_recursion():
+        flat = flatten(unit, first, model=model, structural={})
+        if flat is None:
+            for diagnostic in first.diagnostics:
+                sink.add(diagnostic)
+            return None
+        chosen = settings(flat, pairs, sink)
+        flat = flatten(unit, sink, model=model, structural=chosen.structural)
+        if flat is None or sink.has_errors:
+            return None
+        flat = with_values(flat, chosen.parameters, chosen.start)
+        check_physics(flat, sink)
+    return None if sink.has_errors else flat
+
+
 def flatten_file(
     file: SourceFile, sink: Sink, *, model: str | None = None, structural: Mapping[str, float] | None = None
 ) -> FlatModel | None:
@@ -157,10 +183,13 @@ def with_names(compilation: Compilation) -> Program:
     return named(compilation.equations, compilation.program)
 
 
-def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnostic, ...], Compilation | None]:
+def check(
+    file: SourceFile, *, model: str | None = None, pairs: Mapping[str, str] | None = None
+) -> tuple[tuple[Diagnostic, ...], Compilation | None]:
     """Everything that can be found before the first time step, the initial state included.
 
-    Without `model` the faults of the file's other models are told, too: those that show before deriving.
+    `pairs`, `{"m": "2 kg"}`, count as if they stood in the text; they raise SettingError where they do not fit. Without
+    `model` the faults of the file's other models are told, too: those that show before deriving.
     """
     sink = Sink()
     unit = parse_file(file, sink)
@@ -168,7 +197,7 @@ def check(file: SourceFile, *, model: str | None = None) -> tuple[tuple[Diagnost
         return sink.diagnostics, None
     compilation = None
     try:
-        flat = flatten_unit(unit, sink, model=model)
+        flat = flatten_set(unit, sink, model=model, pairs=pairs or {})
         compilation = compile_flat(flat, sink) if flat is not None else None
         if compilation is not None:
             from lagdsl.runtime.engines.selection import engine_of

@@ -1,5 +1,10 @@
 """Fixtures for every test."""
 
+import fcntl
+import gc
+import os
+import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -20,6 +25,31 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.path.relative_to(ROOT / "tests").parts[0] in UNTRACED:
             item.add_marker(pytest.mark.no_cover)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection(session: pytest.Session) -> Iterator[None]:
+    """In a fresh checkout one process imports everything first: several would all compile the same bytecode.
+    The others begin together when it is done."""
+    run = os.environ.get("PYTEST_XDIST_TESTRUNUID")
+    if run is None or (ROOT / "tests" / "verify" / "__pycache__").exists():  # bytecode of an earlier run is there
+        return (yield)
+    with Path(tempfile.gettempdir(), f"lagdsl-tests-{run}").open("w", encoding="utf-8") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            fcntl.flock(lock, fcntl.LOCK_SH)
+        try:
+            return (yield)
+        finally:
+            Path(lock.name).unlink(missing_ok=True)
+
+
+def pytest_collection_finish() -> None:
+    """The collector of cycles leaves alone the objects that tests and packages are: they stay until the end. Children
+    that tests fork share their pages."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")

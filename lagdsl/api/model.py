@@ -3,29 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.api.inputs import signals_of
-from lagdsl.api.names import Given, Value, entries, known
-from lagdsl.api.shown import Shown
+from lagdsl.api.names import Value, known
+from lagdsl.api.small_motions import SmallMotions
 from lagdsl.backends.python.sizes import motion_sizes
 from lagdsl.diagnostics import Sink
 
 if TYPE_CHECKING:
     import xarray
 
-    from lagdsl.analysis.linearization import Linearization
-    from lagdsl.analysis.modes import Modes
-    from lagdsl.analysis.point import System
-    from lagdsl.analysis.trim import Equilibrium
-    from lagdsl.analysis.variation import Variation
-    from lagdsl.analysis.where import Where
     from lagdsl.api.motions import Motions
     from lagdsl.api.trajectory import Trajectory
     from lagdsl.pipeline import Compilation
@@ -38,7 +31,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-class Model(Shown):
+class Model(SmallMotions):
     """Equations of motion of one model, as functions of state and parameters, in SI units.
 
     Every function takes the time `t`, coordinates `q` and rates `qd` and, by keyword, first-order states `z`, inputs
@@ -53,7 +46,7 @@ class Model(Shown):
         program = compilation.program
         super().__init__(
             compilation,
-            engine.evaluate_many,
+            self._choosing(engine.evaluate_many),
             engine.solve_many,
             engine.jacobian_many,
             motion_sizes(program),
@@ -63,12 +56,28 @@ class Model(Shown):
         self._engine = engine
         self._source = source
 
+    def __getstate__(self) -> tuple[object, ...]:
+        """The flat model and the engine by name, from which another process compiles the same model."""
+        return self._compilation.flat, self._compilation.route, self._engine.name, self._source
+
+    def __setstate__(self, state: Any) -> None:
+        from lagdsl.pipeline import compile_flat
+        from lagdsl.runtime.engines.selection import engine_of
+
+        flat, route, engine, source = state
+        compilation = compile_flat(flat, Sink(), route)
+        assert compilation is not None, "this model compiled before"
+        self.__init__(compilation, engine_of(compilation.program, engine), source)  # type: ignore[misc]
+
     @cached_property
     def equations(self) -> EquationsOfMotion:
-        """The equations of motion in symbols (SymPy), by the textbook's route."""
-        from lagdsl.textbook.derive import derive
+        """The equations of motion in symbols (SymPy), by the textbook's route, in the form that `derive` prints.
 
-        return derive(self._compilation.flat)
+        `parameters` holds the values of the symbols. Zeros of library components are numbers there.
+        """
+        from lagdsl.textbook.simplified import simplified
+
+        return simplified(self._compilation.flat)
 
     # ---- many states -------------------------------------------------------------------------------------------------
 
@@ -247,100 +256,6 @@ class Model(Shown):
             progress=progress,
         )
 
-    # ---- small motions -----------------------------------------------------------------------------------------------
-
-    def linearize(
-        self,
-        *,
-        t: float | None = None,
-        q: Given = None,
-        qd: Given = None,
-        z: Given = None,
-        u: Given = None,
-        p: Given = None,
-        sink: Sink | None = None,
-    ) -> Linearization:
-        """`.A .B .C .D` on the minimal state, exact, in SI units, with `.states .inputs .outputs`.
-
-        Vectors in the order of the model's names, or mappings of some of them; what is left out is that of the initial
-        state. The point is the consistent state nearest to it, `.point`. Raises CompilationFailed where there is no
-        linearization.
-        """
-        from lagdsl.analysis.where import linearize
-
-        return linearize(self._system, self._where(t, q, qd, z, u, p), Sink() if sink is None else sink)
-
-    def modes(
-        self,
-        *,
-        t: float | None = None,
-        q: Given = None,
-        qd: Given = None,
-        z: Given = None,
-        u: Given = None,
-        p: Given = None,
-        trim: bool = False,
-        sink: Sink | None = None,
-    ) -> Modes:
-        """`.eigenvalues .frequencies [Hz] .damping .shapes .stability` of the linearized motion.
-
-        The point is as for `linearize`; with `trim` it is the equilibrium next to it. Warnings go to `sink`. Raises
-        CompilationFailed.
-        """
-        from lagdsl.analysis.where import modes
-
-        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
-        return modes(self._system, where, Sink() if sink is None else sink)
-
-    def vary(
-        self,
-        name: str,
-        values: ArrayLike | str,
-        *,
-        t: float | None = None,
-        q: Given = None,
-        qd: Given = None,
-        z: Given = None,
-        u: Given = None,
-        p: Given = None,
-        trim: bool = False,
-    ) -> Variation:
-        """Eigenvalues for `values` of the parameter, input or start value `name`, and `.thresholds` between them.
-
-        `values` are numbers in SI units or a text, `0:0.1:3 N` (first:step:last), `linspace(0, 3, 31) N`. With `trim`
-        each value has the equilibrium next to the given state, else the state itself. Raises CompilationFailed.
-        """
-        from lagdsl.analysis.where import vary
-        from lagdsl.api.texts import grid_of
-
-        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
-        return vary(self._system, where, name, grid_of(self._compilation.flat, name, values), Sink())
-
-    def trim(
-        self,
-        *,
-        free: Sequence[str] = (),
-        hold: Sequence[str] = (),
-        steady: bool = False,
-        t: float | None = None,
-        q: Given = None,
-        qd: Given = None,
-        z: Given = None,
-        u: Given = None,
-        p: Given = None,
-    ) -> Equilibrium:
-        """The equilibrium nearest to a state: `.point` with `.q .qd .z .u`.
-
-        Unknown are coordinates and states that are not fixed, without those in `hold` and with those in `free`, which
-        may be inputs and rates, too. Rates that are not given are zero, or with `steady` those of the start. Raises
-        CompilationFailed with what is left over where there is none.
-        """
-        from lagdsl.analysis.where import trim
-
-        chosen = self._where(t, q, qd, z, u, p)
-        where = replace(chosen, trim=True, free=tuple(free), hold=tuple(hold), steady=steady)
-        return trim(self._system, where, Sink())
-
     # ---- other tools -------------------------------------------------------------------------------------------------
 
     def export_fmu(
@@ -381,20 +296,3 @@ class Model(Shown):
             sink=sink,
             progress=progress,
         )
-
-    @property
-    def _system(self) -> System:
-        from lagdsl.analysis.point import System
-
-        return System(self._compilation.flat, self._compilation.program, self._engine)
-
-    def _where(self, t: float | None, q: Given, qd: Given, z: Given, u: Given, p: Given) -> Where:
-        from lagdsl.analysis.where import Where
-
-        starts = self._named("start")
-        coordinates, states = ({name: starts[name] for name in names} for names in (self.coordinates, self.states))
-        rates = entries("qd", qd, coordinates).items()
-        start = {**entries("q", q, coordinates), **{f"der({name})": value for name, value in rates}}
-        inputs = entries("u", u, self._named("input"))
-        start |= entries("z", z, states)
-        return Where(p=self._parameter_vector(p), t=t, start=start, inputs=inputs)

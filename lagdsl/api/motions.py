@@ -8,11 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lagdsl.api.names import keys_of, number
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.numerics.rank import Floats
 from lagdsl.pipeline import Compilation
 from lagdsl.record import record
 from lagdsl.runtime.engines.cores import cores
 from lagdsl.runtime.engines.engine import EngineName
+from lagdsl.settings.arrays import family
 from lagdsl.settings.target import Target
 from lagdsl.signals.inputs import Signal
 from lagdsl.sweep.dataset import collect, require_room
@@ -40,7 +42,14 @@ class Motions:
         return len(self.ended)
 
     def __getitem__(self, name: str) -> Floats:
-        return self.columns[name]
+        """Values (..., rows) of the column, or (..., rows, elements) of the array `name`; KeyError with known names."""
+        if name in self.columns:
+            return self.columns[name]
+        elements = family(name, self.columns)
+        if elements:
+            return np.stack([self.columns[each] for each in elements], axis=-1)
+        hint = did_you_mean(str(name), self.columns, f"there are {', '.join(self.columns)}")
+        raise KeyError(f"no column `{name}`; {hint}")
 
     @property
     def names(self) -> list[str]:

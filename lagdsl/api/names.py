@@ -59,10 +59,14 @@ def keys_of(what: str, name: str, targets: Mapping[str, Target]) -> list[str]:
         elements = family(candidate, targets) if isinstance(candidate, str) else []
         if elements and (candidate == name or targets[elements[0]].kind == "start"):
             return elements
-    names = list(targets)
+    raise unknown_among(what, name, list(targets))
+
+
+def unknown_among(what: str, name: str, names: Sequence[str]) -> CompilationFailed:
+    """UnknownName (E0874) for a name that is none of `names`, with the nearest of them, or with all."""
     listing = f"there are {', '.join(names) or 'none'}"
     hint = did_you_mean(name, names, listing) if isinstance(name, str) else listing
-    raise _unknown(what, name, hint or listing)
+    return _unknown(what, name, hint or listing)
 
 
 def _unknown(what: str, name: str, hint: str) -> CompilationFailed:

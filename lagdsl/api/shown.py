@@ -1,28 +1,34 @@
-"""The living page of a model, in a browser or inside a notebook, and its certificate."""
+"""The living page of a model, in a browser or inside a notebook, its derivation, its certificate."""
 
 from __future__ import annotations
 
 import tempfile
 import webbrowser
 from collections.abc import Mapping
+from functools import cached_property
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from lagdsl.api.described import Described
+from lagdsl.api.by_name import ByName
 from lagdsl.api.inputs import signals_of
 from lagdsl.api.names import Value, known
 from lagdsl.diagnostics import Sink
 
 if TYPE_CHECKING:
+    import xarray
+
+    from lagdsl.api.derivation import Derivation
+    from lagdsl.plot.picture.recording import Wishes
     from lagdsl.signals.inputs import Signal
     from lagdsl.source import SourceFile
     from lagdsl.verify.certificate import Certificate
+    from lagdsl.verify.conserved.quantity import ConservedQuantity
 
 _FRAME_HEIGHT = 640  # pixels
 
 
-class Shown(Described):
+class Shown(ByName):
     """A model that can be looked at and verified. `_source` is the text that the page shows."""
 
     _source: SourceFile | None
@@ -37,6 +43,8 @@ class Shown(Described):
         parameters: Mapping[str, Value] | None = None,
         start: Mapping[str, Value] | None = None,
         inputs: Mapping[str, Signal | str] | Path | str | None = None,
+        results: Path | str | None = None,
+        sweep: xarray.Dataset | None = None,
         sink: Sink | None = None,
     ) -> Path:
         """Write a page that shows the machine moving, with sliders and equations, and open it in a browser.
@@ -44,15 +52,58 @@ class Shown(Described):
         The page is one file that needs no network; it lies at `path`, else among the temporary files; returns its
         place. The other arguments are what the sliders begin with, as for `simulate`; inputs that vary with time are
         those of the recorded motion only. A run that ends early is shown as far as it went, its errors go to `sink`.
+
+        `results` is a CSV file of `lag run -o`, whose rows are shown and not integrated. `sweep` is what `sweep` of
+        this model returned, or a part of it: the page has a slider over its runs.
         """
-        text = self._page(stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs, sink=sink)
+        wishes = self._wishes(stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+        flat, source = self._compilation.flat, self._source
+        if results is not None and sweep is not None:
+            raise ValueError("a page shows the rows of a file or the runs of a sweep, not both")
+        if results is not None:
+            from lagdsl.page.results import results_page
+
+            text = results_page(flat, Path(results), wishes, source=source, sink=sink)
+        elif sweep is not None:
+            from lagdsl.api.sweep import settings_of
+            from lagdsl.page.runs import sweep_page
+
+            text = sweep_page(flat, settings_of(flat, sweep), wishes, source=source, sink=sink)
+        else:
+            text = self._page_of(wishes, sink)
         return write_page(text, self.name, path, browser=browser)
 
-    def verify(self) -> Certificate:
-        """Everything that can be computed in two ways, compared: `.lines` with figures and limits, `.holds`."""
+    def verify(self, *, fmu: bool = False) -> Certificate:
+        """Everything that can be computed in two ways, compared: `.lines` with figures and limits, `.holds`.
+
+        With `fmu` the model goes through FMUs of both versions and kinds and FMPy, too; these lines are left out, and
+        say so, where FMPy is not installed.
+        """
         from lagdsl.verify.certify import certify
 
-        return certify(self._compilation, self._source)
+        return certify(self._compilation, self._source, fmu=fmu)
+
+    @cached_property
+    def conserved_quantities(self) -> tuple[ConservedQuantity, ...]:
+        """Quantities that stay constant along every motion, found without being claimed, simple ones first:
+        `.expression` in the language, `.unit`, `.because`, `.statements`, `.for_all_parameters`.
+
+        Searched are the energy and Jacobi's integral, momenta of coordinates and of the whole, and the combinations of
+        momenta that belong to linear symmetries of the coordinates (Noether's theorem). There may be others.
+        """
+        from lagdsl.verify.conserved.find import conserved_quantities
+
+        return conserved_quantities(self._compilation)
+
+    def derive(self) -> Derivation:
+        """The derivation of the equations of motion, step by step: `str` of it, `.to("latex")`, `.write(path)`.
+
+        `.terms` are the terms of the equations with the statements that they come from.
+        """
+        from lagdsl.api.derivation import Derivation
+        from lagdsl.textbook.recipe import recipe
+
+        return Derivation(recipe(self._compilation.flat))
 
     def _repr_html_(self) -> str:
         return framed(self._page(), self.name)
@@ -67,17 +118,33 @@ class Shown(Described):
         inputs: Mapping[str, Signal | str] | Path | str | None = None,
         sink: Sink | None = None,
     ) -> str:
-        from lagdsl.page.page import Wishes, page
+        wishes = self._wishes(stop=stop, tolerance=tolerance, parameters=parameters, start=start, inputs=inputs)
+        return self._page_of(wishes, sink)
+
+    def _page_of(self, wishes: Wishes, sink: Sink | None) -> str:
+        from lagdsl.page.page import page
+
+        return page(self._compilation.flat, wishes, source=self._source, sink=sink)
+
+    def _wishes(
+        self,
+        *,
+        stop: float | None,
+        tolerance: float | None,
+        parameters: Mapping[str, Value] | None,
+        start: Mapping[str, Value] | None,
+        inputs: Mapping[str, Signal | str] | Path | str | None,
+    ) -> Wishes:
+        from lagdsl.plot.picture.recording import Wishes
 
         self._parameter_vector(parameters)
-        wishes = Wishes(
+        return Wishes(
             stop=stop,
             tolerance=tolerance,
             parameters=known("parameter", parameters, self._named("parameter")),
             start=self._start_values(start),
             inputs=signals_of(self._compilation.flat, inputs) or {},
         )
-        return page(self._compilation.flat, wishes, source=self._source, sink=sink)
 
 
 def write_page(text: str, name: str, path: Path | str | None, *, browser: bool) -> Path:

@@ -13,7 +13,7 @@ from lagdsl.api.names import keys_of, number, spread
 from lagdsl.api.texts import require_units
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.admissible import require_value
-from lagdsl.flat.model import Parameter
+from lagdsl.flat.model import FlatModel, Parameter
 from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.settings.target import Target, targets
@@ -25,6 +25,8 @@ from lagdsl.sweep.values import axis, axis_of
 
 if TYPE_CHECKING:
     import xarray
+
+    from lagdsl.page.runs import Setting
 
 
 def run_sweep(
@@ -101,3 +103,36 @@ def _axis(target: Target, values: ArrayLike, *, drawn: bool = False) -> Axis:
         for value in numbers:
             require_value(target.quantity, value)
     return axis(target, numbers)
+
+
+def settings_of(flat: FlatModel, data: xarray.Dataset) -> list[Setting]:
+    """Values of every run of a dataset that `run_sweep` made of this model, or of a part of it. Raises ValueError."""
+    from lagdsl.page.runs import Setting
+    from lagdsl.sweep.dataset import STATUS
+
+    if data.attrs.get("model") != flat.name:
+        raise ValueError(f"the sweep is of `{data.attrs.get('model')}`, not of `{flat.name}`")
+    status = next(v for v in data.data_vars.values() if v.attrs.get("long_name") == STATUS)
+    known = {target.name: target for target in targets(flat, ("parameter", "start")).values()}
+    names = [str(name) for name in data.coords if str(name) in known]
+    values = {name: np.broadcast_to(_aligned(data, name, status), status.shape).ravel().tolist() for name in names}
+    varied = [name for name in names if len(set(values[name])) > 1]
+    found = []
+    for k in range(status.size):
+        own = {name: values[name][k] for name in names}
+        label = ", ".join(_told(known[name], own[name]) for name in varied)
+        parameters = {known[name].key: value for name, value in own.items() if known[name].kind == "parameter"}
+        start = {known[name].key: value for name, value in own.items() if known[name].kind == "start"}
+        found.append(Setting(label=label or f"run {k + 1}", parameters=parameters, start=start))
+    return found
+
+
+def _told(target: Target, value: float) -> str:
+    return f"{target.name} = {target.display(value):.6g} {target.display.unit}".rstrip()
+
+
+def _aligned(data: xarray.Dataset, name: str, status: xarray.DataArray) -> ArrayLike:
+    """Values of a coordinate along the axes of the runs."""
+    coordinate = data.coords[name]
+    shape = [data.sizes[dim] if dim in coordinate.dims else 1 for dim in status.dims]
+    return np.reshape(coordinate.values, shape)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -37,8 +37,20 @@ class Trajectory(trajectory.Trajectory):
 
         return framed(self._page(), self.model)
 
-    def plot(self, path: Path | str | None = None) -> Figure:
-        """A figure of the columns over time, written to `path` if there is one; needs the extra `plot`."""
-        from lagdsl.plot.figure import plot
+    def plot(
+        self,
+        path: Path | str | None = None,
+        *,
+        show: str | Sequence[str] | None = None,
+        xy: tuple[str, str] | Sequence[tuple[str, str]] | None = None,
+    ) -> Figure:
+        """A figure of the columns over time, written to `path` (.png, .svg, .pdf) if there is one; needs the extra
+        `plot`.
 
-        return plot(self, path)
+        `show="theta, der(theta)"` chooses columns, two units on two axes; a list of such texts has a panel for each.
+        `xy=("theta", "der(theta)")` draws the second against the first; a list of such pairs has a panel for each.
+        Raises KeyError for a name that no column has.
+        """
+        from lagdsl.plot.chosen import plot_of
+
+        return plot_of(self, path, show=show, xy=xy)

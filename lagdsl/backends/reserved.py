@@ -48,7 +48,20 @@ _OWN = """
     main realtime makefile readme lag freestanding all clean sources binaries
     fmi2functions fmi2functiontypes fmi2typesplatform fmi3functions fmi3functiontypes fmi3platformtypes
 """
-_PACKAGES = ("numpy", "scipy", "setup", "conftest", "lagdsl", "test", "tests", "sitecustomize", "usercustomize")
+_PACKAGES = (
+    "numpy",
+    "scipy",
+    "casadi",
+    "jax",
+    "jaxlib",
+    "setup",
+    "conftest",
+    "lagdsl",
+    "test",
+    "tests",
+    "sitecustomize",
+    "usercustomize",
+)
 
 
 def _folded(names: Iterable[str]) -> Iterator[str]:

@@ -32,8 +32,10 @@ _COMMANDS = {
     "flat": "Show the flat model: coordinates, energies, loads, constraints.",
     "fmt": "Format model texts in place.",
     "explain": "Show the manual page of a diagnostic or a component.",
+    "import": "Write the model of a robot from its URDF or MJCF file.",
     "new": "Write a first model, or a copy of one that comes with lagdsl.",
 }
+_MODULES = {"import": "import_"}  # a module cannot have the name of a Python keyword
 _OBJECTS_PER_COLLECTION = 100_000
 
 
@@ -46,7 +48,7 @@ class Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in _COMMANDS:
             return None
-        command: click.Command = import_module(f"lagdsl.cli.commands.{cmd_name}").command
+        command: click.Command = import_module(f"lagdsl.cli.commands.{_MODULES.get(cmd_name, cmd_name)}").command
         return command
 
     def resolve_command(

@@ -24,17 +24,22 @@ Format: TypeAlias = Literal["text", "json"]
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 
+def takes_format(command: _Command) -> _Command:
+    """Add `--format`."""
+    return click.option(
+        "--format",
+        "style",
+        type=click.Choice(["text", "json"]),
+        default="text",
+        show_default=True,
+        help="Format of the diagnostics.",
+    )(command)
+
+
 def takes_model(command: _Command) -> _Command:
     """Add FILE, `-m` and `--format`."""
     for decorate in (
-        click.option(
-            "--format",
-            "style",
-            type=click.Choice(["text", "json"]),
-            default="text",
-            show_default=True,
-            help="Format of the diagnostics.",
-        ),
+        takes_format,
         click.option(
             "-m", "--model", metavar="MODEL", help="Name of the model in the file; default: the last complete one."
         ),
@@ -54,13 +59,18 @@ def read_or_leave(file: Path, style: Format, *, to_output: bool = False) -> Sour
     return source
 
 
-def flat_or_leave(file: Path, model: str | None, style: Format) -> FlatModel:
-    """The flat model of FILE, its warnings told; leaves where it is wrong."""
-    from lagdsl.pipeline import flatten_file
+def flat_or_leave(file: Path, model: str | None, style: Format, assignments: Sequence[str] = ()) -> FlatModel:
+    """The flat model of FILE with the values of `--set`, its warnings told; leaves where it is wrong.
+
+    Raises SettingError.
+    """
+    from lagdsl.pipeline import flatten_set, parse_file
+    from lagdsl.settings.settings import split
 
     source = read_or_leave(file, style)
     sink = Sink()
-    flat = flatten_file(source, sink, model=model)
+    unit = parse_file(source, sink)
+    flat = flatten_set(unit, sink, model=model, pairs=split(assignments)) if unit is not None else None
     if flat is None:
         leave_with_errors(sink.diagnostics, style)
     tell(sink.diagnostics, style)

@@ -28,6 +28,7 @@ from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
 from lagdsl.signals.inputs import Signal, given_inputs, signals
+from lagdsl.source import SourceFile
 
 _Result = TypeVar("_Result")
 Form: TypeAlias = Literal["text", "json", "csv"]
@@ -99,6 +100,7 @@ class Request:
     where: Where
     sink: Sink
     options: Options
+    source: SourceFile
 
     def ask(self, question: Callable[[System, Where, Sink], _Result]) -> _Result:
         """The answer; leaves with status 1 where there is none."""
@@ -137,7 +139,9 @@ def request(options: Options, *, trim: bool) -> Request:
     )
     if sink.has_errors:
         leave_with_errors(sink.diagnostics, style)
-    return Request(system=System(flat, compilation.program, computing), where=where, sink=sink, options=options)
+    return Request(
+        system=System(flat, compilation.program, computing), where=where, sink=sink, options=options, source=source
+    )
 
 
 def _require_sound(options: Options, trim: bool) -> None:

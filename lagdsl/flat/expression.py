@@ -261,10 +261,19 @@ class AngularMomentum(Mechanical):
     about: FlatExpression
 
 
+@record()
+class AdmissibleMotion(Mechanical):
+    """Vector: dr/dq_j of a point, its motion with the named coordinate while the others and the time are held."""
+
+    point: FlatExpression
+    coordinate: str
+
+
 FlatExpression: TypeAlias = (
     "Number | Variable | Previous | Derivative | Unary | Binary | Function | Conditional | Component | Dot | Norm "
     "| Vector | PointReference | FrameOrigin | FrameAxis | AngularVelocity | MaterialVelocity | Cross | Multiplier "
-    "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | LinearMomentum | AngularMomentum"
+    "| FrameReaction | ReactionAlong | SystemEnergy | GeneralizedMomentum | LinearMomentum | AngularMomentum "
+    "| AdmissibleMotion"
 )
 
 ZERO = Number(0.0)

@@ -33,6 +33,7 @@ _Called: TypeAlias = (
     | fx.GeneralizedMomentum
     | fx.LinearMomentum
     | fx.AngularMomentum
+    | fx.AdmissibleMotion
 )
 
 
@@ -119,6 +120,8 @@ def _call(node: _Called, arguments: str) -> str:  # noqa: C901, PLR0912 one case
             return "linear_momentum()"
         case fx.AngularMomentum(body, _):
             return f"angular_momentum({f'{body}, ' if body is not None else ''}about = {arguments})"
+        case fx.AdmissibleMotion(_, coordinate):
+            return f"d({arguments})/d({coordinate})"
         case _:
             assert_never(node)
 

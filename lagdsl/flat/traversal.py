@@ -30,6 +30,8 @@ def operands(expression: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:  #
             return (expression.direction,)
         case fx.AngularMomentum():
             return (expression.about,)
+        case fx.AdmissibleMotion():
+            return (expression.point,)
         case fx.Number() | fx.Variable() | fx.Previous() | fx.PointReference() | fx.FrameOrigin() | fx.FrameAxis():
             return ()
         case fx.AngularVelocity() | fx.Multiplier() | fx.FrameReaction() | fx.SystemEnergy():

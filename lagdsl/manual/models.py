@@ -26,9 +26,9 @@ class UnknownModel(LookupError):  # noqa: N818 named after what it says
 
 
 def model_names() -> tuple[str, ...]:
-    """`four_bar`, `library/dc_motor` and so on: models of mechanisms first, then one for each part of the library."""
+    """`four_bar`, `robots/ur5`, `library/dc_motor`: mechanisms, then imported arms, then one for each component."""
     root = models_folder()
-    files = [*sorted(root.glob("*.lag")), *sorted(root.glob("library/*.lag"))]
+    files = [file for folder in ("", "robots/", "library/") for file in sorted(root.glob(f"{folder}*.lag"))]
     return tuple(path.relative_to(root).with_suffix("").as_posix() for path in files)
 
 

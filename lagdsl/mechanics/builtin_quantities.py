@@ -9,6 +9,7 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.flat.traversal import operands
+from lagdsl.graph.differentiate import jacobian
 from lagdsl.mechanics.kinematics.vectors import Vector
 from lagdsl.mechanics.lagrange.energies import SystemEnergies
 from lagdsl.mechanics.lagrange.inertial_elements import angular_momentum, linear_momentum
@@ -58,6 +59,10 @@ class Provider:
             case flat.AngularMomentum(body, about):
                 chosen = found if body is None else tuple(carrier for carrier in found if carrier.label == body)
                 return angular_momentum(self._lowering, chosen, self._lowering.vector(about))
+            case flat.AdmissibleMotion(point, coordinate):
+                moved = symbols.q[symbols.coordinate_index[coordinate]]
+                (x,), (y,), (z,) = jacobian(self._lowering.graph, self._lowering.vector(point), [moved])
+                return (x, y, z)
         assert_never(expression)
 
     def _frame_reaction(self, frame: str, kind: str) -> Vector:

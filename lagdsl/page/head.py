@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from lagdsl.flat.display import Display, display
-from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.flat.model import FlatModel, Input, Parameter
 from lagdsl.flat.quantity import Quantity, Spans
 from lagdsl.page.words import WORDS
+from lagdsl.plot.picture.recording import up_of
 from lagdsl.scene.living import Living
 from lagdsl.scene.shapes import Scene, Shape
 from lagdsl.signals.trajectory import Trajectory
@@ -32,9 +32,11 @@ def head_of(
     span: tuple[float, float],
     tolerance: float,
     said: str,
-) -> Json:
+) -> dict[str, Json]:
     """`motion` is that of `living` over the time `span`, for parameters `p` and, where it begins, inputs `u`. `said` is
     what there is to say of it."""
+    from lagdsl.textbook.provenance import sources
+
     count = len(living.scene.columns)
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
@@ -46,7 +48,7 @@ def head_of(
         "version": __version__,
         "source": "" if source is None else source.text,
         "planar": living.scene.planar,
-        "up": _up(model, living.scene),
+        "up": up_of(model, living.scene),
         "start": span[0],
         "stop": span[1],
         "tolerance": tolerance,
@@ -60,7 +62,7 @@ def head_of(
             }
             for column in motion.columns[:first]
         ],
-        "scene": {"first": first, "count": count, "shapes": [_shape(s, source) for s in living.scene.shapes]},
+        "scene": {"first": first, "count": count, "shapes": shapes_of(living.scene, source)},
         "rows": len(motion),
         "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in motion.events],
         "parameters": [
@@ -70,6 +72,7 @@ def head_of(
         "inputs": [_slider(i, value, "input") for i, value in zip(model.inputs, u, strict=True)],
         "lasting": sorted(contact_rows(model)),
         "said": said,
+        "sources": [_span(item.spans, source) for item in sources(model)],
         "words": {str(int(status)): words for status, words in WORDS.items()},
     }
 
@@ -101,6 +104,10 @@ def _display(shown: Display) -> Json:
     return {"unit": shown.unit, "scale": shown.scale, "shift": shown.shift}
 
 
+def shapes_of(scene: Scene, source: SourceFile | None) -> list[Json]:
+    return [_shape(shape, source) for shape in scene.shapes]
+
+
 def _shape(shape: Shape, source: SourceFile | None) -> Json:
     return {
         "kind": shape.kind,
@@ -118,18 +125,3 @@ def _span(spans: Spans, source: SourceFile | None) -> Json:
         if source is not None and span.file.name == source.name:
             return {"first": [span.first.line, span.first.column], "last": [span.last.line, span.last.column]}
     return None
-
-
-def _up(model: FlatModel, scene: Scene) -> list[float]:
-    """Against gravity at the start; y in planar pictures, z without gravity."""
-    if scene.planar:
-        return [0.0, 1.0, 0.0]
-    if model.gravity is not None:
-        try:
-            g = Evaluator(model, Values()).vector(model.gravity)
-        except NotEvaluable:
-            return [0.0, 0.0, 1.0]
-        size = math.sqrt(float(g @ g))
-        if math.isfinite(size) and size > 0.0:
-            return [float(-x / size) for x in g]
-    return [0.0, 0.0, 1.0]

@@ -11,8 +11,7 @@ from __future__ import annotations
 import json
 import zlib
 from base64 import b64encode
-from collections.abc import Mapping
-from dataclasses import field
+from collections.abc import Sequence
 from hashlib import sha256
 from html import escape
 
@@ -22,22 +21,16 @@ from lagdsl.backends.start import start_of
 from lagdsl.backends.tape.emit import tape
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.flat.model import FlatModel
-from lagdsl.numerics.rank import Floats
+from lagdsl.page.arrows import arrows
 from lagdsl.page.head import Json, head_of
-from lagdsl.pipeline import compile_flat
-from lagdsl.program.program import Layout
-from lagdsl.record import record
+from lagdsl.plot.picture.recording import Recording, Wishes, record_motion
 from lagdsl.resources import page_folder
-from lagdsl.runtime.engines.engine import Engine
-from lagdsl.runtime.engines.selection import engine_of
-from lagdsl.scene.living import START, living
-from lagdsl.signals.inputs import Signal, signals
+from lagdsl.signals.inputs import signals
 from lagdsl.signals.trajectory import Trajectory
-from lagdsl.simulate.failure import SimulationFailed
-from lagdsl.simulate.simulate import simulate
 from lagdsl.source import SourceFile
 
 _ROWS = 601
+_LETTERS_OF_A_LINE = 56
 _TABS = (
     ("sliders", "Sliders"),
     ("curves", "Curves"),
@@ -47,74 +40,44 @@ _TABS = (
 )
 
 
-@record(kw_only=True)
-class Wishes:
-    """Values that the page begins with, by name in SI units. The experiment of the model says the others."""
-
-    stop: float | None = None
-    tolerance: float | None = None
-    parameters: Mapping[str, float] = field(default_factory=dict)
-    start: Mapping[str, float] = field(default_factory=dict)
-    inputs: Mapping[str, Signal] = field(default_factory=dict)
-
-
 def page(flat: FlatModel, wishes: Wishes, *, source: SourceFile | None = None, sink: Sink | None = None) -> str:
     """The page of a model, as the text of an HTML file; `source` is the text that it shows.
 
     Notes of the run go to `sink`, and so do the errors of a run that ends early: the page shows the motion so far.
     Raises CompilationFailed where there is no motion at all.
     """
-    shown = living(flat, wishes.start)
-    made = compile_flat(shown.flat, Sink())
-    assert made is not None, "a model that compiles does so with further outputs"
-    engine = engine_of(made.program)
-    p = _parameters(engine.layout, wishes)
-    t = flat.experiment.start_time
-    end = flat.experiment.stop_time if wishes.stop is None else wishes.stop
-    tolerance = flat.experiment.tolerance if wishes.tolerance is None else wishes.tolerance
-    motion, ended = _motion(engine, made.flat, p, end, tolerance, wishes, sink)
-    moving = {"coordinate", "rate", "state"}
-    x = [float(column.values[0]) for column in motion.columns if column.kind in moving]
-    u = signals(made.flat, engine.evaluate("start", t, p)[3], wishes.inputs, (t, end), Sink()).at(t)
-    head = head_of(
-        flat,
-        shown,
-        motion,
-        p=p.tolist(),
+    made = record_motion(flat, wishes, _ROWS, sink)
+    x = starts_of(made)
+    t, compiled = made.span[0], made.prepared.compilation
+    head = head_of_recording(made, wishes, source)
+    made_tape = tape(compiled.program, start_of(compiled.flat, t, x))
+    first = len(made.motion.columns) - len(made.prepared.living.scene.columns) - len(made.prepared.own.outputs)
+    pointed, arrow_tape = arrows(flat, wishes.start, (t, x), first, source)
+    return html_of(flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape)
+
+
+def head_of_recording(made: Recording, wishes: Wishes, source: SourceFile | None) -> dict[str, Json]:
+    """The head of a page that begins with this motion."""
+    engine, t = made.prepared.engine, made.span[0]
+    defaults = engine.evaluate("start", t, made.p)[3]
+    u = signals(made.prepared.compilation.flat, defaults, wishes.inputs, made.span, Sink()).at(t)
+    return head_of(
+        made.prepared.own,
+        made.prepared.living,
+        made.motion,
+        p=made.p.tolist(),
         u=u.tolist(),
         source=source,
-        span=(t, end),
-        tolerance=tolerance,
-        said=ended,
+        span=made.span,
+        tolerance=made.tolerance,
+        said=made.ended,
     )
-    made_tape = tape(made.program, start_of(made.flat, t, x))
-    return _html(flat, head, _columns(motion), made_tape, _derivation(flat))
 
 
-def _parameters(layout: Layout, wishes: Wishes) -> Floats:
-    names = [slot.name for slot in layout.parameters]
-    p = np.array(layout.defaults, dtype=np.float64)
-    starts = {name + START: value for name, value in wishes.start.items()}
-    for name, value in {**wishes.parameters, **starts}.items():
-        p[names.index(name)] = value
-    return p
-
-
-def _motion(
-    engine: Engine, flat: FlatModel, p: Floats, end: float, tolerance: float, wishes: Wishes, sink: Sink | None
-) -> tuple[Trajectory, str]:
-    """The recorded motion, and why it ended early, if it did."""
-    interval = (end - flat.experiment.start_time) / (_ROWS - 1)
-    try:
-        motion = simulate(
-            engine, flat, stop=end, interval=interval, tolerance=tolerance, p=p, inputs=wishes.inputs, sink=sink
-        )
-    except SimulationFailed as failure:
-        told = Sink() if sink is None else sink
-        for diagnostic in failure.diagnostics:
-            told.add(diagnostic)
-        return failure.trajectory, failure.diagnostics[0].message
-    return motion, ""
+def starts_of(made: Recording) -> list[float]:
+    """Coordinates, rates and states where the motion begins."""
+    moving = {"coordinate", "rate", "state"}
+    return [float(column.values[0]) for column in made.motion.columns if column.kind in moving]
 
 
 def _columns(motion: Trajectory) -> bytes:
@@ -130,12 +93,16 @@ def _derivation(flat: FlatModel) -> str:
     from lagdsl.textbook.recipe import recipe
 
     try:
-        return sections(document(recipe(flat)).blocks)
+        return sections(document(recipe(flat)).blocks, _LETTERS_OF_A_LINE)
     except CompilationFailed as failure:
         return "".join(f"<p>{escape(d.message)}</p>" for d in failure.diagnostics)
 
 
-def _html(flat: FlatModel, head: Json, motion: bytes, model_tape: bytes, derivation: str) -> str:
+def html_of(
+    flat: FlatModel, head: Json, motions: Sequence[Trajectory], model_tape: bytes, arrow_tape: bytes = b""
+) -> str:
+    """The page from its head, its motions one after the other, and the tape that it integrates, if it does."""
+    derivation, motion = _derivation(flat), b"".join(_columns(each) for each in motions)
     folder = page_folder() / "dist"
     loader = (folder / "loader.js").read_text(encoding="utf-8").strip()
     style = (folder / "page.css").read_text(encoding="utf-8").strip()
@@ -159,6 +126,7 @@ def _html(flat: FlatModel, head: Json, motion: bytes, model_tape: bytes, derivat
         "worker": _packed((folder / "worker.js").read_bytes()),
         "wasm": _packed((folder / "lag.wasm").read_bytes()),
         "tape": _packed(model_tape),
+        **({"vectors": _packed(arrow_tape)} if arrow_tape else {}),
         "motion": _packed(motion),
     }
     blocks = "".join(f'<script type="text/plain" id="{name}">{text}</script>\n' for name, text in data.items())
@@ -174,7 +142,7 @@ def _html(flat: FlatModel, head: Json, motion: bytes, model_tape: bytes, derivat
 </head>
 <body>
 <header><h1>{escape(flat.name)}</h1>{doc}</header>
-<div id="stage"><div id="pointed"></div><div id="tools"></div></div>
+<div id="stage"><div id="pointed"></div><div id="legend"></div><div id="tools"></div></div>
 <div id="player"></div>
 <main id="panels"><div role="tablist" aria-label="Panels">{tabs}</div>
 {panels}

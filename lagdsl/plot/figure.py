@@ -4,21 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
 from lagdsl.signals.trajectory import Column, Trajectory
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
     from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
 # Endings of files that a figure can be written to.
 FORMS = (".eps", ".jpg", ".pdf", ".png", ".svg", ".webp")
 # Okabe and Ito's colors, told apart with any kind of color vision.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
-LINES = ("-", "--", ":", "-.")
+LINES: tuple[Literal["-", "--", ":", "-."], ...] = ("-", "--", ":", "-.")
 _MOST_CURVES = 14
 _MOST_LINES = 100
 _MARKS = "#999999"
@@ -40,26 +43,31 @@ STYLE: dict[str, Any] = {
 }
 
 
-def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
-    """One panel for each kind of quantity and unit, above one time axis; written to `path` (by its suffix) if given.
-
-    Needs the extra `plot`. The figure belongs to no window and needs no display.
-    """
+def matplotlib_or_reason() -> tuple[ModuleType, type[Figure], type[FigureCanvasAgg]]:
+    """Matplotlib, its figure and a canvas that belongs to no window. Raises ModuleNotFoundError."""
     try:
         import matplotlib as mpl
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
     except ModuleNotFoundError as missing:
         raise ModuleNotFoundError(f"figures need matplotlib: pip install matplotlib ({missing})") from missing
+    return mpl, Figure, FigureCanvasAgg
 
-    trajectory = trajectory.drawn()
+
+def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
+    """One panel for each kind of quantity and unit, above one time axis; written to `path` (by its suffix) if given.
+
+    Needs the extra `plot`. The figure belongs to no window and needs no display. `plot_of` draws chosen columns.
+    """
+    mpl, figure_class, canvas_class = matplotlib_or_reason()
+    trajectory = trajectory.drawn(smooth=True)
     panels = _panels(trajectory)
     heights = [1.5, *([1.0] * (len(panels) - 1))] if panels else []
     energy = bool(np.any(np.isfinite(trajectory.energy)) and np.any(trajectory.energy))
     rows = len(panels) + energy
     with mpl.rc_context(cast(Any, STYLE)):
-        figure = Figure(figsize=(8.0, 1.2 + 1.75 * max(sum(heights) + energy, 1.0)), layout="constrained")
-        FigureCanvasAgg(figure)
+        figure = figure_class(figsize=(8.0, 1.2 + 1.75 * max(sum(heights) + energy, 1.0)), layout="constrained")
+        canvas_class(figure)
         grid = figure.subplots(
             max(rows, 1), 1, sharex=True, squeeze=False, height_ratios=[*heights, *[1.0] * energy] or [1]
         )
@@ -68,8 +76,9 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
             _draw(panel, trajectory, columns)
         if energy:
             _draw_energy(axes[-1], trajectory)
+        times = sorted({event.time for event in trajectory.events if event.kind != "tick"})
         for panel in axes:
-            _mark(panel, trajectory)
+            mark_events(panel, times, float(trajectory.time[-1] - trajectory.time[0]))
         axes[-1].set_xlabel("time [s]")
         axes[0].set_title(trajectory.model, loc="left", fontweight="bold", color="#333333")
         axes[-1].set_xlim(float(trajectory.time[0]), float(trajectory.time[-1]) if len(trajectory) > 1 else None)
@@ -113,10 +122,8 @@ def _draw(panel: Axes, trajectory: Trajectory, columns: Sequence[Column]) -> Non
         panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=title, fontsize=8, handlelength=1.6)
 
 
-def _mark(panel: Axes, trajectory: Trajectory) -> None:
-    """Marks events, except clocks: lines, or dashes at the bottom if lines would hide the curves."""
-    times = sorted({event.time for event in trajectory.events if event.kind != "tick"})
-    length = float(trajectory.time[-1] - trajectory.time[0])
+def mark_events(panel: Axes, times: Sequence[float], length: float) -> None:
+    """Lines at `times`, or dashes at the bottom if lines would hide the curves; `length` of the motion, all in s."""
     apart = [t for k, t in enumerate(times) if k == 0 or t - times[k - 1] > length / _MOST_LINES]
     if len(apart) < len(times) or len(times) > _MOST_LINES // 4:
         (marks,) = panel.plot(times, np.zeros(len(times)), marker="|", linestyle="", color=_MARKS, markersize=5)

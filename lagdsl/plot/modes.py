@@ -9,7 +9,7 @@ import numpy as np
 
 from lagdsl.analysis.modes import Modes
 from lagdsl.analysis.variation import Variation
-from lagdsl.plot.figure import COLORS, STYLE, escaped, save
+from lagdsl.plot.figure import COLORS, STYLE, escaped, matplotlib_or_reason, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -80,15 +80,10 @@ def plot_variation(variation: Variation, path: Path | str | None = None) -> Figu
 
 
 def _panels(rows: int, columns: int, size: tuple[float, float], *, share: bool) -> tuple[Figure, list[Axes]]:
-    try:
-        import matplotlib as mpl
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ModuleNotFoundError as missing:
-        raise ModuleNotFoundError(f"figures need matplotlib: pip install matplotlib ({missing})") from missing
+    mpl, figure_class, canvas_class = matplotlib_or_reason()
     with mpl.rc_context(cast(Any, STYLE)):
-        figure = Figure(figsize=size, layout="constrained")
-        FigureCanvasAgg(figure)
+        figure = figure_class(figsize=size, layout="constrained")
+        canvas_class(figure)
         grid = figure.subplots(rows, columns, squeeze=False, sharex=share, sharey=share)
     return figure, list(grid.ravel())
 

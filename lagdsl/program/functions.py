@@ -28,6 +28,10 @@ are those of the contacts, then those that clauses let collide. A pass over the 
 action, whether it acts: resets with their values, collisions with their restitutions, ends and failures
 (`docs/adr/0030-events.md`). Programs that tell every variable of their model have named values
 (`mechanics/named.py`).
+
+Programs that tell their terms and how frames move (`mechanics/by_name.py`): ninertial inertial parameters, ten of a
+body and one of a mass; three entries of nplace, nine of naxes and six of ntwist for a frame, three of nplace and
+ntwist for a point. All vectors have world components.
 """
 
 from enum import Enum
@@ -52,6 +56,8 @@ class Presence(Enum):
     DISCRETES = "Only in models with discretes"
     CORNERS = "Only in models with corners"
     NAMED = "Only in programs that tell every named value"
+    TERMS = "Only in programs that tell the terms of their equations"
+    KINEMATICS = "Only in programs that tell how chosen frames and points move"
     CORRECTED = "Only in programs of many coordinates with constraints that are solved while they are expressions"
 
 
@@ -222,6 +228,28 @@ FUNCTIONS: tuple[Signature, ...] = (
         Presence.CORRECTED,
     ),
     _function(
+        "equation_terms",
+        STATE,
+        "coriolis[nq,nq] gravity[nq] bias[nq]",
+        "C by Christoffel's symbols, dV/dq, and d/dt(dL/dqd) - dL/dq at qdd = 0",
+        Presence.TERMS,
+    ),
+    _function(
+        "regressor",
+        (*STATE, Group.QDD),
+        "regressor[nq,ninertial] inertial[ninertial]",
+        "Y and pi: Y pi is what masses and bodies add to d/dt(dL/dqd) - dL/dq",
+        Presence.TERMS,
+    ),
+    _function(
+        "kinematics",
+        STATE,
+        "position[nplace] rotation[naxes] velocity[ntwist] jacobian[ntwist,nq] bias[ntwist]",
+        "of the chosen frames, then of the chosen points: positions; rotation matrices, row by row; velocities, and of "
+        "frames angular velocities after them; their derivatives by qd; their rates of change at qdd = 0",
+        Presence.KINEMATICS,
+    ),
+    _function(
         "acceleration_tangent",
         (*SOLVED, *DIRECTIONS),
         "change[nq] lam_change[nc] rows[nk] pivot",
@@ -235,6 +263,7 @@ FUNCTIONS: tuple[Signature, ...] = (
 COUNTED = (
     *("ne", "nindicator", "ngap", "ncontact", "nclock", "nreset", "ncollision", "nstop", "nfail"),
     *("ntimed", "ndistance", "ncorner"),
+    *("ninertial", "nplace", "naxes", "ntwist"),
 )
 
 BY_NAME = {function.name: function for function in FUNCTIONS}

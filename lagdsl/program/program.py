@@ -49,6 +49,8 @@ class Layout:
 
     `definitions` are those of the function `definition`, where the program has it.
     `redundant` flags constraint rows found dependent on others; `position_level` flags rows that restrict q itself.
+    `inertial` are the inertial parameters of the function `regressor`, `frames` and `points` those of the function
+    `kinematics`, where the program has them.
     `components` (nq + nz,) are the connected components of what the equations couple, see
     `program/passes/components.py`; where it is empty, everything counts as coupled.
     """
@@ -68,6 +70,9 @@ class Layout:
     invariants: tuple[Slot, ...]
     assertions: tuple[str, ...]
     definitions: tuple[Slot, ...] = ()
+    inertial: tuple[Slot, ...] = ()
+    frames: tuple[str, ...] = ()
+    points: tuple[str, ...] = ()
     components: tuple[int, ...] = ()
 
     def size(self, group: Group) -> int:

@@ -96,7 +96,19 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class Bracket:
+    """Round brackets; one that goes on in the next line has no `right` side yet, and the rest of it no `left` one."""
+
     inside: Box
+    left: bool = True
+    right: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Marked:
+    """A term with the numbers of the statements that it comes from; it looks as if it had none."""
+
+    inside: Box
+    sources: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +134,7 @@ class Matrix:
 
 Box: TypeAlias = (
     "Name | Upright | Number | Operator | Row | Sum | Fraction | Power | Subscript | Root | Dotted | Derivative | Call "
-    "| Bracket | Cases | Column | Matrix"
+    "| Bracket | Marked | Cases | Column | Matrix"
 )
 
 

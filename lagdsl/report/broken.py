@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from lagdsl.report.boxes import EQUALS, Box, Bracket, Fraction, Number, Row, Sum
+from lagdsl.report.boxes import EQUALS, Box, Bracket, Marked, Row, Sum
 from lagdsl.report.document import Equation
 from lagdsl.report.unicode_math import line
 
@@ -43,6 +43,12 @@ def sign_and_rest(box: Box) -> tuple[Sign, Box]:
     if isinstance(box, Row) and box.items:
         sign, rest = sign_and_rest(box.items[0])
         return sign, Row((rest, *box.items[1:]))
+    if isinstance(box, Bracket) and not box.left:
+        sign, rest = sign_and_rest(box.inside)
+        return sign, Bracket(rest, False, box.right)
+    if isinstance(box, Marked):
+        sign, rest = sign_and_rest(box.inside)
+        return sign, Marked(rest, box.sources)
     return "+", box
 
 
@@ -51,34 +57,40 @@ def _broken(box: Box, width: int) -> list[Box]:
     if len(line(box)) <= width:
         return [box]
     whole = box if isinstance(box, Sum) else Sum((("+", box),))
-    terms = [part for sign, term in whole.terms for part in _distributed(sign, term, width)]
-    if len(terms) == 1:
-        return [box]
-    pieces: list[Sum] = []
-    room = 0
-    for term in terms:
-        length = len(line(term[1])) + 3
-        if not pieces or length > room:
-            pieces.append(Sum((term,)))
-            room = width - length
-        else:
-            pieces[-1] = Sum((*pieces[-1].terms, term))
-            room -= length
-    return list(pieces)
+    pieces: list[Box] = []
+    waiting: list[tuple[Sign, Box]] = []
+    for sign, term in whole.terms:
+        parts = _opened(term, width) if len(line(term)) > width else [term]
+        together = Sum((*waiting, (sign, parts[0])))
+        if waiting and (len(parts) > 1 or len(line(together)) > width):
+            pieces.append(Sum(tuple(waiting)))
+            waiting = []
+        waiting.append((sign, parts[0]))
+        if len(parts) > 1:
+            pieces += [Sum(tuple(waiting)), *parts[1:]]
+            waiting = []
+    pieces += [Sum(tuple(waiting))] if waiting else []
+    return pieces if len(pieces) > 1 else [box]
 
 
-def _distributed(sign: Sign, term: Box, width: int) -> list[tuple[Sign, Box]]:
-    """A product too long for a line, multiplied into its bracket; with numbers in the bracket it stays as it is."""
-    if not isinstance(term, Row) or len(line(term)) <= width:
-        return [(sign, term)]
-    brackets = [item for item in term.items if isinstance(item, Bracket) and isinstance(item.inside, Sum)]
+def _opened(term: Box, width: int) -> list[Box]:
+    """A product too long for a line, its longest bracket broken between the terms inside."""
+    if isinstance(term, Marked):
+        return [Marked(piece, term.sources) for piece in _opened(term.inside, width)]
+    items = term.items if isinstance(term, Row) else (term,)
+    brackets = [item for item in items if isinstance(item, Bracket) and isinstance(item.inside, Sum)]
     if not brackets:
-        return [(sign, term)]
+        return [term]
     longest = max(brackets, key=lambda bracket: len(line(bracket)))
-    assert isinstance(longest.inside, Sum)
-    inner = [(s, part.items if isinstance(part, Row) else (part,)) for s, part in longest.inside.terms]
-    if any(isinstance(items[0], Number | Fraction) for _, items in inner):
-        return [(sign, term)]
-    place = term.items.index(longest)
-    before, after = term.items[:place], term.items[place + 1 :]
-    return [("+" if s == sign else "-", Row((*before, *items, *after))) for s, items in inner]
+    place = items.index(longest)
+    before, after = items[:place], items[place + 1 :]
+    room = max(width - len(line(Row(before))) - 2, width // 2)
+    inner = _broken(longest.inside, room)
+    if len(inner) == 1:
+        return [term]
+    first, *middle, last = inner
+    return [
+        Row((*before, Bracket(first, right=False))),
+        *(Bracket(piece, left=False, right=False) for piece in middle),
+        Row((Bracket(last, left=False), *after)),
+    ]

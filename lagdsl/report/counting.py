@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from lagdsl.report.boxes import EQUALS, Box, Name, Number, Row, Sum
+from collections.abc import Callable
+
+from lagdsl.report.boxes import EQUALS, Box, Number, Row, Sum
 from lagdsl.report.document import Block, Equation, Equations, Paragraph, text
 from lagdsl.textbook.counting import Count
 
 
-def count_blocks(count: Count) -> list[Block]:
+def count_blocks(count: Count, letter: Callable[[str], Box]) -> list[Block]:
+    """`letter` gives a letter that is not the model's."""
     blocks: list[Block] = []
     if count.in_space and count.built_in >= 0:
-        blocks += _in_space(count)
+        blocks += _in_space(count, letter)
     else:
-        blocks += _coordinates_only(count)
+        blocks += _coordinates_only(count, letter)
     if count.rank > count.position_rank:
         independent = count.rank - count.position_rank
         blocks.append(
@@ -31,7 +34,7 @@ def count_blocks(count: Count) -> list[Block]:
     return blocks
 
 
-def _in_space(count: Count) -> list[Block]:
+def _in_space(count: Count, letter: Callable[[str], Box]) -> list[Block]:
     """d = 3N + 6B - k."""
     inertial_elements = " and ".join(
         words
@@ -51,13 +54,13 @@ def _in_space(count: Count) -> list[Block]:
     freedom = count.in_space - k
     letters: list[Box] = []
     numbers: list[Box] = []
-    for letter, size, number in (("N", 3, count.particles), ("B", 6, count.bodies)):
+    for name, size, number in (("N", 3, count.particles), ("B", 6, count.bodies)):
         if number:
-            letters.append(Row((Number(str(size)), Name(letter))))
+            letters.append(Row((Number(str(size)), letter(name))))
             numbers.append(Number(f"{size}·{number}"))
-    left = Sum((*(("+", box) for box in letters), ("-", Name("k"))))
+    left = Sum((*(("+", box) for box in letters), ("-", letter("k"))))
     right = Sum((*(("+", box) for box in numbers), ("-", Number(str(k)))))
-    equation = Equation(Name("d"), Row((left, EQUALS, right, EQUALS, Number(str(freedom)))), final=True)
+    equation = Equation(letter("d"), Row((left, EQUALS, right, EQUALS, Number(str(freedom)))), final=True)
     blocks: list[Block] = [Paragraph(text(" ".join(sentences))), Equations((equation,))]
     if count.other:
         verb = "moves" if count.other == 1 else "move"
@@ -72,13 +75,13 @@ def _in_space(count: Count) -> list[Block]:
     return blocks
 
 
-def _coordinates_only(count: Count) -> list[Block]:
+def _coordinates_only(count: Count, letter: Callable[[str], Box]) -> list[Block]:
     """d = n - c, where masses do not tell the count."""
     n = count.placing + count.other
     right = Sum((("+", Number(str(n))), ("-", Number(str(count.position_rank)))))
     why = "Energies are written by hand" if not count.in_space else "Coordinates are more than the masses need"
     words = f"{why}, so the coordinates are counted: {n}, with {_some(count.position_rank, 'independent constraint')}."
-    equation = Equation(Name("d"), Row((right, EQUALS, Number(str(count.freedom)))), final=True)
+    equation = Equation(letter("d"), Row((right, EQUALS, Number(str(count.freedom)))), final=True)
     return [Paragraph(text(words)), Equations((equation,))]
 
 

@@ -19,6 +19,7 @@ from lagdsl.report.page import Page
 from lagdsl.report.plain import plain
 from lagdsl.report.results import abbreviations, conserved, constraints, equations, outputs, states
 from lagdsl.report.typeset import Typesetter
+from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.recipe import Derivation, Recipe
 from lagdsl.units.dimension import MASS
@@ -54,23 +55,27 @@ def render(recipe: Recipe, to: Format) -> str:
 def document(recipe: Recipe) -> Document:
     flat, derivation = recipe.flat, recipe.derivation
     if derivation is None:
-        blocks = outline(flat, recipe.extent)
+        blocks = outline(recipe.familiar, recipe.extent)
     else:
-        page = _page(flat, derivation)
+        page = _page(recipe.familiar, derivation)
         blocks = tuple(block for section in _SECTIONS for block in section(page))
     return Document(title=flat.name, subtitle=flat.doc, blocks=blocks)
 
 
-def _page(flat: FlatModel, derivation: Derivation) -> Page:
+def typesetter(flat: FlatModel, derivation: Derivation) -> Typesetter:
+    """The notation that sets the expressions of a derivation."""
     named = tuple(symbol for symbol, _ in (*derivation.dependent_parameters, *derivation.abbreviations))
-    rows = tuple(row.name for row in derivation.constraints)
-    signs = notation(derivation.symbols, named, rows)
+    rows = tuple(row.name for row in derivation.constraints if row.restricts)
     independent = [parameter for parameter in flat.parameters if not parameter.structural]
     masses = [s for s, p in zip(derivation.symbols.p, independent, strict=True) if p.dimension == MASS]
-    typeset = Typesetter(
-        notation=signs,
+    return Typesetter(
+        notation=notation(flat, derivation.symbols, named, rows),
         symbols=derivation.symbols,
         constants=derivation.constants,
         first=(*masses, STANDARD_GRAVITY),
     )
-    return Page(flat=flat, derivation=derivation, notation=signs, typeset=typeset)
+
+
+def _page(familiar: Familiar, derivation: Derivation) -> Page:
+    typeset = typesetter(familiar.flat, derivation)
+    return Page(familiar=familiar, derivation=derivation, notation=typeset.notation, typeset=typeset)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy import Symbol
 
-from lagdsl.report.boxes import EQUALS, Box, Name, Number, Operator, Row, Subscript, Sum
+from lagdsl.report.boxes import EQUALS, Box, Number, Operator, Row, Subscript, Sum
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -25,8 +25,8 @@ from lagdsl.textbook.contributions import AppliedForce, AppliedGeneralizedForce,
 from lagdsl.textbook.recipe import ActionStep, Contribution
 
 _NO_LOADS = (
-    "No loads are declared: weights and springs are in V, and the forces that uphold what is built into the "
-    "coordinates do no work on any admissible motion."
+    "No loads are declared: weights and springs are in the potential energy, and the forces that uphold what is built "
+    "into the coordinates do no work on any admissible motion."
 )
 _VARIATIONS = "How the place of each load moves with one coordinate at a time, time held still; zeros are left out."
 _BUILT_IN = (
@@ -65,7 +65,12 @@ def _load_list(page: Page) -> list[Block]:
         words = statement(load, load.label or type(load).__name__)
         side: Inline = (Text(" (the opposite one)"),) if step.back else ()
         rows.append(
-            ((Math(_load_name(step, number)),), (Code(words), *side), (Math(_amount(page, step)),), _place(page, step))
+            (
+                (Math(_load_name(page, step, number)),),
+                (Code(words), *side),
+                (Math(_amount(page, step)),),
+                _place(page, step),
+            )
         )
     return [Table(("load", "in the model", "value", "acts on"), tuple(rows))]
 
@@ -107,18 +112,18 @@ def _variation_name(page: Page, step: ActionStep, number: int, q: Symbol) -> Box
     index = Number(str(number))
     match step.action:
         case AppliedForce():
-            return partial(Subscript(Name("r"), index), page.notation.of(q))
+            return partial(Subscript(page.notation.letter("r"), index), page.notation.of(q))
         case AppliedTorque():
-            return partial(Subscript(Name("ω"), index), page.rate(q))
+            return partial(Subscript(page.notation.letter("ω"), index), page.rate(q))
         case AppliedGeneralizedForce():
-            return partial(Subscript(Name("x"), index), page.notation.of(q))
+            return partial(Subscript(page.notation.letter("x"), index), page.notation.of(q))
 
 
 def _workless(page: Page) -> list[Block]:
     items: list[Inline] = []
     for number, step in enumerate(page.derivation.actions, start=1):
         if step.contribution is not Contribution.CONTRIBUTES:
-            items.append((Math(_load_name(step, number)), Text(f": {_REASONS[step.contribution]}")))
+            items.append((Math(_load_name(page, step, number)), Text(f": {_REASONS[step.contribution]}")))
     items.append(text(_BUILT_IN))
     if page.derivation.constraints:
         items.append(text(_DECLARED))
@@ -129,24 +134,24 @@ def _generalized_forces(page: Page) -> list[Block]:
     lines = []
     for j, step in enumerate(page.derivation.coordinates):
         works = [(number, a) for number, a in enumerate(page.derivation.actions, start=1) if a.works[j] != 0]
-        sources = [_work_of(a, number, _variation_name(page, a, number, step.q)) for number, a in works]
+        sources = [_work_of(page, a, number, _variation_name(page, a, number, step.q)) for number, a in works]
         total = page.derivation.generalized_forces[j] + page.derivation.drags[j]
         if page.derivation.drags[j] != 0:
-            sources.append(Sum((("-", partial(Name("D"), page.rate(step.q))),)))
-        name = Subscript(Name("Q"), page.notation.of(step.q))
+            sources.append(Sum((("-", partial(page.notation.letter("D"), page.rate(step.q))),)))
+        name = Subscript(page.notation.letter("Q"), page.notation.of(step.q))
         value = page.typeset(total)
         lines.append(Equation(name, Row((added(sources), EQUALS, value)) if sources and total != 0 else value))
     return [Equations(tuple(lines))]
 
 
-def _load_name(step: ActionStep, number: int) -> Box:
+def _load_name(page: Page, step: ActionStep, number: int) -> Box:
     letter = "M" if isinstance(step.action, AppliedTorque) else "F"
-    return Subscript(Name(letter), Number(str(number)))
+    return Subscript(page.notation.letter(letter), Number(str(number)))
 
 
-def _work_of(step: ActionStep, number: int, variation: Box) -> Box:
+def _work_of(page: Page, step: ActionStep, number: int, variation: Box) -> Box:
     """F . dr/dq, a plain product where the load is a scalar."""
-    name = _load_name(step, number)
+    name = _load_name(page, step, number)
     if isinstance(step.action, AppliedGeneralizedForce):
         return Row((name, variation))
     return Row((name, Operator("·"), variation))

@@ -62,8 +62,8 @@ def _picture(picture: bytes | None, title: str) -> str:
     return f'<figure style="margin: 1.2rem 0">{image}</figure>\n'
 
 
-def sections(blocks: Sequence[Block]) -> str:
-    """A section from each heading to the next."""
+def sections(blocks: Sequence[Block], width: int = _WIDTH) -> str:
+    """A section from each heading to the next; equations in lines of about `width` letters."""
     pieces: list[str] = []
     is_open = False
     for block in blocks:
@@ -71,11 +71,11 @@ def sections(blocks: Sequence[Block]) -> str:
             pieces += ["</section>"] if is_open else []
             pieces.append("<section>")
             is_open = True
-        pieces.append(_block(block))
+        pieces.append(_block(block, width))
     return "\n".join([*pieces, "</section>"] if is_open else pieces)
 
 
-def _block(block: Block) -> str:
+def _block(block: Block, width: int) -> str:
     match block:
         case Heading(title, step):
             number = "" if step is None else f'<span class="step">{escape(step)}</span>'
@@ -83,7 +83,7 @@ def _block(block: Block) -> str:
         case Paragraph(content):
             return f"<p>{_inline(content)}</p>"
         case Equations(equations):
-            return _equations(equations)
+            return _equations(equations, width)
         case Table(header, rows):
             return _table(header, rows)
         case Bullets(items):
@@ -92,13 +92,13 @@ def _block(block: Block) -> str:
             assert_never(block)
 
 
-def _equations(equations: tuple[Equation, ...]) -> str:
+def _equations(equations: tuple[Equation, ...], width: int) -> str:
     """Formulas aligned at their equals signs; one with a long left-hand side stands by itself. Results are framed."""
     kind = "equations final" if all(equation.final for equation in equations) else "equations"
     tables: list[str] = []
     aligned: list[str] = []
     for equation in equations:
-        parts = lines(equation, _WIDTH)
+        parts = lines(equation, width)
         if parts[0].left is not None:
             aligned += [_aligned(part) for part in parts]
             continue

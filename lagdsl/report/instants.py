@@ -6,7 +6,7 @@ from lagdsl.flat.event_text import action_text
 from lagdsl.flat.events import Branch, Clock, Contact, When
 from lagdsl.flat.expression_text import flat_expression_text
 from lagdsl.flat.model import FlatModel
-from lagdsl.report.boxes import Box, Bracket, Dotted, Name, Number, Operator, Power, Row, Subscript, Sum, Upright, row
+from lagdsl.report.boxes import Box, Bracket, Dotted, Number, Operator, Power, Row, Subscript, Sum, Upright, row
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -23,6 +23,7 @@ from lagdsl.report.document import (
 )
 from lagdsl.report.names import statement
 from lagdsl.report.page import Page
+from lagdsl.report.unicode_math import line
 from lagdsl.textbook.recipe import ConstraintRow
 
 _MOST = 12
@@ -55,8 +56,8 @@ def contacts(page: Page) -> list[Block]:
     return [
         Heading("Contacts"),
         Paragraph(text(_OPEN)),
-        Table(("contact", "gap", "restitution e", "multiplier"), table),
-        *_impacts(),
+        Table(("contact", "gap", f"restitution {line(page.notation.letter('e'))}", "multiplier"), table),
+        *_impacts(page),
     ]
 
 
@@ -66,12 +67,13 @@ def _contact(page: Page, found: ConstraintRow, contact: Contact) -> tuple[Inline
     return (Code(found.name),), (Math(gap),), restitution, (Math(page.notation.of(found.multiplier)),)
 
 
-def _impacts() -> list[Block]:
-    after, before = (Power(Dotted(Name("q"), 1), Upright(sign)) for sign in ("+", "−"))
-    mass, gaps, rows = Name("M"), Subscript(Name("J"), Upright("c")), Name("J")
+def _impacts(page: Page) -> list[Block]:
+    letter = page.notation.letter
+    after, before = (Power(Dotted(letter("q"), 1), Upright(sign)) for sign in ("+", "−"))
+    mass, gaps, rows = letter("M"), Subscript(letter("J"), Upright("c")), letter("J")
     change = Row((mass, Bracket(Sum((("+", after), ("-", before))))))
-    impulses = Sum((("+", Row((_transposed(gaps), Name("p")))), ("+", Row((_transposed(rows), Name("P"))))))
-    rebound = Sum((("-", Row((Name("e"), gaps, before))),))
+    impulses = Sum((("+", Row((_transposed(gaps), letter("p")))), ("+", Row((_transposed(rows), letter("P"))))))
+    rebound = Sum((("-", Row((letter("e"), gaps, before))),))
     return [
         Paragraph(text(_LAW)),
         Equations(
@@ -80,7 +82,7 @@ def _impacts() -> list[Block]:
                 Equation(Row((gaps, after)), rebound, final=True),
             )
         ),
-        Paragraph((Text("with "), Math(row(Name("p"), Operator("≥"), Number("0"))), Text(". " + _SLOW))),
+        Paragraph((Text("with "), Math(row(letter("p"), Operator("≥"), Number("0"))), Text(". " + _SLOW))),
     ]
 
 

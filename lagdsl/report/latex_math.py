@@ -14,6 +14,7 @@ from lagdsl.report.boxes import (
     Derivative,
     Dotted,
     Fraction,
+    Marked,
     Matrix,
     Name,
     Number,
@@ -44,7 +45,11 @@ _OPERATORS = {
     "<": "<", "≤": r"\le", "≥": r"\ge", ">": ">", "·": r"\cdot", "×": r"\times", "and": r"\text{ and }",
     "or": r"\text{ or }", "→": r"\to", "≈": r"\approx",
 }  # fmt: skip
-_SYMBOLS = _LETTERS | {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "δ": r"\delta", "-∞": r"-\infty"}
+_OTHER_FORMS = {letter: rf"\mathcal{{{plain}}}" for plain, letter in zip("LTVDQMJPNBKC", "ℒ𝒯𝒱𝒟𝒬ℳ𝒥𝒫𝒩ℬ𝒦𝒞", strict=True)}
+_OTHER_FORMS |= {letter: rf"\mathfrak{{{plain}}}" for plain, letter in zip("pedkft", "𝔭𝔢𝔡𝔨𝔣𝔱", strict=True)}
+_OTHER_FORMS |= {letter: rf"\mathbf{{{plain}}}" for plain, letter in zip("rvFqg", "𝐫𝐯𝐅𝐪𝐠", strict=True)}
+_OTHER_FORMS["𝛚"] = r"\boldsymbol{\omega}"
+_SYMBOLS = _OTHER_FORMS | _LETTERS | {"∞": r"\infty", "Σ": r"\sum", "·": r"\cdot", "δ": r"\delta", "-∞": r"-\infty"}
 
 
 def escape(text: str) -> str:
@@ -91,8 +96,10 @@ def tex(box: Box) -> str:  # noqa: C901, PLR0912
             listed = ", ".join(tex(argument) for argument in arguments)
             simple = len(arguments) == 1 and isinstance(arguments[0], Name | Subscript)
             return f"{_function(function)} {listed}" if simple else rf"{_function(function)}\left({listed}\right)"
-        case Bracket(inside):
-            return rf"\left({tex(inside)}\right)"
+        case Bracket(inside, left, right):
+            return rf"\left{'(' if left else '.'}{tex(inside)}\right{')' if right else '.'}"
+        case Marked(inside):
+            return tex(inside)
         case Cases(value, condition, otherwise):
             rows = rf"{tex(value)} & \text{{if }} {tex(condition)} \\ {tex(otherwise)} & \text{{otherwise}}"
             return rf"\begin{{cases}} {rows} \end{{cases}}"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from sympy import Expr
 
 from lagdsl.flat.model import Parameter
@@ -9,29 +11,56 @@ from lagdsl.flat.quantity import Quantity
 from lagdsl.report.boxes import Box, Name, Row, Subscript, Sum, Upright
 from lagdsl.report.counting import count_blocks
 from lagdsl.report.document import Block, Equation, Equations, Heading, Inline, Math, Paragraph, Table, Text, text
-from lagdsl.report.names import indexed
-from lagdsl.report.page import LAGRANGIAN, Page, by_time, partial
+from lagdsl.report.names import gathered, indexed, listed, own_name
+from lagdsl.report.page import Page, partial
+from lagdsl.report.typeset import LONGEST
 from lagdsl.textbook.reading import STANDARD_GRAVITY
+from lagdsl.textbook.tidy import size
 from lagdsl.units.naming import to_display
 
+_OWN_LETTERS = "LTVDQMt"
 _POSITIONS = "From the world origin, in world axes; of a body its mass centre."
 _ENERGIES_BY_HAND = "No mass or body is declared: the energies are written by hand."
 
 
 def parameters(page: Page) -> list[Block]:
     items = [p for p in page.flat.parameters if not p.structural]
+    pairs = list(zip(page.derivation.symbols.p, items, strict=True))
     rows: list[tuple[Inline, ...]] = [
         ((Math(page.notation.of(symbol)),), text(value(item)), text(item.doc or ""))
-        for symbol, item in zip(page.derivation.symbols.p, items, strict=True)
+        for symbol, item in pairs
+        if symbol in page.derivation.occurring
     ]
-    if STANDARD_GRAVITY in page.derivation.lagrangian.free_symbols:
+    if STANDARD_GRAVITY in page.derivation.occurring and STANDARD_GRAVITY not in page.derivation.symbols.p:
         rows.append(((Math(page.notation.of(STANDARD_GRAVITY)),), text("9.80665 m/s2"), text("standard gravity")))
     if not rows:
         return []
     blocks: list[Block] = [Heading("Parameters"), Table(("symbol", "value", "meaning"), tuple(rows))]
+    blocks += _left_out(page, tuple(item.name for symbol, item in pairs if symbol not in page.derivation.occurring))
     if page.derivation.dependent_parameters:
         blocks += [Paragraph(text("Quantities that follow from them:"))]
         blocks += [definition_lines(page, page.derivation.dependent_parameters)]
+    return blocks
+
+
+def _left_out(page: Page, idle: tuple[str, ...]) -> list[Block]:
+    """Parameters that the formulas do not show, and letters that had to give way."""
+    blocks: list[Block] = []
+    if idle:
+        blocks.append(Paragraph(text(f"In no formula: {gathered(idle)}.")))
+    zeros, twins = page.familiar.zeros, page.familiar.twins
+    if zeros:
+        blocks.append(Paragraph(text(f"Zero in this model, and left out of the formulas: {gathered(zeros)}.")))
+    if twins:
+        pairs = ", ".join(f"{one} = {other}" for one, other in twins)
+        blocks.append(Paragraph(text(f"Equal in this model, and written as one: {pairs}.")))
+    given_way = [letter for letter in _OWN_LETTERS if letter in page.notation.taken]
+    if given_way:
+        theirs, ours = listed([Name(each) for each in given_way]), [page.notation.letter(each) for each in given_way]
+        verb = "are letters" if len(given_way) > 1 else "is a letter"
+        blocks.append(
+            Paragraph((*theirs, Text(f" {verb} of the model; the derivation writes "), *listed(ours), Text(".")))
+        )
     return blocks
 
 
@@ -41,65 +70,120 @@ def definition_lines(page: Page, pairs: tuple[tuple[Expr, Expr], ...]) -> Block:
 
 def coordinates(page: Page) -> list[Block]:
     rows = tuple(
-        ((Math(page.notation.of(symbol)),), text(unit(item)), text(item.doc or ""))
+        (
+            (Math(page.notation.of(symbol)),),
+            own_name(page.notation.of(symbol), item.name),
+            text(unit(item)),
+            text(item.doc or ""),
+        )
         for symbol, item in zip(page.derivation.symbols.q, page.flat.coordinates, strict=True)
     )
     return [
         Heading("Coordinates and their count", "1"),
-        Table(("coordinate", "unit", "meaning"), rows),
-        *count_blocks(page.derivation.count),
+        Table(("coordinate", "in the model", "unit", "meaning"), rows),
+        *count_blocks(page.derivation.count, page.notation.letter),
     ]
 
 
 def positions(page: Page) -> list[Block]:
-    lines = [Equation(indexed("r", label), page.vector(item.position)) for label, item in page.inertial_elements()]
-    if not lines:
+    carriers = page.inertial_elements()
+    if not carriers:
         return [Heading("Position vectors", "2"), Paragraph(text(_ENERGIES_BY_HAND))]
-    return [Heading("Position vectors", "2"), Paragraph(text(_POSITIONS)), Equations(tuple(lines))]
+    letter = page.notation.letter("r")
+    resting = [indexed(letter, label) for label, item in carriers if not any(item.position)]
+    moved = [(label, item) for label, item in carriers if any(item.position)]
+    blocks: list[Block] = [Heading("Position vectors", "2"), Paragraph(text(_POSITIONS))]
+    if resting:
+        blocks.append(
+            Paragraph(
+                (
+                    *listed(resting),
+                    Text(
+                        " vanish: they lie at the world origin."
+                        if len(resting) > 1
+                        else " vanishes: it lies at the world origin."
+                    ),
+                )
+            )
+        )
+    lines = tuple(Equation(indexed(letter, label), page.vector(item.position)) for label, item in moved)
+    return [*blocks, Equations(lines)] if lines else blocks
 
 
 def velocities(page: Page) -> list[Block]:
-    lines = []
-    for label, item in page.inertial_elements():
-        lines.append(Equation(indexed("v", label), page.vector(item.velocity)))
-        if item.frame is not None:
-            lines.append(Equation(indexed("ω", label), page.typeset.vector(item.spin)))
-    if not lines:
+    carriers = page.inertial_elements()
+    if not carriers:
         return [Heading("Velocities", "3"), Paragraph(text("None are needed beyond the rates themselves."))]
-    spins = any(item.frame is not None for _, item in page.inertial_elements())
-    words = "Their time derivatives." + (" Angular velocities are in the axes of the body." if spins else "")
-    return [Heading("Velocities", "3"), Paragraph(text(words)), Equations(tuple(lines))]
+    speed, spin = page.notation.letter("v"), page.notation.letter("ω")
+    lines, resting, straight = [], [], []
+    for label, item in carriers:
+        if any(item.velocity):
+            lines.append(Equation(indexed(speed, label), page.vector(item.velocity)))
+        else:
+            resting.append(indexed(speed, label))
+        if item.frame is not None and any(item.spin):
+            flat = page.planar and not any(item.spin[:2])
+            lines.append(
+                Equation(indexed(spin, label), page.typeset(item.spin[2]) if flat else page.typeset.vector(item.spin))
+            )
+        elif item.frame is not None:
+            straight.append(indexed(spin, label))
+    turning = any(item.frame is not None for _, item in carriers)
+    words = "Their time derivatives."
+    if turning and page.planar:
+        words += " Angular velocities are about the normal of the plane."
+    elif turning:
+        words += " Angular velocities are in the axes of the body."
+    blocks: list[Block] = [Heading("Velocities", "3"), Paragraph(text(words))]
+    for names, verb in ((resting, "the mass center stays where it is"), (straight, "the body does not turn")):
+        if names:
+            blocks.append(Paragraph((*listed(names), Text(f" vanish{'es' if len(names) == 1 else ''}: {verb}."))))
+    return [*blocks, Equations(tuple(lines))] if lines else blocks
 
 
 def energies(page: Page) -> list[Block]:
-    d = page.derivation
-    total: list[tuple[str, Box]] = [("+", Name("T")), ("-", Name("V"))]
-    lines = [Equation(Name("T"), page.typeset(d.kinetic)), Equation(Name("V"), page.typeset(d.potential))]
+    d, letter = page.derivation, page.notation.letter
+    kinetic, potential = letter("T"), letter("V")
+    lines = _own_energies(page)
+    lines += [Equation(kinetic, page.typeset(d.kinetic)), Equation(potential, page.typeset(d.potential))]
+    total: list[tuple[Literal["+", "-"], Box]] = [("+", kinetic), ("-", potential)]
     if d.extra != 0:
-        extra = Subscript(LAGRANGIAN, Upright("x"))
+        extra = Subscript(page.lagrangian, Upright("x"))
         lines.append(Equation(extra, page.typeset(d.extra)))
         total.append(("+", extra))
-    lines.append(Equation(LAGRANGIAN, Sum(tuple(("-" if sign == "-" else "+", box) for sign, box in total))))
+    lines.append(Equation(page.lagrangian, Sum(tuple(total))))
+    if size(d.lagrangian) <= LONGEST and d.lagrangian != 0:
+        lines.append(Equation(page.lagrangian, page.typeset(d.lagrangian)))
     if d.dissipation != 0:
-        lines.append(Equation(Name("D"), page.typeset(d.dissipation)))
+        lines.append(Equation(letter("D"), page.typeset(d.dissipation)))
     words = "Kinetic and potential energy, and the Lagrangian."
     if d.dissipation != 0:
         words = "Kinetic and potential energy, the Lagrangian, and the Rayleigh function of the dashpots."
     return [Heading("Energies", "4"), Paragraph(text(words)), Equations(tuple(lines))]
 
 
+def _own_energies(page: Page) -> list[Equation]:
+    """T of each mass and body, where there are several."""
+    carriers = page.inertial_elements()
+    if len(carriers) < 2:
+        return []
+    letter = page.notation.letter("T")
+    pairs = zip(carriers, page.derivation.own_kinetic, strict=True)
+    return [Equation(indexed(letter, label), page.typeset(own)) for (label, _), own in pairs if own != 0]
+
+
 def derivatives(page: Page) -> list[Block]:
     blocks: list[Block] = [Heading("Lagrange's equations, term by term", "5")]
     for step in page.derivation.coordinates:
         q, qd = page.notation.of(step.q), page.rate(step.q)
-        momentum = partial(LAGRANGIAN, qd)
+        momentum = partial(page.lagrangian, qd)
         blocks.append(Paragraph((Text("Coordinate "), Math(q), Text(":"))))
         blocks.append(
             Equations(
                 (
                     Equation(momentum, page.typeset(step.momentum)),
-                    Equation(Row((by_time(), momentum)), page.typeset(step.momentum_rate)),
-                    Equation(partial(LAGRANGIAN, q), page.typeset(step.gradient)),
+                    Equation(Row((page.by_time(), momentum)), page.typeset(step.momentum_rate)),
+                    Equation(partial(page.lagrangian, q), page.typeset(step.gradient)),
                 )
             )
         )

@@ -14,6 +14,7 @@ from lagdsl.report.boxes import (
     Derivative,
     Dotted,
     Fraction,
+    Marked,
     Matrix,
     Name,
     Number,
@@ -71,8 +72,10 @@ def element(box: Box) -> str:  # noqa: C901, PLR0912
             listed = "<mo>,</mo>".join(element(argument) for argument in arguments)
             simple = len(arguments) == 1 and isinstance(arguments[0], Name | Subscript)
             return f"<mrow>{element(function)}{_THIN + listed if simple else _bracketed(listed)}</mrow>"
-        case Bracket(inside):
-            return f"<mrow>{_bracketed(element(inside))}</mrow>"
+        case Bracket(inside, left, right):
+            return f"<mrow>{'<mo>(</mo>' if left else ''}{element(inside)}{'<mo>)</mo>' if right else ''}</mrow>"
+        case Marked(inside, sources):
+            return f'<mrow class="term" data-from="{" ".join(str(each) for each in sources)}">{element(inside)}</mrow>'
         case Cases(value, condition, otherwise):
             rows = _cells((value, Row((Upright("if"), condition)))) + _cells((otherwise, Upright("otherwise")))
             return f'<mrow><mo stretchy="true">{{</mo><mtable class="cases">{rows}</mtable></mrow>'

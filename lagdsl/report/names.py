@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from lagdsl.flat.expression import FrameOrigin, PointReference
 from lagdsl.flat.model import FlatModel, PointMass
 from lagdsl.flat.quantity import Item
 from lagdsl.report.boxes import Box, Name, Number, Subscript, Upright
+from lagdsl.report.document import Code, Inline, Math, Text
 from lagdsl.report.notation import name_box
 from lagdsl.report.unicode_math import line
 
@@ -21,8 +24,10 @@ def statement(item: Item, otherwise: str) -> str:
 
 
 def carrier_labels(flat: FlatModel) -> list[Box]:
-    """An index for every mass, then every body: its point or label if that is its alone, else its number."""
-    names = [_point_name(mass) for mass in flat.masses] + [body.label or body.frame for body in flat.bodies]
+    """An index for every mass, then every body: its component, point or label if that is its alone, else its number."""
+    own = [_point_name(mass) for mass in flat.masses] + [body.label or body.frame for body in flat.bodies]
+    scopes = [None if name is None else name.rpartition(".")[0] for name in own]
+    names = [scope if scope and scopes.count(scope) == 1 else name for name, scope in zip(own, scopes, strict=True)]
     labels: list[Box] = []
     for number, name in enumerate(names, start=1):
         unique = name is not None and names.count(name) == 1
@@ -37,8 +42,35 @@ def _point_name(mass: PointMass) -> str | None:
     return place.frame if isinstance(place, FrameOrigin) else None
 
 
-def indexed(letter: str, index: Box) -> Box:
+def indexed(letter: Box, index: Box) -> Box:
     """`r` with an index; a word, or an index with an index of its own, is set upright."""
     if isinstance(index, Subscript) or (isinstance(index, Name) and len(index.text) > 1):
-        return Subscript(Name(letter), Upright(line(index)))
-    return Subscript(Name(letter), index)
+        return Subscript(letter, Upright(line(index)))
+    return Subscript(letter, index)
+
+
+def listed(boxes: Sequence[Box]) -> Inline:
+    """`a, b and c`."""
+    pieces: list[Math | Text] = []
+    for number, box in enumerate(boxes):
+        if number:
+            pieces.append(Text(" and " if number == len(boxes) - 1 else ", "))
+        pieces.append(Math(box))
+    return tuple(pieces)
+
+
+def own_name(box: Box, name: str) -> Inline:
+    """The name in the model, where it is not what the symbol reads like."""
+    return () if line(box) == line(name_box(name)) and "." not in name else (Code(name),)
+
+
+def gathered(names: Sequence[str]) -> str:
+    """Names of scalars, elements of one array together: `com[1], com[2]` is `com[1, 2]`."""
+    arrays: dict[str, list[str]] = {}
+    for name in names:
+        array, bracket, index = name.rpartition("[") if name.endswith("]") else (name, "", "")
+        arrays.setdefault(array, []).extend([index.rstrip("]")] if bracket else [])
+    return ", ".join(
+        f"{array}[{'; '.join(indices) if any(',' in i for i in indices) else ', '.join(indices)}]" if indices else array
+        for array, indices in arrays.items()
+    )

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 from sympy import Symbol
 
+from lagdsl.flat.model import Definition, FlatModel
+from lagdsl.flat.quantity import Quantity, Variability
 from lagdsl.report.boxes import Box, Dotted, Name, Number, Operator, Row, Subscript, Upright
 from lagdsl.textbook.reading import STANDARD_GRAVITY
 from lagdsl.textbook.symbols import Symbols
@@ -17,6 +19,18 @@ GREEK = {
     "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω",
     "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Upsilon": "Υ",
     "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω",
+}  # fmt: skip
+
+# For a model that has the usual letter itself: script for energies and matrices, bold for vectors, Fraktur for numbers.
+_OTHER_FORMS = {
+    "L": "ℒ", "T": "𝒯", "V": "𝒱", "D": "𝒟", "Q": "𝒬", "M": "ℳ", "J": "𝒥", "P": "𝒫", "N": "𝒩", "B": "ℬ", "K": "𝒦",
+    "C": "𝒞", "r": "𝐫", "v": "𝐯", "ω": "𝛚", "F": "𝐅", "x": "ξ", "λ": "Λ", "γ": "Γ",
+    "p": "𝔭", "e": "𝔢", "d": "𝔡", "k": "𝔨", "f": "𝔣", "q": "𝐪", "t": "𝔱",
+}  # fmt: skip
+# The letter of a quantity that moves, by its unit.
+_KINDS = {
+    "rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "C": "q", "N": "F", "N.m": "M", "V": "u", "A": "i", "Pa": "p",
+    "m3": "V", "K": "T", "kg": "m",
 }  # fmt: skip
 
 _PARTS = re.compile(r"[^.\[\],\s]+")
@@ -53,37 +67,92 @@ def dotted(box: Box, dots: int) -> Box:
 
 @dataclass(frozen=True)
 class Notation:
-    """Boxes of all symbols of a derivation."""
+    """Boxes of all symbols of a derivation, no two of them alike; `taken` are the letters that the model uses."""
 
     boxes: dict[Symbol, Box]
+    taken: frozenset[str]
 
     def of(self, symbol: Symbol) -> Box:
         return self.boxes[symbol] if symbol in self.boxes else name_box(symbol.name)
 
+    def letter(self, letter: str) -> Box:
+        """A letter of the derivation itself, as L or T, in another form where the model has a symbol of that letter."""
+        return Name(letter if letter not in self.taken else _OTHER_FORMS.get(letter, letter + "'"))
 
-def notation(symbols: Symbols, abbreviations: tuple[Symbol, ...], rows: tuple[str, ...]) -> Notation:
-    boxes: dict[Symbol, Box] = {STANDARD_GRAVITY: Subscript(Name("g"), Upright("n"))}
-    taken = {symbol.name for symbol in (*symbols.p, *symbols.q, *symbols.z, *symbols.u, *abbreviations)}
-    boxes[symbols.time] = Upright("time") if "t" in taken else Name("t")
+
+def notation(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...], rows: tuple[str, ...]) -> Notation:
+    """`rows` are the constraints whose multipliers are printed."""
+    boxes = _distinct(_quantities(flat, symbols, abbreviations))
+    taken = frozenset(letter for box in boxes.values() for letter in _letters(box))
     for q, qd, qdd in zip(symbols.q, symbols.qd, symbols.qdd, strict=True):
-        box = name_box(q.name)
-        boxes |= {q: box, qd: dotted(box, 1), qdd: dotted(box, 2)}
+        boxes |= {qd: dotted(boxes[q], 1), qdd: dotted(boxes[q], 2)}
+    boxes |= {Symbol(f"der({symbol.name})"): dotted(boxes[symbol], 1) for symbol in abbreviations}
+    for item, symbol in zip(flat.inputs, symbols.u, strict=True):
+        if item.derivative_of is not None:
+            inner = symbol.name.count("der(")
+            bare = Symbol(symbol.name[4 * inner : len(symbol.name) - inner])
+            boxes[symbol] = dotted(boxes[bare] if bare in boxes else name_box(bare.name), inner)
+    boxes[symbols.time] = Name("t" if "t" not in taken else _OTHER_FORMS["t"])
+    boxes.setdefault(STANDARD_GRAVITY, Subscript(Name("g"), Upright("n")))
+    known = [row for constraint in flat.constraints for row in constraint.rows]
+    base = Name("λ" if "λ" not in taken else _OTHER_FORMS["λ"])
+    for multiplier, name in zip(symbols.lam, known, strict=True):
+        boxes[multiplier] = _multiplier(base, name, rows)
+    return Notation(boxes, taken)
+
+
+def _quantities(flat: FlatModel, symbols: Symbols, abbreviations: tuple[Symbol, ...]) -> dict[Symbol, Box]:
+    """Boxes by name alone; what moves and has a word for a name gets the letter of its kind, the word as index."""
+    boxes: dict[Symbol, Box] = {symbol: name_box(symbol.name) for symbol in symbols.p}
+    kinds: dict[str, Quantity] = {item.name: item for item in flat.named if isinstance(item, Definition)}
+    kinds |= {item.name: item for item in (*flat.coordinates, *flat.states, *flat.inputs)}
+    names = {item.derivative_of: item for item in flat.inputs if item.derivative_of is not None}
+    moving = (*symbols.q, *symbols.z, *(u for u, i in zip(symbols.u, flat.inputs, strict=True) if not i.derivative_of))
+    for symbol in moving:
+        item = kinds[symbol.name]
+        rates = symbol in symbols.q or symbol in symbols.z or symbol.name in names
+        boxes[symbol] = _lettered(item) if rates else name_box(symbol.name)
     for symbol in abbreviations:
-        boxes |= {symbol: name_box(symbol.name), Symbol(f"der({symbol.name})"): dotted(name_box(symbol.name), 1)}
-    for symbol in symbols.u:
-        inner = symbol.name.count("der(")
-        bare = symbol.name[4 * inner : len(symbol.name) - inner] if inner else symbol.name
-        boxes[symbol] = dotted(name_box(bare), inner) if inner else name_box(bare)
+        known = kinds.get(symbol.name)
+        changes = isinstance(known, Definition) and known.variability is Variability.CONTINUOUS
+        boxes[symbol] = _lettered(kinds[symbol.name]) if changes else name_box(symbol.name)
     for symbol in symbols.w:
-        if not symbol.name.isidentifier() and set(symbol.name) & set("<>( "):
-            boxes[symbol] = Upright(symbol.name)  # the truth of a relation, in its own words
-    for multiplier, name in zip(symbols.lam, rows, strict=True):
-        boxes[multiplier] = _multiplier(name, len(rows))
-    return Notation(boxes)
+        relation = not symbol.name.isidentifier() and bool(set(symbol.name) & set("<>( "))
+        boxes[symbol] = Upright(symbol.name) if relation else name_box(symbol.name)  # a relation in its own words
+    return boxes
 
 
-def _multiplier(name: str, rows: int) -> Box:
-    if rows == 1:
-        return Name("λ")
-    labels = _PARTS.findall(name)
-    return Subscript(Name("λ"), Upright(",".join(labels)))
+def _lettered(item: Quantity) -> Box:
+    """`lean` of an angle is θ with index lean: dots stand over a letter."""
+    box = name_box(item.name)
+    base, index = (box.base, box.index) if isinstance(box, Subscript) else (box, None)
+    assert isinstance(base, Name)
+    if len(base.text) == 1:
+        return box
+    letter = _KINDS.get(item.unit if item.unit != "1" else item.type_name, "x")
+    inside: tuple[Box, ...] = (Upright(base.text),)
+    if index is not None:
+        inside += (Operator(","), *(index.items if isinstance(index, Row) else (index,)))
+    return Subscript(Name(letter), inside[0] if len(inside) == 1 else Row(inside))
+
+
+def _distinct(boxes: dict[Symbol, Box]) -> dict[Symbol, Box]:
+    """Names that would look alike (`a1`, `a[1]`) are set as the model has them."""
+    bearers: dict[Box, list[Symbol]] = {}
+    for symbol, box in boxes.items():
+        bearers.setdefault(box, []).append(symbol)
+    return {symbol: box if len(bearers[box]) == 1 else Upright(symbol.name) for symbol, box in boxes.items()}
+
+
+def _letters(box: Box) -> tuple[str, ...]:
+    base = box.base if isinstance(box, Subscript) else box
+    return (base.text,) if isinstance(base, Name | Upright) else ()
+
+
+def _multiplier(base: Box, name: str, rows: tuple[str, ...]) -> Box:
+    """`closure(D)[2]` is λ with index D, 2; a multiplier that is alone has no index."""
+    if rows == (name,):
+        return base
+    labels = _PARTS.findall(re.sub(r"closure\((.*?)\)", r"\1", name))
+    alone = len(labels) == 1 and labels[0].isdigit()
+    return Subscript(base, Number(labels[0]) if alone else Upright(",".join(labels)))

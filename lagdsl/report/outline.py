@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+
+from sympy import Symbol
 
 from lagdsl.flat.model import FlatModel
 from lagdsl.flat.quantity import Item
@@ -11,7 +13,6 @@ from lagdsl.report.boxes import (
     Bracket,
     Derivative,
     Dotted,
-    Name,
     Number,
     Operator,
     Power,
@@ -20,6 +21,7 @@ from lagdsl.report.boxes import (
     Sum,
     Upright,
 )
+from lagdsl.report.chapters import at_the_start, energies, kinematics
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -35,41 +37,56 @@ from lagdsl.report.document import (
     text,
 )
 from lagdsl.report.instants import event_list
-from lagdsl.report.names import statement
-from lagdsl.report.notation import name_box
+from lagdsl.report.names import own_name, statement
+from lagdsl.report.notation import Notation, notation
 from lagdsl.textbook.extent import Extent
+from lagdsl.textbook.familiar import Familiar
+from lagdsl.textbook.symbols import symbols
 
 _MOST = 12
 
 
-def outline(flat: FlatModel, extent: Extent) -> tuple[Block, ...]:
-    """Every list is cut at a dozen entries, and says so."""
+def outline(familiar: Familiar, extent: Extent) -> tuple[Block, ...]:
+    """Chapters instead of terms; every list is cut, and says so."""
+    flat = familiar.flat
+    signs = notation(flat, symbols(flat), (), tuple(row for each in flat.constraints for row in each.rows))
+    letter = signs.letter
     reasons = "; ".join(extent.reasons)
     blocks: list[Block] = [
         Paragraph(
             text(
-                f"This model is larger than what is written out term by term: {reasons}. Its parts and the form of its "
-                "equations follow; the terms are formed all the same when the model is compiled."
+                f"This model is larger than what is written out term by term: {reasons}. It is told by chapters: "
+                "kinematics, energies, loads, constraints, and the equations in numbers where the motion starts."
             )
         )
     ]
-    blocks += _coordinates(flat)
+    blocks += _coordinates(flat, signs)
+    blocks += kinematics(familiar, letter)
+    blocks += energies(familiar, letter)
     blocks += _parts("Masses and bodies", [*flat.masses, *flat.bodies])
-    blocks += _parts("Energies", flat.energies)
     blocks += _parts("Loads", flat.loads)
     blocks += _parts("Constraints", [each for each in flat.constraints if not each.contact])
     blocks += _parts("Contacts", flat.events.contacts)
     blocks += event_list(flat)
-    return (*blocks, *_equations(flat))
+    return (*blocks, *_equations(flat, letter, signs.of(symbols(flat).time)), *at_the_start(familiar, letter))
 
 
-def _coordinates(flat: FlatModel) -> list[Block]:
+def _coordinates(flat: FlatModel, signs: Notation) -> list[Block]:
     shown = flat.coordinates[:_MOST]
     rows: list[tuple[Inline, ...]] = [
-        ((Math(name_box(c.name)),), text("" if c.unit == "1" else c.unit), text(c.doc or "")) for c in shown
+        (
+            (Math(signs.of(Symbol(c.name))),),
+            own_name(signs.of(Symbol(c.name)), c.name),
+            text("" if c.unit == "1" else c.unit),
+            text(c.doc or ""),
+        )
+        for c in shown
     ]
     more = len(flat.coordinates) - len(shown)
-    blocks: list[Block] = [Heading("Coordinates"), Table(("coordinate", "unit", "meaning"), tuple(rows))]
+    blocks: list[Block] = [
+        Heading("Coordinates"),
+        Table(("coordinate", "in the model", "unit", "meaning"), tuple(rows)),
+    ]
     return [*blocks, Paragraph(text(f"… and {more} more."))] if more else blocks
 
 
@@ -89,22 +106,22 @@ def _parts(title: str, items: Sequence[Item]) -> list[Block]:
     return [Heading(title), Bullets((*entries, text(f"… and {more} more.")) if more else tuple(entries))]
 
 
-def _equations(flat: FlatModel) -> list[Block]:
-    q, p, lagrangian = Name("q"), Name("p"), Name("L")
+def _equations(flat: FlatModel, letter: Callable[[str], Box], time: Box) -> list[Block]:
+    q, p, lagrangian = letter("q"), letter("p"), letter("L")
     qd, qdd = Dotted(q, 1), Dotted(q, 2)
-    terms: list[tuple[str, Box]] = [("+", Row((Name("M"), qdd)))]
+    terms: list[tuple[str, Box]] = [("+", Row((letter("M"), qdd)))]
     if flat.constraints:
-        terms.append(("-", Row((Power(Name("J"), Upright("T")), Name("λ")))))
-    bias = Subscript(Bracket(Derivative("d", p, Name("t"))), Row((qdd, Operator("="), Number("0"))))
-    drag, gradient = Derivative("∂", Name("D"), qd), Derivative("∂", lagrangian, q)
-    force = Sum((("+", Name("Q")), ("-", drag), ("+", gradient), ("-", bias)))
+        terms.append(("-", Row((Power(letter("J"), Upright("T")), letter("λ")))))
+    bias = Subscript(Bracket(Derivative("d", p, time)), Row((qdd, Operator("="), Number("0"))))
+    drag, gradient = Derivative("∂", letter("D"), qd), Derivative("∂", lagrangian, q)
+    force = Sum((("+", letter("Q")), ("-", drag), ("+", gradient), ("-", bias)))
     left = Sum(tuple(("-" if sign == "-" else "+", box) for sign, box in terms))
     lines = [
-        Equation(left, Name("f"), final=True),
+        Equation(left, letter("f"), final=True),
         Equation(p, Derivative("∂", lagrangian, qd)),
-        Equation(Name("M"), Derivative("∂", p, qd)),
-        Equation(Name("f"), force),
+        Equation(letter("M"), Derivative("∂", p, qd)),
+        Equation(letter("f"), force),
     ]
     if flat.constraints:
-        lines.append(Equation(Row((Name("J"), qdd)), Name("γ"), final=True))
+        lines.append(Equation(Row((letter("J"), qdd)), letter("γ"), final=True))
     return [Heading("Form of the equations"), Equations(tuple(lines))]

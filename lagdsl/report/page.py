@@ -7,29 +7,40 @@ from dataclasses import dataclass
 from sympy import Symbol
 
 from lagdsl.flat.model import FlatModel
-from lagdsl.report.boxes import Box, Bracket, Derivative, Name, Sum
+from lagdsl.report.boxes import Box, Bracket, Derivative, Sum
 from lagdsl.report.names import carrier_labels
 from lagdsl.report.notation import Notation
 from lagdsl.report.typeset import Typesetter
 from lagdsl.textbook.contributions import AppliedForce, AppliedTorque, Inertial
+from lagdsl.textbook.familiar import Familiar
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.recipe import Derivation
-
-LAGRANGIAN = Name("L")
 
 
 @dataclass(frozen=True)
 class Page:
     """One derivation and its notation."""
 
-    flat: FlatModel
+    familiar: Familiar
     derivation: Derivation
     notation: Notation
     typeset: Typesetter
 
+    @property
+    def flat(self) -> FlatModel:
+        return self.familiar.flat
+
     def inertial_elements(self) -> list[tuple[Box, Inertial]]:
         """Masses and bodies with the index their vectors carry."""
         return list(zip(carrier_labels(self.flat), self.derivation.inertials, strict=True))
+
+    @property
+    def lagrangian(self) -> Box:
+        return self.notation.letter("L")
+
+    def by_time(self) -> Box:
+        """The bare operator d/dt."""
+        return Derivative("d", None, self.notation.of(self.derivation.symbols.time))
 
     def rate(self, q: Symbol) -> Box:
         symbols = self.derivation.symbols
@@ -52,10 +63,6 @@ class Page:
 def partial(of: Box, by: Box) -> Box:
     """The partial derivative as a fraction."""
     return Derivative("∂", of, by)
-
-
-def by_time() -> Box:
-    return Derivative("d", None, Name("t"))
 
 
 def added(boxes: list[Box]) -> Box:

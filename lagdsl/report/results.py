@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from sympy import Add
+from collections.abc import Mapping, Sequence
 
-from lagdsl.report.boxes import EQUALS, Box, Name, Number, Row, Sum, row
+from sympy import Expr
+
+from lagdsl.report.boxes import EQUALS, Box, Number, Row, Subscript, Sum, row
 from lagdsl.report.document import (
     Block,
     Bullets,
@@ -21,17 +23,23 @@ from lagdsl.report.document import (
 )
 from lagdsl.report.left_side import definition_lines
 from lagdsl.report.notation import dotted, name_box
-from lagdsl.report.page import LAGRANGIAN, Page, by_time, partial
+from lagdsl.report.page import Page, partial
 from lagdsl.report.typeset import LONGEST
+from lagdsl.report.unicode_math import line
 from lagdsl.textbook.recipe import ConstraintRow, CoordinateStep
 from lagdsl.textbook.tidy import size
 
+_LONGEST_MATRIX = 80
 _ZERO = Number("0")
+_IDLE = "holds whatever the motion is, and its multiplier enters no equation."
+_IDLES = "hold whatever the motion is, and their multipliers enter no equation."
 _LEVELS = {"position": "the configuration", "velocity": "the rates only"}
+_TURNING = "Angles of cut joints are known up to whole turns; a recorded motion continues them."
 _SIGN = "A positive multiplier pushes towards a larger left-hand side."
 _JACOBI = (
-    "Time does not occur in L and no load or dashpot works: the Jacobi integral, the sum of q̇ ∂L/∂q̇ over all "
-    "coordinates less L, is constant. The energy T + V is not: what moves the frames by prescription does work."
+    "Time does not occur in the Lagrangian and no load or dashpot works: the Jacobi integral, the sum of each rate "
+    "times its momentum less the Lagrangian, is constant. The energy is not: what moves the frames by prescription "
+    "does work."
 )
 
 
@@ -39,18 +47,20 @@ def equations(page: Page) -> list[Block]:
     d = page.derivation
     lines = []
     for j, step in enumerate(d.coordinates):
-        upheld = [r.multiplier * r.forces[j] for r in d.constraints if r.forces[j] != 0]
-        right = Add(d.generalized_forces[j], d.drags[j], *upheld)
-        lines.append(Equation(_left(page, step), page.typeset(right), final=True))
+        left, right = (
+            {term.value: term.sources for term in d.terms if term.equation == j and term.side == side}
+            for side in ("left", "right")
+        )
+        lines.append(Equation(_left(page, step, left), page.typeset(d.rights[j], right), final=True))
     return [Heading("Equations of motion"), Equations(tuple(lines)), *_matrix_form(page)]
 
 
-def _left(page: Page, step: CoordinateStep) -> Box:
+def _left(page: Page, step: CoordinateStep, sources: Mapping[Expr, tuple[int, ...]]) -> Box:
     """Collected by accelerations; the letters of the recipe where that is too long to print."""
     if size(step.left) <= LONGEST:
-        return page.typeset(step.left)
-    rate = Row((by_time(), partial(LAGRANGIAN, page.rate(step.q))))
-    return Sum((("+", rate), ("-", partial(LAGRANGIAN, page.notation.of(step.q)))))
+        return page.typeset(step.left, sources)
+    rate = Row((page.by_time(), partial(page.lagrangian, page.rate(step.q))))
+    return Sum((("+", rate), ("-", partial(page.lagrangian, page.notation.of(step.q)))))
 
 
 def _matrix_form(page: Page) -> list[Block]:
@@ -59,29 +69,48 @@ def _matrix_form(page: Page) -> list[Block]:
     if not 2 <= n <= 4:
         return []
     mass = tuple(tuple(step.left.diff(x) for x in d.symbols.qdd) for step in d.coordinates)
-    if any(size(element) > LONGEST // 4 for line in mass for element in line):
+    if any(size(element) > LONGEST // 4 for entries in mass for element in entries):
         return []
-    return [
-        Paragraph(text("The matrix of the accelerations, symmetric:")),
-        Equations((Equation(Name("M"), page.typeset.matrix(mass)),)),
-    ]
+    letter = page.notation.letter("M")
+    whole = page.typeset.matrix(mass)
+    if len(line(whole)) <= _LONGEST_MATRIX:
+        return [Paragraph(text("The matrix of the accelerations, symmetric:")), Equations((Equation(letter, whole),))]
+    entries = tuple(
+        Equation(Subscript(letter, Number(f"{i + 1}{j + 1}")), page.typeset(mass[i][j]))
+        for i in range(n)
+        for j in range(i, n)
+    )
+    return [Paragraph(text("The matrix of the accelerations, symmetric, entry by entry:")), Equations(entries)]
 
 
 def constraints(page: Page) -> list[Block]:
     rows = tuple(row for row in page.derivation.constraints if not row.contact)
     if not rows:
         return []
-    conditions = tuple(Equation(page.typeset(row.residual), _ZERO, final=True) for row in rows)
-    table = tuple(
-        ((Code(row.name),), text(_LEVELS[row.level]), (Math(page.notation.of(row.multiplier)),)) for row in rows
-    )
-    return [
-        Heading("Constraints"),
-        Table(("constraint", "restricts", "multiplier"), table),
-        Equations(conditions),
-        Paragraph(text(_SIGN)),
-        *_accelerations(page, rows),
-    ]
+    idle = [row.name for row in rows if not row.restricts]
+    rows = tuple(row for row in rows if row.restricts)
+    blocks: list[Block] = [Heading("Constraints")]
+    if rows:
+        conditions = tuple(Equation(page.typeset(row.residual), _ZERO, final=True) for row in rows)
+        table = tuple(
+            ((Code(row.name),), text(_LEVELS[row.level]), (Math(page.notation.of(row.multiplier)),)) for row in rows
+        )
+        blocks += [
+            Table(("constraint", "restricts", "multiplier"), table),
+            Equations(conditions),
+            Paragraph(text(_SIGN)),
+        ]
+    if idle:
+        blocks.append(Paragraph((*_codes(idle), Text(f" {_IDLES if len(idle) > 1 else _IDLE}"))))
+    return [*blocks, *_accelerations(page, rows)]
+
+
+def _codes(names: Sequence[str]) -> Inline:
+    pieces: list[Code | Text] = []
+    for number, name in enumerate(names):
+        pieces += [Text(" and " if number == len(names) - 1 else ", ")] if number else []
+        pieces.append(Code(name))
+    return tuple(pieces)
 
 
 def _accelerations(page: Page, rows: tuple[ConstraintRow, ...]) -> list[Block]:
@@ -108,7 +137,9 @@ def outputs(page: Page) -> list[Block]:
     if not page.derivation.outputs:
         return []
     from_names = [Equation(name_box(name), page.typeset(value)) for name, value in page.derivation.outputs]
-    return [Heading("Outputs"), Equations(tuple(from_names))]
+    turning = any(item.turning for item in page.flat.outputs)
+    words: list[Block] = [Paragraph(text(_TURNING))] if turning else []
+    return [Heading("Outputs"), Equations(tuple(from_names)), *words]
 
 
 def abbreviations(page: Page) -> list[Block]:
@@ -125,17 +156,17 @@ def conserved(page: Page) -> list[Block]:
     d = page.derivation
     items: list[Inline] = []
     for q in d.cyclic:
-        words = " does not occur in L, and nothing acts on it: its momentum is constant, "
+        words = " does not occur in the Lagrangian, and nothing acts on it: its momentum is constant, "
         momentum = d.coordinates[d.symbols.q.index(q)].momentum
         items.append(
             (
                 Math(page.notation.of(q)),
                 Text(words),
-                Math(row(partial(LAGRANGIAN, page.rate(q)), EQUALS, page.typeset(momentum))),
+                Math(row(partial(page.lagrangian, page.rate(q)), EQUALS, page.typeset(momentum))),
             )
         )
     if d.energy_conserved:
-        items.append(text("Time occurs nowhere and no load or dashpot works: the energy T + V is constant."))
+        items.append(text("Time occurs nowhere and no load or dashpot works: the energy is constant."))
     elif d.jacobi_conserved:
         items.append(text(_JACOBI))
     return [Heading("Conserved quantities"), Bullets(tuple(items))] if items else []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import sympy
@@ -14,6 +15,7 @@ from lagdsl.report.boxes import (
     Cases,
     Column,
     Fraction,
+    Marked,
     Matrix,
     Name,
     Number,
@@ -65,11 +67,19 @@ class Typesetter:
         order = (*s.lam, *constants, s.time, *s.u, *s.z, *s.q, *s.qd, *s.qdd)
         self._rank = {symbol: index for index, symbol in enumerate(order)}
 
-    def __call__(self, expression: Expr) -> Box:
-        """The expression, or how large it is where it would not fit a page."""
+    def __call__(self, expression: Expr, sources: Mapping[Expr, tuple[int, ...]] | None = None) -> Box:
+        """The expression, or how large it is where it would not fit a page; its terms with their `sources`."""
         if size(expression) > LONGEST:
             return Upright(f"[an expression of more than {LONGEST} terms and factors, not printed]")
-        return self._box(expression)
+        if not sources:
+            return self._box(expression)
+        if expression.is_Add:
+            return self._sum(expression, sources)
+        box = self._box(expression)
+        if isinstance(box, Sum) and len(box.terms) == 1:
+            [(sign, inside)] = box.terms
+            return Sum(((sign, Marked(inside, sources.get(expression, ()))),))
+        return Marked(box, sources[expression]) if expression in sources else box
 
     def vector(self, components: tuple[Expr, Expr, Expr], planar: bool = False) -> Box:
         return Column(tuple(self(x) for x in (components[:2] if planar else components)))
@@ -90,14 +100,18 @@ class Typesetter:
             return self._product(e)
         return self._function(e)
 
-    def _sum(self, e: Expr) -> Box:
+    def _sum(self, e: Expr, sources: Mapping[Expr, tuple[int, ...]] | None = None) -> Box:
         unmoving = len(self._rank) if any(self._is_polynomial(term) for term in e.args) else -1
         ordered = sorted(e.args, key=lambda term: self._term_key(term, unmoving))
         terms = [(_is_negative(term), term) for term in ordered]
         if terms[0][0]:
             first = next((i for i, (negative, _) in enumerate(terms) if not negative), 0)
             terms.insert(0, terms.pop(first))
-        return Sum(tuple(("-" if negative else "+", self._box(-t if negative else t)) for negative, t in terms))
+        return Sum(tuple(("-" if negative else "+", self._marked(negative, t, sources or {})) for negative, t in terms))
+
+    def _marked(self, negative: bool, term: Expr, sources: Mapping[Expr, tuple[int, ...]]) -> Box:
+        box = self._box(-term if negative else term)
+        return Marked(box, sources[term]) if term in sources else box
 
     def _product(self, e: Expr) -> Box:
         sign, e = ("-", -e) if _is_negative(e) else ("+", e)

@@ -13,6 +13,7 @@ from lagdsl.report.boxes import (
     Derivative,
     Dotted,
     Fraction,
+    Marked,
     Matrix,
     Name,
     Number,
@@ -67,8 +68,10 @@ def line(box: Box) -> str:  # noqa: C901, PLR0912
             listed = ", ".join(line(argument) for argument in arguments)
             simple = len(arguments) == 1 and isinstance(arguments[0], Name | Subscript)
             return f"{line(function)} {listed}" if simple else f"{line(function)}({listed})"
-        case Bracket(inside):
-            return f"({line(inside)})"
+        case Bracket(inside, left, right):
+            return f"{'(' if left else ''}{line(inside)}{')' if right else ''}"
+        case Marked(inside):
+            return line(inside)
         case Cases(value, condition, otherwise):
             return f"(if {line(condition)} then {line(value)} else {line(otherwise)})"
         case Column(components):

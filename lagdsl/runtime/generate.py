@@ -42,8 +42,9 @@ def members() -> str:
 
 
 def enumerators() -> str:
-    """The values of lag_function."""
-    return ",\n".join(f"    {_enumerator(function)}" for function in _single()) + "\n"
+    """The values of lag_function, and which is the last."""
+    values = ",\n".join(f"    {_enumerator(function)}" for function in _single())
+    return f"{values}\n#define LAG_LAST_FUNCTION {_enumerator(_single()[-1])}\n"
 
 
 def dispatcher() -> str:

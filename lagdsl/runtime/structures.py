@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 3
+VERSION = 4
 
 # lag_event_kind.
 WHAT = ("before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump")
@@ -119,7 +119,9 @@ class Model(Structure):
         *_all(_evaluated(4), "start_tangent energies_tangent"),
         *_all(_evaluated(1), "initial_equation_tangent"),
         *_all(_evaluated(11), "time_tangent"),
-        *_all(_evaluated(3), "correction"),
+        *_all(_evaluated(3), "correction equation_terms"),
+        *_all(_evaluated(2), "regressor"),
+        *_all(_evaluated(5), "kinematics"),
         *_all(c_void_p, "jacobian_pattern components"),
         *_all(c_size_t, "nk"),
         *_all(c_void_p, "kept_rows"),
@@ -130,6 +132,7 @@ class Model(Structure):
         *_all(c_void_p, "switched_rows reset_places resets stops failures"),
         *_all(c_size_t, "nd"),
         *_all(c_void_p, "definitions"),
+        *_all(c_size_t, "ninertial nplace naxes ntwist"),
     ]
 
 

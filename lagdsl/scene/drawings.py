@@ -11,7 +11,7 @@ from lagdsl.scene.shapes import Columns, Shape, ShapeKind
 _AXES = ("x", "y", "z")
 _VECTORS = (
     *(fx.Vector, fx.PointReference, fx.FrameOrigin, fx.FrameAxis, fx.AngularVelocity, fx.MaterialVelocity),
-    *(fx.Cross, fx.LinearMomentum, fx.AngularMomentum, fx.FrameReaction),
+    *(fx.Cross, fx.LinearMomentum, fx.AngularMomentum, fx.FrameReaction, fx.AdmissibleMotion),
 )
 
 

@@ -42,7 +42,11 @@ class Living:
 
 def living(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
     """The model with its scene. Start values that depend on parameters stay so, but for those named in `starts`."""
-    scene = scene_of(flat)
+    return with_scene(flat, scene_of(flat), starts)
+
+
+def with_scene(flat: fm.FlatModel, scene: Scene, starts: Collection[str] = ()) -> Living:
+    """The model with these columns among its outputs, and its start values among its parameters."""
     outputs = tuple(
         fm.Output(name=f"scene[{k}]", dimension=DIMENSIONLESS, value=value, spans=())
         for k, value in enumerate(scene.columns, 1)

@@ -30,8 +30,14 @@ ShapeKind: TypeAlias = Literal[
     "frame",
     "slider",
     "dial",
+    "velocity",
+    "acceleration",
+    "admissible",
+    "reaction",
+    "reaction torque",
+    "constraint",
 ]
-"""The shapes of `draw`, then those that the rules of `implied` add."""
+"""The shapes of `draw`, then those that the rules of `implied` add, then the arrows of `vectors`."""
 
 
 @record(kw_only=True)

@@ -75,7 +75,7 @@ def _position(diagnostic: Diagnostic, file: SourceFile) -> tuple[bool, str, int]
 def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | None:
     outer = file_scope(ctx, unit)
     chosen = select(ctx, unit, outer, name)
-    expanded = expand_short(ctx, chosen) if chosen is not None else None
+    expanded = expand_short(ctx, chosen, "a model by itself") if chosen is not None else None
     if chosen is None or expanded is None:
         return None
     symbol, modifiers = expanded

@@ -14,7 +14,7 @@ from lagdsl.semantics.events.whens import elaborate_when
 from lagdsl.semantics.items import constraints, contacts, drawings, labels, loads
 from lagdsl.semantics.items.bodies import rigid_body
 from lagdsl.semantics.operators.arithmetic import Operand, boolean
-from lagdsl.semantics.operators.conditions import condition_of, where_active
+from lagdsl.semantics.operators.conditions import condition_of, structural_condition, where_active
 from lagdsl.semantics.operators.geometry import as_direction, as_point
 from lagdsl.semantics.scope.constants import structural_number
 from lagdsl.semantics.scope.contents import Placed
@@ -103,6 +103,8 @@ def _conditional_item(ctx: Context, physics: Physics, placed: Placed) -> None:
 
 
 def _constraint(ctx: Context, placed: Placed, node: nodes.Constraint) -> None:
+    if not structural_condition(ctx, placed.scope, node.condition, "a constraint"):
+        return
     if placed.symbol is not None:
         made = ctx.resolver.constraint(ctx, placed.symbol, placed.scope.path)
     else:

@@ -11,6 +11,7 @@ import numpy as np
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.display import Display
 from lagdsl.numerics.rank import Floats
+from lagdsl.settings.arrays import family
 from lagdsl.signals.moved import MovedRow
 
 if TYPE_CHECKING:
@@ -90,7 +91,8 @@ class Trajectory:
 
     `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the
     units of the constraint rows; `energy` is energy() [J].
-    `finer` makes the same motion with rows that show it, where those that were asked for are too few to draw it.
+    `finer` makes the same motion with rows that show it, where those that were asked for are too few to draw it; with
+    True, with so many that curves look smooth.
     """
 
     model: str
@@ -102,7 +104,7 @@ class Trajectory:
     moved: tuple[MovedRow, ...]
     statistics: Statistics
     events: tuple[Event, ...] = ()
-    finer: Callable[[], Trajectory] | None = field(default=None, compare=False)
+    finer: Callable[[bool], Trajectory] | None = field(default=None, compare=False)
 
     def __repr__(self) -> str:
         span = f"{self.time[0]:g} s to {self.time[-1]:g} s" if len(self) else "no time"
@@ -123,9 +125,9 @@ class Trajectory:
         """The parameters that were found with the start, by name, in SI units."""
         return {row.name: row.value for row in self.moved if row.kind == "found"}
 
-    def drawn(self) -> Trajectory:
-        """The motion with rows that are enough to draw it."""
-        return self if self.finer is None else self.finer()
+    def drawn(self, *, smooth: bool = False) -> Trajectory:
+        """The motion with rows that are enough to draw it; with `smooth`, also its curves at any size."""
+        return self if self.finer is None else self.finer(smooth)
 
     def column(self, name: str) -> Column:
         """The column with its unit; KeyError with the known names otherwise."""
@@ -136,6 +138,10 @@ class Trajectory:
         raise KeyError(f"no column `{name}`; {hint}")
 
     def __getitem__(self, name: str) -> Floats:
+        """Values (rows,) of the column, or (rows, elements) of the array `name`; KeyError with the known names."""
+        elements = [] if name in self.names else family(name, self.names)
+        if elements:
+            return np.stack([self.column(each).values for each in elements], axis=-1)
         return self.column(name).values
 
     def __len__(self) -> int:
@@ -149,7 +155,7 @@ class Trajectory:
         return replace(
             self,
             columns=(self.columns[0], *(column for column in self.columns[1:] if column.name in names)),
-            finer=None if finer is None else lambda: finer().only(names),
+            finer=None if finer is None else lambda smooth: finer(smooth).only(names),
         )
 
     def to_dataframe(self) -> pd.DataFrame:

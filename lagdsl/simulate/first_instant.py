@@ -11,11 +11,12 @@ from lagdsl.runtime.structures import Status
 from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.placed import placed
+from lagdsl.simulate.unknown_outputs import first_unknown, report_unknown
 
 
 def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, sink: Sink) -> None:
     """Faults that prevent a motion: no accelerations (E0806, E0808, E0813), an assertion that is false (E0810), a
-    contact that is pierced (E0834), clauses that come to no end.
+    contact that is pierced (E0834), clauses that come to no end; an output that is no number (E0857).
 
     With the parameters as given; a model with inputs is left alone, for nobody knows their values yet.
     """
@@ -27,3 +28,8 @@ def check_first_instant(flat: FlatModel, engine: Engine, initial: InitialState, 
         if status not in (Status.OK, Status.STOPPED):
             course = Course(flat, engine.layout, run, flat.experiment.stop_time, 0)
             report_fault(course, status, run.explain(status), np.zeros(0), sink)
+        elif flat.outputs:
+            values = run.evaluate("output", initial.t, initial.x, len(flat.outputs))
+            unknown = first_unknown(flat, values[None, :])
+            if unknown is not None:
+                report_unknown(flat, unknown[1], initial.t, float(values[unknown[1]]), sink)

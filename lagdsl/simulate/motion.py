@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from time import perf_counter
 from typing import NoReturn
 
+import numpy as np
+
 from lagdsl.diagnostics import Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.numerics.rank import Floats
@@ -21,6 +23,7 @@ from lagdsl.simulate.initialize import InitialState
 from lagdsl.simulate.messages import Course, report_fault
 from lagdsl.simulate.state_words import state_values, time_text
 from lagdsl.simulate.table import trajectory
+from lagdsl.simulate.unknown_outputs import first_unknown, report_unknown
 from lagdsl.structure.names import located, place
 
 # Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
@@ -29,6 +32,7 @@ STEPS = 1000
 FIRST_STEPS = 50
 MOST_STEPS = 1_000_000  # of a motion, unless said otherwise
 _PROGRESS_STEP = 0.002
+_STATE = ("coordinate", "rate", "state")
 
 
 @record(kw_only=True)
@@ -79,7 +83,21 @@ class Motion:
             if status is Status.OK and stop < self._last:
                 status = self._ended(run.jump())
         self._ended(run.end())
-        return self._so_far()
+        found = self._so_far()
+        self._check_outputs(found)
+        return found
+
+    def _check_outputs(self, found: Trajectory) -> None:
+        """E0857 for the first output that is no number, with all rows."""
+        flat = self._asked.flat
+        columns = [column.values for column in found.columns if column.kind == "output"]
+        unknown = first_unknown(flat, np.column_stack(columns)) if columns else None
+        if unknown is not None:
+            row, which = unknown
+            sink, t = Sink(), float(found.time[row])
+            name = report_unknown(flat, which, t, float(columns[which][row]), sink)
+            state = {column.name: float(column.values[row]) for column in found.columns if column.kind in _STATE}
+            raise SimulationFailed(sink.diagnostics[-1], t, state, name, found)
 
     def _segment(self, stop: float) -> Status:
         """Up to `stop`; whether the motion goes on there."""

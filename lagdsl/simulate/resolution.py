@@ -15,6 +15,8 @@ from lagdsl.signals.trajectory import Trajectory
 DEFAULT_ROWS = 500
 # Rows from one turning point of the motion to the next: fewer hide what it does, so many draw it.
 _LEAST, _ENOUGH = 4, 8
+# With so many, lines from row to row look smooth.
+_SMOOTH = 32
 # A quantity with at least this part of another one's reversals is as fast as that one.
 _AS_OFTEN = 0.9
 # Of a motion that turns more often no more are made without being asked for.
@@ -34,6 +36,11 @@ class Resolution:
     def least(self) -> int:
         """With fewer intervals the motion looks like another one."""
         return _LEAST * self.turns
+
+    @property
+    def smooth(self) -> int:
+        """With as many intervals curves look smooth."""
+        return max(min(_SMOOTH * self.turns, _MOST_ROWS), self.rows)
 
 
 def resolution_of(turns: Floats) -> Resolution:

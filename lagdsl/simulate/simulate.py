@@ -96,14 +96,20 @@ def _shown(
     resolution = resolution_of(turns)
 
     @cache
-    def finer() -> Trajectory:
-        return _motion(asked, grid(*span, (span[1] - span[0]) / resolution.rows), None, Sink())[0]
+    def again(intervals: int) -> Trajectory:
+        return _motion(asked, grid(*span, (span[1] - span[0]) / intervals), None, Sink())[0]
 
-    if len(times) > resolution.rows:
-        return noted(motion, resolution, len(times) - 1)
-    if interval is None:
-        return noted(finer(), resolution, resolution.rows)
-    return replace(noted(motion, resolution, len(times) - 1), finer=finer)
+    intervals = len(times) - 1
+    if interval is None and intervals < resolution.rows:
+        intervals = resolution.rows
+        motion = again(intervals)
+    motion = noted(motion, resolution, intervals)
+
+    def finer(smooth: bool) -> Trajectory:
+        needed = resolution.smooth if smooth else resolution.rows
+        return motion if intervals >= needed else again(needed)
+
+    return replace(motion, finer=finer)
 
 
 def _motion(

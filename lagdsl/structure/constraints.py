@@ -14,6 +14,7 @@ from lagdsl.numerics.rank import Floats
 from lagdsl.record import record
 from lagdsl.structure.names import Located, configuration, grammatical_subject, listed, located, place, unit_suffix
 from lagdsl.structure.points import HOLDS, Geometry, Probe, random_points, solved
+from lagdsl.structure.restated import is_steep, restated
 
 _TRIES = 24
 # Beyond so many coordinates one evaluation costs so much that fewer beginnings are tried.
@@ -95,6 +96,8 @@ def _explain(
     alone = [(item, closest(flat, near.only(list(item.rows)), list(item.rows))) for item in items]
     impossible = [(item, found) for item, found in alone if found.size > HOLDS]
     for item, found in impossible:
+        if _report_steep(item, sink):
+            continue
         text = f"{float(np.linalg.norm(found.residual)):.3g}{unit_suffix(item.constraint)}"
         where = f", at {configuration(flat, found.point, columns)}" if columns else ""
         note = f"closest approach is {text}{where}"
@@ -108,6 +111,18 @@ def _explain(
         )
     if not impossible:
         _contradiction(flat, near, items, columns, (tries, more), sink)
+
+
+def _report_steep(item: Located, sink: Sink) -> bool:
+    """E0609 for a row such as sqrt(abs(x)) = 0, which no search along its gradient reaches, whether it holds or not."""
+    for name, residual in zip(item.constraint.rows, item.constraint.residuals, strict=True):
+        if is_steep(residual):
+            rewrite = restated(residual, item.constraint.dimension)
+            fault = "grows without bound toward where the constraint holds"
+            hint = f"write {rewrite}" if rewrite else None
+            sink.report("E0609", place(item.constraint), help=hint, name=name, fault=fault)
+            return True
+    return False
 
 
 def _contradiction(

@@ -26,6 +26,11 @@ def restated(residual: FlatExpression, dimension: Dimension) -> str | None:
     return " and ".join(f"`{text}`" for text in texts if text) if texts and all(texts) else None
 
 
+def is_steep(residual: FlatExpression) -> bool:
+    """True for a root of what is zero where the residual is: its gradient grows without bound toward there."""
+    return any(power < 1 for _, power in _roots(residual, Fraction(1)) if power)
+
+
 def _roots(residual: FlatExpression, power: Fraction) -> Iterator[_Root]:
     """Of an expression of no known form itself."""
     if isinstance(residual, Binary):

@@ -27,6 +27,7 @@ Mechanical: TypeAlias = (
     | flat.GeneralizedMomentum
     | flat.LinearMomentum
     | flat.AngularMomentum
+    | flat.AdmissibleMotion
 )
 _Geometric: TypeAlias = (
     flat.Vector
@@ -99,10 +100,11 @@ class _NotDerivedYetError(Exception):
 
 @record(kw_only=True)
 class Style:
-    """Notation of expressions: `opaque` names definitions that stay symbols."""
+    """Notation of expressions: `opaque` names definitions that stay symbols; `settle` makes choices between numbers."""
 
     number: Callable[[float], Expr] = plain_number
     tidy: Callable[[Expr], Expr] = as_it_is
+    settle: Callable[[Expr], Expr] = as_it_is
     opaque: Mapping[str, Symbol] = field(default_factory=dict)
 
 
@@ -156,6 +158,10 @@ class Converter:
             case None:
                 pass
 
+    def known(self, name: str, value: Expr) -> None:
+        """From here on the definition `name` is the value."""
+        self._values[name] = value
+
     def rate(self, expression: Expr, *, bias: bool = False) -> Expr:
         """Total time derivative; that of a state is its equation. `bias`: its part without accelerations."""
         present = occurring(expression)
@@ -208,7 +214,7 @@ class Converter:
             case flat.Unary(operator, operand):
                 return self._unary(operator, self._convert(operand))
             case flat.Function(name, arguments):
-                return _FUNCTIONS[name](*(self.scalar(argument) for argument in arguments))
+                return self.style.settle(_FUNCTIONS[name](*(self.scalar(argument) for argument in arguments)))
             case flat.Conditional(condition, value, otherwise):
                 return self._select(self.scalar(condition), self._convert(value), self._convert(otherwise))
             case flat.Component(vector, axis):
@@ -253,15 +259,18 @@ class Converter:
 
     def _unary(self, operator: flat.UnaryOperator, value: Expr | Vector) -> Expr | Vector:
         if operator == "not":
-            return functions.Not(value)
+            return self.style.settle(functions.Not(value))
         return geometry.scale(Integer(-1), value) if isinstance(value, tuple) else -value
 
     def _select(self, condition: Expr, value: Expr | Vector, otherwise: Expr | Vector) -> Expr | Vector:
         if isinstance(value, tuple):
             assert isinstance(otherwise, tuple)
-            x, y, z = (functions.Select(condition, a, b) for a, b in zip(value, otherwise, strict=True))
+            x, y, z = (self._choice(condition, a, b) for a, b in zip(value, otherwise, strict=True))
             return (x, y, z)
-        return functions.Select(condition, value, otherwise)
+        return self._choice(condition, value, otherwise)
+
+    def _choice(self, condition: Expr, value: Expr, otherwise: Expr) -> Expr:
+        return self.style.settle(functions.Select(condition, value, otherwise))
 
     def _binary(self, operator: flat.BinaryOperator, left: Expr | Vector, right: Expr | Vector) -> Expr | Vector:
         if isinstance(right, tuple):
@@ -281,7 +290,7 @@ class Converter:
             case "^":
                 return left**right
             case "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
-                return _RELATIONS[operator](left, right)
+                return self.style.settle(_RELATIONS[operator](left, right))
             case _:
                 assert_never(operator)
 

@@ -50,6 +50,10 @@ class MechanicalValues:
                 return _vector_sum([geometry.scale(item.mass, item.velocity) for item in self.parts.inertials])
             case flat.AngularMomentum(body, about):
                 return self._angular_momentum(body, self.parts.converter.vector(about))
+            case flat.AdmissibleMotion(point, coordinate):
+                moved = self.symbols.q[[c.name for c in self.model.coordinates].index(coordinate)]
+                x, y, z = (partial(component, moved) for component in self.parts.converter.vector(point))
+                return (x, y, z)
             case flat.ReactionAlong(point, direction):
                 along = self.parts.converter.vector(direction)
                 return self._reaction(Release(kind="point", name=point, direction=along))

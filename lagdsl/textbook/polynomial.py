@@ -43,6 +43,23 @@ def multiply(left: Polynomial, right: Polynomial) -> Polynomial:
     return product
 
 
+def folded(polynomial: Polynomial, sum_: Polynomial, kernel: int) -> Polynomial:
+    """Every rest*(all terms of the sum) as rest*kernel; the same object where there is none."""
+    (lead, leading), *others = sorted(sum_.items(), key=lambda term: -len(term[0]))
+    inverse = tuple((index, -power) for index, power in lead)
+    result = polynomial
+    for monomial in list(polynomial):
+        if monomial not in result or any(dict(monomial).get(index, 0) < power for index, power in lead):
+            continue
+        rest, factor = times(monomial, inverse), result[monomial] / leading
+        if all(result.get(times(rest, other)) == factor * coefficient for other, coefficient in others):
+            result = dict(result)
+            for other in sum_:
+                del result[times(rest, other)]
+            add_term(result, times(rest, ((kernel, 1),)), factor)
+    return result
+
+
 def exponents(monomial: Monomial, kernels: Sequence[int]) -> tuple[int, ...]:
     powers = dict(monomial)
     return tuple(powers.get(kernel, 0) for kernel in kernels)

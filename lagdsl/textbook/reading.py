@@ -6,16 +6,19 @@ The numbers of a simulation come from `derive`; people read this form, and a tes
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import sympy
-from sympy import Expr, Float, Rational, Symbol
+from sympy import Expr, Float, Rational, Symbol, preorder_traversal
 
+from lagdsl.flat.expression import Number, Variable
 from lagdsl.flat.model import Definition, FlatModel
 from lagdsl.flat.quantity import Variability
 from lagdsl.textbook.contributions import Contributions, contributions
 from lagdsl.textbook.convert import Converter, Style
+from lagdsl.textbook.settle import settled, step
 from lagdsl.textbook.symbols import Symbols, symbols
 from lagdsl.textbook.tidy import Tidy
 
@@ -23,6 +26,7 @@ STANDARD_GRAVITY = Symbol("g_n")
 _G_N = 9.80665
 STANDARD_GRAVITY_VALUE = Float(_G_N)
 _NICE_DENOMINATOR = 360
+_LONGEST_WHOLE = 4
 
 
 def readable_number(value: float) -> Expr:
@@ -31,6 +35,13 @@ def readable_number(value: float) -> Expr:
         return Float(value)
     if abs(value) == _G_N:
         return STANDARD_GRAVITY if value > 0 else -STANDARD_GRAVITY
+    return _unnamed(value)
+
+
+def _unnamed(value: float) -> Expr:
+    """The number without a letter."""
+    if not math.isfinite(value) or abs(value) >= 1e15:
+        return Float(value)
     nice = _nice(value)
     if nice is not None:
         return nice
@@ -61,21 +72,72 @@ class Reading:
     abbreviations: dict[str, Symbol]
 
 
-def read(flat: FlatModel) -> Reading:
+def read(flat: FlatModel, *, written_out: bool = False) -> Reading:
+    """`written_out`: no definition stays a symbol."""
     table = symbols(flat)
-    definitions = [item for item in flat.named if isinstance(item, Definition)]
-    constants = {d.name: Symbol(d.name) for d in definitions if d.variability is not Variability.CONTINUOUS}
+    definitions = [item for item in flat.named if isinstance(item, Definition) and not _is_alias(item)]
+    definitions = [] if written_out else definitions
+    number = _unnamed if STANDARD_GRAVITY.name in _names(flat) else readable_number
+    constants = _constants(flat, table, number, [d for d in definitions if d.variability is not Variability.CONTINUOUS])
     abbreviations = {d.name: Symbol(d.name) for d in definitions if d.variability is Variability.CONTINUOUS}
     positive = {symbol for symbol, value in _parameter_values(flat, table) if value > 0}
     tidy = Tidy(frozenset({*table.p, *constants.values(), STANDARD_GRAVITY}), frozenset({*positive, STANDARD_GRAVITY}))
-    places = Converter(model=flat, symbols=table, style=Style(number=readable_number, tidy=tidy, opaque=constants))
-    style = Style(number=readable_number, tidy=tidy, opaque=constants | abbreviations)
+    style = Style(number=number, tidy=tidy, settle=step, opaque=constants)
+    places = Converter(model=flat, symbols=table, style=style)
+    style = Style(number=number, tidy=tidy, settle=step, opaque=constants | abbreviations)
     values = Converter(model=flat, symbols=table, style=style)
     for name, symbol in abbreviations.items():
         values.rates[symbol] = Symbol(f"der({name})")
-    return Reading(flat, table, tidy, contributions(flat, places, values), values, constants, abbreviations)
+    parts = contributions(flat, places, values)
+    tidy.keep_whole(tuple(_whole(flat, places, tidy.constants)))
+    return Reading(flat, table, tidy, parts, values, constants, abbreviations)
+
+
+def _whole(flat: FlatModel, converter: Converter, constants: frozenset[Symbol]) -> Iterator[Expr]:
+    """Short sums of declared energies that are factors, as r - l0 of a spring: people leave them as they are."""
+    for term in flat.energies:
+        for node in preorder_traversal(converter.scalar(term.value)):
+            factors = node.args if node.is_Mul else node.args[:1] if node.is_Pow else ()
+            for factor in factors:
+                if factor.is_Add and len(factor.args) <= _LONGEST_WHOLE and not factor.free_symbols <= constants:
+                    yield factor
+
+
+def _names(flat: FlatModel) -> set[str]:
+    """Of everything that has a symbol."""
+    items = (*flat.parameters, *flat.coordinates, *flat.states, *flat.inputs, *flat.named)
+    return {item.name for item in items}
+
+
+def _is_alias(item: Definition) -> bool:
+    """Another name for a number or a quantity, which is written through."""
+    return isinstance(item.value, Number | Variable)
+
+
+def _constants(
+    flat: FlatModel, table: Symbols, number: Callable[[float], Expr], definitions: list[Definition]
+) -> dict[str, Symbol]:
+    """Dependent parameters that stay symbols: those that are numbers by now are written as numbers."""
+    named = tuple(item for item in flat.named if isinstance(item, Definition) and _is_alias(item))
+    values = Converter(model=replace(flat, named=named), symbols=table, style=Style(number=number))
+    kept: dict[str, Symbol] = {}
+    for item in definitions:
+        value = settled(values.scalar(item.value))
+        kept |= {} if value.is_number or value.is_Symbol else {item.name: Symbol(item.name)}
+        values.known(item.name, value if value.is_number or value.is_Symbol else kept[item.name])
+    return kept
 
 
 def _parameter_values(flat: FlatModel, table: Symbols) -> list[tuple[Symbol, float]]:
     independent = [parameter for parameter in flat.parameters if not parameter.structural]
     return [(symbol, parameter.value) for symbol, parameter in zip(table.p, independent, strict=True)]
+
+
+def needed(definitions: tuple[tuple[Symbol, Expr], ...], printed: Iterable[Expr]) -> tuple[tuple[Symbol, Expr], ...]:
+    """Definitions that stand in what is printed, directly or through others."""
+    wanted = {symbol for value in printed for symbol in value.free_symbols}
+    wanted |= {Symbol(s.name[4:-1]) for s in wanted if s.name.startswith("der(")}
+    for symbol, value in reversed(definitions):
+        if symbol in wanted:
+            wanted |= value.free_symbols
+    return tuple((symbol, value) for symbol, value in definitions if symbol in wanted)

@@ -10,17 +10,22 @@ Everything is bounded: what would not fit a page is counted and named, not expan
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import assert_never
 
-from sympy import Add, Expr, Symbol
+from sympy import Add, Expr, Symbol, cos, sin
 
 from lagdsl.flat.events import Impact, Reset
-from lagdsl.flat.model import Definition, FlatModel
-from lagdsl.textbook import geometry
+from lagdsl.flat.model import Definition, FlatModel, Output
+from lagdsl.textbook import functions, geometry
 from lagdsl.textbook.contributions import (
     Applied,
+    AppliedForce,
+    AppliedGeneralizedForce,
+    AppliedTorque,
+    Contributions,
     Inertial,
     admissible_variation,
     work,
@@ -29,10 +34,16 @@ from lagdsl.textbook.counting import Count, count
 from lagdsl.textbook.derive import system_energies
 from lagdsl.textbook.differentiate import partial
 from lagdsl.textbook.extent import Extent, extent
+from lagdsl.textbook.familiar import Familiar, familiar
 from lagdsl.textbook.geometry import Vector
 from lagdsl.textbook.mechanical import MechanicalValues
-from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, Reading, read
+from lagdsl.textbook.provenance import Parents, Source, Term, shares, sources, terms
+from lagdsl.textbook.reading import STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE, Reading, needed, read
 from lagdsl.textbook.symbols import Symbols
+from lagdsl.textbook.tidy import size, times
+
+_LARGEST = 1000
+"""Nodes of an expression that is looked through term by term."""
 
 
 class Contribution(StrEnum):
@@ -84,6 +95,11 @@ class ConstraintRow:
     acceleration: Expr
     contact: bool = False
 
+    @property
+    def restricts(self) -> bool:
+        """False for a row that holds whatever the motion is, as those of a planar loop out of its plane."""
+        return bool(self.residual != 0)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Derivation:
@@ -93,6 +109,7 @@ class Derivation:
     constants: frozenset[Symbol]
     count: Count
     inertials: tuple[Inertial, ...]
+    own_kinetic: tuple[Expr, ...]
     kinetic: Expr
     potential: Expr
     extra: Expr
@@ -110,26 +127,39 @@ class Derivation:
     cyclic: tuple[Symbol, ...]
     jacobi_conserved: bool
     energy_conserved: bool
+    occurring: frozenset[Symbol]
+    rights: tuple[Expr, ...]
+    sources: tuple[Source, ...]
+    terms: tuple[Term, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recipe:
-    """`derivation` is None where the model's extent is beyond what is written out; `extent` says why."""
+    """`familiar` is the model as people write it. `derivation` is None where its extent is beyond what is written out;
+    `extent` says why."""
 
-    flat: FlatModel
+    familiar: Familiar
     extent: Extent
     derivation: Derivation | None
+
+    @property
+    def flat(self) -> FlatModel:
+        return self.familiar.flat
 
 
 def recipe(flat: FlatModel) -> Recipe:
     """The derivation of `flat`, written out if the model is of modest extent."""
-    found = extent(flat)
-    return Recipe(flat=flat, extent=found, derivation=None if found.reasons else _derivation(flat, read(flat)))
+    prepared = familiar(flat)
+    found = extent(prepared.flat)
+    derivation = None if found.reasons else _derivation(prepared.flat, read(prepared.flat))
+    return Recipe(familiar=prepared, extent=found, derivation=derivation)
 
 
 def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
     tidy, table, parts = reading.tidy, reading.symbols, reading.parts
-    kinetic, potential, extra = tidy(parts.kinetic), tidy(parts.potential), tidy(parts.extra)
+    own = tuple(tidy(item.kinetic_energy) for item in parts.inertials)
+    kinetic = tidy(Add(*own, *(parts.converter.scalar(e.value) for e in flat.energies if e.kind == "kinetic")))
+    potential, extra = tidy(parts.potential), tidy(parts.extra)
     lagrangian, dissipation = kinetic - potential + extra, tidy(parts.dissipation)
     steps = tuple(_coordinate(reading, lagrangian, q, qd) for q, qd in zip(table.q, table.qd, strict=True))
     actions = tuple(_action(reading, *each) for each in _numbered(reading))
@@ -156,7 +186,22 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         (symbol, tidy(reading.values.scalar(state.derivative)))
         for symbol, state in zip(table.z, flat.states, strict=True)
     )
-    outputs = tuple((output.name, tidy(reading.values.scalar(output.value))) for output in flat.outputs)
+    outputs = tuple((output.name, _written(reading, output)) for output in flat.outputs)
+    abbreviations = _used(_definitions(reading, reading.abbreviations), actions, (*states, *outputs))
+    printed = [
+        lagrangian,
+        dissipation,
+        *_printed(parts, actions, rows),
+        *(value for _, value in (*states, *outputs, *abbreviations)),
+    ]
+    rights = tuple(
+        Add(load, drag, *(times(row.forces[j], row.multiplier) for row in rows))
+        for j, (load, drag) in enumerate(zip(loads, drags, strict=True))
+    )
+    short = all(size(expression) < _LARGEST for expression in (lagrangian, *own, *(step.left for step in steps)))
+    parents = Parents(table, tuple(shares(flat, table, parts, whole=short)), tidy.constants)
+    used = needed(constants, printed)
+    printed += [value for _, value in used]
     moved = {*table.u, *table.z, *table.w}
     autonomous = not (table.time in lagrangian.free_symbols or lagrangian.free_symbols & moved or _jumps(flat))
     conserved = autonomous and not any(loads) and not any(drags) and not _rheonomic(reading, rows)
@@ -165,6 +210,7 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         constants=tidy.constants,
         count=count(flat, table, parts, ((STANDARD_GRAVITY, STANDARD_GRAVITY_VALUE), *constants), position, velocities),
         inertials=parts.inertials,
+        own_kinetic=own,
         kinetic=kinetic,
         potential=potential,
         extra=extra,
@@ -175,14 +221,34 @@ def _derivation(flat: FlatModel, reading: Reading) -> Derivation:
         drags=drags,
         generalized_forces=loads,
         constraints=rows,
-        dependent_parameters=constants,
-        abbreviations=_used(_definitions(reading, reading.abbreviations), actions, (*states, *outputs)),
+        dependent_parameters=used,
+        abbreviations=abbreviations,
         states=states,
         outputs=outputs,
         cyclic=tuple(q for q in free if not _resets(flat) and not any(row.forces[table.q.index(q)] for row in rows)),
         jacobi_conserved=conserved,
         energy_conserved=conserved and _is_scleronomic(reading, kinetic),
+        rights=rights,
+        sources=sources(flat),
+        terms=tuple(terms([step.left for step in steps], rights, parents.of)),
+        occurring=frozenset(symbol for value in printed for symbol in value.free_symbols),
     )
+
+
+def _written(reading: Reading, output: Output) -> Expr:
+    """The value of an output; that of a definition of the same name is written out, it would say x = x.
+
+    An angle that is known up to whole turns loses its arc tangent where that is the angle of a sine and a cosine.
+    """
+    value = reading.values.scalar(output.value)
+    if value == Symbol(output.name):
+        value = dict(_definitions(reading, {output.name: value})).get(value, value)
+    value = reading.tidy(value)
+    if output.turning and isinstance(value, functions.ArcTangent2):
+        (y, sine), (x, cosine) = (each.as_coeff_Mul() for each in value.args)
+        if isinstance(sine, sin) and isinstance(cosine, cos) and sine.args == cosine.args and abs(y) == x:
+            return y / x * sine.args[0]
+    return value
 
 
 def _coordinate(reading: Reading, lagrangian: Expr, q: Symbol, qd: Symbol) -> CoordinateStep:
@@ -200,7 +266,7 @@ def _by_accelerations(reading: Reading, expression: Expr) -> Expr:
     """Linear in the accelerations: their factors and the rest, each tidied by itself."""
     tidy, qdd = reading.tidy, reading.symbols.qdd
     rest = expression.xreplace(dict.fromkeys(qdd, geometry.ZERO[0]))
-    return Add(*(tidy(partial(expression, x)) * x for x in qdd if x in expression.free_symbols), tidy(rest))
+    return Add(*(times(tidy(partial(expression, x)), x) for x in qdd if x in expression.free_symbols), tidy(rest))
 
 
 def _numbered(reading: Reading) -> list[tuple[int, bool, Applied]]:
@@ -295,13 +361,25 @@ def _used(
     values: Sequence[tuple[Symbol | str, Expr]],
 ) -> tuple[tuple[Symbol, Expr], ...]:
     """Definitions that loads, states or outputs use, directly or through others."""
-    wanted = {s for _, value in values for s in value.free_symbols}
-    wanted |= {s for action in actions for value in action.works for s in value.free_symbols}
-    wanted |= {Symbol(s.name[4:-1]) for s in wanted if s.name.startswith("der(")}
-    for symbol, value in reversed(definitions):
-        if symbol in wanted:
-            wanted |= value.free_symbols
-    return tuple((symbol, value) for symbol, value in definitions if symbol in wanted)
+    return needed(definitions, [*(value for _, value in values), *(w for action in actions for w in action.works)])
+
+
+def _printed(parts: Contributions, actions: Sequence[ActionStep], rows: Sequence[ConstraintRow]) -> Iterator[Expr]:
+    """The entries of vectors and rows of a report."""
+    for item in parts.inertials:
+        yield from (item.mass, *item.position, *item.spin, *(e for row in item.tensor or () for e in row))
+    for step in actions:
+        action = step.action
+        match action:
+            case AppliedForce():
+                yield from (*action.force, *action.position)
+            case AppliedTorque():
+                yield from action.torque
+            case AppliedGeneralizedForce():
+                yield from (action.value, action.target)
+            case _:
+                assert_never(action)
+    yield from (row.residual for row in rows)
 
 
 def _rheonomic(reading: Reading, rows: Sequence[ConstraintRow]) -> bool:

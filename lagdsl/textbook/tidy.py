@@ -12,15 +12,17 @@ from dataclasses import dataclass, field
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 
-from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, multiply
+from lagdsl.textbook.polynomial import Monomial, Polynomial, add_into, folded, multiply
 from lagdsl.textbook.rational import divided, factors, lowest, quotient
-from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry
+from lagdsl.textbook.settle import step
+from lagdsl.textbook.trigonometry import Angles, reduce_trigonometry, without_squares
 
 _LARGEST_POLYNOMIAL = 800
 _LARGEST_TO_FACTOR = 12
 _MOST_UNKNOWNS_TO_FACTOR = 8
 _DEEPEST = 60
 _DEEPEST_NESTING = 12
+_WORTH_OF_BRACKETS = 4
 
 
 class TooLargeError(Exception):
@@ -32,11 +34,13 @@ class Tidy:
     """Shortens expressions. `constants` do not change during a motion, `positive` symbols have positive values.
 
     `budget` counts products of monomials over the life of the object; when it is used up all is returned as given.
+    Sums in `whole`, as r - l0 of a spring, stay brackets where all their terms have one factor.
     """
 
     constants: frozenset[Symbol]
     positive: frozenset[Symbol]
     budget: int = 100_000
+    whole: tuple[Expr, ...] = ()
     _constant_kernels: dict[int, bool] = field(default_factory=dict)
     _nesting: int = 0
     _kernels: list[Expr] = field(default_factory=list)
@@ -53,12 +57,22 @@ class Tidy:
             self._memo[known] = known
         return known
 
+    def keep_whole(self, sums: tuple[Expr, ...]) -> None:
+        """Sums that stay brackets from now on."""
+        self.whole = tuple(dict.fromkeys(each for each in map(self, sums) if each.is_Add))
+        self._memo.clear()
+
     def _shortest(self, expression: Expr) -> Expr:
         if self._nesting >= _DEEPEST_NESTING:
             return expression
         self._nesting += 1
         try:
-            return min(self._collect(self.reduced(expression)), expression, key=size)
+            polynomial = self.reduced(expression)
+            collected = min(self._collect(polynomial), expression, key=size)
+            if self.whole and (bracketed := self._folded(polynomial)) is not polynomial:
+                whole = self._collect(bracketed)
+                return whole if size(whole) <= size(collected) + _WORTH_OF_BRACKETS else collected
+            return collected
         except TooLargeError:
             return expression
         finally:
@@ -69,6 +83,18 @@ class Tidy:
         polynomial = self._polynomial(expression, 0)
         angles = Angles(kernel=self.kernel, expression=lambda index: self._kernels[index])
         return self._cancelled(reduce_trigonometry(polynomial, angles), angles)
+
+    def multiplied_out(self, expression: Expr) -> Polynomial:
+        """The expression as a polynomial in kernels, sin^2 = 1 - cos^2 and nothing else; raises TooLargeError."""
+        angles = Angles(kernel=self.kernel, expression=lambda index: self._kernels[index])
+        return without_squares(self._polynomial(expression, 0), angles)
+
+    def _folded(self, polynomial: Polynomial) -> Polynomial:
+        """c a + c b as c (a + b) for each sum that stays whole, a symbol from then on."""
+        for bracket in self.whole:
+            if len(polynomial) > 1:
+                polynomial = folded(polynomial, self.reduced(bracket), self.kernel(bracket))
+        return polynomial
 
     def _cancelled(self, polynomial: Polynomial, angles: Angles) -> Polynomial:
         """Sums in denominators are divided out of the numerator where that leaves no remainder."""
@@ -132,8 +158,8 @@ class Tidy:
             return self._power(expression.base, expression.exp, depth)
         if expression.is_Atom:
             return self._single(expression, 1)
-        rebuilt = expression.func(*(self(argument) for argument in expression.args))
-        if rebuilt.is_Function or rebuilt.is_Pow:
+        rebuilt = step(expression.func(*(self(argument) for argument in expression.args)))
+        if (rebuilt.is_Atom and not rebuilt.is_Rational) or rebuilt.is_Function or rebuilt.is_Pow:
             return self._single(rebuilt, 1)
         return self._polynomial(rebuilt, depth + 1)
 
@@ -243,6 +269,12 @@ def _positive(polynomial: Polynomial) -> Polynomial:
 def _common(factors: list[Expr]) -> Expr:
     total = Add(*factors)
     return sympy.factor_terms(total) if total.is_Add else total
+
+
+def times(factor: Expr, symbol: Symbol) -> Expr:
+    """Their product; the sign of a sum of negative terms stands before it."""
+    negative = factor.is_Add and all(term.as_coeff_Mul()[0].is_negative for term in factor.args)
+    return Mul(-1, symbol, -factor) if negative else factor * symbol
 
 
 def size(expression: Expr) -> int:

@@ -30,15 +30,15 @@ class Angles:
 
 def reduce_trigonometry(polynomial: Polynomial, angles: Angles) -> Polynomial:
     """Squares of sines go, so that equal things look equal; then what got longer by that is made short again."""
-    polynomial = _without_squares(polynomial, angles)
+    polynomial = without_squares(polynomial, angles)
     while True:
         shorter = _merge_angles(polynomial, angles)
         if shorter is None:
             return _restore_squares(polynomial, angles)
-        polynomial = _without_squares(shorter, angles)
+        polynomial = without_squares(shorter, angles)
 
 
-def _without_squares(polynomial: Polynomial, angles: Angles) -> Polynomial:
+def without_squares(polynomial: Polynomial, angles: Angles) -> Polynomial:
     """sin^2 = 1 - cos^2 everywhere."""
     result: Polynomial = {}
     waiting = list(polynomial.items())
@@ -59,7 +59,9 @@ def _without_squares(polynomial: Polynomial, angles: Angles) -> Polynomial:
 def _restore_squares(polynomial: Polynomial, angles: Angles) -> Polynomial:
     """a X - b X cos^2 = (a - b) X + b X sin^2 wherever a and b have one sign and a is not the smaller."""
     result = dict(polynomial)
-    for monomial in sorted(polynomial, reverse=True):
+    waiting = sorted(polynomial)
+    while waiting:
+        monomial = waiting.pop()
         for kernel, power in monomial:
             angle = angles.cosine_of(kernel)
             if angle is None or power < 2 or monomial not in result:
@@ -69,7 +71,9 @@ def _restore_squares(polynomial: Polynomial, angles: Angles) -> Polynomial:
             if whole * part > 0 and abs(whole) >= abs(part):
                 del result[monomial]
                 add_term(result, rest, -part)
-                add_term(result, times(rest, ((angles.kernel(sympy.sin(angle)), 2),)), part)
+                square = times(rest, ((angles.kernel(sympy.sin(angle)), 2),))
+                add_term(result, square, part)
+                waiting.append(square)
     return result
 
 

@@ -48,12 +48,12 @@ def derivations(flat: FlatModel, program: Program, states: Arrays) -> Line:
     return Line(name=name, says=says, figure=worst.part, limit=_ROUNDING, note=worst.where)
 
 
-def engines(program: Program, states: Arrays) -> Iterator[Line]:
+def engines(program: Program, states: Arrays, tape: Engine) -> Iterator[Line]:
     """Every engine against the interpreter of the graph."""
     for name, where in _ENGINES.items():
         says = f"the functions {where} have the values of the graph"
         try:
-            engine = engine_of(program, name)
+            engine = tape if name == tape.name else engine_of(program, name)
         except CompilationFailed as failure:
             yield Line(name=f"engine {name}", says=says, note=failure.diagnostics[0].message)
             continue

@@ -1,4 +1,4 @@
-"""Lines on the motion: constraints, invariants, a smaller tolerance."""
+"""Lines on the motion: constraints, invariants, conserved quantities, a smaller tolerance."""
 
 from __future__ import annotations
 
@@ -7,20 +7,24 @@ from collections.abc import Iterator
 import numpy as np
 
 from lagdsl.diagnostics import CompilationFailed
-from lagdsl.flat.model import FlatModel
+from lagdsl.pipeline import Compilation
 from lagdsl.runtime.engines.engine import Engine
 from lagdsl.signals.trajectory import Trajectory
 from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.initialize import initial_state
 from lagdsl.simulate.simulate import simulate
 from lagdsl.verify.certificate import Line
+from lagdsl.verify.conserved.along import along
+from lagdsl.verify.conserved.find import conserved_quantities
 
 _ROWS = 201
 _ON_CONSTRAINTS = 1e-6
 _FINER = 0.1
 
 
-def motion(flat: FlatModel, engine: Engine) -> Iterator[Line]:
+def motion(compilation: Compilation, engine: Engine) -> Iterator[Line]:
     """The motion of the model's experiment, and the same with a tenth of its tolerance."""
+    flat = compilation.flat
     name, says = "motion", "the motion of the experiment runs to its end"
     experiment = flat.experiment
     interval = (experiment.stop_time - experiment.start_time) / (_ROWS - 1)
@@ -39,6 +43,9 @@ def motion(flat: FlatModel, engine: Engine) -> Iterator[Line]:
             figure=invariant.drift,
             limit=invariant.limit,
         )
+    quantities = conserved_quantities(compilation)
+    if quantities:
+        yield from along(compilation, quantities, found, initial_state(flat, engine).p, experiment.tolerance)
     yield _against_finer(found, finer)
 
 

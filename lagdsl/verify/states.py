@@ -30,30 +30,39 @@ def random_states(flat: FlatModel, program: Program, count: int = STATES) -> Arr
     random = np.random.default_rng(_SEED)
     rows: list[Arrays] = []
     for _ in range(_ROUNDS):
-        drawn = [_drawn(flat, program, random) for _ in range(count - len(rows))]
-        rows += [row for row, sound in zip(drawn, _is_sound(program, _by_group(drawn)), strict=True) if sound]
+        one = (drawn_parameters(flat, program, random, 1) for _ in range(count - len(rows)))
+        each = [drawn_states(flat, program, random, p) for p in one]
+        drawn = {group: np.concatenate([state[group] for state in each]) for group in each[0]}
+        sound = np.flatnonzero(_is_sound(program, drawn))
+        rows += [{group: values[i] for group, values in drawn.items()} for i in sound]
         if len(rows) == count:
             break
-    return _by_group(rows) if rows else {}
+    return {group: np.array([row[group] for row in rows]) for group in rows[0]} if rows else {}
 
 
-def _by_group(rows: Sequence[Arrays]) -> Arrays:
-    return {group: np.array([row[group] for row in rows]) for group in rows[0]}
+def drawn_parameters(flat: FlatModel, program: Program, random: np.random.Generator, count: int) -> Floats:
+    """(count, np): each within a tenth of its default."""
+    defaults = np.array(program.layout.defaults, dtype=float)
+    spread = random.uniform(0.9, 1.1, (count, len(defaults)))
+    return np.asarray(defaults * np.where(whole_parameters(flat), 1.0, spread))
 
 
-def _drawn(flat: FlatModel, program: Program, random: np.random.Generator) -> Arrays:
+def drawn_states(
+    flat: FlatModel, program: Program, random: np.random.Generator, p: Floats, *, widely: bool = False
+) -> Arrays:
+    """One state about the start for each row of parameters, on the constraints where these can be met. Every other one
+    has, where they are asked for `widely`, numbers of all sizes."""
     layout = program.layout
-    p = np.array(layout.defaults) * np.where(
-        whole_parameters(flat), 1.0, random.uniform(0.9, 1.1, len(layout.defaults))
-    )
-    t = random.uniform(0.0, 1.0)
+    t = random.uniform(0.0, 1.0, len(p))
     start = values(program, "start", {Group.TIME: t, Group.P: p})
     q, qd, z, u = (about(np.asarray(block, dtype=float), random) for block in start)
+    if widely:
+        q, qd, z, u = (_widely(block, least, random) for block, least in ((q, -1), (qd, -4), (z, -4), (u, -1)))
     state: Arrays = {Group.TIME: t, Group.Q: q, Group.QD: qd, Group.Z: z, Group.U: u, Group.P: p}
     state[Group.W] = random_discretes(flat, program, t, p, random)
     state = _on_constraints(program, state)
     sizes = {g: layout.size(g) for g in Group if g not in (Group.RELEASE, Group.RELEASE_RATE)}
-    return state | {g: random.normal(size=n) for g, n in sizes.items() if g not in state}
+    return state | {g: random.normal(size=(len(p), n)) for g, n in sizes.items() if g not in state}
 
 
 def whole_parameters(flat: FlatModel) -> Flags:
@@ -66,6 +75,15 @@ def about(start: Floats, random: np.random.Generator) -> Floats:
     size = np.max(np.abs(start), axis=-1, initial=0.0, keepdims=True)
     scale = np.where(start != 0, np.abs(start), np.where(size > 0, size, 1.0))
     return np.asarray(start + 0.3 * scale * random.uniform(-1, 1, start.shape))
+
+
+def _widely(values: Floats, least: int, random: np.random.Generator) -> Floats:
+    """Every other row times powers of ten, from `least` on; those of rates of either sign."""
+    factor = 10.0 ** random.uniform(least, 0.3, values.shape)
+    if least < -1:
+        factor *= random.choice((-1.0, 1.0), values.shape)
+    factor[::2] = 1.0
+    return values * factor
 
 
 def random_discretes(flat: FlatModel, program: Program, t: Any, p: Floats, random: np.random.Generator) -> Floats:
@@ -91,20 +109,31 @@ def random_discretes(flat: FlatModel, program: Program, t: Any, p: Floats, rando
 
 
 def _on_constraints(program: Program, state: Arrays) -> Arrays:
-    """Newton's method in the positions, one step in the rates."""
+    """Newton's method in the positions, one step in the rates; rows where it is no number stay as they are."""
     q, qd = state[Group.Q], state[Group.QD]
+    moving = np.ones(len(q), dtype=np.bool_)
     for _ in range(30):
         phi, jacobian = values(program, "position_constraint", state | {Group.Q: q})
-        if not (phi.size and np.all(np.isfinite(jacobian)) and np.all(np.isfinite(phi))):
+        moving &= _are_finite(phi) & _are_finite(jacobian)
+        if not (phi.size and moving.any()):
             break
-        step = np.linalg.pinv(jacobian, rcond=1e-10) @ phi
+        step = _shortest(np.where(moving[:, None, None], jacobian, 0.0), np.where(moving[:, None], phi, 0.0))
         q = q - step
-        if np.max(np.abs(step)) <= 1e-15 * np.max(np.abs(q)):
-            break
+        moving &= np.max(np.abs(step), axis=1) > 1e-15 * np.max(np.abs(q), axis=1)
     residual, jacobian = values(program, "velocity_constraint", state | {Group.Q: q, Group.QD: qd})
-    if residual.size and np.all(np.isfinite(jacobian)):
-        qd = qd - np.linalg.pinv(jacobian, rcond=1e-10) @ residual
+    if residual.size:
+        sound = _are_finite(residual) & _are_finite(jacobian)
+        qd = qd - _shortest(np.where(sound[:, None, None], jacobian, 0.0), np.where(sound[:, None], residual, 0.0))
     return state | {Group.Q: q, Group.QD: qd}
+
+
+def _shortest(jacobian: Any, residual: Any) -> Floats:
+    """The least step that takes each row of `residual` (..., nc) away."""
+    return np.asarray(np.einsum("...ij,...j->...i", np.linalg.pinv(jacobian, rcond=1e-10), residual))
+
+
+def _are_finite(blocks: Any) -> Flags:
+    return np.asarray(np.isfinite(blocks).reshape(len(blocks), -1).all(axis=1))
 
 
 def _is_sound(program: Program, states: Arrays) -> Flags:
@@ -113,7 +142,7 @@ def _is_sound(program: Program, states: Arrays) -> Flags:
     for function in program.functions:
         for block in values(program, function.name, states):
             never = np.isposinf(block) & (function.name == "time_event")  # an event that is not to come
-            sound &= (np.isfinite(block) | never).reshape(len(block), -1).all(axis=1)
+            sound &= _are_finite(np.where(never, 0.0, block))
     return sound
 
 
@@ -122,7 +151,7 @@ def is_regular(program: Program, states: Arrays) -> Flags:
     blocks = values(program, "dynamics", states)
     sound = np.ones(len(states[Group.TIME]), dtype=np.bool_)
     for block in blocks:
-        sound &= np.isfinite(block).reshape(len(block), -1).all(axis=1)
+        sound &= _are_finite(block)
     phi, _ = values(program, "position_constraint", states)
     sound &= np.max(np.abs(np.nan_to_num(phi, nan=1.0)), axis=1, initial=0.0) < _ON_CONSTRAINTS
     for i in np.flatnonzero(sound):

@@ -11,6 +11,7 @@ import pickle
 import signal
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any, get_args
 
 import pytest
@@ -91,8 +92,15 @@ def _run(row: Attack, engine: str) -> tuple[str | None, Any]:
     return None, (ends, [(event.name, event.kind) for event in motion.events])
 
 
+@cache
+def _loaded() -> None:
+    """Parser, library and modules are loaded here once, not in every child."""
+    lagdsl.compile(model("coordinate Real x(start = 1); kinetic 1/2*der(x)^2;"), engine="tape").simulate(stop=0.1)
+
+
 def in_bounded_time(work: Callable[[], Any], seconds: int = SECONDS) -> Any:
     """Result of `work`, computed in a child of this process that the system ends after so many seconds."""
+    _loaded()
     read, write = os.pipe()
     child = os.fork()
     if child == 0:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import cos, sin
 
 from attack.rows import Attack, check, model, rows
 
@@ -68,6 +69,44 @@ ROW = [
         2.0,
         {"der(a)": -1.0, "der(b)": 0.0, "der(c)": 1.0},
         {("one", "opened"): 1, ("two", "opened"): 1},
+    ),
+    # No force acts before the soft stop does: two masses that run together turn around as one on a spring of 8.
+    Attack(
+        "soft_stop_of_two",
+        model(
+            "coordinate Real a(der(start = 1.5)), b(start = 0.1, der(start = 1.5));"
+            "kinetic 1/2*der(a)^2; kinetic 1/2*der(b)^2;"
+            "contact one: b - a >= 0.1 with restitution = 0;"
+            "contact soft: b <= 0.85 with compliance = 8, damping = 0;"
+        ),
+        0.5 + 1.0,
+        {"a": 0.75 + 0.75 * sin(2.0), "der(a)": 1.5 * cos(2.0), "der(b)": 1.5 * cos(2.0)},
+        {("one", "opened"): 0, ("one", "closed"): 0},
+    ),
+    *(
+        Attack(
+            f"reset_in_a_row_{name}",
+            model(
+                in_a_row([1.0] * 3, "force if time < 1 then 3 else 0 on a;" + declared),
+                f"when time > 1.5 then reinit(der(a), 4);{more} end when;",
+            ),
+            2.0,
+            {"der(a)": 4.0, "der(b)": 4.0, "der(c)": 4.0},
+        )
+        for name, declared, more in (
+            ("alone", "", ""),
+            ("with_a_counter", "discrete Integer n(start = 0);", " n = pre(n) + 1;"),
+        )
+    ),
+    Attack(
+        "reset_that_stops_the_last_pusher",
+        model(
+            in_a_row([1.0] * 3, "force if time < 1 then 3 else 0 on a;"),
+            "when time > 1.5 then reinit(der(a), 0); end when;",
+        ),
+        2.0,
+        {"a": 1.0, "der(a)": 0.0, "der(b)": 1.0, "c": 0.2 + 0.5 + 1.0},
+        {("one", "opened"): 1, ("two", "opened"): 0},
     ),
 ]
 

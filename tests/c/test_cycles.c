@@ -42,7 +42,7 @@ static void one_cycle_of_fixed_steps(double *end)
 
 int main(int count, char **arguments)
 {
-    const int cycles = count > 1 ? atoi(arguments[1]) : 1000;
+    const int cycles = count > 1 ? atoi(arguments[1]) : 200;
     double first[3][SIZE];
     double end[SIZE];
     one_cycle(&lag_dop853, first[0]);

@@ -6,9 +6,10 @@
 #include "lag/run.h"
 #include "machine.h"
 
-enum { THREADS = 8, RUNS = 20, SIZE = 5 };
+enum { THREADS = 8, RUNS = 8, SIZE = 5 };
 
 typedef struct task {
+    int runs;
     double stop;
     double end[SIZE];
 } task;
@@ -17,7 +18,7 @@ static void *simulate(void *context)
 {
     task *mine = context;
     const lag_run_options options = {.tolerance = 1e-9};
-    for (int i = 0; i < RUNS; ++i) {
+    for (int i = 0; i < mine->runs; ++i) {
         lag_run *run = lag_run_place(malloc(lag_run_size(&MACHINE, &options)), &MACHINE, &options);
         CHECK(lag_run_begin(run, 0.0, NULL) == LAG_OK);
         CHECK(lag_run_to(run, mine->stop, 0) == LAG_OK);
@@ -34,6 +35,8 @@ int main(void)
     pthread_t threads[THREADS];
     for (int i = 0; i < THREADS; ++i) {
         alone[i].stop = together[i].stop = 0.3 + 0.05 * i;
+        alone[i].runs = 1;
+        together[i].runs = RUNS;
         (void)simulate(&alone[i]);
     }
     for (int i = 0; i < THREADS; ++i) {

@@ -130,6 +130,18 @@ class TestBuild:
         assert invoke("build", pendulum, "--target", "fortran", "-o", tmp_path).exit_code == 2
         assert invoke("build", pendulum, "--target", "numpy", "--batch", "-o", tmp_path).exit_code == 2
 
+    @pytest.mark.parametrize("target", ["numpy", "c"])
+    def test_terms_and_points_by_name(self, invoke: Invoke, tmp_path: Path, target: str) -> None:
+        model = tmp_path / "m.lag"
+        model.write_text("""model M coordinate Length x; frame f = world.move({x, 0, 0}); point P = f.point({0, x, 0});
+          mass 1 kg at P; end M;""")
+        arguments = ("build", model, "--target", target, "-o", tmp_path / target, "--terms", "--frame", "f", "--point")
+        assert invoke(*arguments, "P").exit_code == 0
+        text = (tmp_path / target / ("M.py" if target == "numpy" else "M.c")).read_text()
+        assert "equation_terms" in text and "kinematics" in text and "regressor" in text
+        refused = invoke(*arguments, "Q")
+        assert (refused.exit_code, "there are P" in refused.stderr) == (2, True)
+
     def test_functions_of_many_states_come_when_asked_for(self, invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
         plain = invoke("build", pendulum, "--target", "c", "-o", tmp_path / "plain").stdout
         batch = invoke("build", pendulum, "--target", "c", "--batch", "-o", tmp_path / "batch").stdout

@@ -354,3 +354,30 @@ class TestSilence:
         )
         assert "`f[1]`: it is 0 N" in invoke("run", path, *SHORT).stderr
         assert "`f[1]`, `f[2]`, `f[3]`: they are zero" in invoke("run", path, *SHORT, "--set", "n=3").stderr
+
+
+def test_check_flat_and_derive_take_values(invoke: Invoke, tmp_path: Path) -> None:
+    path = tmp_path / "row.lag"
+    path.write_text(
+        "model Row structural parameter Integer n = 2; parameter Stiffness k = 1 N/m;"
+        " coordinate Length x[n](each start = 1 m);"
+        " for i in 1:n loop kinetic 1/2*(1 kg)*der(x[i])^2; potential 1/2*k*x[i]^2; end for; end Row;"
+    )
+    assert "Row: 3 coordinates" in invoke("check", path, "--set", "n=3").stdout
+    flat = invoke("flat", path, "--set", "n=1", "--set", "k=2 N/cm", "--set", "x[1].start=30 cm").stdout
+    assert "k [N/m] = 200" in flat and "start = 0.3" in flat and "x[2]" not in flat
+    assert "x_2" not in invoke("derive", path, "--set", "n=1").stdout
+    refused = invoke("check", path, "--set", "kk=2")
+    assert refused.exit_code == 2 and "has no parameter `kk`" in refused.stderr
+    assert invoke("check", path, "--set", "k=1 kg").exit_code == 2
+
+
+def test_check_with_values_says_nothing_of_those_in_the_text(invoke: Invoke, tmp_path: Path) -> None:
+    path = tmp_path / "divides.lag"
+    path.write_text(
+        "model D parameter Real k = 0; coordinate Length x(start = 1 m);"
+        " kinetic 1/2*(1 kg)*der(x)^2; potential 1/2*(1 N/m)/k*x^2; end D;"
+    )
+    assert invoke("check", path).exit_code == 1
+    assert invoke("check", path, "--set", "k=2").exit_code == 0
+    assert "E0808" in invoke("check", path, "--set", "k=0").stderr

@@ -16,6 +16,7 @@ from lagdsl.diagnostics.catalog import (
     initial,
     names,
     physics,
+    robots,
     runtime,
     syntax,
     values,
@@ -24,7 +25,7 @@ from lagdsl.source import SourceFile, Span
 
 FAMILIES = {
     "01": (syntax,), "02": (names,), "03": (values, events), "04": (dimensions,), "05": (physics,),
-    "06": (constraints,), "07": (assembly,), "08": (initial, analysis), "09": (export, runtime),
+    "06": (constraints,), "07": (assembly,), "08": (initial, analysis), "09": (export, runtime), "10": (robots,),
 }  # fmt: skip
 FILE = SourceFile("a.lag", "one two three")
 HERE, THERE = Span(FILE, 0, 3), Span(FILE, 4, 7)

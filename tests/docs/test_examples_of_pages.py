@@ -78,6 +78,8 @@ def test_examples_of_the_page(page: str, tmp_path: Path, monkeypatch: pytest.Mon
                 model(block)
             case "python":
                 exec(compile(block.text, page, "exec"), names)
+            case "xml":
+                written(block)
             case "console":
                 shown = session(block.text)
                 if os.environ.get("LAGDSL_UPDATE"):
@@ -90,10 +92,15 @@ def test_examples_of_the_page(page: str, tmp_path: Path, monkeypatch: pytest.Mon
         path.write_text(text, encoding="utf-8")
 
 
-def model(block: Block) -> None:
-    """A text without errors and warnings; `reject` marks one that shall have some."""
+def written(block: Block) -> None:
+    """A block with a name is a file, for the blocks behind it."""
     named = re.search(r"file=(\S+)", block.marks)
     if named:
         Path(named[1]).write_text(block.text, encoding="utf-8")
+
+
+def model(block: Block) -> None:
+    """A text without errors and warnings; `reject` marks one that shall have some."""
+    written(block)
     found = [d.code for d in lagdsl.check(block.text) if d.severity != "note"]
     assert bool(found) == ("reject" in block.marks), (found, block.text)

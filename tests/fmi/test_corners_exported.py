@@ -29,3 +29,24 @@ def test_corners_of_time_and_place_in_an_fmu(version: int, tmp_path: Path) -> No
     for kind in ("CoSimulation", "ModelExchange"):
         rows = simulate_fmu(str(path), fmi_type=kind, stop_time=3.0, output_interval=1.5, relative_tolerance=1e-11)
         assert rows["v"][-1] == pytest.approx(sqrt(1 - 2 * 0.1) + 1e-3, abs=1e-8), kind
+
+
+HILL = """model Hill
+  coordinate Real x(der(start = 1));
+  kinetic 1/2*der(x)^2;
+  potential 0.3*max(0, 1 - abs(x - 1)/0.01);
+  annotation(units = "none", experiment(StopTime = 3, Tolerance = 1e-10));
+end Hill;
+"""
+
+
+def test_an_importer_is_as_exact_as_its_tolerance(tmp_path: Path) -> None:
+    """A potential with three corners, over which the speed comes back."""
+    path = tmp_path / "hill.fmu"
+    lagdsl.compile(HILL).export_fmu(path)
+    exact = 3.0 - (2 * 0.02 / (1 + sqrt(0.4)) - 0.02)
+    for tolerance in (1e-9, 1e-12):
+        rows = simulate_fmu(
+            str(path), fmi_type="ModelExchange", stop_time=3.0, output_interval=3.0, relative_tolerance=tolerance
+        )
+        assert abs(rows["x"][-1] - exact) < 1e3 * tolerance

@@ -38,6 +38,7 @@ OF_EACH_KIND = (
     "library/blocks_pid",  # blocks
     "library/dc_motor",  # circuits
     "library/parts_with_play",  # components with contacts
+    "library/ladder_filter",  # many coordinates under constraints
 )
 
 

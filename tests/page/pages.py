@@ -11,8 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from lagdsl.diagnostics import Sink
-from lagdsl.page.page import Wishes, page
+from lagdsl.page.page import page
 from lagdsl.pipeline import flatten_file, read
+from lagdsl.plot.picture.recording import Wishes
 
 MODELS = Path(__file__).parents[2] / "models"
 

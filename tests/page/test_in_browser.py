@@ -7,12 +7,16 @@ import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 from choice import ALL, chosen
 from page.pages import MODELS, page_of
+from PIL import Image
 
+from lagdsl import compile as compile_model
 from lagdsl.api.shown import framed
+from lagdsl.page.modes import modes_page
 
 playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed: make page-check")
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or os.environ.get("CHROMIUM")
@@ -78,7 +82,7 @@ def test_every_page_is_shown_and_asks_for_nothing(name: str, browser: Any, tmp_p
     bar = opened.page.locator("#sliders input[type=range]").first
     if bar.count():
         bar.evaluate("bar => { bar.value = 520; bar.dispatchEvent(new Event('input')); }")
-        opened.page.wait_for_function("document.getElementById('said').textContent !== ''", timeout=MOST_MILLISECONDS)
+        playwright.expect(opened.page.locator("#said")).not_to_be_empty(timeout=MOST_MILLISECONDS)
     assert opened.faults == []
     opened.page.close()
 
@@ -101,16 +105,77 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
         panel = page.locator(f"#{tab.get_attribute('aria-controls')}")
         assert panel.is_visible()
         assert page.locator("[role=tabpanel]:visible").count() == 1
-    for name in ("frames", "forces", "view"):
-        page.get_by_role("button", name=name).click()
-    for name, suffix in (("PNG", ".png"), ("CSV", ".csv")):
-        with page.expect_download() as download:
-            page.get_by_role("button", name=name).click()
+    for name in ("frames", "forces", "view", "ghosts", "keys"):
+        page.get_by_role("button", name=name, exact=True).click()
+    for name in ("v", "a", "∂r/∂q", "reactions"):
+        page.get_by_role("button", name=name, exact=True).click()
+    page.wait_for_selector("html[data-arrows]", timeout=MOST_MILLISECONDS, state="attached")
+    assert "reaction: longest" in page.locator("#legend").inner_text()
+    assert "torque" not in page.locator("#legend").inner_text()  # pins: a rounding of forces is no torque
+    page.get_by_label("The coordinate that moves").select_option("A.q")
+    for key in ("+", "-", "g", "v"):
+        page.keyboard.press(key)
+    saved = {}
+    for name, suffix in (("PNG", ".png"), ("SVG", ".svg"), ("GIF", ".gif"), ("CSV", ".csv")):
+        with page.expect_download(timeout=MOST_MILLISECONDS) as download:
+            page.get_by_role("button", name=name, exact=True).click()
         assert download.value.suggested_filename == f"FourBar{suffix}"
+        saved[suffix] = tmp_path / f"saved{suffix}"
+        download.value.save_as(saved[suffix])
+    with Image.open(saved[".gif"]) as film:
+        assert film.n_frames == 72 and len(film.convert("RGB").getcolors(1 << 20)) > 3
+    assert ElementTree.parse(saved[".svg"]).getroot().tag == "{http://www.w3.org/2000/svg}svg"
     page.locator("#sliders-tab").click()
     page.get_by_role("button", name="Reset all").click()
     assert opened.faults == []
     page.close()
+
+
+def test_a_sweep_has_a_slider_over_its_runs(browser: Any, tmp_path: Path) -> None:
+    model = compile_model(MODELS / "pendulum.lag")
+    data = model.sweep({"l": [0.2, 0.5, 1.0]}, interval=0.1)
+    opened = Opened(browser, model.show(tmp_path / "page.html", browser=False, sweep=data))
+    page = opened.page
+    said = page.locator("#said")
+    page.get_by_label("Run", exact=True).evaluate("bar => { bar.value = 2; bar.dispatchEvent(new Event('input')); }")
+    playwright.expect(page.locator("#runs output")).to_have_text("Run 3 of 3: l = 1 m")
+    playwright.expect(said).to_contain_text("Integrated anew", timeout=MOST_MILLISECONDS)
+    assert page.get_by_label("l in m").input_value() == "1"
+    assert opened.faults == []
+    page.close()
+
+
+def test_modes_move_and_have_their_root_locus_beside(browser: Any, tmp_path: Path) -> None:
+    model = compile_model(MODELS / "ziegler_column.lag")
+    flat, names = model._compilation.flat, [slot.name for slot in model._engine.layout.parameters]
+    path = tmp_path / "page.html"
+    variation = model.vary("P", "linspace(0, 3, 13) N")
+    path.write_text(modes_page(flat, model.modes(), names=names, variation=variation), encoding="utf-8")
+    opened = Opened(browser, path)
+    page = opened.page
+    assert opened.ready() == "recorded" and opened.colors() > 3
+    assert page.locator(".locus svg").count() == 3
+    assert "flutter" in page.locator(".locus li").first.inner_text()
+    clock = page.locator(".clock").inner_text()
+    page.locator(".modes button").nth(1).click()
+    page.get_by_label("Amplitude").select_option(label="amplitude: large")
+    playwright.expect(page.locator(".clock")).not_to_have_text(clock)
+    assert page.locator("#sliders > details:visible").count() == 0
+    assert opened.faults == []
+    page.close()
+
+
+def test_a_page_prints_all_panels(browser: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(page_of("double_pendulum"), encoding="utf-8")
+    opened = Opened(browser, path)
+    opened.page.emulate_media(media="print")
+    for name in ("derivation", "source", "table", "curves"):
+        assert opened.page.locator(f"#{name}-panel").is_visible()
+    for name in ("tools", "player"):
+        assert not opened.page.locator(f"#{name}").is_visible()
+    assert len(opened.page.pdf()) > 20_000
+    opened.page.close()
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -130,4 +195,19 @@ def test_a_notebook_shows_the_page_in_its_frame(browser: Any, tmp_path: Path) ->
     page = browser.new_page()
     page.goto(path.as_uri())
     page.frame_locator("iframe").locator("html[data-ready]").wait_for(timeout=MOST_MILLISECONDS, state="attached")
+    page.close()
+
+
+def test_a_term_and_its_statement_mark_each_other(browser: Any, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text(page_of("double_pendulum"), encoding="utf-8")
+    opened = Opened(browser, path)
+    page = opened.page
+    page.locator("#derivation-tab").click()
+    page.locator("#derivation .term").first.hover()  # (m1 + m2) l1^2 times an acceleration
+    assert page.locator("#pointed").inner_text() == "mass 1, mass 2"
+    # Another panel hides the text of the model: the marks stay in the document.
+    marked = [line.text_content().strip() for line in page.locator(".line.marked").all()]
+    assert marked == ["mass m1 at P1;", "mass m2 at P2;"]
+    assert opened.faults == []
     page.close()

@@ -19,6 +19,7 @@ class Source:
 
     text: str
     model: nodes.Class
+    others: tuple[nodes.Class, ...] = ()
 
     @property
     def unitless(self) -> bool:
@@ -31,8 +32,8 @@ def source(path: Path) -> Source:
     assert file is not None
     unit = parse(file, sink)
     assert unit is not None
-    model = [item for item in unit.items if isinstance(item, nodes.Class)][-1]
-    return Source(file.text, model)
+    *others, model = [item for item in unit.items if isinstance(item, nodes.Class)]
+    return Source(file.text, model, tuple(others))
 
 
 def with_stranger(s: Source, start: float, rate: float, mass: float) -> str:
@@ -69,6 +70,17 @@ def around(s: Source, items: str = "", equations: str = "") -> str:
 def _experiment(s: Source) -> str:
     stop = re.search(r"StopTime\s*=\s*([^,)]+)", s.text[s.model.span.start : s.model.span.end])
     return "" if stop is None else f"  annotation(experiment(StopTime = {stop[1]}));\n"
+
+
+def in_files(s: Source) -> dict[str, str]:
+    """Each of its classes in a file of its own, as an import wants them, with imports of the others that it names."""
+    classes = (*s.others, s.model)
+    texts = {}
+    for each in classes:
+        others = (other.name for other in classes if other is not each)
+        imports = "".join(f"import {name};\n" for name in others if re.search(rf"\b{name}\b", each.span.text))
+        texts[f"{each.name}.lag"] = f"{imports}{each.span.text}\n"
+    return texts
 
 
 def names_of(s: Source) -> tuple[str, ...]:

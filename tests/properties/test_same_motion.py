@@ -17,6 +17,7 @@ from attack.rows import FIRST
 from properties.rewritten import (
     Source,
     around,
+    in_files,
     lighter,
     mass_of,
     names_of,
@@ -136,7 +137,8 @@ def test_by_other_names(name: str) -> None:
 @pytest.mark.parametrize("name", FEW)
 def test_in_another_file(name: str, tmp_path: Path) -> None:
     s = source(ROOT / "models" / f"{name}.lag")
-    (tmp_path / f"{s.model.name}.lag").write_text(s.text)
+    for file, text in in_files(s).items():
+        (tmp_path / file).write_text(text)
     (tmp_path / "around.lag").write_text(f"import {s.model.name};\n{around(s)}")
     model = lagdsl.compile(tmp_path / "around.lag", engine=FIRST)  # type: ignore[arg-type]
     other = model.simulate(stop=STOP, interval=STOP / 20, tolerance=TOLERANCE)
@@ -200,6 +202,8 @@ BESIDE = [
     for name in (CHOSEN if EXPLORE else CHOSEN[:3])
     for scale in (SCALES if EXPLORE else [1e-9, 1e9])
 ]
+if not EXPLORE:  # the stranger sets no pace at a singular start
+    BESIDE += [("start", "parallelogram", 1e-9), ("rate", "parallelogram", 1e9)]
 
 
 @pytest.mark.parametrize(("what", "name", "scale"), BESIDE)

@@ -48,7 +48,7 @@ def test_the_contact_enters_the_equations_by_its_gap() -> None:
     text = render(derived(BALL), "text")
     assert "m ḧ + m g_n = λ\n" in text
     assert "floor    h    e              λ" in text
-    assert "J_c q̇^+ = −e J_c q̇^−" in text
+    assert "J_c q̇^+ = −𝔢 J_c q̇^−" in text
     assert "constraint  restricts" not in text
 
 

@@ -13,6 +13,8 @@ from lagdsl.report.derivation import FORMATS, render
 from lagdsl.textbook.recipe import recipe
 
 _CORPUS = Path(__file__).parents[1] / "corpus" / "derive"
+_MODELS = Path(__file__).parents[2] / "models"
+_TEXTS = ("bead_on_hoop", "double_pendulum", "four_bar", "gyroscope_in_gimbals", "robot_arm")
 _SUFFIX = {"text": ".txt", "markdown": ".md", "latex": ".tex", "html": ".html"}
 
 
@@ -37,3 +39,13 @@ def test_reports_are_as_reviewed(path: Path) -> None:
             continue
         assert text == expected.read_text(encoding="utf-8"), f"{expected.name} differs; delete it to write it anew"
     assert not missing, f"written, read them: {missing}"
+
+
+@pytest.mark.parametrize("name", _TEXTS)
+def test_texts_of_models_read_as_reviewed(name: str) -> None:
+    text = render(recipe(flat_model(_MODELS / f"{name}.lag")), "text")
+    expected = _CORPUS / f"{name}.txt"
+    if not expected.exists():
+        expected.write_text(text, encoding="utf-8")
+        raise AssertionError(f"written, read it: {expected.name}")
+    assert text == expected.read_text(encoding="utf-8"), f"{expected.name} differs; delete it to write it anew"

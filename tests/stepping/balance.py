@@ -104,6 +104,25 @@ def impact(
     raise AssertionError("a linear complementarity problem with a semidefinite matrix has a solution")
 
 
+def pushed(found: dict[str, Floats], contacts: NDArray[np.int_], none: Floats) -> tuple[Floats, Floats]:
+    """Accelerations of the gaps of closed contacts, and the sizes of their terms, where forces only push: p >= 0,
+    a >= 0, p a = 0. `contacts` are their rows in J a = gamma, `none` are forces that count as none. The accelerations
+    are unique (J. J. Moreau, 1966); they are found by trying all sets of contacts that push."""
+    mass, rows, right = found["M"], found["J"], found["gamma"]
+    for count in range(len(contacts), -1, -1):
+        for chosen in combinations(range(len(contacts)), count):
+            index = list(chosen)
+            kept = rows.copy()
+            kept[np.delete(contacts, index)] = 0.0
+            wanted = np.where(np.any(kept != 0, axis=1), right, 0.0)
+            x, y = Balance(mass, kept).solve(found["f"], wanted)
+            acceleration = rows[contacts] @ x - right[contacts]
+            terms = np.abs(rows[contacts]) @ np.abs(x) + np.abs(right[contacts]) + 1e-300
+            if np.all(y[contacts[index]] >= -none[index]) and np.all(acceleration >= -1e-9 * terms):
+                return acceleration, terms
+    raise AssertionError("a linear complementarity problem with a semidefinite matrix has a solution")
+
+
 def least_impulse(mass: Floats, rows: Floats, residual: Floats, held: Sequence[int]) -> Floats:
     """The smallest change of rates in the metric of M that makes J v + b zero, those in `held` not changed."""
     free = [i for i in range(len(mass)) if i not in held]

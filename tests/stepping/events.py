@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from stepping.balance import Balance, Floats, impact, least_impulse
+from stepping.balance import Balance, Floats, impact, least_impulse, pushed
 from stepping.state import AHEAD, NOW, State, System
 
 _PASSES = 100
@@ -83,6 +83,8 @@ class Instant:
         self._memory.ended |= bool(np.any(found["stop"]))
         changed = not np.array_equal(found["w"], s.w)
         after = replace(s, v=v, z=z, w=found["w"])
+        if held:
+            after = self._moved_apart(after, b)
         if held or changed:
             rows = system.call("velocity_constraint", after, b)
             mass = system.call("dynamics", after, b)["M"]
@@ -90,6 +92,19 @@ class Instant:
         asked = [int(i) for i in np.flatnonzero(found["impact"])]
         acted = bool(np.any(found["reset"]))
         return after, (asked, [float(found["restitution"][i]) for i in asked], acted)
+
+    def _moved_apart(self, s: State, b: list[float]) -> State:
+        """Closed contacts that resets move apart open: nothing pulls them back."""
+        system = self._system
+        if not system.contacts:
+            return s
+        found, w = system.call("contact", s, b), s.w.copy()
+        scale = self._zero_speed(found["jacobian"], s.v)
+        for i in np.flatnonzero(w[system.contacts]):
+            if found["speed"][i] > scale[i]:
+                w[system.contacts[i]] = 0.0
+                self._tell(s.t, int(i), "opened")
+        return replace(s, w=w)
 
     def _taken_hold(self, before: State, s: State, b: list[float]) -> State:
         """Rates follow constraints that relations switch."""
@@ -211,27 +226,42 @@ class Instant:
         return min(left, flight / _SHORT) if short else np.inf
 
     def _opened(self, s: State, b: list[float]) -> State:
-        """Closed contacts that pull open, the one that pulls most first; touching ones without speed that would be
-        driven in close."""
+        """Closed contacts whose gaps accelerate apart open; touching ones without speed that are driven in close."""
         system = self._system
         if not system.contacts:
             return s
         s = self._driven_in(s, b)
         while True:
-            closed = np.flatnonzero(s.w[system.contacts] > 0)
-            none = system.no_forces(s, b)[closed]
-            then = system.later(s, b, AHEAD)
-            now, later = (system.solved(each, b)[1][system.rows[closed]] for each in (s, then))
-            forces = np.where(np.abs(now) <= 2 * none, np.minimum(now, later), now)
-            # a force that begins here is zero but for the round-off of the time
-            forces = np.where(np.abs(now) <= NOW / AHEAD * np.abs(later - now), later, forces)
-            if np.all(forces >= -2 * none):
+            closed = [int(i) for i in np.flatnonzero(s.w[system.contacts] > 0)]
+            apart = self._apart(s, b, closed) or self._soon_apart(s, b, closed)
+            if not apart:
                 return s
             w = s.w.copy()
-            worst = int(closed[np.argmin(forces / np.maximum(none, 1e-300))])
-            w[system.contacts[worst]] = 0.0
-            self._tell(s.t, worst, "opened")
+            for i in apart:
+                w[system.contacts[i]] = 0.0
+                self._tell(s.t, i, "opened")
             s = replace(s, w=w)
+
+    def _apart(self, s: State, b: list[float], closed: list[int]) -> list[int]:
+        """Of the closed contacts those that part: forces p >= 0, accelerations of gaps a >= 0, p a = 0."""
+        system = self._system
+        if not closed:
+            return []
+        found, none = system.call("dynamics", s, b), system.no_forces(s, b)
+        rows = system.rows[closed]
+        acceleration, terms = pushed(found, rows, 2 * none[closed])
+        return [i for i, a, size in zip(closed, acceleration, terms, strict=True) if a > _NO_ACCELERATION * size]
+
+    def _soon_apart(self, s: State, b: list[float], closed: list[int]) -> list[int]:
+        """A force that begins here is zero but for the round-off of the time: those that part a moment later."""
+        system = self._system
+        if not closed:
+            return []
+        none, then = system.no_forces(s, b)[closed], system.later(s, b, AHEAD)
+        now, later = (system.solved(each, b)[1][system.rows[closed]] for each in (s, then))
+        zero = np.abs(now) <= np.maximum(2 * none, NOW / AHEAD * np.abs(later - now))
+        pulling = zero & (later < -2 * none)
+        return [i for i in self._apart(then, b, closed) if pulling[closed.index(i)]]
 
     def _driven_in(self, s: State, b: list[float]) -> State:
         """Open contacts that touch, do not move apart, and are accelerated towards each other, are closed."""
@@ -239,8 +269,12 @@ class Instant:
         found, touching = self._touching(s, b)
         scale = self._zero_speed(found["jacobian"], s.v)
         ahead = system.later(s, b, AHEAD)
-        change = system.call("contact", ahead, b)["speed"] - found["speed"]
-        terms = np.abs(found["jacobian"]) @ np.abs(ahead.v - s.v)
+        further = system.later(ahead, b, AHEAD)
+        then = system.call("contact", ahead, b)["speed"]
+        change, following = then - found["speed"], system.call("contact", further, b)["speed"] - then
+        terms = np.abs(found["jacobian"]) @ np.maximum(np.abs(ahead.v - s.v), np.abs(further.v - ahead.v))
+        # an acceleration that begins here is zero but for the round-off of the time
+        change = np.where(np.abs(change) <= NOW / AHEAD * np.abs(following - change), following, change)
         closing = touching & (np.abs(found["speed"]) <= scale) & (change < -_NO_ACCELERATION * terms)
         w = s.w.copy()
         for i in np.flatnonzero(closing[:count] & (w[system.contacts] == 0)):

@@ -90,6 +90,8 @@ def test_memory_stays() -> None:
     options = Options(stop=1.0, interval=0.5, tolerance=None, solver="auto", engine="tape", inputs={})
     ensemble, bench = Ensemble(compilation.flat, TapeEngine(compilation.program), options), Bench()
     tasks = _tasks(compilation) * 5
+    gc.collect()
+    gc.freeze()  # or each collection would walk the objects of all tests before
     tracemalloc.start()
     sizes = []
     for _ in range(20):
@@ -97,6 +99,7 @@ def test_memory_stays() -> None:
         gc.collect()
         sizes.append(tracemalloc.get_traced_memory()[0])
     tracemalloc.stop()
+    gc.unfreeze()
     assert sizes[-1] - sizes[9] < 20_000
 
 

@@ -19,7 +19,8 @@ from lagdsl.source import SourceFile
 from lagdsl.textbook.derive import derive
 from lagdsl.textbook.lower import lower, symbol_nodes
 from lagdsl.textbook.reading import STANDARD_GRAVITY
-from lagdsl.textbook.recipe import Contribution, Derivation, recipe
+from lagdsl.textbook.recipe import Contribution, Derivation, Recipe, recipe
+from lagdsl.textbook.symbols import symbols
 from lagdsl.textbook.to_graph import ToGraph
 from textbook import models
 from textbook.build import coordinate, der, energy, force, frame, generalized, mass, model, torque, v, vec
@@ -38,9 +39,12 @@ def made(make: Callable[[], FlatModel]) -> Derivation:
     return derivation
 
 
-def nodes_of(graph: Graph, derivation: Derivation) -> ToGraph:
-    """Definitions that stay symbols in a report get their values back."""
-    nodes = symbol_nodes(graph, derivation.symbols)
+def nodes_of(graph: Graph, flat: FlatModel, found: Recipe) -> ToGraph:
+    """Letters of a report, numbers and definitions that stay symbols, get their values back."""
+    derivation = found.derivation
+    assert derivation is not None
+    nodes = {Symbol(item.name): graph.constant(item.value) for item in found.flat.parameters}
+    nodes |= symbol_nodes(graph, symbols(flat))
     nodes[STANDARD_GRAVITY] = graph.constant(9.80665)
     for symbol, value in (*derivation.dependent_parameters, *derivation.abbreviations):
         nodes[symbol] = ToGraph(graph, nodes).node(value)
@@ -54,7 +58,7 @@ def test_report_and_oracle_agree(make: Callable[[], FlatModel]) -> None:
     derivation, program = made(make), lower(derive(flat), flat)
     arguments = random_arguments(program, np.random.default_rng(2), states=10)
     graph = Graph()
-    to_graph = nodes_of(graph, derivation)
+    to_graph = nodes_of(graph, flat, models.recipe_of(make))
     printed: list[Expr] = []
     for j, step in enumerate(derivation.coordinates):
         upheld = [row.multiplier * row.forces[j] for row in derivation.constraints]
@@ -169,7 +173,7 @@ def test_large_models_stay_outlines() -> None:
         assert len(text) < 12_000
     plain = render(found, "text")
     assert "… and 18 more." in plain
-    assert "M q̈ − J^T λ = f" in plain
+    assert "M 𝐪̈ − J^T λ = f" in plain
 
 
 def test_deeply_turned_frames_stay_outlines() -> None:

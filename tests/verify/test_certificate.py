@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from choice import chosen
+from choice import ALL, chosen
 from click.testing import CliRunner
 from models.corpus import MODELS, compiled, path_of
 
@@ -22,8 +22,10 @@ from lagdsl.runtime.engines.numpy_engine import NumpyEngine
 from lagdsl.runtime.engines.tape_engine import TapeEngine
 from lagdsl.verify import certify as certify_module
 from lagdsl.verify import motion as motion_module
+from lagdsl.verify import order as order_module
 from lagdsl.verify.certificate import Certificate
 from lagdsl.verify.certify import certify
+from lagdsl.verify.conserved import find as find_module
 from lagdsl.verify.forms import FORMS
 
 NAME = "bead_on_circular_wire_redundant"  # a constraint, a load, dissipation
@@ -96,6 +98,33 @@ def false_claim(_: pytest.MonkeyPatch) -> Compilation:
     return from_text(text)
 
 
+def gaining(patch: pytest.MonkeyPatch) -> Compilation:
+    """A motion whose rates grow by a part of 1e-6."""
+    sound = motion_module.simulate
+
+    def off(*arguments: Any, **options: Any) -> Any:
+        found = sound(*arguments, **options)
+        columns = tuple(
+            replace(column, values=column.values * (1 + 1e-6 * found.time)) if column.kind == "rate" else column
+            for column in found.columns
+        )
+        return replace(found, columns=columns)
+
+    patch.setattr(motion_module, "simulate", off)
+    return compiled("double_pendulum").compilation
+
+
+def believing(patch: pytest.MonkeyPatch) -> Compilation:
+    """A search that takes everything for constant."""
+    patch.setattr(find_module, "ZERO", 10.0)
+    return compiled("double_pendulum").compilation
+
+
+def of_another_order(patch: pytest.MonkeyPatch) -> Compilation:
+    patch.setattr(order_module, "_METHOD", "ros2")
+    return compiled(NAME).compilation
+
+
 FAULTS = {
     "a value in the NumPy emitter": (in_method(NumpyEngine, "evaluate"), "engine numpy"),
     "a value on the tape": (in_method(TapeEngine, "evaluate"), "engine tape"),
@@ -109,6 +138,9 @@ FAULTS = {
     "a wrong solution": (in_method(TapeEngine, "solve"), "solution"),
     "constraints that drift": (drifting, "constraints"),
     "an invariant that is none": (false_claim, "motion"),
+    "a motion that gains energy": (gaining, "conserved energy()"),
+    "a search that believes everything": (believing, "conserved momentum(a)"),
+    "a method of another order": (of_another_order, "order of the steps"),
 }
 
 
@@ -151,3 +183,30 @@ def test_no_regular_state_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     found = certify(compiled("pendulum").compilation)
     assert found.lines[0].verdict == "left out"
     assert np.all([line.name != "two derivations" for line in found.lines])
+
+
+@pytest.mark.parametrize("part", [0.0, 1e-2])
+def test_a_wrong_fmu_is_named(part: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An importer that gives the motion of the runtime, and one that gives another."""
+    from lagdsl.verify import fmu as fmu_module
+
+    compilation = compiled("pendulum").compilation
+    sound = lagdsl.compile(path_of("pendulum"))
+
+    def run(_: Any, version: int, kind: str, stop: float, rows: int, names: list[str]) -> Any:
+        motion = sound.simulate(stop=stop, interval=stop / (rows - 1))
+        off = part if (version, kind) == (3, "me") else 0.0
+        return motion.time, (1.0 + off) * np.stack([motion[name] for name in names], axis=1)
+
+    monkeypatch.setattr(fmu_module, "motion_by_fmpy", run)
+    lines = list(fmu_module.round_trips(compilation, TapeEngine(compilation.program)))
+    assert len(lines) == 4
+    assert [line.name for line in lines if line.verdict != "held"] == (["FMI 3.0 model exchange"] if part else [])
+
+
+@pytest.mark.skipif(not ALL, reason="exports four FMUs: tests/fmi runs each kind")
+@pytest.mark.parametrize("name", ["bead_on_circular_wire", "bouncing_ball"])
+def test_fmus_in_fmpy_have_the_motion(name: str) -> None:
+    pytest.importorskip("fmpy")
+    found = [line for line in certify(compiled(name).compilation, fmu=True).lines if line.name.startswith("FMI")]
+    assert [line.verdict for line in found] == ["held"] * 4

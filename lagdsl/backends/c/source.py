@@ -28,6 +28,7 @@ def source(program: Program, stem: str) -> str:
     return "\n".join(
         [
             f"/* Equations of motion of {comment_text(program.name)}, generated: see lag/model.h for what is what. */",
+            *_names_of_kinematics(program.layout),
             f'#include "{stem}.h"\n',
             "#define LAG_LANES_AMONG_SINGLES",
             '#include <math.h>\n\n#include "lag/columns.h"\n#include "lag/trigonometry.h"\n',
@@ -58,6 +59,16 @@ def header(stem: str, parts: Sequence[str] = (), *, start: bool = False) -> str:
 def symbol(stem: str) -> str:
     """Name of the constant that holds the model."""
     return f"{stem}_model"
+
+
+def _names_of_kinematics(layout: Layout) -> list[str]:
+    """The order of the results of kinematics() and regressor()."""
+    rows = {
+        "Frames of kinematics()": layout.frames,
+        "Points of kinematics()": layout.points,
+        "Inertial parameters": [slot.name for slot in layout.inertial],
+    }
+    return [f"/* {title}: {comment_text(', '.join(names))} */" for title, names in rows.items() if names]
 
 
 # ---- functions -------------------------------------------------------------------------------------------------------

@@ -6,15 +6,24 @@ from pathlib import Path
 
 from lagdsl.backends.backend import Artifact
 from lagdsl.backends.identifier import identifier
-from lagdsl.backends.python.body import body, body_name
+from lagdsl.backends.python.body import body_name
 from lagdsl.backends.python.sizes import motion_sizes
+from lagdsl.backends.python.standalone import bodies, signature, single, support
 from lagdsl.backends.python.tables import tables
 from lagdsl.backends.reserved import PYTHON_NAMES
-from lagdsl.graph.operation import ARGUMENT_NAMES, Group
-from lagdsl.program.functions import ALONG_MANY
 from lagdsl.program.program import Function, Program
 
-_SUPPORT = ("elementary", "columns", "vectorize", "linear", "delassus", "motion", "derivatives", "interface")
+_SUPPORT = (
+    "elementary",
+    "columns",
+    "vectorize",
+    "linear",
+    "delassus",
+    "motion",
+    "derivatives",
+    "kinematics",
+    "interface",
+)
 _PUBLIC = (
     "forward_dynamics",
     "inverse_dynamics",
@@ -28,7 +37,14 @@ _PUBLIC = (
     "parameter_jacobian",
     "output_jacobian",
 )
-_DROPPED = ("import ", "from ", "Floats = ", "Flags = ", "Evaluate = ")
+# Functions that a program may lack, with the functions of the module that call them.
+_BY_NAME = {
+    "equation_terms": ("coriolis_matrix", "gravity_forces", "bias_forces"),
+    "regressor": ("regressor", "inertial_parameters"),
+    "kinematics": ("frame", "point"),
+}
+_FOLDER = Path(__file__).parent / "support"
+_DROPPED = ("Floats = ", "Flags = ", "Evaluate = ", "Kinematics = ")
 
 _INTRODUCTION = '''"""Equations of motion of one model, generated. Needs NumPy only.
 
@@ -55,23 +71,25 @@ def module(program: Program) -> str:
         "from collections.abc import Callable, Mapping, Sequence\n",
         "import numpy as np\nfrom numpy import inf\nfrom numpy.typing import ArrayLike, NDArray\n",
         tables(program),
-        "Floats = NDArray[np.float64]\nFlags = NDArray[np.bool_]\nEvaluate = Callable[..., tuple[Floats, ...]]\n",
-        *(_support(name) for name in _SUPPORT),
-        *(body(program, function) for function in _single(program)),
+        "Floats = NDArray[np.float64]\nFlags = NDArray[np.bool_]\nEvaluate = Callable[..., tuple[Floats, ...]]\n"
+        "Kinematics = Evaluate\n",
+        *(support(_FOLDER / f"{name}.py", _DROPPED) for name in _SUPPORT),
+        *bodies(program),
         _functions(program),
-        f"evaluate = Functions(FUNCTIONS)\n_interface = Interface.over(evaluate, {sizes_text(program)}, DEFAULTS)",
-        *(f"{name} = _interface.{name}" for name in _PUBLIC),
+        f"evaluate = Functions(FUNCTIONS)\n_interface = interface_over(evaluate, {sizes_text(program)}, "
+        "DEFAULTS, FRAMES, POINTS)",
+        *(f"{name} = _interface.{name}" for name in (*_PUBLIC, *_told(program))),
         "",
     ]
     return "\n".join(parts)
 
 
-def _single(program: Program) -> list[Function]:
-    return [function for function in program.functions if function.name not in ALONG_MANY]
+def _told(program: Program) -> list[str]:
+    return [name for function, names in _BY_NAME.items() if program.has(function) for name in names]
 
 
 def _functions(program: Program) -> str:
-    rows = "".join(f"    {function.name!a}: {_row(program, function)},\n" for function in _single(program))
+    rows = "".join(f"    {function.name!a}: {_row(program, function)},\n" for function in single(program))
     return (
         f"# body, (name, length) of every argument, shapes of the results\nFUNCTIONS: dict[str, Row] = {{\n{rows}}}\n"
     )
@@ -81,14 +99,6 @@ def _row(program: Program, function: Function) -> str:
     return f"({body_name(function.name)}, {signature(program, function)!r}, {shapes(function)!r})"
 
 
-def signature(program: Program, function: Function) -> tuple[tuple[str, int | None], ...]:
-    """Name and length of every argument; the time has no axis of its own."""
-    return tuple(
-        (ARGUMENT_NAMES[group], None if group is Group.TIME else program.layout.size(group))
-        for group in function.arguments
-    )
-
-
 def shapes(function: Function) -> tuple[tuple[int, ...], ...]:
     return tuple(block.shape for block in function.results)
 
@@ -96,20 +106,3 @@ def shapes(function: Function) -> tuple[tuple[int, ...], ...]:
 def sizes_text(program: Program) -> str:
     sizes = motion_sizes(program)
     return f"Sizes({', '.join(f'{name}={value}' for name, value in vars(sizes).items())})"
-
-
-def _support(name: str) -> str:
-    """A file of the support folder as part of the module, which imports once and holds the other parts itself."""
-    text = (Path(__file__).parent / "support" / f"{name}.py").read_text(encoding="utf-8")
-    _, docstring, code = text.split('"""', 2)
-    kept = [line for line in code.splitlines() if not line.startswith(_DROPPED)]
-    comment = "\n".join(f"# {line}".rstrip() for line in docstring.strip().splitlines())
-    return f"# {'-' * 117}\n{comment}\n\n{_squeezed(kept)}"
-
-
-def _squeezed(lines: list[str]) -> str:
-    kept: list[str] = []
-    for line in lines:
-        if line or kept[-2:] != ["", ""]:
-            kept.append(line)
-    return "\n".join(kept).strip("\n") + "\n\n"

@@ -11,8 +11,10 @@ from lagdsl.cli.command import Command
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import PATH, takes_derivation
 from lagdsl.cli.output import Unwritable, write_text
-from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.flat.fixed_parameters import fix_parameters, matching_values
+from lagdsl.flat.geometry import frame_names, point_names
 from lagdsl.pipeline import Compilation, Route, compile_flat, flatten_file
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.settings import settings, split
@@ -20,8 +22,9 @@ from lagdsl.settings.settings import settings, split
 if TYPE_CHECKING:
     from lagdsl.backends.start import Start
     from lagdsl.flat.model import FlatModel
+    from lagdsl.program.program import Program
 
-_TARGETS = ("numpy", "c")
+_TARGETS = ("numpy", "c", "casadi", "jax")
 
 
 @click.command("build", cls=Command)
@@ -36,6 +39,11 @@ _TARGETS = ("numpy", "c")
     metavar="NAME[=VALUE]",
     help="Make a parameter a number of the module: 'm', 'm=2 kg', 'arm.*' or '*'. The equations become shorter.",
 )
+@click.option("--terms", is_flag=True, help="Add the Coriolis matrix, gravity and bias forces, and the regressor.")
+@click.option(
+    "--frame", "frames", multiple=True, metavar="NAME", help="Add how this frame moves: pose, Jacobian, velocity."
+)
+@click.option("--point", "points", multiple=True, metavar="NAME", help="Add how this point moves.")
 @click.option("--batch", is_flag=True, help="With C: add functions of many states and many directions at once.")
 def command(
     file: Path,
@@ -45,11 +53,16 @@ def command(
     folder: Path,
     derivation: Route,
     fixed: tuple[str, ...],
+    terms: bool,
+    frames: tuple[str, ...],
+    points: tuple[str, ...],
     batch: bool,
 ) -> None:
     """Write the equations of motion of FILE as one NumPy file, or as C sources with header, Makefile and examples."""
     if batch and target != "c":
         raise click.UsageError("--batch is for --target c: the NumPy module takes many states at once in every case")
+    if derivation == "textbook" and (terms or frames or points):
+        raise click.UsageError("--terms, --frame and --point need the derivation `graph`")
     source = read_or_leave(file, style)
     sink = Sink()
     flat = flatten_file(source, sink, model=model)
@@ -58,6 +71,10 @@ def command(
     compilation = compile_flat(flat, sink, derivation) if flat is not None else None
     if compilation is None:
         leave_with_errors(sink.diagnostics, style)
+    try:
+        program = _with_functions(compilation, terms, frames, points)
+    except CompilationFailed as failure:
+        leave_with_errors(failure.diagnostics, style)
     from lagdsl.backends.c.emit import CBackend
     from lagdsl.backends.registry import BACKENDS
     from lagdsl.backends.reserved import report_renamed
@@ -65,7 +82,7 @@ def command(
     report_renamed(compilation.program.name, "c" if target == "c" else "python", sink)
     tell(sink.diagnostics, style)
     backend = CBackend(batch=batch, start=_start(compilation)) if target == "c" else BACKENDS[target]
-    artifact = backend.emit(compilation.program)
+    artifact = backend.emit(program)
     for name, text in artifact.files.items():
         path = folder / name
         try:
@@ -74,6 +91,27 @@ def command(
             raise Unwritable(path.parent, error) from error
         write_text(text, path)
         click.echo(path)
+
+
+def _with_functions(compilation: Compilation, terms: bool, frames: tuple[str, ...], points: tuple[str, ...]) -> Program:
+    """The program with what `--terms`, `--frame` and `--point` add. Raises UsageError for a name that the model does
+    not have."""
+    from lagdsl.mechanics.by_name import with_equation_terms, with_kinematics, with_regressor
+
+    program = compilation.program
+    for option, given, known in (
+        ("--frame", frames, frame_names(compilation.flat)),
+        ("--point", points, point_names(compilation.flat)),
+    ):
+        for name in given:
+            if name not in known:
+                listing = f"there are {', '.join(known) or 'none'}"
+                raise click.UsageError(
+                    f"{option}: the model has no `{name}`: {did_you_mean(name, known, listing) or listing}"
+                )
+    if terms:
+        program = with_regressor(compilation.equations, with_equation_terms(compilation.equations, program))
+    return with_kinematics(compilation.equations, program, frames, points) if frames or points else program
 
 
 def _with_fixed(flat: FlatModel, fixed: tuple[str, ...], sink: Sink) -> FlatModel:

@@ -8,21 +8,24 @@ import click
 
 from lagdsl.cli.command import Command
 from lagdsl.cli.model_file import Format, read_or_leave, takes_model, tell
+from lagdsl.cli.options import takes_settings
 from lagdsl.cli.status import ERRORS, SUCCESS
 from lagdsl.diagnostics import Severity
 from lagdsl.flat.events import Events
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, check
+from lagdsl.settings.settings import split
 
 _MOST_NAMED = 8
 
 
 @click.command("check", cls=Command)
 @takes_model
-def command(file: Path, model: str | None, style: Format) -> None:
+@takes_settings
+def command(file: Path, model: str | None, style: Format, assignments: tuple[str, ...]) -> None:
     """Find all errors of the model in FILE, and show its degrees of freedom."""
     source = read_or_leave(file, style, to_output=True)
-    diagnostics, compilation = check(source, model=model)
+    diagnostics, compilation = check(source, model=model, pairs=split(assignments))
     tell(diagnostics, style, to_output=True)
     wrong = any(d.severity is Severity.ERROR for d in diagnostics)
     if compilation is not None and style == "text":

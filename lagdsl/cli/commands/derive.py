@@ -3,35 +3,34 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal, TypeAlias
 
 import click
 
+from lagdsl.api.derivation import ENDINGS, Derivation, Form
 from lagdsl.cli.command import Command
 from lagdsl.cli.model_file import Format, flat_or_leave, takes_model
-from lagdsl.cli.options import PATH
+from lagdsl.cli.options import PATH, takes_settings
 from lagdsl.cli.output import form_of, require_writable, write_text
-
-Form: TypeAlias = Literal["text", "markdown", "latex", "html"]
-_ENDINGS: dict[str, Form] = {".txt": "text", ".md": "markdown", ".tex": "latex", ".html": "html", ".htm": "html"}
 
 
 @click.command("derive", cls=Command)
 @takes_model
+@takes_settings
 @click.option(
     "--to",
     "form",
-    type=click.Choice(["text", "markdown", "latex", "html"]),
+    type=click.Choice(["text", "markdown", "latex", "html", "json"]),
     help="Form of the result; default: that of the file name, else text.",
 )
-@click.option("-o", "--output", type=PATH, help="Write to this .txt, .md, .tex or .html instead.")
-def command(file: Path, model: str | None, style: Format, form: Form | None, output: Path | None) -> None:
+@click.option("-o", "--output", type=PATH, help="Write to this .txt, .md, .tex, .html or .json instead.")
+def command(
+    file: Path, model: str | None, style: Format, assignments: tuple[str, ...], form: Form | None, output: Path | None
+) -> None:
     """Show the derivation of the equations of motion of FILE, step by step."""
-    chosen = form_of(output, form, _ENDINGS, "text")
+    chosen = form_of(output, form, ENDINGS, "text")
     require_writable(output)
-    flat = flat_or_leave(file, model, style)
+    flat = flat_or_leave(file, model, style, assignments)
 
-    from lagdsl.report.derivation import render
     from lagdsl.textbook.recipe import recipe
 
-    write_text(render(recipe(flat), chosen), output)
+    write_text(Derivation(recipe(flat)).to(chosen), output)

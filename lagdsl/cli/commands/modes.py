@@ -15,7 +15,8 @@ from lagdsl.cli.command import Command
 from lagdsl.cli.modes_text import modes_text, variation_text
 from lagdsl.cli.options import PATH
 from lagdsl.cli.output import draft_of, require_figure, require_writable
-from lagdsl.cli.small_motions import Options, finish, request, takes_state
+from lagdsl.cli.pages import require_page, write_page
+from lagdsl.cli.small_motions import Options, Request, finish, request, takes_state
 from lagdsl.settings.axis import varied
 from lagdsl.settings.settings import split
 
@@ -30,12 +31,22 @@ from lagdsl.settings.settings import split
     "range 'P=0:0.1:3 N' (first:step:last) or 'P=linspace(0, 3, 31) N', a list.",
 )
 @click.option("--plot", "picture", type=PATH, help="Write a figure: mode shapes or root locus.")
-def command(options: Options, assignment: str | None, picture: Path | None) -> None:
+@click.option(
+    "--page",
+    "--show",
+    "page",
+    type=PATH,
+    metavar="F.html",
+    help="Write a page on which the modes move; with --vary thresholds and root locus stand beside them.",
+)
+def command(options: Options, assignment: str | None, picture: Path | None, page: Path | None) -> None:
     """Show the modes of FILE about its initial state."""
     require_writable(picture)
+    require_page(page)
     if picture is not None:
         require_figure(picture)
     asked = request(options, trim=options.trim)
+    found_over: Variation | None = None
     if assignment is None:
         found = asked.ask(modes)
         finish(asked, modes_text(asked.system, found), _modes_data(found), _modes_table(found))
@@ -46,14 +57,24 @@ def command(options: Options, assignment: str | None, picture: Path | None) -> N
         finish(
             asked, variation_text(found_over, target.display), _variation_data(found_over), _variation_table(found_over)
         )
+    if page is not None:
+        about = found if assignment is None else asked.ask(modes)
+        write_page(page, lambda: _page(asked, about, found_over), asked.sink, options.style)
     if picture is not None:
         from lagdsl.plot.modes import plot_modes, plot_variation
 
         with draft_of(picture) as draft:
             if assignment is None:
                 plot_modes(found, draft)
-            else:
+            elif found_over is not None:
                 plot_variation(found_over, draft)
+
+
+def _page(asked: Request, found: Modes, variation: Variation | None) -> str:
+    from lagdsl.page.modes import modes_page
+
+    names = [slot.name for slot in asked.system.engine.layout.parameters]
+    return modes_page(asked.system.flat, found, names=names, variation=variation, source=asked.source)
 
 
 def _modes_data(found: Modes) -> dict[str, Any]:

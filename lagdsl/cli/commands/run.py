@@ -24,11 +24,14 @@ from lagdsl.cli.options import (
     takes_span,
     takes_units,
 )
-from lagdsl.cli.output import draft_of, require_ending, require_figure, require_units, require_writable
+from lagdsl.cli.output import require_ending, require_units, require_writable
+from lagdsl.cli.pictures import Pictures, draw_pictures, require_pictures, takes_pictures
+from lagdsl.cli.plots import Plot, draw_plot, require_names, require_sound, takes_plot
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, USAGE
 from lagdsl.diagnostics import CompilationFailed, Sink
 from lagdsl.pipeline import Route, findings
+from lagdsl.plot.picture.recording import Wishes
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.runtime.engines.selection import engine_of
 from lagdsl.settings.literal import seconds
@@ -53,7 +56,8 @@ from lagdsl.simulate.failure import SimulationFailed
 @click.option("-o", "--output", type=PATH, help="Write the columns to this .csv or .parquet.")
 @takes_units
 @click.option("--events", type=PATH, help="Write the events to this .csv.")
-@click.option("--plot", "picture", type=PATH, help="Write a figure of the motion.")
+@takes_plot
+@takes_pictures
 def command(
     file: Path,
     model: str | None,
@@ -71,12 +75,15 @@ def command(
     output: Path | None,
     units: bool,
     events: Path | None,
-    picture: Path | None,
+    plot: Plot,
+    pictures: Pictures,
 ) -> None:
     """Simulate the model in FILE; without -o, show a summary of the motion."""
-    for path in (output, events, picture):
+    for path in (output, events):
         require_writable(path)
-    _require_forms(output, picture, style)
+    _require_table(output, style)
+    require_sound(plot)
+    require_pictures(pictures)
     require_ending(events, "events are", ".csv")
     require_units(output, units)
     source = read_or_leave(file, style)
@@ -84,6 +91,7 @@ def command(
     sink = Sink()
     compilation, chosen = compile_or_leave(source, sink, style, model, derivation, split(assignments))
     kept = columns_of(columns, [compilation.flat])
+    require_names(plot, [compilation.flat])
     signals = given.of(compilation.flat, sink, style)
     try:
         compiled = Model(compilation, engine_of(compilation.program, engine))
@@ -109,13 +117,13 @@ def command(
     except ValueError as error:  # options that make no sense
         raise click.UsageError(str(error)) from error
     tell(sink.diagnostics, style)
-    motion = motion.only(kept)
+    whole, motion = motion, motion.only(kept)
     _write(motion, output, events, style, units=units)
-    if picture is not None:
-        from lagdsl.plot.figure import plot
-
-        with draft_of(picture) as draft:
-            plot(motion, draft)
+    draw_plot(plot, whole, motion)
+    if pictures.wanted:
+        end = seconds("--stop", stop)
+        wishes = Wishes(stop=end, tolerance=tolerance, parameters=chosen.parameters, start=chosen.start, inputs=signals)
+        draw_pictures(pictures, compilation.flat, wishes, Sink())
     if output is None:
         from lagdsl.cli.summary import summary
         from lagdsl.signals.moved import loops_of
@@ -124,13 +132,11 @@ def command(
         click.echo(summary(motion, freedom=compilation.structure.freedom, loops=loops, curves=sys.stdout.isatty()))
 
 
-def _require_forms(output: Path | None, picture: Path | None, style: Format) -> None:
-    """Leave with status 2, before the work is done, where a file of that ending cannot be written."""
+def _require_table(output: Path | None, style: Format) -> None:
+    """Leave with status 2, before the work is done, where a table of that ending cannot be written."""
     sink = Sink()
     if output is not None and not has_writer(output, sink):
         _leave_with_usage(sink, style)
-    if picture is not None:
-        require_figure(picture)
 
 
 def _write(motion: Trajectory, output: Path | None, events: Path | None, style: Format, *, units: bool) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import webbrowser
 from pathlib import Path
 
 import click
@@ -11,12 +10,17 @@ from lagdsl.cli.command import Command
 from lagdsl.cli.compile_model import compile_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import PATH, takes_settings, takes_stop, takes_tolerance
-from lagdsl.cli.output import require_ending, require_writable, write_text
+from lagdsl.cli.output import require_writable, write_text
+from lagdsl.cli.pages import open_page, require_page
+from lagdsl.cli.pictures import Pictures, draw_pictures, require_pictures, takes_pictures
 from lagdsl.cli.status import FAILED_RUN
-from lagdsl.diagnostics import CompilationFailed, Severity, Sink
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import findings
+from lagdsl.plot.picture.recording import Wishes
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
+from lagdsl.source import SourceFile
 
 
 @click.command("show", cls=Command)
@@ -25,6 +29,8 @@ from lagdsl.settings.settings import split
 @takes_tolerance
 @takes_settings
 @click.option("-o", "--output", type=PATH, metavar="F.html", help="Write the page here. Default: MODEL.html.")
+@takes_pictures
+@click.option("--from", "rows", type=PATH, metavar="F.csv", help="Show the rows of this file, integrate nothing.")
 @click.option("--no-open", is_flag=True, help="Write the page, and do not open it.")
 def command(
     file: Path,
@@ -34,29 +40,50 @@ def command(
     tolerance: float | None,
     assignments: tuple[str, ...],
     output: Path | None,
+    pictures: Pictures,
+    rows: Path | None,
     no_open: bool,
 ) -> None:
-    """Write a page that shows the machine in FILE, and open it in a browser. The page needs no network."""
-    require_ending(output, "pages are", ".html", ".htm")
-    require_writable(output)
+    """Write a page that shows the machine in FILE, and open it in a browser. The page needs no network.
+
+    With --gif or --png write these; the page, too, where -o says its name.
+    """
+    require_page(output)
+    require_pictures(pictures)
+    _require_alone(rows, pictures, stop, tolerance)
     source = read_or_leave(file, style)
     sink = Sink()
     compilation, chosen = compile_or_leave(source, sink, style, model, "graph", split(assignments))
-    path = Path(f"{compilation.flat.name}.html") if output is None else output
-    require_writable(path)
-
-    from lagdsl.page.page import Wishes, page
-
     wishes = Wishes(stop=seconds("--stop", stop), tolerance=tolerance, parameters=chosen.parameters, start=chosen.start)
+    if pictures.wanted:
+        draw_pictures(pictures, compilation.flat, wishes, sink if output is None else Sink())
+    if output is not None or not pictures.wanted:
+        path = Path(f"{compilation.flat.name}.html") if output is None else output
+        require_writable(path)
+        text = _page(compilation.flat, wishes, rows, source, sink, style)
+        write_text(text, path)
+        open_page(path, no_open=no_open)
+    tell(sink.diagnostics, style)
+    if sink.has_errors:
+        click.get_current_context().exit(FAILED_RUN)
+
+
+def _require_alone(rows: Path | None, pictures: Pictures, stop: str | None, tolerance: float | None) -> None:
+    """Leave with status 2 where an option asks for a motion that --from does not integrate."""
+    if rows is not None and (pictures.wanted or stop is not None or tolerance is not None):
+        raise click.UsageError("--from shows the rows of a file: leave --stop, --tolerance, --gif and --png out")
+
+
+def _page(flat: FlatModel, wishes: Wishes, rows: Path | None, source: SourceFile, sink: Sink, style: Format) -> str:
+    """The text of the page; leaves where there is no motion at all."""
+    from lagdsl.page.page import page
+    from lagdsl.page.results import results_page
+
     try:
-        text = page(compilation.flat, wishes, source=source, sink=sink)
+        if rows is not None:
+            return results_page(flat, rows, wishes, source=source, sink=sink)
+        return page(flat, wishes, source=source, sink=sink)
     except CompilationFailed as failure:
         leave_with_errors(findings(sink, failure), style)
     except ValueError as error:  # options that make no sense
         raise click.UsageError(str(error)) from error
-    tell(sink.diagnostics, style)
-    write_text(text, path)
-    if no_open or not webbrowser.open(path.resolve().as_uri()):
-        click.echo(f"wrote {path}")
-    if any(d.severity is Severity.ERROR for d in sink.diagnostics):
-        click.get_current_context().exit(FAILED_RUN)

@@ -14,12 +14,17 @@ from lagdsl.cli.inputs import inputs_or_leave
 from lagdsl.cli.model_file import Format, leave_with_errors, read_or_leave, takes_model, tell
 from lagdsl.cli.options import PATH, takes_columns, takes_engine, takes_inputs, takes_span, takes_units
 from lagdsl.cli.output import Unwritable, require_units, require_writable
+from lagdsl.cli.pages import require_page, write_page
+from lagdsl.cli.plots import Plot, require_sound, takes_plot
 from lagdsl.cli.progress import progress
 from lagdsl.cli.status import FAILED_RUN, INTERRUPTED
+from lagdsl.cli.sweep_page import page_of, require_one_machine
+from lagdsl.cli.sweep_plot import draw_sweep, require_kept
 from lagdsl.cli.text_table import aligned
 from lagdsl.diagnostics import CompilationFailed, Diagnostic, Severity, Sink
 from lagdsl.flat.model import FlatModel
 from lagdsl.pipeline import Compilation, compile_flat, flatten_file
+from lagdsl.plot.picture.recording import Wishes
 from lagdsl.runtime.engines.engine import EngineName
 from lagdsl.settings.literal import seconds
 from lagdsl.settings.settings import split
@@ -56,6 +61,8 @@ _MOST_REASONS = 3
 @takes_columns
 @click.option("-o", "--output", type=PATH, help="Write the dataset: .nc, .parquet or .csv.")
 @takes_units
+@takes_plot
+@click.option("--page", type=PATH, metavar="F.html", help="Write a page with a slider over the runs.")
 @click.option("--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one for each core.")
 @click.option("--scheduler", metavar="ADDRESS", help="Make the runs on the Dask cluster at ADDRESS.")
 @click.option("--resume", is_flag=True, help="Continue an interrupted sweep to the same output.")
@@ -75,6 +82,8 @@ def command(
     columns: tuple[str, ...],
     output: Path | None,
     units: bool,
+    plot: Plot,
+    page: Path | None,
     jobs: int | None,
     scheduler: str | None,
     resume: bool,
@@ -88,6 +97,8 @@ def command(
         raise click.UsageError("--resume continues a sweep to a file: give the file with -o")
     _require_packages(output, scheduler)
     require_units(output, units)
+    require_sound(plot)
+    require_page(page)
     source = read_or_leave(file, style)
     given = inputs_or_leave(inputs, style)
     sink = Sink()
@@ -98,6 +109,11 @@ def command(
     tell(sink.diagnostics, style)
     known, subjects = _subjects(source, style, model, the_plan)
     end, step = options_of(flat, stop=seconds("--stop", stop), interval=seconds("--interval", interval))
+    models = [swept.flat for swept in subjects if swept.flat is not None]
+    kept = columns_of(columns, models)
+    require_kept(plot, models, kept)
+    if page is not None:
+        require_one_machine(the_plan)
     options = Options(
         stop=end,
         interval=step,
@@ -105,12 +121,16 @@ def command(
         solver=solver,
         engine=engine,
         inputs=signals,
-        columns=columns_of(columns, [swept.flat for swept in subjects if swept.flat is not None]),
+        columns=kept,
     )
     work = Work(jobs=jobs, scheduler=scheduler, output=output, resume=resume, units=units)
     data = _sweep(the_plan, known, subjects, options, work)
     if output is None:
         click.echo(_summary(data, the_plan, subjects))
+    draw_sweep(plot, data, the_plan, models)
+    if page is not None:
+        wishes = Wishes(stop=end, tolerance=tolerance, inputs=signals)
+        write_page(page, lambda: page_of(the_plan, models, wishes, source, sink), sink, style)
     failed = _tell_failures(data, the_plan)
     if failed == the_plan.runs:
         click.get_current_context().exit(FAILED_RUN)

@@ -19,7 +19,8 @@ from lagdsl.diagnostics import Sink
     "--to", "form", type=click.Choice(["text", "json", "html"]), help="Default: by the suffix of -o, else text."
 )
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="Write to this file instead.")
-def command(file: Path, model: str | None, style: Format, form: str | None, output: Path | None) -> None:
+@click.option("--fmu", is_flag=True, help="Also export FMUs of both versions and kinds, and run them in FMPy.")
+def command(file: Path, model: str | None, style: Format, form: str | None, output: Path | None, fmu: bool) -> None:
     """Compare both derivations, all engines, derivatives, power and the motion of the model in FILE.
 
     Leaves with status 3 if a line fails.
@@ -32,7 +33,7 @@ def command(file: Path, model: str | None, style: Format, form: str | None, outp
     from lagdsl.verify.forms import FORMS
 
     suffix = "" if output is None else output.suffix.removeprefix(".")
-    certificate = certify(compilation, source)
+    certificate = certify(compilation, source, fmu=fmu)
     write_text(FORMS[form or (suffix if suffix in FORMS else "text")](certificate), output)
     if not certificate.holds:
         click.get_current_context().exit(FAILED_RUN)

@@ -10,6 +10,7 @@ from lagdsl.diagnostics.catalog import (
     initial,
     names,
     physics,
+    robots,
     runtime,
     settings,
     syntax,
@@ -31,6 +32,7 @@ ROWS: dict[str, Row] = {
     **export.ROWS,
     **runtime.ROWS,
     **settings.ROWS,
+    **robots.ROWS,
 }
 
 __all__ = ["ROWS", "Row"]

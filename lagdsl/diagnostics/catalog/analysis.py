@@ -34,4 +34,9 @@ ROWS: dict[str, Row] = {
         "a root of zero, a division by zero or the norm of a zero vector has no finite derivative: use a smooth form, "
         "e.g. sqrt(v*v + eps^2)",
     ),
+    "E0856": error(
+        "the mass matrix depends on the rates, so there is no Coriolis matrix",
+        "this energy is not quadratic in the rates",
+        "use `inverse_dynamics` at zero accelerations, which gives all these forces in one",
+    ),
 }

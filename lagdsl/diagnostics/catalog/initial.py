@@ -222,4 +222,10 @@ ROWS: dict[str, Row] = {
         None,
         "give `{name}` too, from the same signal",
     ),
+    "E0857": error(
+        "output `{name}` is {found} at t = {time} s",
+        None,
+        "look for a division by zero, or a root or logarithm outside its domain; an `if` or `max(x, 1e-9)` keeps away "
+        "from it",
+    ),
 }

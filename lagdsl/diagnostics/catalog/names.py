@@ -77,7 +77,7 @@ ROWS: dict[str, Row] = {
         help="use a public member, or move it above `protected`",
     ),
     "E0230": error(
-        "component `{name}` does not exist: its condition is false",
+        "`{name}` does not exist: its condition is false",
         label="used here",
         help="use it under the same condition",
     ),
@@ -138,14 +138,9 @@ ROWS: dict[str, Row] = {
     ),
     "E0244": error("`{new}` cannot replace `{old}`: it has no {missing}", label="replaces it here"),
     "E0245": error(
-        "a short class defines one component, not an array",
-        label="no size here",
-        help="give the size where components are declared: `{name} name[n]` with `model {name} = {base};`",
-    ),
-    "E0246": error(
-        "`{name}` cannot be declared under a condition here",
-        label="conditions after a declaration are for components",
-        help="put the declaration into `if ... then ... end if;` with a structural condition",
+        "`{name}` stands for several components, {what} needs one class",
+        label="several components",
+        help="declare a component of it: `{name} name;`",
     ),
     "E0250": error(
         "there is no package or class `{name}`",

@@ -21,7 +21,8 @@ ROWS: dict[str, Row] = {
     "E0874": error(
         "no {what} `{name}`; {hint}",
         None,
-        "the names stand in model.parameters, model.coordinates, model.states and model.inputs",
+        "the names stand in model.parameters, model.coordinates, model.states, model.inputs, model.frames and "
+        "model.points",
     ),
     "N0875": note(
         "no value is given for {names}: {zero}",

@@ -161,11 +161,6 @@ ROWS: dict[str, Row] = {
         label="known only after the equations are solved",
         help="`der` may be taken twice of coordinates",
     ),
-    "E0343": error(
-        "`{name}` is not part of the model: its condition is false",
-        label="left out",
-        help="use the same condition here, in a structural `if`",
-    ),
     "E0344": error(
         "`each` does not fit {what}: there is one only", label="`each` without an array", help="delete `each`"
     ),

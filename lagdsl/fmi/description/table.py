@@ -9,6 +9,7 @@ from lagdsl.backends.c.literal import number, string
 from lagdsl.flat.model import FlatModel
 from lagdsl.fmi.variables.scalar import Role, Variable
 from lagdsl.fmi.variables.variables import Kind, Table, Version
+from lagdsl.graph.operation import Group
 
 _KINDS: dict[Kind, str] = {"me": "LAG_MODEL_EXCHANGE", "cs": "LAG_CO_SIMULATION"}
 
@@ -31,6 +32,7 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "turning": ("unsigned char", _flags([output.turning for output in flat.outputs])),
         "parameter_range": ("lag_range", _ranges(table)),
         "input_rates": ("size_t", _input_rates(flat)),
+        "continuous_inputs": ("unsigned char", _continuous_inputs(table)),
         "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
     }
     if table.version == 3:
@@ -99,6 +101,22 @@ def _input_rates(flat: FlatModel) -> list[str]:
     """By input, the index of the one that is its time derivative; none where no input has one."""
     rates = {item.derivative_of: index for index, item in enumerate(flat.inputs) if item.derivative_of is not None}
     return [str(rates.get(item.name, len(flat.inputs))) for item in flat.inputs] if rates else []
+
+
+def _continuous_inputs(table: Table) -> list[str]:
+    """Flags of inputs with derivatives that may not jump: all but those that prescribe a speed."""
+    inputs, program = table.flat.inputs, table.program
+    followed = {item.derivative_of for item in inputs}
+    if followed == {None}:
+        return []
+    levels = [program.function(name) for name in ("velocity_constraint", "momenta") if program.has(name)]
+    moving = set(program.graph.live(node for level in levels for block in level.results for node in block.elements))
+    flags = []
+    for index, item in enumerate(inputs):
+        twice = item.smooth > 1
+        speed = program.graph.symbol(Group.U, index) in moving and not twice
+        flags.append(item.name in followed and not speed)
+    return _flags(flags)
 
 
 def _numbers(values: Sequence[float]) -> list[str]:

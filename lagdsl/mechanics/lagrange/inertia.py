@@ -101,7 +101,7 @@ class _Builder:
         moving = self._accelerations.of(frame)
         if all(not graph.groups[x] & ~_HELD for x in place):
             zero = (graph.zero, graph.zero, graph.zero)
-            tensor = _about_origin(graph, mass, place, (zero, zero, zero))
+            tensor = about_origin(graph, mass, place, (zero, zero, zero))
             self._add_rigid(frame, moving, mass, scale(graph, mass, place), tensor)
             return
         for velocity, acceleration in zip(carrier.velocity, self._accelerations.shifted(moving, place), strict=True):
@@ -126,7 +126,7 @@ class _Builder:
         if is_in_world(self._lowering, frame, carrier.position):
             self._add_point(mass, carrier.position)
             mass = graph.zero
-        self._add_rigid(frame, moving, mass, scale(graph, mass, com), _about_origin(graph, mass, com, tensor))
+        self._add_rigid(frame, moving, mass, scale(graph, mass, com), about_origin(graph, mass, com, tensor))
 
     def add_typed_bodies(self, apart: Apart, lagrangian: int) -> int:
         """Bodies typed as energies, with their weights; what is no body is given back."""
@@ -190,7 +190,7 @@ class _Builder:
             form.add_force(omega[i], graph.negate(graph.add(turn, carried[i])))
 
 
-def _about_origin(graph: Graph, mass: int, com: Vector, tensor: Axes) -> Axes:
+def about_origin(graph: Graph, mass: int, com: Vector, tensor: Axes) -> Axes:
     """Steiner: I + m (c.c 1 - c c')."""
     square = graph.dot(com, com)
 

@@ -24,13 +24,27 @@ def inverse_dynamics(
     lowering: Lowering, flat: FlatModel, found: lagrange.Dynamics, directions: Directions
 ) -> list[int]:
     """M qdd - f, of about the size of T and V; by Lagrange's equations where a body has no acceleration form."""
-    graph = lowering.graph
     moving = copy(lowering)
     moving.bias_rate = lowering.rate
+    forces = _forces(moving, flat, found, directions)
+    return lagrange.inverse_dynamics(lowering, found.terms) if forces is None else forces
+
+
+def bias_forces(lowering: Lowering, flat: FlatModel, found: lagrange.Dynamics, directions: Directions) -> list[int]:
+    """-f: the same at qdd = 0."""
+    forces = _forces(lowering, flat, found, directions)
+    if forces is not None:
+        return forces
+    return [lowering.graph.negate(force) for force in lagrange.forcing(lowering, found.terms)]
+
+
+def _forces(lowering: Lowering, flat: FlatModel, found: lagrange.Dynamics, directions: Directions) -> list[int] | None:
+    """The forces of the acceleration form by coordinate, with opposite sign; None where a body has no such form."""
+    graph = lowering.graph
     try:
-        form = acceleration_form(moving, flat, found, directions)
+        form = acceleration_form(lowering, flat, found, directions)
     except (NotApplicable, CompilationFailed):  # an input has no derivative that only this form asks for
-        return lagrange.inverse_dynamics(lowering, found.terms)
+        return None
     opposite = {velocity: graph.negate(force) for velocity, force in form.forces.items()}
     pulled = adjoints(graph, opposite, (Group.QD,))
     return [pulled.get(rate, graph.zero) for rate in directions.rates]

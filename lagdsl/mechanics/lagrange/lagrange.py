@@ -42,10 +42,11 @@ def dynamics(lowering: Lowering, flat: FlatModel, directions: Directions) -> Dyn
     """The parts of Lagrange's equations for `directions`."""
     totals = energies(lowering, flat)
     work = virtual_work(lowering, flat)
-    return Dynamics(energies=totals, work=work, terms=_terms(lowering.graph, totals, work, directions))
+    return Dynamics(energies=totals, work=work, terms=parts(lowering.graph, totals, work, directions))
 
 
-def _terms(graph: Graph, totals: Energies, work: VirtualWork, directions: Directions) -> Terms:
+def parts(graph: Graph, totals: Energies, work: VirtualWork, directions: Directions) -> Terms:
+    """The derivatives of the energies and the generalized forces of the loads."""
     both = adjoints(graph, {totals.lagrangian: graph.one}, (directions.position_group, directions.rate_group))
     lost = adjoints(graph, {totals.dissipation: graph.one}, (directions.rate_group,))
     return Terms(

@@ -29,7 +29,7 @@ from lagdsl.record import record
 
 Provided: TypeAlias = (
     "flat.Multiplier | flat.FrameReaction | flat.ReactionAlong | flat.SystemEnergy | flat.GeneralizedMomentum "
-    "| flat.LinearMomentum | flat.AngularMomentum"
+    "| flat.LinearMomentum | flat.AngularMomentum | flat.AdmissibleMotion"
 )
 
 

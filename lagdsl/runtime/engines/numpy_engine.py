@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.backends.python.body import ELEMENTARY, body, body_name
-from lagdsl.backends.python.emit import shapes, signature
+from lagdsl.backends.python.emit import shapes
 from lagdsl.backends.python.sizes import motion_sizes
+from lagdsl.backends.python.standalone import signature
 from lagdsl.backends.python.support import linear
 from lagdsl.backends.python.support.columns import BY_COLUMNS, formed
 from lagdsl.backends.python.support.derivatives import differentiate_motion

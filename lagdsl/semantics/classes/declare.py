@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import product as cartesian
 
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.classes.annotations import annotations_of, without_units
 from lagdsl.semantics.classes.array_modifiers import Said, Splits
-from lagdsl.semantics.classes.inheritance import Body, Part, body_of, enter_class, expand_short, names_in
+from lagdsl.semantics.classes.inheritance import Body, Part, body_of, enter_class, names_in, steps_to
 from lagdsl.semantics.classes.modification import (
     Changes,
     Given,
@@ -19,13 +20,13 @@ from lagdsl.semantics.classes.modification import (
     target,
 )
 from lagdsl.semantics.classes.redeclaration import replaced, stands_in
+from lagdsl.semantics.classes.sized_classes import extents_of, sized
 from lagdsl.semantics.operators.conditions import condition_of
-from lagdsl.semantics.scope.constants import structural_integer
 from lagdsl.semantics.scope.contents import Contents
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.limits import another_component, another_turn
 from lagdsl.semantics.scope.naming import element_name
-from lagdsl.semantics.scope.scope import ClassSymbol, Indices, Instance, InstanceArray, Scope, Symbol, lookup_path
+from lagdsl.semantics.scope.scope import ClassSymbol, Instance, InstanceArray, Scope, Symbol, lookup_path
 from lagdsl.semantics.scope.values import POISON, Scalar
 from lagdsl.semantics.types import prefixes
 from lagdsl.semantics.types.declarations import declared, enter
@@ -106,6 +107,8 @@ class Declarer:
         members[before:] = sorted(members[before:], key=lambda member: order[id(member.span)])
 
     def _quantities(self, part: Part, item: nodes.Component | nodes.Coordinate | nodes.Geometry) -> None:
+        """The items without a condition; the others are declared where it is known, as in a structural `if`."""
+        item = replace(item, declarators=tuple(each for each in item.declarators if each.condition is None))
         for symbol in declared(self.ctx, part.scope, item):
             modify(self.ctx, symbol, self._taken(part, symbol.short, symbol.span))
             self._keep(part, symbol.short, symbol)
@@ -135,15 +138,16 @@ class Declarer:
         check_duplicates(ctx, declarator.modifiers)
         given: list[Said] = [((), modifier, scope) for modifier in declarator.modifiers]
         symbol = replaced(ctx, part, declarator, symbol, self._taken(part, name, declarator.name_span), given)
-        expanded = expand_short(ctx, symbol)
-        known = expanded is not None and self._may_stand(declarator, expanded[0])
+        found = steps_to(ctx, symbol)
+        known = found is not None and self._may_stand(declarator, found[0])
         known = known and stands_in(ctx, symbol, declarator, self.body.parts)
         condition = condition_of(ctx, scope, declarator.condition) if known else None
-        shape = self._shape(declarator, scope) if condition is not None else None
-        if expanded is None or condition is None or shape is None:
+        own = extents_of(ctx, name, declarator.subscripts, scope) if condition is not None else None
+        inner = sized(ctx, name, found[1]) if found is not None and own is not None else None
+        if found is None or condition is None or own is None or inner is None:
             scope.entries.setdefault(name, POISON)
             return
-        definition, short = expanded
+        definition, shape = found[0], (*own, *inner.shape)
         qualified = scope.qualify(name)
         splits = Splits(ctx, name, shape, given)
         if not shape:
@@ -152,7 +156,7 @@ class Declarer:
             made = self._instance(declarator, scope, qualified, definition, condition)
             if enter(ctx, scope, name, made, declarator.name_span):
                 self._keep(part, name, made)
-                self._fill(declarator, made, [*short, *splits.at(())])
+                self._fill(declarator, made, [*inner.at(()), *splits.at(())])
             return
         array = InstanceArray(qualified, declarator.name_span, shape)
         if not enter(ctx, scope, name, array, declarator.name_span):
@@ -163,7 +167,7 @@ class Declarer:
                 return
             made = self._instance(declarator, scope, element_name(qualified, indices), definition, condition)
             array.elements[indices] = made
-            self._fill(declarator, made, [*short, *splits.at(indices)])
+            self._fill(declarator, made, [*inner.at(indices), *splits.at(indices)])
 
     def _is_inherited_twice(self, part: Part, declarator: nodes.Declarator) -> bool:
         """True if two classes that meet by `extends` declare the component in the same words."""
@@ -189,23 +193,6 @@ class Declarer:
         if declarator.value is not None:
             self.ctx.sink.report("E0227", declarator.value.span, name=declarator.name)
         return True
-
-    def _shape(self, declarator: nodes.Declarator, scope: Scope) -> Indices | None:
-        extents: list[int] = []
-        for subscript in declarator.subscripts:
-            if isinstance(subscript, nodes.All | nodes.Range):
-                self.ctx.sink.report("E0312", subscript.span, expected="a number of components", found="a range")
-                return None
-            value = self.ctx.elaborate(self.ctx, scope, subscript, False)
-            extent = structural_integer(self.ctx, value, subscript, "E0301", name=subscript.span.text)
-            if extent is not None and extent < 1:
-                what = f"the size of `{declarator.name}`"
-                self.ctx.sink.report("E0334", subscript.span, what=what, expected="positive", found=str(extent))
-                return None
-            if extent is None:
-                return None
-            extents.append(extent)
-        return tuple(extents)
 
     def _instance(
         self, declarator: nodes.Declarator, scope: Scope, name: str, symbol: ClassSymbol, condition: Scalar | bool

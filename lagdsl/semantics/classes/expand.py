@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import assert_never
 
 from lagdsl.diagnostics import Label
@@ -11,7 +12,7 @@ from lagdsl.semantics.classes.declare import Declarer, component_class, symbols_
 from lagdsl.semantics.classes.inheritance import Part
 from lagdsl.semantics.classes.modification import Given
 from lagdsl.semantics.operators import arrays
-from lagdsl.semantics.operators.conditions import condition_of
+from lagdsl.semantics.operators.conditions import condition_of, structural_condition
 from lagdsl.semantics.scope.contents import Contents, Placed
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import element_name
@@ -102,6 +103,8 @@ class Expander:
                 entry = scope.entries.get(item.name)
                 if isinstance(entry, FunctionSymbol) and all(entry.node is not f.node for f in self.contents.functions):
                     self.contents.functions.append(entry)
+            case nodes.Component() | nodes.Coordinate() | nodes.Geometry():
+                self._conditional(item, part)
             case nodes.Import() | nodes.Definition() | nodes.Declaration():
                 pass  # its names are entered
             case _:
@@ -156,6 +159,17 @@ class Expander:
         if item.otherwise is not None:
             self._branch(item.otherwise, part)
 
+    def _conditional(self, item: nodes.Component | nodes.Coordinate | nodes.Geometry, part: Part) -> None:
+        """`parameter Mass m = 1 kg if c;` is the same declaration in an `if`."""
+        for declarator in item.declarators:
+            condition = structural_condition(self.ctx, part.scope, declarator.condition, f"`{declarator.name}`")
+            if declarator.condition is not None and condition:
+                alone = replace(declarator, condition=None)
+                self._branch((replace(item, declarators=(alone,)),), part)
+            elif condition is False:
+                self.ctx.reports.absent[part.scope.qualify(declarator.name)] = declarator.name_span
+                self.declarer.changes.take(declarator.name)  # a modifier of what is not there says nothing
+
     def _branch(self, items: tuple[nodes.Item, ...], part: Part) -> None:
         parts = list(self._inside(items, part.scope, part))
         if part.scope.kind == "class":
@@ -179,6 +193,8 @@ class Expander:
             entry = lookup(scope, declarator.name)
             if not isinstance(entry, Symbol) or not declarator.subscripts or declarator.value is None:
                 self.ctx.sink.report("E0340", declarator.name_span, name=declarator.name)
+                continue
+            if not structural_condition(self.ctx, scope, declarator.condition, f"`{declarator.name}`"):
                 continue
             word = _word(item)
             if entry.title != word and entry.kind != "unknown":

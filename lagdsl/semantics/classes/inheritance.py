@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import field
-from typing import assert_never
+from typing import TypeAlias, assert_never
 
 from lagdsl.diagnostics import Label
 from lagdsl.record import mutable_record, record
@@ -60,26 +60,43 @@ def class_at(ctx: Context, scope: Scope, name: nodes.Name) -> ClassSymbol | None
     return None
 
 
-def expand_short(ctx: Context, symbol: ClassSymbol) -> tuple[ClassSymbol, list[Given]] | None:
-    """The class behind a short definition and the modifiers on the way, innermost first; None after a diagnostic."""
-    found: list[Given] = []
-    seen: list[nodes.ShortClass] = []
+Step: TypeAlias = "tuple[nodes.ShortClass, Scope]"
+
+
+def steps_to(ctx: Context, symbol: ClassSymbol) -> tuple[ClassSymbol, list[Step]] | None:
+    """The class behind short definitions and these, outermost first, each with its scope; None after a diagnostic."""
+    steps: list[Step] = []
     while isinstance(symbol.node, nodes.ShortClass):
         node = symbol.node
-        if node.subscripts:
-            ctx.sink.report("E0245", node.subscripts[0].span, name=node.name, base=".".join(node.base.parts))
-            return None
-        if any(node is other for other in seen):
+        if any(node is other for other, _ in steps):
             ctx.sink.report("E0305", node.span, path=f"model `{node.name}` is defined by itself")
             return None
-        seen.append(node)
-        check_duplicates(ctx, node.modifiers)
-        found[:0] = [(modifier, symbol.scope) for modifier in node.modifiers]
+        steps.append((node, symbol.scope))
         base = class_at(ctx, symbol.scope, node.base)
         if base is None:
             return None
         symbol = base
-    return symbol, found
+    return symbol, steps
+
+
+def expand_short(
+    ctx: Context, symbol: ClassSymbol, what: str, span: Span | None = None
+) -> tuple[ClassSymbol, list[Given]] | None:
+    """The class behind a short definition and the modifiers on the way, innermost first; None after a diagnostic.
+
+    `what`, at `span`, needs one class, no array of them (E0245).
+    """
+    found = steps_to(ctx, symbol)
+    if found is None:
+        return None
+    for node, _ in found[1]:
+        if node.subscripts:
+            sized = node.subscripts[0].span
+            labels = [Label(sized, "its size")] if span is not None else []
+            ctx.sink.report("E0245", span or sized, *labels, name=node.name, what=what)
+            return None
+        check_duplicates(ctx, node.modifiers)
+    return found[0], [(modifier, scope) for node, scope in reversed(found[1]) for modifier in node.modifiers]
 
 
 def body_of(ctx: Context, node: nodes.Class, scope: Scope, given: list[Given]) -> Body:
@@ -203,7 +220,7 @@ def _extend(
 ) -> frozenset[str]:
     """Adds the parts of the base; its names."""
     symbol = class_at(ctx, part.scope, item.base)
-    expanded = expand_short(ctx, symbol) if symbol is not None else None
+    expanded = expand_short(ctx, symbol, "`extends`", item.base.span) if symbol is not None else None
     if expanded is None:
         ctx.reports.incomplete = True
         return frozenset()

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from lagdsl.diagnostics import Label
 from lagdsl.semantics.classes.array_modifiers import Said
-from lagdsl.semantics.classes.inheritance import Part, body_of, class_at, expand_short, names_in
+from lagdsl.semantics.classes.inheritance import Part, body_of, class_at, names_in, steps_to
 from lagdsl.semantics.classes.modification import Given, target
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.scope import ClassSymbol, Scope
@@ -23,6 +23,7 @@ def replaced(
 ) -> ClassSymbol:
     """The class of a component, which the modifiers `outer` may redeclare; what else they say is added to `given`."""
     assert isinstance(part.item, nodes.Component)
+    many = bool(declarator.subscripts) or is_sized(ctx, symbol)
     sealed: Span | None = None
     label = Label(declarator.name_span, "declared here")
     for modifier, scope in outer:
@@ -34,9 +35,9 @@ def replaced(
             case nodes.Modifier():
                 if modifier.value is not None:
                     ctx.sink.report("E0227", modifier.value.span, label, name=declarator.name)
-                if "each" in modifier.prefixes and not declarator.subscripts:
+                if "each" in modifier.prefixes and not many:
                     ctx.sink.report("E0344", modifier.span, label, what=f"component `{declarator.name}`")
-                nested = _for_each(modifier) if declarator.subscripts else modifier.modifiers
+                nested = _for_each(modifier) if many else modifier.modifiers
                 given += [(modifier.subscripts, inner, scope) for inner in nested]
                 sealed = modifier.span if "final" in modifier.prefixes else None
             case nodes.RedeclareClass():
@@ -48,6 +49,12 @@ def replaced(
                 symbol = _redeclared(ctx, scope, modifier, symbol, label)
                 given += [((), nested, scope) for nested in modifier.modifiers]
     return symbol
+
+
+def is_sized(ctx: Context, symbol: ClassSymbol) -> bool:
+    """True if the class stands for several components: `model Wheels = Wheel[4];`."""
+    found = steps_to(ctx, symbol)
+    return found is not None and any(node.subscripts for node, _ in found[1])
 
 
 def _for_each(modifier: nodes.Modifier) -> tuple[nodes.AnyModifier, ...]:
@@ -79,9 +86,14 @@ def stands_in(ctx: Context, symbol: ClassSymbol, declarator: nodes.Declarator, p
     `parts` are those of the class around. The uses of the members check these.
     """
     redeclared = _last_redeclared(ctx, symbol)
-    expanded = expand_short(ctx, symbol)
+    expanded = steps_to(ctx, symbol)
     if redeclared is None or redeclared.instead is None or expanded is None:
         return True
+    if is_sized(ctx, symbol):
+        label = Label(declarator.name_span, "declared here")
+        hint = f"put in a class of one component; `{redeclared.node.name}` stands for several"
+        ctx.sink.report("E0242", redeclared.instead[0], label, name=declarator.name, help=hint)
+        return False
     names = _public(ctx, expanded[0])
     missing: dict[str, Span] = {}
     for name, span in _used(declarator, parts):

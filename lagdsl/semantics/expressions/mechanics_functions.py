@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Literal
 
-from lagdsl.diagnostics import Label
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.operators.arguments import labelled, named, named_element, positional
@@ -183,7 +182,7 @@ def _multiplier(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     found = labelled(ctx, scope, label, "constraint", "contact")
     if found is None:
         return POISON
-    value = _multiplier_of(ctx, *found, label)
+    value = _multiplier_of(ctx, *found)
     if not rows or isinstance(value, Poison):
         return value
     if not isinstance(value, Array):
@@ -211,32 +210,30 @@ def _rows_apart(
     return label, node.subscripts[rank:]
 
 
-def _multiplier_of(ctx: Context, symbol: Symbol, indices: Indices, node: nodes.Node) -> Value:
+def _multiplier_of(ctx: Context, symbol: Symbol, indices: Indices) -> Value:
     if symbol.kind == "contact":
         contact = ctx.resolver.contact(ctx, symbol, indices)
         return contact.multiplier if contact is not None else POISON
     places = [indices] if indices in symbol.made.labels else list(symbol.made.labels)
-    if not all(_present(ctx, symbol, each, node) for each in places):
-        return POISON
     rows = [ctx.resolver.constraint(ctx, symbol, each) for each in places]
     known = [constraint for constraint in rows if constraint is not None]
     if not known or len(known) < len(rows):
         return POISON
-    names = [row for constraint in known for row in constraint.rows]
+    parts = tuple(
+        flat.Multiplier(row) if _present(ctx, symbol, place) else flat.ZERO
+        for place, constraint in zip(places, known, strict=True)
+        for row in constraint.rows
+    )
     dimension = _multiplier_dimension(ctx, known[0].dimension, known[0].level)
-    parts = tuple(flat.Multiplier(name) for name in names)
     if len(parts) == 1 and len(known) == 1 and known[0].rows == (known[0].name,):
         return Scalar(parts[0], dimension, Variability.CONTINUOUS, Order.SOLUTION)
     return Array(parts, (len(parts),), dimension, Variability.CONTINUOUS, Order.SOLUTION)
 
 
-def _present(ctx: Context, symbol: Symbol, indices: Indices, node: nodes.Node) -> bool:
-    """E0343 where the condition of the labelled item leaves it out."""
+def _present(ctx: Context, symbol: Symbol, indices: Indices) -> bool:
+    """False where the condition of the labelled item leaves it out: it exerts nothing then and has no momentum."""
     instance = symbol.made.labels[indices]
-    if condition_of(ctx, instance.scope, instance.node.condition) is not False:
-        return True
-    ctx.sink.report("E0343", node.span, Label(symbol.span, "its condition is false"), name=instance.name)
-    return False
+    return condition_of(ctx, instance.scope, instance.node.condition) is not False
 
 
 def _multiplier_dimension(ctx: Context, row: Dimension, level: str) -> Dimension:
@@ -264,9 +261,11 @@ def _angular_momentum(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
         if indices not in symbol.made.labels:
             ctx.sink.report("E0312", arguments[0].span, expected="one body", found=f"all bodies `{symbol.name}`")
             return POISON
-        if not _present(ctx, symbol, indices, arguments[0]):
-            return POISON
         body = symbol.made.labels[indices].name
+        if not _present(ctx, symbol, indices):
+            return Vector(
+                flat.ZERO_VECTOR, ctx.conventions.dimension(ANGULAR_MOMENTUM), Variability.CONTINUOUS, Order.SOLUTION
+            )
     about = named(node, "about")
     point = Vector(flat.ZERO_VECTOR, None)
     if about is not None:

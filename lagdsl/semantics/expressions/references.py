@@ -104,6 +104,10 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
         ctx.reports.withheld = node.span
         return
     ctx.reports.reported.add(key)
+    absent = ctx.reports.absent.get(scope.owner.qualify(node.name))
+    if absent is not None:
+        ctx.sink.report("E0230", node.span, Label(absent, "declared here"), name=node.name)
+        return
     if node.name in BUILTINS or node.name == "der":
         ctx.sink.report("E0219", node.span, name=node.name, what="a function", help=f"call it: `{node.name}(...)`")
         return

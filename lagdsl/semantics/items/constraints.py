@@ -6,7 +6,6 @@ from lagdsl.flat import expression as flat
 from lagdsl.flat import model as flat_model
 from lagdsl.flat.expression import FlatExpression
 from lagdsl.semantics.operators.arithmetic import Operand, added
-from lagdsl.semantics.operators.conditions import structural_condition
 from lagdsl.semantics.operators.geometry import operand
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.naming import kind_of
@@ -18,9 +17,7 @@ from lagdsl.units.dimension import DIMENSIONLESS
 
 
 def make(ctx: Context, scope: Scope, node: nodes.Constraint, name: str) -> flat_model.Constraint | None:
-    """The rows `left - right = 0`; None where the condition is false or after a diagnostic."""
-    if not structural_condition(ctx, scope, node.condition, "a constraint"):
-        return None
+    """The rows `left - right = 0`, whatever the condition of the constraint; None after a diagnostic."""
     residual = difference(ctx, scope, node)
     if residual is None:
         return None

@@ -85,13 +85,15 @@ class Reports:
 
     `reported` are keys of faults that are told once. `incomplete`: names may come from what is not supported yet, so
     unknown ones are not reported. `withheld` is an unknown name about which nothing was said, as something before must
-    have been. `jump` is the first call that jumps without an event being located.
+    have been. `jump` is the first call that jumps without an event being located. `absent` has the places of names that
+    a false condition leaves undeclared, by qualified name.
     """
 
     reported: set[str] = field(default_factory=set)
     incomplete: bool = False
     withheld: Span | None = None
     jump: nodes.Call | None = None
+    absent: dict[str, Span] = field(default_factory=dict)
 
 
 @mutable_record()

@@ -131,7 +131,7 @@ def _component(ctx: Context, scope: Scope, item: nodes.Component, declarator: no
     kind = prefixes.kind_of_component(ctx, item)
     words = " ".join((*item.prefixes, type_text(item.type_name)))
     if kind is None:
-        symbol = _symbol(ctx, scope, "unknown", words, declarator, checked=False)
+        symbol = _symbol(ctx, scope, "unknown", words, declarator)
     else:
         symbol = _quantity(ctx, scope, kind, words, item.type_name, declarator)
     if symbol is not None:
@@ -154,15 +154,11 @@ def _quantity(
     return symbol
 
 
-def _symbol(
-    ctx: Context, scope: Scope, kind: SymbolKind, title: str, declarator: nodes.Declarator, *, checked: bool = True
-) -> Symbol | None:
+def _symbol(ctx: Context, scope: Scope, kind: SymbolKind, title: str, declarator: nodes.Declarator) -> Symbol | None:
     symbol = Symbol(scope.qualify(declarator.name), kind, declarator.name_span, scope, title, declarator)
     if not enter(ctx, scope, declarator.name, symbol, declarator.name_span):
         return None
     ctx.product.names.add(symbol.name)
-    if declarator.condition is not None and checked:
-        ctx.sink.report("E0246", declarator.condition.span, name=declarator.name)
     if declarator.value is not None:
         key = None if declarator.subscripts or kind not in ("point", "frame") else ()
         symbol.given.bindings[key] = Binding(declarator.value, scope, declarator.name_span)

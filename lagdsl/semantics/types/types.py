@@ -104,6 +104,16 @@ def _defined(ctx: Context, entry: TypeSymbol, depth: int) -> TypeInfo | None:
         return None
     if definition.base is None:
         return enumerations.type_of(ctx, entry)
+    around = lookup_path(entry.scope, definition.base.parts, definition.base.span)
+    if isinstance(around, ClassSymbol) and around.inner is None:
+        rest = definition.span.text.partition("=")[2].strip()
+        ctx.sink.report(
+            "E0233",
+            definition.base.span,
+            name=".".join(definition.base.parts),
+            help=f"write `model {definition.name} = {rest}`",
+        )
+        return None
     base = resolve_type(ctx, definition.base, entry.scope, depth + 1)
     if base is None:
         return None

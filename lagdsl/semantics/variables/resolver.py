@@ -362,7 +362,7 @@ class Definitions:
         return FrameValue(name, (), value.variability, value.order)
 
     def constraint(self, ctx: Context, symbol: Symbol, indices: Indices) -> flat_model.Constraint | None:
-        """The rows behind the label of a constraint."""
+        """The rows behind the label of a constraint, there or not."""
         key = (symbol, indices)
         if key not in self._constraints:
             self._constraints[key] = None

@@ -98,6 +98,7 @@ static void foreign(void)
 enum { THREADS = 16 };
 
 typedef struct task {
+    int runs;
     double tolerance;
     double x[100 * MACH_SIZE];
 } task;
@@ -105,7 +106,7 @@ typedef struct task {
 static void *simulate(void *context)
 {
     task *mine = context;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < mine->runs; ++i) {
         lag_instance *one = begun(&MACH_FMU, 0.0, 2.0, mine->tolerance);
         go_on(one, MACH_SIZE, 0, mine->x);
         free(one);
@@ -119,6 +120,8 @@ static void threads(void)
     pthread_t thread[THREADS];
     for (int i = 0; i < THREADS; ++i) {
         alone[i].tolerance = together[i].tolerance = pow(10.0, -4.0 - 0.4 * i);
+        alone[i].runs = 1;
+        together[i].runs = 5;
         (void)simulate(&alone[i]);
     }
     for (int i = 0; i < THREADS; ++i) {

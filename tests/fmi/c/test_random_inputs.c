@@ -43,7 +43,7 @@ const lag_fmu lag_exported = {
 
 #include "random_calls.h"
 
-enum { LIVES = 200 };
+enum { LIVES = 80 };
 
 int main(void)
 {

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lagdsl.backends.python.support.derivatives import differentiate_motion
+from lagdsl.backends.python.support.kinematics import FrameKinematics, PointKinematics, frame_of, point_of
 from lagdsl.backends.python.support.motion import Sizes, solve_motion
 
 Floats = NDArray[np.float64]
@@ -28,23 +29,15 @@ class Interface:
         differentiate: Evaluate,
         sizes: Sizes,
         defaults: Sequence[float],
+        frames: tuple[str, ...] = (),
+        points: tuple[str, ...] = (),
     ) -> None:
+        self._frames, self._points = frames, points
         self._evaluate = evaluate
         self._solve = solve
         self._differentiate = differentiate
         self._sizes = sizes
         self._defaults = np.array(defaults, dtype=np.float64)
-
-    @classmethod
-    def over(cls, evaluate: Evaluate, sizes: Sizes, defaults: Sequence[float]) -> "Interface":
-        """The interface over functions that NumPy evaluates and solves."""
-        return cls(
-            evaluate,
-            lambda *state: solve_motion(evaluate, sizes, *state),
-            lambda by, *state: differentiate_motion(evaluate, sizes, by, *state),
-            sizes,
-            defaults,
-        )
 
     def forward_dynamics(
         self,
@@ -92,6 +85,52 @@ class Interface:
     ) -> Floats:
         """M, shape (..., nq, nq); it depends on qd (default 0) only for Lagrangians not quadratic in the rates."""
         return self._evaluate("mass_matrix", *self._state(t, q, qd, None, None, None, p))[0]
+
+    def coriolis_matrix(self, t: ArrayLike, q: ArrayLike, qd: ArrayLike, p: ArrayLike | None = None) -> Floats:
+        """C by Christoffel's symbols, shape (..., nq, nq): C qd are the Coriolis and centrifugal forces.
+
+        dM/dt - 2 C is skew where M depends on q and p alone.
+        """
+        return self._evaluate("equation_terms", *self._state(t, q, qd, None, None, None, p))[0]
+
+    def gravity_forces(self, t: ArrayLike, q: ArrayLike, p: ArrayLike | None = None) -> Floats:
+        """g = dV/dq, shape (..., nq), of weights and of all other potentials, such as springs."""
+        return self._evaluate("equation_terms", *self._state(t, q, None, None, None, None, p))[1]
+
+    def bias_forces(
+        self,
+        t: ArrayLike,
+        q: ArrayLike,
+        qd: ArrayLike,
+        z: ArrayLike | None = None,
+        u: ArrayLike | None = None,
+        w: ArrayLike | None = None,
+        p: ArrayLike | None = None,
+    ) -> Floats:
+        """d/dt(dL/dqd) - dL/dq at qdd = 0, shape (..., nq): C qd + g, and what prescribed motion adds. Loads, damping
+        and reactions are no part of it; `inverse_dynamics` at qdd = 0 is this less the loads."""
+        return self._evaluate("equation_terms", *self._state(t, q, qd, z, u, w, p))[2]
+
+    def regressor(
+        self,
+        t: ArrayLike,
+        q: ArrayLike,
+        qd: ArrayLike,
+        qdd: ArrayLike,
+        z: ArrayLike | None = None,
+        u: ArrayLike | None = None,
+        w: ArrayLike | None = None,
+        p: ArrayLike | None = None,
+    ) -> Floats:
+        """Y, shape (..., nq, n): with the n `inertial_parameters` pi, Y pi = M qdd + bias of masses and bodies."""
+        state = self._state(t, q, qd, z, u, w, p)
+        return self._evaluate("regressor", *state, _vector("qdd", qdd, self._sizes.q))[0]
+
+    def inertial_parameters(self, p: ArrayLike | None = None) -> Floats:
+        """pi, shape (..., n): of each body mass, first moments and inertia about the origin of its frame, of each
+        mass its mass."""
+        zeros = np.zeros(self._sizes.q)
+        return self._evaluate("regressor", *self._state(0.0, zeros, None, None, None, None, p), zeros)[1]
 
     def constraint_jacobian(self, t: ArrayLike, q: ArrayLike, p: ArrayLike | None = None) -> Floats:
         """J, shape (..., nc, nq), all declared rows in source order."""
@@ -172,6 +211,30 @@ class Interface:
         """
         return self._differentiate(by, *self._state(t, q, qd, z, u, w, p))[1]
 
+    def frame(self, name: str) -> FrameKinematics:
+        """The motion of a frame: `.position .rotation .velocity .jacobian .bias_acceleration` of t, q, qd.
+
+        Raises KeyError.
+        """
+        return frame_of(self._kinematics, self._frames, name)
+
+    def point(self, name: str) -> PointKinematics:
+        """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd. Raises
+        KeyError."""
+        return point_of(self._kinematics, self._frames, self._points, name)
+
+    def _kinematics(
+        self,
+        t: ArrayLike,
+        q: ArrayLike,
+        qd: ArrayLike | None,
+        z: ArrayLike | None = None,
+        u: ArrayLike | None = None,
+        w: ArrayLike | None = None,
+        p: ArrayLike | None = None,
+    ) -> tuple[Floats, ...]:
+        return self._evaluate("kinematics", *self._state(t, q, qd, z, u, w, p))
+
     def _state(
         self,
         t: ArrayLike,
@@ -183,7 +246,7 @@ class Interface:
         p: ArrayLike | None,
     ) -> tuple[Floats, ...]:
         sizes = self._sizes
-        time = np.asarray(t, dtype=np.float64)
+        time = _time(t, np.shape(q), sizes.q)
         parameters = self._defaults if p is None else _vector("p", p, sizes.p)
         if (z is None and sizes.z) or (u is None and sizes.u):
             _, _, initial_states, default_inputs = self._evaluate("start", time, parameters)
@@ -203,10 +266,42 @@ class Interface:
         return (*state, self._evaluate("standing", *state, started, parameters, *solved)[0], parameters)
 
 
+def interface_over(
+    evaluate: Evaluate,
+    sizes: Sizes,
+    defaults: Sequence[float],
+    frames: tuple[str, ...] = (),
+    points: tuple[str, ...] = (),
+) -> Interface:
+    """The interface over functions that NumPy evaluates and solves. `frames` and `points` are those that the function
+    `kinematics` tells of."""
+    return Interface(
+        evaluate,
+        lambda *state: solve_motion(evaluate, sizes, *state),
+        lambda by, *state: differentiate_motion(evaluate, sizes, by, *state),
+        sizes,
+        defaults,
+        frames,
+        points,
+    )
+
+
+def _time(t: ArrayLike, shape: tuple[int, ...], count: int) -> Floats:
+    """Raises ValueError for what must be the coordinates: one state whose time is a vector as long as it."""
+    time = np.asarray(t, dtype=np.float64)
+    if time.ndim and time.shape[-1] == count and len(shape) == 1 and count > 1:
+        raise ValueError(
+            f"t has the shape {time.shape}, that of coordinates: the time is the first argument. For one state at "
+            f"{count} times give q the shape (1, {count})"
+        )
+    return time
+
+
 def _vector(name: str, value: ArrayLike, length: int) -> Floats:
     array = np.asarray(value, dtype=np.float64)
     if array.ndim == 0 and length == 1:
         array = array.reshape(1)
     if array.ndim == 0 or array.shape[-1] != length:
-        raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {array.shape}")
+        hint = "; the arguments are t, q, qd, ..." if name in ("q", "qd") else ""
+        raise ValueError(f"{name} must have {length} entries along its last axis, its shape is {array.shape}{hint}")
     return array

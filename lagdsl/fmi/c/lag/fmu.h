@@ -95,6 +95,7 @@ typedef struct lag_fmu {
     const size_t *dependency_first; /* (nvariable + 1) */
     const lag_dependency *dependencies;
     const size_t *input_rates; /* (nu) the input that is the time derivative of this one; nu: none. Null: none at all */
+    const unsigned char *continuous_inputs; /* (nu) 1: it has such an input, and may not jump: no blow would follow. Null: none */
     const lag_range *parameter_range; /* (np) null: any */
 } lag_fmu;
 

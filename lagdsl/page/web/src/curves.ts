@@ -1,10 +1,12 @@
-// Curves over time, a phase portrait, the energy.
+// Curves over time and the energy, with a common cursor.
 import uPlot from "uplot";
+import { axis, INKS } from "./axis.ts";
 import type { Column, Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
+import { Portrait } from "./portrait.ts";
 
-const INKS = ["#2563eb", "#dc2626", "#16a34a", "#d97706", "#7c3aed", "#0891b2", "#db2777", "#65a30d"];
 const AT_FIRST = 4;
+const TICKS = 400;
 
 interface Chart {
   plot: uPlot;
@@ -15,7 +17,10 @@ export class Curves {
   private readonly charts: Chart[] = [];
   private readonly chosen: Set<number>;
   private readonly board: HTMLElement;
+  private readonly portrait: Portrait;
   private motion: Motion;
+  private events: { time: number }[];
+  private family: Motion[] = [];
 
   constructor(
     private readonly head: Head,
@@ -24,6 +29,7 @@ export class Curves {
     private readonly sought: (time: number) => void,
   ) {
     this.motion = motion;
+    this.events = head.events;
     const columns = this.columns();
     const first = columns.filter(({ column }) => column.kind === "coordinate").slice(0, AT_FIRST);
     this.chosen = new Set((first.length > 0 ? first : columns.slice(0, AT_FIRST)).map(({ index }) => index));
@@ -33,6 +39,7 @@ export class Curves {
     list.append(summary, ...columns.map(({ column, index }) => this.choice(column, index)));
     this.board = document.createElement("div");
     place.append(list, this.board);
+    this.portrait = new Portrait(head, motion, place);
     new ResizeObserver(() => this.resize()).observe(place);
     this.rebuild();
   }
@@ -58,7 +65,7 @@ export class Curves {
     return label;
   }
 
-  /** A chart for each unit among the chosen columns, one of the energy, one of the phase plane. */
+  /** A chart for each unit among the chosen columns, one of the energy. */
   private rebuild(): void {
     for (const chart of this.charts) chart.plot.destroy();
     this.charts.length = 0;
@@ -71,8 +78,6 @@ export class Curves {
     const energy = this.head.scene.first + this.head.scene.count;
     const titled = { name: "energy", display: { unit: "J", scale: 1, shift: 0 } };
     this.add("J", [titled.name], (motion) => [motion.column(0), motion.column(energy)]);
-    const [q] = [...this.chosen].filter((index) => this.head.columns[index].kind === "coordinate");
-    if (q !== undefined) this.phase(q);
   }
 
   private value(motion: Motion, index: number): Float64Array {
@@ -82,18 +87,67 @@ export class Curves {
 
   private overTime(unit: string, members: number[]): void {
     const names = members.map((index) => this.head.columns[index].name);
-    this.add(unit, names, (motion) => [motion.column(0), ...members.map((index) => this.value(motion, index))]);
+    const values = (motion: Motion): Float64Array[] => members.map((index) => this.value(motion, index));
+    this.add(unit, names, (motion) => [motion.column(0), ...values(motion)]);
+  }
+
+  /** Ticks of events below, other runs behind. */
+  private underlay(plot: uPlot, data: Chart["data"]): void {
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    ctx.lineWidth = window.devicePixelRatio;
+    ctx.strokeStyle = "rgb(148 163 184 / 45%)";
+    for (const other of this.family) {
+      const [times, ...columns] = data(other) as Float64Array[];
+      for (const column of columns) {
+        ctx.beginPath();
+        times.forEach((time, i) => ctx.lineTo(plot.valToPos(time, "x", true), plot.valToPos(column[i], "y", true)));
+        ctx.stroke();
+      }
+    }
+    ctx.strokeStyle = "#dc2626";
+    for (const { time } of this.events.slice(0, TICKS)) {
+      const x = plot.valToPos(time, "x", true);
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top + bbox.height);
+      ctx.lineTo(x, bbox.top + bbox.height - 7 * window.devicePixelRatio);
+      ctx.stroke();
+    }
+    ctx.restore();
+  }
+
+  /** The range of all runs. */
+  private range(data: Chart["data"], low: number | null, high: number | null): [number, number] {
+    let [least, most] = [low ?? 0, high ?? 1];
+    for (const other of this.family) {
+      for (const column of (data(other) as Float64Array[]).slice(1)) {
+        for (const value of column) if (Number.isFinite(value)) [least, most] = [Math.min(least, value), Math.max(most, value)];
+      }
+    }
+    // Round-off fills no chart: ticks closer than the digits of a number cannot be placed.
+    const size = Math.max(Math.abs(least), Math.abs(most));
+    const edge = Math.max(0.06 * (most - least), most - least < 1e-6 * size ? 1e-3 * size : 0, 1e-12);
+    return [least - edge, most + edge];
   }
 
   private add(unit: string, names: string[], data: Chart["data"]): void {
     const plot = new uPlot(
       {
         ...this.size(),
-        scales: { x: { time: false } },
+        scales: { x: { time: false }, y: { range: (_, low, high) => this.range(data, low, high) } },
         axes: [{ ...axis("t [s]"), size: 40 }, { ...axis(unit === "" ? "" : `[${unit}]`), size: 64 }],
         cursor: { sync: { key: "time" }, drag: { x: false, y: false } },
-        series: [{ label: "t [s]" }, ...names.map((label, i) => ({ label, stroke: INKS[i % INKS.length], width: 1.5 }))],
-        hooks: { ready: [(made) => made.over.addEventListener("click", () => this.seek(made))] },
+        series: [
+          { label: "t", value: (_, t) => told(t, "s") },
+          ...names.map((label, i) => ({ label, stroke: INKS[i % INKS.length], width: 1.5, value: (_: uPlot, x: number | null) => told(x, unit) })),
+        ],
+        hooks: {
+          ready: [(made) => made.over.addEventListener("click", () => this.seek(made))],
+          drawAxes: [(made) => this.underlay(made, data)],
+        },
       },
       data(this.motion),
       this.board,
@@ -105,61 +159,25 @@ export class Curves {
     if (plot.cursor.left !== undefined && plot.cursor.left >= 0) this.sought(plot.posToVal(plot.cursor.left, "x"));
   }
 
-  private phase(q: number): void {
-    const count = this.head.columns.filter((column) => column.kind === "coordinate").length;
-    const [position, rate] = [this.head.columns[q], this.head.columns[q + count]];
-    const data = (motion: Motion): uPlot.AlignedData => {
-      const pair: [Float64Array, Float64Array] = [this.value(motion, q), this.value(motion, q + count)];
-      return [null, pair] as unknown as uPlot.AlignedData;
-    };
-    const title = (column: Column): string => `${column.name} [${column.display.unit || "1"}]`;
-    const draw = (plot: uPlot): null => {
-      const [x, y] = plot.data[1] as unknown as [Float64Array, Float64Array];
-      const { ctx } = plot;
-      ctx.save();
-      ctx.beginPath();
-      ctx.rect(plot.bbox.left, plot.bbox.top, plot.bbox.width, plot.bbox.height);
-      ctx.clip();
-      ctx.beginPath();
-      x.forEach((value, i) => ctx.lineTo(plot.valToPos(value, "x", true), plot.valToPos(y[i], "y", true)));
-      ctx.strokeStyle = INKS[0];
-      ctx.lineWidth = 1.5 * window.devicePixelRatio;
-      ctx.stroke();
-      ctx.restore();
-      return null;
-    };
-    const limits = (k: 0 | 1) => (plot: uPlot): [number, number] => {
-      const values = ((plot.data?.[1] as unknown as Float64Array[] | undefined)?.[k] ?? new Float64Array([0, 1])) as Float64Array;
-      let [low, high] = [Infinity, -Infinity];
-      for (const value of values) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
-      if (!(high > low)) [low, high] = [low - 1, low + 1];
-      return [low - 0.06 * (high - low), high + 0.06 * (high - low)];
-    };
-    const plot = new uPlot(
-      {
-        ...this.size(),
-        mode: 2,
-        scales: { x: { time: false, range: limits(0) }, y: { range: limits(1) } },
-        axes: [{ ...axis(title(position)), size: 40 }, { ...axis(title(rate)), size: 64 }],
-        cursor: { show: false },
-        legend: { show: false },
-        series: [{}, { facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }], paths: draw } as uPlot.Series],
-      },
-      data(this.motion),
-      this.board,
-    );
-    this.charts.push({ plot, data });
+  /** Another motion; live ones tell no events. */
+  show(motion: Motion, events: { time: number }[] = []): void {
+    this.motion = motion;
+    this.events = events;
+    for (const { plot, data } of this.charts) plot.setData(data(motion));
+    this.portrait.show(motion);
   }
 
-  show(motion: Motion): void {
-    this.motion = motion;
-    for (const { plot, data } of this.charts) plot.setData(data(motion));
+  /** Other runs, which stand pale behind the one that is shown. */
+  behind(family: Motion[]): void {
+    this.family = family;
+    this.rebuild();
   }
 
   /** The cursor of all charts over time. */
   point(time: number): void {
     const chart = this.charts[0]?.plot;
     if (chart !== undefined) chart.setCursor({ left: chart.valToPos(time, "x"), top: -10 });
+    this.portrait.point(time);
   }
 
   private size(): { width: number; height: number } {
@@ -168,12 +186,11 @@ export class Curves {
 
   private resize(): void {
     for (const { plot } of this.charts) plot.setSize(this.size());
+    this.portrait.resize();
   }
 }
 
-function axis(label: string): uPlot.Axis {
-  const style = getComputedStyle(document.documentElement);
-  const ink = style.getPropertyValue("--ink-soft").trim();
-  const grid = { stroke: style.getPropertyValue("--line").trim(), width: 1 };
-  return { label, stroke: ink, grid, ticks: grid, labelSize: 18, font: "11px system-ui", labelFont: "11px system-ui" };
+/** A value with its unit, as the cursor reads it. */
+function told(value: number | null, unit: string): string {
+  return value === null || !Number.isFinite(value) ? "–" : `${Number(value.toPrecision(5))} ${unit}`;
 }

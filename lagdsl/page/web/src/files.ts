@@ -2,7 +2,7 @@
 import type { Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
-function save(blob: Blob, name: string): void {
+export function save(blob: Blob, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;

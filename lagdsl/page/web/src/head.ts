@@ -52,6 +52,7 @@ export interface Head {
   tolerance: number;
   columns: Column[]; // of a row; the scene, the energy and two residuals follow
   scene: { first: number; count: number; shapes: Shape[] };
+  vectors?: { first: number; shapes: Shape[] } | null; // arrows, on a tape of their own
   rows: number; // of the recorded motion
   events: { time: number; name: string; kind: string }[];
   parameters: Quantity[]; // as the tape counts them
@@ -59,6 +60,41 @@ export interface Head {
   lasting: number[]; // rows of constraints that come and go
   words: Record<string, string>; // why a run ended, by status
   said: string; // of the recorded motion
+  sources: (Span | null)[]; // statements of the text that terms of the equations come from
+  // Pages with several motions, one after the other in the data.
+  live?: boolean; // false: nothing is integrated
+  runs?: Run[];
+  modes?: Mode[];
+  levels?: string[]; // amplitudes of modes: as many runs for each mode
+  stability?: string;
+  locus?: Locus | null;
+}
+
+export interface Run {
+  label: string;
+  rows: number;
+  start: number;
+  stop: number;
+  pace: number; // seconds of the motion in a second
+  said: string;
+  parameters: number[] | null;
+  events: { time: number; name: string; kind: string }[];
+}
+
+export interface Mode {
+  eigenvalue: [number, number]; // [1/s]
+  frequency: number; // [Hz], 0 without oscillation
+  damping: number | null;
+  constant: number | null; // [s]
+  shape: { name: string; size: number; phase: number }[]; // [deg]
+}
+
+export interface Locus {
+  name: string;
+  unit: string;
+  values: number[];
+  eigenvalues: ([number, number] | null)[][];
+  thresholds: { value: number; kind: string; frequency: number; unstable_above: boolean }[];
 }
 
 function text(id: string): string {

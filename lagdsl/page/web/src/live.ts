@@ -24,14 +24,19 @@ export class Live {
   }
 
   /** Null where the browser cannot: the recorded motion stays. */
-  static async begin(head: Head, rows: number, told: (outcome: Outcome) => void): Promise<Live | null> {
-    if (typeof WebAssembly === "undefined" || typeof Worker === "undefined") return null;
+  static async begin(
+    head: Head,
+    rows: number,
+    told: (outcome: Outcome) => void,
+    tape = "tape",
+  ): Promise<Live | null> {
+    if (head.live === false || typeof WebAssembly === "undefined" || typeof Worker === "undefined") return null;
     try {
       const code = new Blob([await inflated("worker")], { type: "text/javascript" });
       const worker = new Worker(URL.createObjectURL(code));
       const setup: Setup = {
         wasm: (await inflated("wasm")).buffer,
-        tape: (await inflated("tape")).buffer,
+        tape: (await inflated(tape)).buffer,
         start: head.start,
         stop: head.stop,
         rows,

@@ -1,16 +1,24 @@
 // The living page: reads what it was told, shows it, and integrates anew when a slider moves.
 import { Curves } from "./curves.ts";
-import { film, picture, table } from "./files.ts";
+import { film, picture, save, table } from "./files.ts";
+import { gif } from "./gif.ts";
 import { inflated, readHead, type Head, type Shape } from "./head.ts";
 import { Live, type Outcome } from "./live.ts";
-import { recorded, type Motion } from "./motion.ts";
+import { recorded, together, type Motion } from "./motion.ts";
+import { SWITCHES } from "./overlay.ts";
 import { Player } from "./player.ts";
+import { Runs } from "./runs.ts";
 import { shown, Sliders } from "./sliders.ts";
 import { Source } from "./source.ts";
 import { Stage } from "./stage.ts";
+import { overlap, Terms } from "./terms.ts";
 import { INTERRUPTED } from "./orders.ts";
 
 const ROWS = 601;
+const GHOSTS = 5;
+const FRAMES = 72;
+const FRAME_WIDTH = 480;
+const KEYS = "Keys: space play and pause, arrows step, Home and End, + and - speed, g ghosts, v whole machine";
 
 function place(id: string): HTMLElement {
   const found = document.getElementById(id);
@@ -26,21 +34,31 @@ class Page {
   private readonly sliders: Sliders;
   private readonly curves: Curves;
   private readonly source: Source;
+  private readonly terms: Terms;
   private readonly cells: HTMLElement[];
   private live: Live | null = null;
+  private ghosts = false;
+  private arrows: Promise<Live | null> | null = null; // the motion behind arrows, once one asked for it
   private endFilm: (() => void) | null = null;
 
   constructor(
     private readonly head: Head,
-    motion: Motion,
+    private readonly motions: Motion[],
   ) {
+    const [motion] = motions;
     this.motion = motion;
     this.numbers = new Float64Array(motion.width);
-    this.stage = new Stage(head, motion, place("stage"));
+    this.stage = new Stage(head, together(motions), place("stage"));
     this.player = new Player(head, place("player"), (time) => this.pose(time));
     this.sliders = new Sliders(head, place("sliders"), () => this.again());
     this.curves = new Curves(head, motion, place("curves"), (time) => this.player.go(time));
     this.source = new Source(head, place("source"));
+    this.terms = new Terms(head, place("derivation"), (spans) => {
+      const shapes = head.scene.shapes.filter(({ span }) => span !== null && spans.some((each) => overlap(each, span)));
+      this.stage.highlight(shapes);
+      this.source.mark(spans);
+      place("pointed").textContent = shapes.map((shape) => shape.name).join(", ");
+    });
     this.cells = this.values();
     this.tabs();
     this.tools();
@@ -49,14 +67,42 @@ class Page {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.stage.theme());
     this.say(head.said);
     this.pose(head.start);
+    if (head.modes !== undefined) place("sliders-tab").textContent = "Modes";
+    new Runs(head, place("sliders"), (run) => this.choose(run));
+    if (motions.length > 1 && head.modes === undefined) this.curves.behind(motions);
   }
 
   async begin(): Promise<void> {
     this.live = await Live.begin(this.head, ROWS, (outcome) => this.arrived(outcome));
-    place("sliders").toggleAttribute("inert", this.live === null);
-    if (this.live === null) this.say("This browser shows the recorded motion only: sliders need WebAssembly.");
+    for (const part of place("sliders").querySelectorAll<HTMLElement>(":scope > :not(#runs)")) {
+      part.toggleAttribute("inert", this.live === null);
+      part.hidden = this.head.live === false;
+    }
+    if (this.live === null && this.head.live !== false) this.say("This browser shows the recorded motion only: sliders need WebAssembly.");
     document.documentElement.dataset.ready = this.live === null ? "recorded" : "live";
     if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.player.play();
+  }
+
+  /** Another of the recorded motions; with its parameters the sliders go on from there. */
+  private choose(number: number): void {
+    const run = this.head.runs?.[number];
+    if (run === undefined) return;
+    this.motion = this.motions[number];
+    this.player.over(run.start, run.stop, run.pace);
+    this.player.mark(run.events);
+    this.curves.show(this.motion, run.events);
+    if (run.parameters !== null) this.sliders.take(run.parameters);
+    this.say(run.said === "" ? run.label : `${run.label}: ${run.said}`);
+    this.haunt();
+    this.pose(this.player.time);
+    if (run.parameters !== null && run.said === "") this.again();
+  }
+
+  private haunt(): void {
+    const { last } = this.motion;
+    const first = this.motion.count > 0 ? this.motion.at(0, 0) : 0;
+    const times = Array.from({ length: GHOSTS }, (_, k) => first + ((last - first) * k) / (GHOSTS - 1));
+    this.stage.postures(this.motion, this.ghosts ? times : []);
   }
 
   private pose(time: number): void {
@@ -74,6 +120,32 @@ class Page {
 
   private again(): void {
     this.live?.run(this.sliders.parameters, this.sliders.inputs);
+    void this.arrows?.then((live) => live?.run(this.sliders.parameters, this.sliders.inputs));
+  }
+
+  /** Switches a kind of arrows; the first time, the motion is integrated anew, that of the machine with it. */
+  private async point(kind: string, on: boolean): Promise<void> {
+    const overlay = this.stage.overlay;
+    if (overlay === null) return;
+    if (on) overlay.shown.add(kind);
+    else overlay.shown.delete(kind);
+    if (on && this.arrows === null) {
+      const told = ({ motion }: Outcome): void => {
+        overlay.take(motion);
+        document.documentElement.dataset.arrows = `${motion.count}`;
+        this.legend();
+        this.pose(this.player.time);
+      };
+      this.arrows = Live.begin(this.head, ROWS, told, "vectors");
+      if ((await this.arrows) === null) this.say("Arrows need WebAssembly.");
+      this.again();
+    }
+    this.legend();
+    this.pose(this.player.time);
+  }
+
+  private legend(): void {
+    place("legend").textContent = (this.stage.overlay?.legend() ?? []).join("\n");
   }
 
   private arrived({ motion, status, time, took }: Outcome): void {
@@ -81,6 +153,7 @@ class Page {
       this.motion = motion;
       this.curves.show(motion);
       this.player.mark([]);
+      this.haunt();
       this.pose(this.player.time);
     }
     document.documentElement.dataset.took = took.toFixed(2);
@@ -154,8 +227,14 @@ class Page {
       });
     layer("forces", "Arrows of loads");
     layer("frames", "Axes of frames");
+    this.switches(button);
+    button("ghosts", "Pale postures of several instants", (self) => this.toggleGhosts(self));
     button("view", "The whole machine", () => this.stage.lookAt());
     button("PNG", "Save the picture", () => picture(this.stage.canvas, this.head));
+    button("SVG", "Save the picture as lines and faces", () =>
+      save(new Blob([this.stage.sketch()], { type: "image/svg+xml" }), `${this.head.name}.svg`));
+    button("GIF", "Save the motion as a film that plays everywhere", () => void this.filmed());
+    button("keys", KEYS, () => this.say(KEYS));
     button("CSV", "Save the values", () => table(this.motion, this.head));
     if (typeof MediaRecorder !== "undefined") {
       button("film", "Record what plays", (self) => {
@@ -171,15 +250,81 @@ class Page {
     }
   }
 
+  /** Arrows, by kind, and the coordinate of the admissible motions. */
+  private switches(button: (words: string, title: string, act: (self: HTMLButtonElement) => void) => void): void {
+    const overlay = this.stage.overlay;
+    if (overlay === null) return;
+    for (const [kind, words, title] of SWITCHES) {
+      if (!overlay.has(kind)) continue;
+      button(words, title, (self) => {
+        const on = !overlay.shown.has(kind);
+        self.ariaPressed = `${on}`;
+        void this.point(kind, on);
+        if (kind === "admissible") chooser.hidden = !on;
+      });
+    }
+    const chooser = document.createElement("select");
+    chooser.title = "The coordinate that moves";
+    chooser.ariaLabel = chooser.title;
+    chooser.hidden = true;
+    chooser.append(new Option("all coordinates", ""), ...overlay.coordinates.map((name) => new Option(name, name)));
+    chooser.onchange = () => {
+      overlay.coordinate = chooser.value;
+      this.pose(this.player.time);
+    };
+    place("tools").append(chooser);
+  }
+
+  private toggleGhosts(button?: HTMLButtonElement): void {
+    this.ghosts = !this.ghosts;
+    const own = button ?? [...document.querySelectorAll<HTMLButtonElement>("#tools button")].find((each) => each.textContent === "ghosts");
+    if (own !== undefined) own.ariaPressed = `${this.ghosts}`;
+    this.haunt();
+    this.pose(this.player.time);
+  }
+
+  /** The whole motion, frame by frame. */
+  private async filmed(): Promise<void> {
+    this.player.pause();
+    const { canvas } = this.stage;
+    const small = document.createElement("canvas");
+    small.width = Math.min(FRAME_WIDTH, canvas.width);
+    small.height = Math.round((small.width * canvas.height) / canvas.width);
+    const pen = small.getContext("2d", { willReadFrequently: true });
+    if (pen === null) return;
+    const { time } = this.player;
+    const first = this.motion.at(0, 0);
+    const length = this.motion.last - first;
+    const frames: ImageData[] = [];
+    for (let k = 0; k < FRAMES; ++k) {
+      this.pose(first + (length * k) / (FRAMES - 1));
+      pen.drawImage(canvas, 0, 0, small.width, small.height);
+      frames.push(pen.getImageData(0, 0, small.width, small.height));
+      if (k % 8 === 0) {
+        this.say(`Film: ${k + 1} of ${FRAMES} pictures`);
+        await new Promise((resolve) => setTimeout(resolve));
+      }
+    }
+    const seconds = Math.min(Math.max(length, 3), 10);
+    save(gif(frames, (1000 * seconds) / FRAMES), `${this.head.name}.gif`);
+    this.say("The film is saved.");
+    this.pose(time);
+  }
+
   private keys(): void {
     document.addEventListener("keydown", (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
       if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;
       const acts: Record<string, () => void> = {
         " ": () => this.player.toggle(),
         ArrowRight: () => this.player.step(0.01),
         ArrowLeft: () => this.player.step(-0.01),
-        Home: () => this.player.go(this.head.start),
-        End: () => this.player.go(this.head.stop),
+        "+": () => this.player.faster(1),
+        "-": () => this.player.faster(-1),
+        g: () => this.toggleGhosts(),
+        v: () => this.stage.lookAt(),
+        Home: () => this.player.go(-Infinity),
+        End: () => this.player.go(Infinity),
       };
       const act = acts[event.key];
       if (act === undefined || (event.key === " " && event.target instanceof HTMLButtonElement)) return;
@@ -195,9 +340,11 @@ class Page {
       const found = this.stage.shapeAt(event.clientX, event.clientY);
       if (found === over) return;
       over = found;
-      this.stage.highlight(found);
-      this.source.mark(found?.span ?? null);
-      place("pointed").textContent = found?.name ?? "";
+      this.stage.highlight(found === null ? [] : [found]);
+      this.source.mark(found?.span ? [found.span] : []);
+      this.terms.mark(found?.span ?? null);
+      const value = found === null ? "" : this.stage.value(found, this.numbers);
+      place("pointed").textContent = [found?.name ?? "", value].filter((words) => words !== "").join(": ");
     });
   }
 }

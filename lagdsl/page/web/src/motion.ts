@@ -48,13 +48,30 @@ export class Motion {
   }
 }
 
-/** The recorded motion: columns of single precision, one after the other. */
-export function recorded(head: Head, bytes: Uint8Array<ArrayBuffer>): Motion {
-  const columns = new Float32Array(bytes.buffer);
-  const width = columns.length / head.rows;
-  const values = new Float32Array(columns.length);
-  for (let column = 0; column < width; ++column) {
-    for (let row = 0; row < head.rows; ++row) values[row * width + column] = columns[column * head.rows + row];
+/** The recorded motions: of each columns of single precision, one after the other. */
+export function recorded(head: Head, bytes: Uint8Array<ArrayBuffer>): Motion[] {
+  const numbers = new Float32Array(bytes.buffer);
+  const lengths = head.runs?.map((run) => run.rows) ?? [head.rows];
+  const width = numbers.length / lengths.reduce((sum, rows) => sum + rows, 0);
+  let from = 0;
+  return lengths.map((rows) => {
+    const values = new Float32Array(rows * width);
+    for (let column = 0; column < width; ++column) {
+      for (let row = 0; row < rows; ++row) values[row * width + column] = numbers[from + column * rows + row];
+    }
+    from += rows * width;
+    return new Motion(width, values);
+  });
+}
+
+/** All rows of several motions, for what looks at their extent only. */
+export function together(motions: Motion[]): Motion {
+  if (motions.length === 1) return motions[0];
+  const values = new Float32Array(motions.reduce((sum, motion) => sum + motion.values.length, 0));
+  let from = 0;
+  for (const motion of motions) {
+    values.set(motion.values, from);
+    from += motion.values.length;
   }
-  return new Motion(width, values);
+  return new Motion(motions[0].width, values);
 }

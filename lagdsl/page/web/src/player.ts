@@ -2,23 +2,30 @@
 import type { Head } from "./head.ts";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
+const TICKS = 400;
 
 export class Player {
   time: number;
   private speed = 1;
+  private pace = 1; // seconds of the motion in a second at speed 1
+  private span: [number, number];
+  private readonly again: boolean; // modes begin anew where they end
   private running = false;
   private before = 0;
   private readonly bar: HTMLInputElement;
   private readonly button: HTMLButtonElement;
   private readonly clock: HTMLOutputElement;
   private readonly ticks: HTMLElement;
+  private readonly chooser: HTMLSelectElement;
 
   constructor(
-    private readonly head: Head,
+    head: Head,
     place: HTMLElement,
     private readonly moved: (time: number) => void,
   ) {
     this.time = head.start;
+    this.span = [head.start, head.stop];
+    this.again = head.modes !== undefined;
     this.button = document.createElement("button");
     this.button.className = "play";
     this.button.onclick = () => this.toggle();
@@ -34,12 +41,31 @@ export class Player {
     const track = document.createElement("div");
     track.className = "track";
     track.append(this.ticks, this.bar);
-    place.append(this.button, track, this.clock, this.chooser());
-    this.mark(head.events.map((event) => ({ time: event.time, title: `${event.name} ${event.kind}` })));
+    this.chooser = this.speeds();
+    place.append(this.button, track, this.clock, this.chooser);
+    this.mark(head.events);
     this.show();
   }
 
-  private chooser(): HTMLSelectElement {
+  /** Another motion, over times of its own; the clock goes to the same part of it. */
+  over(start: number, stop: number, pace: number): void {
+    const [before, after] = this.span;
+    const part = (this.time - before) / (after - before || 1);
+    const same = before === start && after === stop;
+    this.span = [start, stop];
+    this.pace = pace;
+    Object.assign(this.bar, { min: `${start}`, max: `${stop}` });
+    if (!same) this.time = start + part * (stop - start);
+    this.show();
+  }
+
+  faster(steps: number): void {
+    const place = Math.min(Math.max(SPEEDS.indexOf(this.speed) + steps, 0), SPEEDS.length - 1);
+    this.speed = SPEEDS[place];
+    this.chooser.value = `${this.speed}`;
+  }
+
+  private speeds(): HTMLSelectElement {
     const select = document.createElement("select");
     select.setAttribute("aria-label", "Speed");
     for (const speed of SPEEDS) select.append(new Option(`${speed}×`, `${speed}`, speed === 1, speed === 1));
@@ -47,13 +73,13 @@ export class Player {
     return select;
   }
 
-  mark(events: { time: number; title: string }[]): void {
-    const { start, stop } = this.head;
+  mark(events: { time: number; name: string; kind: string }[]): void {
+    const [start, stop] = this.span;
     this.ticks.replaceChildren(
-      ...events.slice(0, 400).map(({ time, title }) => {
+      ...events.slice(0, TICKS).map(({ time, name, kind }) => {
         const tick = document.createElement("i");
         tick.style.left = `${(100 * (time - start)) / (stop - start)}%`;
-        tick.title = title;
+        tick.title = `${name} ${kind}`;
         return tick;
       }),
     );
@@ -65,7 +91,7 @@ export class Player {
   }
 
   play(): void {
-    if (this.time >= this.head.stop) this.time = this.head.start;
+    if (this.time >= this.span[1]) [this.time] = this.span;
     this.running = true;
     this.before = performance.now();
     requestAnimationFrame((now) => this.tick(now));
@@ -78,26 +104,31 @@ export class Player {
   }
 
   go(time: number): void {
-    this.time = Math.min(Math.max(time, this.head.start), this.head.stop);
+    this.time = Math.min(Math.max(time, this.span[0]), this.span[1]);
     this.show();
     this.moved(this.time);
   }
 
   step(part: number): void {
     this.pause();
-    this.go(this.time + part * (this.head.stop - this.head.start));
+    this.go(this.time + part * (this.span[1] - this.span[0]));
+  }
+
+  /** So many that two moments of the motion differ. */
+  private get digits(): number {
+    return Math.min(Math.max(2 - Math.floor(Math.log10((this.span[1] - this.span[0]) / 2)), 2), 9);
   }
 
   private tick(now: number): void {
     if (!this.running) return;
-    const next = this.time + ((now - this.before) / 1000) * this.speed;
+    const next = this.time + ((now - this.before) / 1000) * this.speed * this.pace;
     this.before = now;
-    if (next >= this.head.stop) {
-      this.go(this.head.stop);
+    if (next >= this.span[1] && !this.again) {
+      this.go(this.span[1]);
       this.pause();
       return;
     }
-    this.go(next);
+    this.go(next >= this.span[1] ? this.span[0] : next);
     requestAnimationFrame((later) => this.tick(later));
   }
 
@@ -105,6 +136,6 @@ export class Player {
     this.button.textContent = this.running ? "❚❚" : "▶";
     this.button.setAttribute("aria-label", this.running ? "Pause" : "Play");
     this.bar.value = `${this.time}`;
-    this.clock.value = `${this.time.toFixed(2)} s`;
+    this.clock.value = `${this.time.toFixed(this.digits)} s`;
   }
 }

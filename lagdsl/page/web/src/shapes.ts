@@ -48,7 +48,8 @@ const COLORS: Record<string, ColorRepresentation> = {
   rod: 0x64748b, rope: 0x64748b, spring: 0x0d9488, damper: 0x7c3aed, mass: 0x2563eb, body: 0x3b82f6, box: 0x3b82f6,
   cylinder: 0x60a5fa, cone: 0x3b82f6, disc: 0x3b82f6, sphere: 0x2563eb, circle: 0x475569, arrow: 0xd97706,
   force: 0xdc2626, torque: 0xea580c, trace: 0xd97706, slider: 0x2563eb, dial: 0x2563eb,
-  ground: 0x94a3b8,
+  ground: 0x94a3b8, velocity: 0x16a34a, acceleration: 0x9333ea, admissible: 0xdb2777, reaction: 0x0284c7,
+  "reaction torque": 0x0e7490, constraint: 0xb45309,
 };
 
 function colour(shape: Shape): ColorRepresentation {
@@ -327,6 +328,7 @@ export function label(words: string, size: number, ink: string): Sprite {
   pen.textBaseline = "middle";
   pen.fillText(words, 8, 34);
   const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false }));
+  sprite.userData.words = words;
   sprite.scale.set((size * canvas.width) / 64, size, 1);
   return sprite;
 }

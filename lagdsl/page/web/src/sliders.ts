@@ -23,6 +23,7 @@ function range(quantity: Quantity): [number, number] {
 
 /** Four digits are what people read. */
 export function shown(quantity: { display: { scale: number; shift: number } }, si: number): string {
+  if (!Number.isFinite(si)) return "–";
   return Number((si * quantity.display.scale + quantity.display.shift).toPrecision(4)).toString();
 }
 
@@ -31,7 +32,7 @@ export class Sliders {
 
   constructor(
     private readonly head: Head,
-    place: HTMLElement,
+    private readonly place: HTMLElement,
     private readonly changed: () => void,
   ) {
     this.values = new Map([...head.parameters, ...head.inputs].map((quantity) => [quantity, quantity.value]));
@@ -61,6 +62,12 @@ export class Sliders {
 
   get inputs(): Float64Array {
     return Float64Array.from(this.head.inputs, (quantity) => this.values.get(quantity) ?? quantity.value);
+  }
+
+  /** The parameters of a run. */
+  take(parameters: number[]): void {
+    this.head.parameters.forEach((quantity, i) => this.values.set(quantity, parameters[i]));
+    this.place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
   }
 
   private row(quantity: Quantity): HTMLElement {

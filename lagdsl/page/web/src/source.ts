@@ -15,10 +15,13 @@ export class Source {
     place.append(...this.lines);
   }
 
-  mark(span: Span | null): void {
+  mark(spans: Span[]): void {
     this.lines.forEach((line, i) => {
-      line.classList.toggle("marked", span !== null && i + 1 >= span.first[0] && i + 1 <= span.last[0]);
+      line.classList.toggle(
+        "marked",
+        spans.some((span) => i + 1 >= span.first[0] && i + 1 <= span.last[0]),
+      );
     });
-    if (span !== null) this.lines[span.first[0] - 1]?.scrollIntoView({ block: "nearest" });
+    if (spans.length > 0) this.lines[spans[0].first[0] - 1]?.scrollIntoView({ block: "nearest" });
   }
 }

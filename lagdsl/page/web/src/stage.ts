@@ -5,6 +5,7 @@ import {
   Color,
   DirectionalLight,
   GridHelper,
+  Group,
   HemisphereLight,
   Matrix4,
   Mesh,
@@ -22,9 +23,13 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { gauge } from "./gauges.ts";
 import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
-import { MAKERS, type Drawn, type Sizes } from "./shapes.ts";
+import { Overlay, sizeText, unitOf } from "./overlay.ts";
+import { drawing } from "./sketch.ts";
+import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
 
 const ROWS_LOOKED_AT = 200;
+/** Shapes that have no ghosts. */
+const STILL = new Set(["trace", "ground", "frame", "slider", "dial", "text"]);
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -36,7 +41,9 @@ export class Stage {
   private readonly box: Box3;
   private readonly sizes: Sizes;
   private readonly grid: GridHelper;
+  private readonly ghosts = new Group();
   readonly shown = { forces: true, frames: false };
+  readonly overlay: Overlay | null;
 
   constructor(
     private readonly head: Head,
@@ -61,8 +68,12 @@ export class Stage {
     const sun = new DirectionalLight(0xffffff, 2);
     sun.position.set(0.6, 1, 1.2);
     this.camera.add(sun);
-    this.scene.add(this.camera);
+    this.scene.add(this.camera, this.ghosts);
     this.furnish();
+    const arrows = new Group();
+    if (head.planar) arrows.position.z = 0.15 * length; // in front of what they belong to
+    this.scene.add(arrows);
+    this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, arrows) : null;
     this.lookAt();
     this.theme();
     new ResizeObserver(() => this.resize()).observe(place);
@@ -181,7 +192,36 @@ export class Stage {
       if (drawn.object.userData.hidden) drawn.object.visible = false;
       drawn.object.updateMatrixWorld(true);
     }
+    this.overlay?.pose(t);
     this.render();
+  }
+
+  /** Pale postures at several times; none takes them away. The caller poses the machine anew. */
+  postures(motion: Motion, times: number[]): void {
+    this.ghosts.clear();
+    const numbers = new Float64Array(motion.width);
+    for (const time of times) {
+      motion.state(time, numbers);
+      for (const drawn of this.drawn) {
+        if (STILL.has(drawn.shape.kind)) continue;
+        drawn.update({ numbers, first: this.head.scene.first });
+        if (!drawn.object.visible || drawn.object.userData.hidden) continue;
+        const ghost = drawn.object.clone();
+        ghost.traverse((object) => {
+          if (!(object instanceof Mesh)) return;
+          const material = (object.material as MeshStandardMaterial).clone();
+          Object.assign(material, { transparent: true, opacity: 0.22, depthWrite: false });
+          object.material = material;
+        });
+        this.ghosts.add(ghost);
+      }
+    }
+    this.ghosts.updateMatrixWorld(true);
+  }
+
+  /** The picture in lines and faces. */
+  sketch(): string {
+    return drawing(this.scene, this.camera, this.place.clientWidth, this.place.clientHeight);
   }
 
   render(): void {
@@ -194,15 +234,24 @@ export class Stage {
     const at = new Vector2(((x - bounds.left) / bounds.width) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
     const caster = new Raycaster();
     caster.setFromCamera(at, this.camera);
-    const hits = caster.intersectObjects(this.drawn.map((drawn) => drawn.object));
+    const arrows = (this.overlay?.drawn ?? []).filter((drawn) => drawn.object.visible);
+    const hits = caster.intersectObjects([...this.drawn, ...arrows].map((drawn) => drawn.object));
     return (hits.find((hit) => hit.object.visible)?.object.userData.shape as Shape | undefined) ?? null;
   }
 
-  highlight(shape: Shape | null): void {
-    for (const drawn of this.drawn) {
+  /** The value behind an arrow, as it is now. */
+  value(shape: Shape, numbers: Float64Array): string {
+    if (this.overlay?.drawn.some((drawn) => drawn.shape === shape)) return this.overlay.value(shape);
+    if (shape.kind !== "force" && shape.kind !== "torque") return "";
+    const length = vector(shape, "vector", { numbers, first: this.head.scene.first }).length();
+    return `${sizeText(length)} ${unitOf(shape)}`;
+  }
+
+  highlight(shapes: readonly Shape[]): void {
+    for (const drawn of [...this.drawn, ...(this.overlay?.drawn ?? [])]) {
       drawn.object.traverse((object: Object3D) => {
         if (object instanceof Mesh && object.material instanceof MeshStandardMaterial) {
-          object.material.emissive.setHex(drawn.shape === shape ? 0x7a5200 : 0);
+          object.material.emissive.setHex(shapes.includes(drawn.shape) ? 0x7a5200 : 0);
         }
       });
     }

@@ -41,7 +41,11 @@ typedef enum lag_function {
     LAG_ENERGIES_TANGENT,
     LAG_INITIAL_EQUATION_TANGENT,
     LAG_TIME_TANGENT,
-    LAG_CORRECTION
+    LAG_CORRECTION,
+    LAG_EQUATION_TERMS,
+    LAG_REGRESSOR,
+    LAG_KINEMATICS
+#define LAG_LAST_FUNCTION LAG_KINEMATICS
     /* ---- end of what is generated ---- */
 } lag_function;
 

@@ -62,14 +62,21 @@ static inline lag_lanes lag_lanes_of(double x)
         return x;                                            \
     }
 
+/* GCC and Clang before 16 do not know it. */
+#ifdef __has_builtin
+#if __has_builtin(__builtin_elementwise_fma)
+#define LAG_HAS_ELEMENTWISE_FMA
+#endif
+#endif
+
 /* lag_fused() lane by lane; of vectors neither C nor -ffp-contract knows it. */
 static inline lag_lanes lag_lanes_fused(lag_lanes x, lag_lanes y, lag_lanes z)
 {
-#if LAG_FUSES && defined(__clang__)
+#if LAG_FUSES && defined(LAG_HAS_ELEMENTWISE_FMA)
     return __builtin_elementwise_fma(x, y, z);
-#elif LAG_FUSES && LAG_LANES == 8
+#elif LAG_FUSES && !defined(__clang__) && LAG_LANES == 8
     return (lag_lanes)__builtin_ia32_vfmaddpd512_mask(x, y, z, (unsigned char)-1, 4);
-#elif LAG_FUSES && LAG_LANES == 4
+#elif LAG_FUSES && !defined(__clang__) && LAG_LANES == 4
     return (lag_lanes)__builtin_ia32_vfmaddpd256(x, y, z);
 #elif LAG_FUSES
     for (size_t lane = 0; lane < LAG_LANES; ++lane) {

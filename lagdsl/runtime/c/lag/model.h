@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 3u
+#define LAG_MODEL_VERSION 4u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -235,6 +235,24 @@ typedef struct lag_model {
      * smallest pivot, relatively. Only in programs of many coordinates with constraints that are solved while they are expressions
      */
     lag_status (*correction)(const lag_arguments *at, double *change, double *lam_change, double *pivot);
+    /*
+     * t q qd z u w p -> coriolis (nq, nq), gravity (nq), bias (nq): C by Christoffel's symbols, dV/dq, and d/dt(dL/dqd) - dL/dq at
+     * qdd = 0. Only in programs that tell the terms of their equations
+     */
+    lag_status (*equation_terms)(const lag_arguments *at, double *coriolis, double *gravity, double *bias);
+    /*
+     * t q qd z u w p qdd -> regressor (nq, ninertial), inertial (ninertial): Y and pi: Y pi is what masses and bodies add to
+     * d/dt(dL/dqd) - dL/dq. Only in programs that tell the terms of their equations
+     */
+    lag_status (*regressor)(const lag_arguments *at, double *regressor, double *inertial);
+    /*
+     * t q qd z u w p -> position (nplace), rotation (naxes), velocity (ntwist), jacobian (ntwist, nq), bias (ntwist): of the chosen
+     * frames, then of the chosen points: positions; rotation matrices, row by row; velocities, and of frames angular velocities
+     * after them; their derivatives by qd; their rates of change at qdd = 0. Only in programs that tell how chosen frames and
+     * points move
+     */
+    lag_status (*kinematics)(
+        const lag_arguments *at, double *position, double *rotation, double *velocity, double *jacobian, double *bias);
     /* ---- end of what is generated ---- */
 
     /* where J can be nonzero; null: anywhere */
@@ -261,6 +279,9 @@ typedef struct lag_model {
     /* every named value of the model, where it was compiled with them: first those that depend on p only */
     size_t nd;
     const lag_slot *definitions; /* (nd) */
+
+    /* of models that tell their terms and how frames and points move; zero where there are none */
+    size_t ninertial, nplace, naxes, ntwist;
 } lag_model;
 
 #endif

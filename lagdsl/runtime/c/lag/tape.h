@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 4u
+#define LAG_TAPE_VERSION 5u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
@@ -80,6 +80,10 @@ typedef enum lag_tape_size {
     LAG_TAPE_NDISTANCE,
     LAG_TAPE_NCORNER,
     LAG_TAPE_NSWITCHED,
+    LAG_TAPE_NINERTIAL,
+    LAG_TAPE_NPLACE,
+    LAG_TAPE_NAXES,
+    LAG_TAPE_NTWIST,
     LAG_TAPE_ROW,      /* length of the row */
     LAG_TAPE_PREPARED, /* of these, how many prepare() fills */
     /* of the functions of several directions, of states and inputs, then of parameters: the part of the row that they share, as

@@ -182,6 +182,10 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     }
     const double far = farthest(instance, end, held->jumped);
     if (status == LAG_OK && held->jumped && !held->stopped) {
+        status = lag_instance_follow_inputs(instance, 0.0);
+        if (status != LAG_OK) {
+            return status;
+        }
         status = begin(instance, far);
     }
     if (status == LAG_OK && !held->stopped && end > held->t) {

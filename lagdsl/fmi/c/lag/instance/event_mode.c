@@ -143,6 +143,9 @@ static lag_status place(lag_instance *instance, int located)
         const double h = located ? run->half.next : run->stepper.h;
         status = lag_run_move(run, t, located ? run->stepper.x : instance->x, h);
     }
+    if (status == LAG_OK) {
+        status = lag_instance_balance_inputs(instance);
+    }
     if (status == LAG_OK && lag_projection_exact(&run->projection, t, run->stepper.x, &moved) != LAG_OK) {
         status = lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
     }
@@ -232,6 +235,9 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     lag_status status = lag_instance_begin(instance);
     if (status == LAG_OK) {
         status = lag_instance_ready(instance);
+    }
+    if (status == LAG_OK && held->t == held->followed) {
+        status = lag_instance_follow_inputs(instance, 0.0);
     }
     if (status == LAG_OK && (held->entered || held->jumped)) {
         held->entered = 0;

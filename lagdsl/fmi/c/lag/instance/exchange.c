@@ -8,6 +8,8 @@
 static const double SELDOM = 50.0;
 static const double RELAXED = 4.0;
 static const double MOST_LIMIT = 1e-4;
+/* An importer that interpolates values and derivatives each for itself is off for a while: so long, as a part of the experiment. */
+static const double PATIENCE = 0.01;
 
 lag_status lag_instance_set_time(lag_instance *instance, double t)
 {
@@ -16,6 +18,7 @@ lag_status lag_instance_set_time(lag_instance *instance, double t)
     }
     instance->known = t == instance->held.t ? instance->known : 0;
     instance->held.t = t;
+    instance->held.exchanged = 1;
     return LAG_OK;
 }
 
@@ -68,6 +71,9 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
     *events = *terminate = 0;
     lag_status status = lag_instance_know(instance, LAG_KNOWN_RESIDUALS);
     if (status == LAG_OK) {
+        status = lag_instance_follow_inputs(instance, PATIENCE * instance->run->options.length);
+    }
+    if (status == LAG_OK) {
         *events = is_off(instance);
         status = lag_instance_release(instance);
     }
@@ -77,6 +83,7 @@ lag_status lag_instance_completed(lag_instance *instance, int *events, int *term
     if (status == LAG_OK) {
         status = lag_instance_judge(instance, lag_instance_turn(instance, held->t, instance->x));
     }
+    lag_instance_leave_inputs(instance);
     if (held->t != held->last) {
         held->span = held->t - held->last;
         held->last = held->t;

@@ -88,6 +88,9 @@ static void set(lag_instance *instance, size_t order, size_t first, size_t count
     lag_held *held = &instance->held;
     const size_t nu = instance->fmu->model->nu;
     int same = 1;
+    if (!held->exchanged && held->left_at != held->t) {
+        lag_instance_leave_inputs(instance);
+    }
     lag_instance_inputs_about(instance, held->t);
     for (size_t i = 0; i < count; ++i) {
         double *value = instance->course + order * nu + first + i;

@@ -17,6 +17,9 @@ static const double RATE = 50.0;
 /* Invariants may depart by so many tolerances where the model does not say. */
 static const double INVARIANT = 1e3;
 
+/* Doubles of a path. */
+enum { PATH = sizeof(lag_path) / sizeof(double) };
+
 static size_t padded(size_t bytes)
 {
     return (bytes + 15) / 16 * 16;
@@ -35,7 +38,7 @@ static size_t longest(const lag_fmu *fmu)
 size_t lag_instance_kept(const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 2) * model->nu + 2 * lag_instance_indicator_count(fmu) +
+    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3 + PATH) * model->nu + 2 * lag_instance_indicator_count(fmu) +
            model->ncorner + model->ny;
 }
 
@@ -100,6 +103,8 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->given = lag_take(&memory, size);
     instance->course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
     instance->given_inputs = lag_take(&memory, model->nu);
+    instance->left = lag_take(&memory, model->nu);
+    instance->paths = (lag_path *)(void *)lag_take(&memory, PATH * model->nu);
     instance->largest = lag_take(&memory, indicators);
     instance->latched = lag_take(&memory, indicators);
     instance->side = lag_take(&memory, model->ncorner);

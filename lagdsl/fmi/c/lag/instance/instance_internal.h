@@ -38,6 +38,11 @@ typedef struct lag_held {
     double last, span;      /* time of the last completed step, and its length */
     double latched_at;      /* time at which `latched` were taken */
     double about;           /* time at which inputs are `course` */
+    double followed;        /* time of the last point of `paths`, */
+    int following;          /* if there is one */
+    double left_at;         /* time of `left`, */
+    double left_for;        /* and since inputs were set before that */
+    int exchanged;          /* the importer sets the time: inputs are those of trial states until a step is accepted */
     double step;            /* LAG_OPTION_STEP */
     int implicit;           /* fixed steps are those of an implicit method; -1: not decided yet */
     double limit;           /* of residuals; an importer that keeps to it asks for projections now and then, and no more */
@@ -52,6 +57,14 @@ typedef struct lag_held {
     size_t ending;          /* by this `terminate` */
 } lag_held;
 
+/* An input on its path, and what has been seen since its value and its derivatives agreed. */
+typedef struct lag_path {
+    double value, rate, acceleration; /* at the last point */
+    double debt;            /* value less integral of the rate */
+    double since;           /* [s] */
+    double low, high, most; /* of rates; of magnitudes of accelerations */
+} lag_path;
+
 struct lag_instance {
     const lag_fmu *fmu;
     lag_run *run;
@@ -64,6 +77,8 @@ struct lag_instance {
     double *begin, *given;  /* (2 nq + nz) start values that were set, and flags: this one was */
     double *course;         /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
     double *given_inputs;   /* (nu) flags: this one was set */
+    lag_path *paths;        /* (nu) */
+    double *left;           /* (nu) inputs on the left of the present, before any was set there */
     double *largest;        /* (indicators) magnitudes seen since they stand as they do */
     double *latched;        /* (indicators) what is nearer to zero than this had changed already at the last event */
     double *side;           /* (ncorner) 1, -1: the side of zero on which the distance of this corner was at the last event; 0: none yet */
@@ -179,6 +194,22 @@ void lag_instance_set_inputs(lag_instance *instance, size_t first, size_t count,
 void lag_instance_chain_inputs(lag_instance *instance);
 /* The run knows the inputs. */
 void lag_instance_tell_inputs(lag_instance *instance);
+
+/* ---- input_paths.c ---- */
+
+/*
+ * The present is accepted: LAG_POSITION_JUMP if an input that may not jump has been off its derivatives for longer than
+ * `patience`, or jumps at an instant.
+ */
+lag_status lag_instance_follow_inputs(lag_instance *instance, double patience);
+
+/* The inputs are those on the left of the present. */
+void lag_instance_leave_inputs(lag_instance *instance);
+/*
+ * The run is at the present state, and inputs have jumped: rates follow if these prescribe velocities, as far as the balance of
+ * momenta tells.
+ */
+lag_status lag_instance_balance_inputs(lag_instance *instance);
 
 /* ---- event_mode.c ---- */
 

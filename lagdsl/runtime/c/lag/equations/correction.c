@@ -15,7 +15,7 @@ size_t lag_correction_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t kept = model->nk;
-    return n + 2 * m + kept * (2 * n + m + 2) + lag_delassus_memory(m, kept);
+    return n + 3 * m + kept * (2 * n + m + 2) + lag_delassus_memory(m, kept);
 }
 
 /* Adds the effect of the multipliers of the rows left to run time. */
@@ -43,19 +43,31 @@ static lag_status add_kept(const lag_model *model, const lag_arguments *at, cons
     return status;
 }
 
+/* Residuals that are left after the change, into `left` (nc). */
+static void find_left(const lag_model *model, const double *residual, const double *jacobian, const double *change, double *left)
+{
+    const lag_pattern *entries = model->jacobian_pattern;
+    for (size_t i = 0; i < model->nc; ++i) {
+        left[i] = residual[i] + (entries == NULL ? lag_dot(model->nq, jacobian + i * model->nq, change) : 0.0);
+    }
+    for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
+        left[entries->row[k]] += jacobian[entries->row[k] * model->nq + entries->column[k]] * change[entries->column[k]];
+    }
+}
+
 /* True if the residuals vanish, except those of rows that follow from others. */
-static int takes_away(const lag_model *model, const double *residual, const double *jacobian, const double *sizes, const double *change)
+static int takes_away(const lag_model *model, const double *residual, const double *left, const double *sizes)
 {
     double largest = 0.0;
-    double left = 0.0;
+    double most = 0.0;
     for (size_t i = 0; i < model->nc; ++i) {
         const double size = sizes[i] > 0.0 ? sizes[i] : 1.0;
         largest = fmax(largest, fabs(residual[i]) / size);
         if (!(model->redundant != NULL && model->redundant[i])) {
-            left = fmax(left, fabs(residual[i] + lag_dot(model->nq, jacobian + i * model->nq, change)) / size);
+            most = fmax(most, fabs(left[i]) / size);
         }
     }
-    return left <= LEFT * largest;
+    return most <= LEFT * largest;
 }
 
 lag_status lag_correction(const lag_model *model, const lag_arguments *at, const double *residual, const double *jacobian,
@@ -67,6 +79,7 @@ lag_status lag_correction(const lag_model *model, const lag_arguments *at, const
         return LAG_MISSING;
     }
     double *lam = lag_take(&memory, model->nc);
+    double *left = lag_take(&memory, model->nc);
     here.lam = residual;
     lag_status status = model->correction(&here, change, lam, &pivot);
     if (status == LAG_OK && !(pivot > lag_smallest_pivot(model))) {
@@ -75,6 +88,9 @@ lag_status lag_correction(const lag_model *model, const lag_arguments *at, const
     if (status == LAG_OK && model->nk > 0) {
         status = add_kept(model, at, residual, memory, change, lam);
     }
-    const int good = status == LAG_OK && lag_finite(model->nq, change) && takes_away(model, residual, jacobian, sizes, change);
-    return good ? LAG_OK : LAG_MISSING;
+    if (status != LAG_OK || !lag_finite(model->nq, change)) {
+        return LAG_MISSING;
+    }
+    find_left(model, residual, jacobian, change, left);
+    return takes_away(model, residual, left, sizes) ? LAG_OK : LAG_MISSING;
 }

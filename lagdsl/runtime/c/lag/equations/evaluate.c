@@ -261,6 +261,31 @@ static lag_status evaluate_correction(const lag_model *model, const lag_argument
     return model->correction == NULL ? LAG_MISSING : model->correction(at, change, lam_change, pivot);
 }
 
+static lag_status evaluate_equation_terms(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const coriolis = results;
+    double *const gravity = coriolis + model->nq * model->nq;
+    double *const bias = gravity + model->nq;
+    return model->equation_terms == NULL ? LAG_MISSING : model->equation_terms(at, coriolis, gravity, bias);
+}
+
+static lag_status evaluate_regressor(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const regressor = results;
+    double *const inertial = regressor + model->nq * model->ninertial;
+    return model->regressor == NULL ? LAG_MISSING : model->regressor(at, regressor, inertial);
+}
+
+static lag_status evaluate_kinematics(const lag_model *model, const lag_arguments *at, double *results)
+{
+    double *const position = results;
+    double *const rotation = position + model->nplace;
+    double *const velocity = rotation + model->naxes;
+    double *const jacobian = velocity + model->ntwist;
+    double *const bias = jacobian + model->ntwist * model->nq;
+    return model->kinematics == NULL ? LAG_MISSING : model->kinematics(at, position, rotation, velocity, jacobian, bias);
+}
+
 lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_arguments *at, double *results)
 {
     switch (which) {
@@ -334,6 +359,12 @@ lag_status lag_evaluate(const lag_model *model, lag_function which, const lag_ar
         return evaluate_time_tangent(model, at, results);
     case LAG_CORRECTION:
         return evaluate_correction(model, at, results);
+    case LAG_EQUATION_TERMS:
+        return evaluate_equation_terms(model, at, results);
+    case LAG_REGRESSOR:
+        return evaluate_regressor(model, at, results);
+    case LAG_KINEMATICS:
+        return evaluate_kinematics(model, at, results);
     }
     return LAG_MISSING;
 }

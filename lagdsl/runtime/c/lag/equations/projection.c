@@ -39,7 +39,7 @@ size_t lag_projection_memory(const lag_model *model)
 }
 
 /* All belong together where nobody tells what the rows hold. */
-static size_t component_of(const lag_model *model, size_t coordinate)
+size_t lag_component_of(const lag_model *model, size_t coordinate)
 {
     return model->components != NULL && model->jacobian_pattern != NULL ? model->components[coordinate] : 0;
 }
@@ -51,7 +51,7 @@ static void find_components(lag_projection *projection)
     const lag_pattern *entries = model->jacobian_pattern;
     lag_fill(model->nc, 0.0, projection->component);
     for (size_t k = 0; entries != NULL && k < entries->count; ++k) {
-        projection->component[entries->row[k]] = (double)component_of(model, entries->column[k]);
+        projection->component[entries->row[k]] = (double)lag_component_of(model, entries->column[k]);
     }
 }
 
@@ -59,6 +59,15 @@ static void clear_largest(lag_projection *projection, double value)
 {
     const lag_model *model = projection->motion->model;
     lag_fill(model->nq + model->nz, value, projection->largest);
+}
+
+int lag_projection_holds(const lag_projection *projection, size_t component)
+{
+    size_t i = 0;
+    while (i < projection->motion->model->nc && (size_t)projection->component[i] != component) {
+        ++i;
+    }
+    return i < projection->motion->model->nc;
 }
 
 static void enlarge(lag_projection *projection, size_t component, double value)
@@ -137,10 +146,10 @@ static void fill_mass(lag_projection *projection)
     const double *sizes = projection->sizes;
     clear_largest(projection, 0.0);
     for (size_t i = 0; i < n; ++i) {
-        enlarge(projection, component_of(model, i), projection->mass[i * n + i] * sizes[i] * sizes[i]);
+        enlarge(projection, lag_component_of(model, i), projection->mass[i * n + i] * sizes[i] * sizes[i]);
     }
     for (size_t i = 0; i < n; ++i) {
-        const double scale = projection->largest[component_of(model, i)];
+        const double scale = projection->largest[lag_component_of(model, i)];
         projection->mass[i * n + i] += (scale > 0.0 ? LIGHT * scale : 1.0) / (sizes[i] * sizes[i]);
     }
 }
@@ -228,7 +237,7 @@ void lag_projection_measure(lag_projection *projection, const double *rates)
     const lag_model *model = projection->motion->model;
     clear_largest(projection, 1.0);
     for (size_t i = 0; i < model->nq; ++i) {
-        enlarge(projection, component_of(model, i), fabs(rates[i]) / projection->sizes[i]);
+        enlarge(projection, lag_component_of(model, i), fabs(rates[i]) / projection->sizes[i]);
     }
 }
 

@@ -136,9 +136,17 @@ static size_t find_pulling(const lag_contacts *contacts, size_t closed)
  */
 static size_t open_those_that_pull(lag_contacts *contacts, double t, const double *x, size_t closed)
 {
+    int weighed = 0;
     while (closed > 0) {
         lag_contacts_solve(contacts, t, x);
-        const size_t worst = find_pulling(contacts, closed);
+        size_t worst = find_pulling(contacts, closed);
+        if (worst < closed && !weighed) { /* forces may have begun to act since its measure was taken */
+            weighed = 1;
+            if (lag_contacts_weigh(contacts, t, x) == LAG_OK) {
+                lag_contacts_solve(contacts, t, x);
+                worst = find_pulling(contacts, closed);
+            }
+        }
         if (worst == closed) {
             break;
         }

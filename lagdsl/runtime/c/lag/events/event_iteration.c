@@ -142,8 +142,7 @@ static lag_status reset(lag_event_iteration *iteration, double t, double *x, int
     return status == LAG_OK && conflict ? LAG_CONFLICT : status;
 }
 
-/* Closed contacts that a reset moves apart open. */
-static lag_status part(lag_event_iteration *iteration, double t, const double *x)
+lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, const double *x)
 {
     const size_t count = iteration->motion->model->ncontact;
     const double *closed = iteration->motion->w + iteration->places.contact;
@@ -175,7 +174,7 @@ static lag_status act(lag_event_iteration *iteration, double t, double *x, int *
     if (status == LAG_OK) {
         status = reset(iteration, t, x, acted);
     }
-    return status == LAG_OK && *acted ? part(iteration, t, x) : status;
+    return status == LAG_OK && *acted ? lag_event_iteration_part(iteration, t, x) : status;
 }
 
 /* 1: other discretes than contacts are those with which the rates were moved onto the constraints last. */
@@ -210,9 +209,12 @@ static lag_status take_hold(lag_event_iteration *iteration, double t, double *x,
     if (is_settled(iteration)) {
         return acted ? lag_projection_rates(iteration->projection, t, x, held) : LAG_OK;
     }
-    const lag_status status = lag_momentum_keep(iteration->momentum, t, x, settled_before(iteration));
+    lag_status status = lag_momentum_keep(iteration->momentum, t, x, settled_before(iteration));
     memcpy(iteration->settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
-    return status == LAG_OK ? lag_momentum_balance(iteration->momentum, t, x, held, &jumped) : status;
+    if (status == LAG_OK) {
+        status = lag_momentum_balance(iteration->momentum, t, x, held, &jumped);
+    }
+    return status == LAG_OK && acted ? lag_projection_rates(iteration->projection, t, x, held) : status;
 }
 
 lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x)

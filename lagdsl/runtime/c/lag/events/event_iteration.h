@@ -51,6 +51,9 @@ lag_status lag_event_iteration_settle(lag_event_iteration *iteration, double t, 
  */
 lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, double *x, const double *relations, const double *contacts);
 
+/* Closed contacts that rates of now move apart open. */
+lag_status lag_event_iteration_part(lag_event_iteration *iteration, double t, const double *x);
+
 /* The rates are those that belong to the discretes of now, but for constraints that take hold. */
 lag_status lag_event_iteration_settled(lag_event_iteration *iteration, double t, double *x);
 

@@ -196,6 +196,43 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x)
     return run(instants, t, x, NULL, NULL);
 }
 
+static void exchange(size_t count, double *a, double *b)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const double value = a[i];
+        a[i] = b[i];
+        b[i] = value;
+    }
+}
+
+/* The momenta at x with other inputs. */
+static lag_status keep_with(lag_instants *instants, double t, const double *x, double *u)
+{
+    lag_motion *motion = instants->motion;
+    lag_inputs *const inputs = motion->inputs;
+    lag_motion_look(motion, t, x);
+    motion->inputs = NULL;
+    exchange(motion->model->nu, motion->u, u);
+    const lag_status status = lag_momentum_keep(&instants->momentum, t, x, motion->w);
+    exchange(motion->model->nu, motion->u, u);
+    motion->inputs = inputs;
+    return status;
+}
+
+lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, double *before, int blow)
+{
+    int jumped = 0;
+    lag_status status = keep_with(instants, t, x, before);
+    if (status == LAG_OK) {
+        status = lag_momentum_balance(&instants->momentum, t, x, NULL, &jumped);
+    }
+    if (status != LAG_OK || !blow || instants->motion->model->ncontact == 0) {
+        return status;
+    }
+    status = lag_event_iteration_part(&instants->iteration, t, x);
+    return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
+}
+
 /* Carries out the changes with time that are due now, with their impulses. */
 static lag_status turn(lag_instants *instants, double t, double *x, int *jumped)
 {

@@ -53,6 +53,12 @@ double lag_instants_next(const lag_instants *instants);
 /* Changes with time where nobody needs to hear of them, as no rate jumps: 1 in *quiet, and it is done. */
 lag_status lag_instants_quietly(lag_instants *instants, double t, double *x, int *quiet);
 
+/*
+ * Inputs jump at t from `before` (nu) to the present ones: rates follow the momenta that inputs prescribe. If it is a `blow`, contacts open
+ * and strike. `before` is written to, and is at the end as it was.
+ */
+lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, double *before, int blow);
+
 /* The ticks of now, if there are any. */
 lag_status lag_instants_tick(lag_instants *instants, double t, double *x);
 

@@ -18,6 +18,8 @@ static const double LEVEL = 1e-6;
 static const double DIFFERENCE = 1e-5;
 /* After a step that is longer than this second derivatives are taken anew. */
 static const double FAR = 1e-4;
+/* Directions of singular values below this part of the largest are round-off. */
+static const double SMALL = 1e-14;
 /* The golden angle: weights of sums that repeat nowhere. */
 static const double GOLDEN = 2.399963229728653;
 enum { ITERATIONS = 12 };
@@ -26,10 +28,8 @@ size_t lag_branch_point_memory(const lag_model *model)
 {
     const size_t m = model->nc;
     const size_t n = model->nq + 1;
-    const size_t wide = lag_svd_memory(m, n);
-    const size_t tall = lag_svd_memory(n, m);
     return 2 * lag_motion_size(model) + model->nq + 4 * n + 5 * m + 5 * m * m + 4 * m * n + 4 * n * n + LAG_BRANCH_SUMS * (m + n + n * n) +
-           (wide > tall ? wide : tall);
+           lag_svd_memory(m, n);
 }
 
 void lag_branch_point_place(lag_branch_point *s, lag_run *run, double *memory)
@@ -122,29 +122,44 @@ static void combine(lag_branch_point *s, size_t count, const double *weights)
     }
 }
 
+/* Row `which` of `basis` (m, m) becomes a direction of its own where none was found: a row of J that is zero has none. */
+static void complete(size_t m, size_t which, double *basis)
+{
+    double *row = basis + which * m;
+    double left = 0.0;
+    for (size_t i = 0; i < m && !(left > 0.5 / sqrt((double)m)); ++i) {
+        lag_fill(m, 0.0, row);
+        row[i] = 1.0;
+        lag_remove_parts(which, m, basis, row);
+        left = sqrt(lag_dot(m, row, row));
+    }
+    lag_orthonormalize(which, m, basis, row);
+}
+
 /* Finds, at the first look, the combinations of rows that vanish, and the directions that the others take and leave open. */
 static void take_apart(lag_branch_point *s)
 {
     const size_t m = rows_of(s);
     const size_t n = width_of(s);
     size_t large = 0;
-    for (size_t i = 0; i < m; ++i) {
-        for (size_t j = 0; j < n; ++j) {
-            s->moved[j * m + i] = s->rows[i * n + j];
-        }
-    }
-    const lag_svd tall = lag_svd_of(n, m, s->moved, s->memory);
-    while (large < tall.k && large < s->general && tall.value[large] > NEAR) {
+    const lag_svd svd = lag_svd_of(m, n, s->rows, s->memory);
+    while (large < svd.k && large < s->general && svd.value[large] > NEAR) {
         ++large;
     }
     s->held = large < s->general - 1 ? large : s->general - 1;
     s->lost = s->general - s->held;
     s->open = n - s->held;
-    memcpy(s->holding, tall.v, s->held * m * sizeof(double));
-    memcpy(s->combinations, tall.v + s->held * m, s->lost * m * sizeof(double));
-    const lag_svd wide = lag_svd_of(m, n, s->rows, s->memory);
-    memcpy(s->along, wide.v, s->held * n * sizeof(double));
-    memcpy(s->free, wide.v + s->held * n, s->open * n * sizeof(double));
+    memcpy(s->holding, svd.u, svd.k * m * sizeof(double));
+    for (size_t i = s->held; i < s->general; ++i) {
+        if (i < svd.k && svd.value[i] > SMALL * svd.value[0]) {
+            lag_orthonormalize(i, m, s->holding, s->holding + i * m);
+        } else {
+            complete(m, i, s->holding);
+        }
+    }
+    memcpy(s->combinations, s->holding + s->held * m, s->lost * m * sizeof(double));
+    memcpy(s->along, svd.v, s->held * n * sizeof(double));
+    memcpy(s->free, svd.v + s->held * n, s->open * n * sizeof(double));
 }
 
 /* Factors the rows that do not vanish, seen in their directions, and finds the tangents that they leave open; 0 if they are singular. */

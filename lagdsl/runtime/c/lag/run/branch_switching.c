@@ -21,10 +21,10 @@ static const double SETTLED = 1e-4;
 static const double ACCURATE = 1e-6;
 static const double USELESS = 1e-4;
 /*
- * A crossing, in distances to the singular position: how far (shorter where the motion bends, longer where round-off is magnified), at
+ * A crossing, in distances to the singular position: how far (shorter where the motion bends, then longer where round-off is magnified), at
  * least how far, and where in between constraints are looked at; by how much, as a part of the sizes of the rows, they may be missed.
  */
-static const double ACROSS[] = {8.0, 32.0, 4.0, 128.0};
+static const double ACROSS[] = {8.0, 4.0, 32.0, 128.0};
 static const double LEAST_ACROSS = 4.0;
 /* The first point of a motion that begins beside a singular position has rows as independent as this; how long it is in such times. */
 static const double CLEAR = 0.05;
@@ -123,48 +123,71 @@ static void prepare_doubt(lag_singular *s)
 
 /* ---- out of a singular position ---- */
 
-/* Time in which the accelerations move a coordinate by its natural size; infinite where rates do that sooner, or without acceleration. */
-static double pace_of(lag_singular *s, double t, const double *x)
+/* The largest of these magnitudes (nq) in a component, in natural sizes. */
+static double largest_in(const lag_singular *s, size_t component, const double *values)
+{
+    double most = 0.0;
+    for (size_t j = 0; j < order_of(s); ++j) {
+        most = lag_component_of(s->run->motion.model, j) == component ? fmax(most, fabs(values[j]) / s->run->natural[j]) : most;
+    }
+    return most;
+}
+
+/*
+ * Time in which the accelerations move a coordinate of a component by its natural size; infinite where rates do that sooner, or without
+ * acceleration.
+ */
+static double pace_of(lag_singular *s, double t, const double *x, size_t component)
 {
     const size_t n = order_of(s);
-    double speed = 0.0;
-    double urge = 0.0;
     if (rates_at(s, t, x) != LAG_OK) {
         return (double)INFINITY;
     }
-    for (size_t j = 0; j < n; ++j) {
-        speed = fmax(speed, fabs(x[n + j]) / s->run->natural[j]);
-        urge = fmax(urge, fabs(s->rates[n + j]) / s->run->natural[j]);
-    }
+    const double urge = largest_in(s, component, s->rates + n);
     const double pace = urge > 0.0 ? sqrt(2.0 / urge) : (double)INFINITY;
-    return speed * pace < 1.0 ? pace : (double)INFINITY;
+    return largest_in(s, component, x + n) * pace < 1.0 ? pace : (double)INFINITY;
 }
 
-/* The doubt about the change of rates and states, as a part of it. */
-static double error_of(lag_singular *s)
+/*
+ * The doubt about the change of the rates of a component, or of the states of first order where that is nq, as a part of the change or of
+ * this part of the rates there are.
+ */
+static double error_in(const lag_singular *s, const double *x, double length, size_t component)
 {
+    const size_t n = order_of(s);
     double most = 0.0;
     double largest = 0.0;
-    prepare_doubt(s);
     for (size_t j = 0; j < width_of(s); ++j) {
         double change = 0.0;
-        most = fmax(most, doubt(s, j, &change));
-        largest = fmax(largest, fabs(change));
+        if ((j < n ? lag_component_of(s->run->motion.model, j) : n) == component) {
+            most = fmax(most, doubt(s, j, &change));
+            largest = fmax(largest, fmax(fabs(change), ACCURATE * fabs(x[n + j]) / length));
+        }
     }
     return most / (largest > 0.0 ? largest : 1.0);
 }
 
-int lag_fit_out(lag_singular *s, double t, const double *x, double limit, double *length)
+static double error_of(lag_singular *s, const double *x, double length)
+{
+    double error = 0.0;
+    prepare_doubt(s);
+    for (size_t component = 0; component <= order_of(s); ++component) {
+        error = fmax(error, error_in(s, x, length, component));
+    }
+    return error;
+}
+
+/* The best motion out of the position, from this length on downward. Nothing that moves beside a mechanism sets its pace. */
+static int fit_from(lag_singular *s, double t, const double *x, double trial, double *length)
 {
     const size_t n = order_of(s);
     const size_t width = width_of(s);
-    double trial = fmin(PART * pace_of(s, t, x), 0.5 * (limit - t));
     double smallest = USELESS;
     int found = 0;
     int moved = 0;
     for (int k = 0; k < HALVINGS && trial < (double)INFINITY; ++k) {
         const int fits = collocate(s, t, x, trial);
-        const double error = fits ? error_of(s) : (double)INFINITY;
+        const double error = fits ? error_of(s, x, trial) : (double)INFINITY;
         if (fits && error < smallest) {
             lag_fit_state_at(n, width, s->coefficients, x, trial, 1.0, s->state);
             if (lag_projection_exact(&s->run->projection, t + trial, s->state, &moved) == LAG_OK) {
@@ -179,6 +202,17 @@ int lag_fit_out(lag_singular *s, double t, const double *x, double limit, double
             break;
         }
         trial *= 0.5;
+    }
+    return found;
+}
+
+int lag_fit_out(lag_singular *s, double t, const double *x, double limit, double *length)
+{
+    int found = 0;
+    for (size_t component = 0; component < order_of(s) && !found; ++component) {
+        if (lag_projection_holds(&s->run->projection, component)) {
+            found = fit_from(s, t, x, fmin(PART * pace_of(s, t, x, component), 0.5 * (limit - t)), length);
+        }
     }
     return found;
 }
@@ -202,19 +236,22 @@ static double distance_of(lag_singular *s, double t, const double *x)
     return most;
 }
 
-static int smooth(lag_singular *s, double length)
+/* The largest doubt about the fitted motion, as a part of what is allowed; infinite where there is no number. */
+static double roughness(lag_singular *s, double length)
 {
     const size_t n = order_of(s);
     const lag_run *run = s->run;
     const double relative = fmin(fmax(SMOOTH * run->options.tolerance, SMOOTHEST), ROUGHEST);
+    double most = 0.0;
     prepare_doubt(s);
     for (size_t j = 0; j < width_of(s); ++j) {
         double change = 0.0;
-        if (!(length * doubt(s, j, &change) <= run->stepper.tolerance[n + j] * relative / run->accuracy.relative)) {
-            return 0;
+        const double part = length * doubt(s, j, &change) * run->accuracy.relative / (run->stepper.tolerance[n + j] * relative);
+        if (!(part <= most)) {
+            most = part > most ? part : (double)INFINITY;
         }
     }
-    return 1;
+    return most;
 }
 
 /* The constraints are kept all the way, and branches meet. */
@@ -238,10 +275,11 @@ static int keeps(lag_singular *s, double t, const double *x, double distance, do
     return lag_projection_exact(&s->run->projection, t + length, s->end, &moved) == LAG_OK;
 }
 
-/* The motion of this length that fits, into `best` and `end`. */
-static int fits(lag_singular *s, double t, const double *x, double distance, double length)
+/* The motion of this length that fits, into `best` and `end`; *rough: by how much it is too rough where that is above one. */
+static int fits(lag_singular *s, double t, const double *x, double distance, double length, double *rough)
 {
-    const int found = collocate(s, t, x, length) && smooth(s, length) && keeps(s, t, x, distance, length);
+    *rough = collocate(s, t, x, length) ? roughness(s, length) : (double)INFINITY;
+    const int found = *rough <= 1.0 && keeps(s, t, x, distance, length);
     if (found) {
         memcpy(s->best, s->coefficients, NODES * width_of(s) * sizeof(double));
     }
@@ -250,17 +288,21 @@ static int fits(lag_singular *s, double t, const double *x, double distance, dou
 
 int lag_fit_across(lag_singular *s, double t, const double *x, double distance, double limit, double *length)
 {
-    const size_t count = sizeof ACROSS / sizeof *ACROSS;
-    for (size_t k = 0; k < count; ++k) {
-        *length = fmin(ACROSS[k] * distance, 0.999 * (limit - t));
-        if (*length >= LEAST_ACROSS * distance && fits(s, t, x, distance, *length)) {
-            return 1;
-        }
-    }
-    for (size_t k = 0; k < count; ++k) {
-        *length = ACROSS[k] * distance;
-        if (*length > 0.999 * (limit - t) && fits(s, t, x, distance, *length)) {
-            return 1;
+    const double room = 0.999 * (limit - t);
+    double longer = (double)INFINITY;
+    double rough = longer;
+    for (int beyond = 0; beyond <= 1; ++beyond) {
+        for (size_t k = 0; k < sizeof ACROSS / sizeof *ACROSS; ++k, longer = rough) {
+            *length = beyond ? ACROSS[k] * distance : fmin(ACROSS[k] * distance, room);
+            if (beyond ? !(*length > room) : *length < LEAST_ACROSS * distance) {
+                continue;
+            }
+            if (fits(s, t, x, distance, *length, &rough)) {
+                return 1;
+            }
+            if (ACROSS[k] == LEAST_ACROSS && rough > 1.0 && rough < longer) { /* it bends: longer ones do so more */
+                return 0;
+            }
         }
     }
     return 0;
@@ -268,14 +310,11 @@ int lag_fit_across(lag_singular *s, double t, const double *x, double distance, 
 
 /* ---- from beside one ---- */
 
-/* The time in which the rates lead away to where rows are independent; infinite where they do not. */
-static double time_to_clear(lag_singular *s, double t, const double *x)
+/* The time in which the rates of a component lead away to where rows are independent; infinite where they do not. */
+static double time_to_clear(lag_singular *s, double t, const double *x, size_t component)
 {
     const size_t n = order_of(s);
-    double speed = 0.0;
-    for (size_t j = 0; j < n; ++j) {
-        speed = fmax(speed, fabs(x[n + j]) / s->run->natural[j]);
-    }
+    const double speed = largest_in(s, component, x + n);
     memcpy(s->state, x, s->run->stepper.ode->size * sizeof(double));
     double time = SOON / speed;
     for (int k = 0; k < DOUBLINGS && speed > 0.0 && time * speed < 1.0; ++k, time *= 2.0) {
@@ -291,11 +330,15 @@ static double time_to_clear(lag_singular *s, double t, const double *x)
 
 int lag_fit_beside(lag_singular *s, double t, const double *x, double *length)
 {
-    const double time = time_to_clear(s, t, x) / lag_fit_node(0);
-    for (size_t k = 0; k < sizeof AWAY / sizeof *AWAY && time < (double)INFINITY; ++k) {
-        *length = AWAY[k] * time;
-        if (fits(s, t, x, 0.0, *length)) {
-            return 1;
+    double rough = 0.0;
+    for (size_t component = 0; component < order_of(s); ++component) {
+        const double clear = lag_projection_holds(&s->run->projection, component) ? time_to_clear(s, t, x, component) : (double)INFINITY;
+        const double time = clear / lag_fit_node(0);
+        for (size_t k = 0; k < sizeof AWAY / sizeof *AWAY && time < (double)INFINITY; ++k) {
+            *length = AWAY[k] * time;
+            if (fits(s, t, x, 0.0, *length, &rough)) {
+                return 1;
+            }
         }
     }
     return 0;

@@ -7,6 +7,7 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
 #include "lag/run.h"
+#include "lag/linalg/singular_value.h"
 #include "lag/linalg/svd.h"
 
 /* Singular values of J, rows of size one: where rank counts as lost, where that seems near, and where branches are not told apart any more. */
@@ -33,8 +34,9 @@ size_t lag_singular_memory(const lag_model *model)
     const size_t m = model->nc;
     const size_t n = model->nq;
     const size_t k = m < n ? m : n;
-    return lag_parts_memory(m, n) + (m + n) + 4 * m * n + k * k + 2 * (m + n) + m * m + n * n + m + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) +
-           lag_branch_point_memory(model) + larger(larger(lag_svd_memory(m, n), lag_svd_memory(n, m)), lag_eigenvalues_memory(k));
+    const size_t values = larger(lag_singular_value_memory(m, n), lag_eigenvalues_memory(k));
+    return lag_parts_memory(m, n) + 2 * (m + n) + 5 * m * n + k * k + 4 * m + 4 * NODES * (n + model->nz) + 4 * lag_motion_size(model) +
+           lag_branch_point_memory(model) + larger(values, lag_svd_memory(n, m));
 }
 
 void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
@@ -54,9 +56,10 @@ void lag_singular_place(lag_singular *s, lag_run *run, double *memory)
     s->other = lag_take(&memory, m * n);
     s->turned = lag_take(&memory, k * k);
     s->kept = lag_take(&memory, m + n);
-    s->values = lag_take(&memory, m + n);
-    s->left_vectors = lag_take(&memory, m * m);
-    s->right_vectors = lag_take(&memory, n * n);
+    s->factors = lag_take(&memory, m * n);
+    s->tau = lag_take(&memory, m);
+    s->diagonal = lag_take(&memory, m);
+    s->pivot = lag_take(&memory, m);
     s->left = lag_take(&memory, m);
     lag_branch_point_place(&s->saddle, run, lag_take(&memory, lag_branch_point_memory(model)));
     double **const along[] = {&s->branch, &s->earlier, &s->coefficients, &s->best};
@@ -118,8 +121,7 @@ double lag_singular_margin(lag_singular *s, double t, const double *x, double *j
         const size_t count = (size_t)s->counts[which];
         if (count > 0) {
             (void)lag_parts_block(&s->parts, which, s->run->motion.model->nq, jacobian, s->block);
-            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->memory);
-            margin = fmin(margin, count <= svd.k ? svd.value[count - 1] : 0.0);
+            margin = fmin(margin, lag_singular_value(rows, columns, s->block, count - 1, s->memory));
         }
     }
     return margin;
@@ -166,10 +168,8 @@ size_t lag_singular_rank(lag_singular *s, double t, const double *x, size_t *gen
         const size_t columns = lag_parts_columns(&s->parts, which, &first);
         if (s->counts[which] > 0.0) {
             (void)lag_parts_block(&s->parts, which, n, s->now, s->block);
-            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->memory);
-            for (size_t k = 0; k < svd.k && (double)k < s->counts[which]; ++k) {
-                rank += svd.value[k] > LOST;
-            }
+            const size_t above = lag_singular_values_above(rows, columns, s->block, LOST, s->memory);
+            rank += above < (size_t)s->counts[which] ? above : (size_t)s->counts[which];
         }
     }
     *weakest = weakest_row(s);

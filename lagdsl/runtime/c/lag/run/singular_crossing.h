@@ -34,8 +34,9 @@ typedef struct lag_singular {
     double *before, *now;        /* (nc, nq) J, scaled, at the beginning of a step and at another state */
     double *block, *other, *turned; /* (nc, nq) (nc, nq) (k, k), k: the smaller of both */
     int seen;                    /* 1: here are those of `before`, part after part: */
-    double *kept, *values;       /* (nc + nq) singular values that were not lost: their number, they */
-    double *left_vectors, *right_vectors; /* (nc, nc) (nq, nq) and their vectors, row by row */
+    double *kept;                /* (nc + nq) number of rows that are independent of those before them, */
+    double *factors;             /* (nc, nq) reflections, of lag_qr, */
+    double *tau, *diagonal, *pivot; /* (nc) */
     double *left;                /* (nc) */
     lag_branch_point saddle;
     double *branch, *earlier, *coefficients, *best; /* (7, nq + nz) */

@@ -1,22 +1,25 @@
-/* Turn of J: U' J V / values, in the singular vectors of J as it was before. */
+/*
+ * Turn of J: the least real part among the eigenvalues of L^-1 J Q, with J = L Q' as it was before. They are those of J times the
+ * pseudoinverse of J before.
+ */
 #include <math.h>
 #include <string.h>
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/eigenvalues.h"
-#include "lag/linalg/svd.h"
+#include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 #include "lag/run.h"
 
-/* Rows and columns of a part, and where its vectors stand. */
+/* Rows and columns of a part, and where its rows and its factors stand. */
 typedef struct place {
-    size_t rows, columns, values, left, right;
+    size_t rows, columns, row, factor;
 } place;
 
 static place first_place(const lag_singular *s)
 {
     size_t first = 0;
-    return (place){lag_parts_rows(&s->parts, 0, &first), lag_parts_columns(&s->parts, 0, &first), 0, 0, 0};
+    return (place){lag_parts_rows(&s->parts, 0, &first), lag_parts_columns(&s->parts, 0, &first), 0, 0};
 }
 
 /* That of the next part. */
@@ -24,9 +27,8 @@ static place next_place(const lag_singular *s, size_t which, place at)
 {
     size_t first = 0;
     place next = at;
-    next.values += at.rows;
-    next.left += at.rows * at.rows;
-    next.right += at.columns * at.columns;
+    next.row += at.rows;
+    next.factor += at.rows * at.columns;
     if (which + 1 < s->parts.count) {
         next.rows = lag_parts_rows(&s->parts, which + 1, &first);
         next.columns = lag_parts_columns(&s->parts, which + 1, &first);
@@ -41,35 +43,34 @@ static void see(lag_singular *s)
     for (size_t which = 0; which < s->parts.count; at = next_place(s, which, at), ++which) {
         size_t kept = 0;
         if (at.rows > 0 && at.columns > 0) {
-            (void)lag_parts_block(&s->parts, which, n, s->before, s->block);
-            const lag_svd svd = lag_svd_of(at.rows, at.columns, s->block, s->memory);
-            while (kept < svd.k && (double)kept < s->counts[which] && svd.value[kept] > LAG_LOST) {
+            double *factors = s->factors + at.factor;
+            const double *diagonal = s->diagonal + at.row;
+            (void)lag_parts_block(&s->parts, which, n, s->before, factors);
+            const size_t rank = lag_qr(at.rows, at.columns, factors, s->tau + at.row, s->diagonal + at.row, s->pivot + at.row,
+                (size_t)s->counts[which], 0.0);
+            while (kept < rank && fabs(diagonal[kept]) > LAG_LOST) {
                 ++kept;
             }
-            memcpy(s->values + at.values, svd.value, kept * sizeof(double));
-            memcpy(s->left_vectors + at.left, svd.u, kept * at.rows * sizeof(double));
-            memcpy(s->right_vectors + at.right, svd.v, kept * at.columns * sizeof(double));
         }
         s->kept[which] = (double)kept;
     }
     s->seen = 1;
 }
 
-/* The part's J, in `other`, in the vectors of before. */
+/* L^-1 J Q of the rows that are kept, with the part's J in `other`, into `turned`. */
 static void turn(lag_singular *s, size_t kept, place at)
 {
-    const double *left = s->left_vectors + at.left;
-    const double *right = s->right_vectors + at.right;
+    const double *factors = s->factors + at.factor;
     for (size_t a = 0; a < kept; ++a) {
-        double *line = s->block; /* row a of U' J */
-        lag_fill(at.columns, 0.0, line);
-        for (size_t i = 0; i < at.rows; ++i) {
-            for (size_t j = 0; j < at.columns; ++j) {
-                line[j] += left[a * at.rows + i] * s->other[i * at.columns + j];
-            }
+        double *row = s->other + (size_t)s->pivot[at.row + a] * at.columns;
+        double *line = s->turned + a * kept;
+        lag_qr_apply_transposed(kept, at.columns, factors, s->tau + at.row, row, 1);
+        memcpy(line, row, kept * sizeof(double));
+        for (size_t b = 0; b < a; ++b) {
+            lag_axpy(kept, -factors[a * at.columns + b], s->turned + b * kept, line);
         }
         for (size_t b = 0; b < kept; ++b) {
-            s->turned[a * kept + b] = lag_dot(at.columns, line, right + b * at.columns) / s->values[at.values + a];
+            line[b] /= s->diagonal[at.row + a];
         }
     }
 }

@@ -237,6 +237,25 @@ static lag_status correction(const lag_arguments *at, double *change, double *la
     return run(at, 1 + LAG_CORRECTION, results);
 }
 
+static lag_status equation_terms(const lag_arguments *at, double *coriolis, double *gravity, double *bias)
+{
+    double *const results[] = {coriolis, gravity, bias};
+    return run(at, 1 + LAG_EQUATION_TERMS, results);
+}
+
+static lag_status regressor(const lag_arguments *at, double *regressor, double *inertial)
+{
+    double *const results[] = {regressor, inertial};
+    return run(at, 1 + LAG_REGRESSOR, results);
+}
+
+static lag_status kinematics(
+        const lag_arguments *at, double *position, double *rotation, double *velocity, double *jacobian, double *bias)
+{
+    double *const results[] = {position, rotation, velocity, jacobian, bias};
+    return run(at, 1 + LAG_KINEMATICS, results);
+}
+
 static void give(lag_tape *tape)
 {
     tape->model.start = lag_tape_has(tape, LAG_START) ? start : NULL;
@@ -274,6 +293,9 @@ static void give(lag_tape *tape)
     tape->model.initial_equation_tangent = lag_tape_has(tape, LAG_INITIAL_EQUATION_TANGENT) ? initial_equation_tangent : NULL;
     tape->model.time_tangent = lag_tape_has(tape, LAG_TIME_TANGENT) ? time_tangent : NULL;
     tape->model.correction = lag_tape_has(tape, LAG_CORRECTION) ? correction : NULL;
+    tape->model.equation_terms = lag_tape_has(tape, LAG_EQUATION_TERMS) ? equation_terms : NULL;
+    tape->model.regressor = lag_tape_has(tape, LAG_REGRESSOR) ? regressor : NULL;
+    tape->model.kinematics = lag_tape_has(tape, LAG_KINEMATICS) ? kinematics : NULL;
 }
 /* ---- end of what is generated ---- */
 

@@ -76,6 +76,10 @@ static void give_sizes(lag_model *model, const uint32_t *size)
     model->ndistance = size[LAG_TAPE_NDISTANCE];
     model->ncorner = size[LAG_TAPE_NCORNER];
     model->nswitched = size[LAG_TAPE_NSWITCHED];
+    model->ninertial = size[LAG_TAPE_NINERTIAL];
+    model->nplace = size[LAG_TAPE_NPLACE];
+    model->naxes = size[LAG_TAPE_NAXES];
+    model->ntwist = size[LAG_TAPE_NTWIST];
     model->prepared = size[LAG_TAPE_PREPARED];
     model->workspace = (size_t)lag_tape_workspace(size);
 }

@@ -20,7 +20,7 @@ enum {
 
 /* prepare(), the functions of lag_function, those of directions of states and inputs, and of parameters. */
 enum {
-    LAG_TAPE_ALONG = 1 + LAG_CORRECTION + 1,
+    LAG_TAPE_ALONG = 1 + LAG_LAST_FUNCTION + 1,
     LAG_TAPE_FUNCTION_COUNT = LAG_TAPE_ALONG + 2 * LAG_TAPE_ALONG_COUNT
 };
 

@@ -222,7 +222,7 @@ static int functions_there(const lag_tape_parts *parts)
     const uint32_t *n = parts->size;
     const uint32_t *table = (const void *)parts->part[LAG_TAPE_FUNCTIONS].bytes;
     const int by_columns = table[2 * (1 + LAG_MOMENTUM_TANGENT) + 1] > 0;
-    for (unsigned i = 0; i <= LAG_CORRECTION; ++i) {
+    for (unsigned i = 0; i <= LAG_LAST_FUNCTION; ++i) {
         const int written_out = i == LAG_MASS_MATRIX || i == LAG_DYNAMICS;
         const int every = i < LAG_ELIMINATION && !(written_out && by_columns);
         const int of_events = i >= LAG_DISCRETE_START && i <= LAG_TIME_EVENT && n[LAG_TAPE_NW] > 0;

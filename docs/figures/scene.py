@@ -1,0 +1,79 @@
+"""A small picture for each rule of the scene: `python docs/figures/scene.py` writes docs/images/scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from lagdsl.diagnostics import Sink
+from lagdsl.pipeline import flatten_file, read
+from lagdsl.plot.picture.film import write_picture
+from lagdsl.plot.picture.recording import Wishes
+from lagdsl.source import SourceFile
+
+FOLDER = Path(__file__).parents[1] / "images" / "scene"
+MODELS = Path(__file__).parents[2] / "models"
+PIXELS = 360
+_PENDULUM = "coordinate Angle q(start = 40 deg); gravity = -g_n*world.y;"
+_BOB = "point P = {sin(q), -cos(q)} * (1 m);"
+# Name of the picture: statements of a model, and the times [s] that the picture shows.
+RULES: dict[str, tuple[str, tuple[float, ...]]] = {
+    "mass": (
+        "coordinate Length x(start = 0.1 m); gravity = 0; mass 1 kg at {x, 0}; mass 8 kg at {x + 0.3 m, 0};"
+        "mass 0.1 kg at {x - 0.2 m, 0};",
+        (),
+    ),
+    "rod": (f"{_PENDULUM} {_BOB} mass 1 kg at P;", ()),
+    "arm": (
+        f"{_PENDULUM} frame A = world.rotz(q).move({{0, -1 m, 0}}).rotz(-q);"
+        "body plate(m = 1 kg, I = {0.02 kg.m2, 0.02 kg.m2, 0.04 kg.m2}) on A;",
+        (),
+    ),
+    "body": (
+        "coordinate Angle q(start = 30 deg); gravity = 0; frame A = world.rotz(q);"
+        "body plate(m = 1 kg, I = {0.01 kg.m2, 0.05 kg.m2, 0.055 kg.m2}) on A;",
+        (),
+    ),
+    "spring": (
+        "coordinate Length x(start = 1 m), y; gravity = 0; point P = {x, y}; mass 1 kg at P;"
+        "potential V = 0.5*(20 N/m)*(norm(P - world.origin) - 0.5 m)^2;",
+        (),
+    ),
+    "ground": (
+        "coordinate Length h(start = 0.6 m), x(start = -0.5 m, der(start = 1 m/s)); gravity = -g_n*world.y;"
+        "mass 1 kg at {x, h}; contact floor: h >= 0 with restitution = 0.7;",
+        (0.0, 0.2, 0.35, 0.6, 0.8),
+    ),
+    "force": (f"{_PENDULUM} {_BOB} mass 1 kg at P; force {{5 N, 2 N}} at P;", ()),
+    "gauge": (
+        "coordinate Angle phi(start = 50 deg); coordinate Length s(start = 0.2 m); gravity = 0;"
+        "kinetic T = 0.5*(1 kg.m2)*der(phi)^2 + 0.5*(1 kg)*der(s)^2;",
+        (),
+    ),
+    "draw": (
+        f"{_PENDULUM} {_BOB} frame A = world.rotz(q); mass 1 kg at P;"
+        'draw box(length = 0.3 m, width = 0.2 m, color = "orange") on A; draw trace at P;',
+        (0.0, 0.4, 0.7),
+    ),
+}
+
+
+def main() -> None:
+    FOLDER.mkdir(exist_ok=True)
+    for name, (statements, times) in RULES.items():
+        text = f"model {name.title()}\n{statements}\nannotation(experiment(StopTime = 1));\nend {name.title()};\n"
+        sink = Sink()
+        flat = flatten_file(SourceFile(f"{name}.lag", text), sink)
+        if flat is None:
+            raise SystemExit("\n".join(f"{name}: {d.code} {d.message}" for d in sink.diagnostics))
+        write_picture(flat, Wishes(), FOLDER / f"{name}.png", times, pixels=PIXELS)
+    machine = read(MODELS / "double_pendulum.lag", Sink())
+    assert machine is not None
+    flat = flatten_file(machine, Sink())
+    assert flat is not None
+    write_picture(
+        flat, Wishes(), FOLDER.parent / "double_pendulum_machine.png", (0.0, 0.12, 0.24, 0.36, 0.48), pixels=480
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,115 @@
+"""Functions by name that controllers call: terms of the equations, the regressor, frames and points."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache, cached_property, partial
+from typing import TYPE_CHECKING, Any
+
+from lagdsl.api.described import Described
+from lagdsl.api.names import unknown_among
+from lagdsl.backends.python.support.kinematics import FrameKinematics, Kinematics, PointKinematics, frame_of, point_of
+from lagdsl.flat.geometry import frame_names, point_names
+
+if TYPE_CHECKING:
+    from lagdsl.analysis.base_parameters import BaseParameters
+    from lagdsl.backends.python.support.interface import Evaluate
+    from lagdsl.program.program import Program
+    from lagdsl.runtime.engines.broadcast import BatchEngine
+
+_TERMS = ("equation_terms", "regressor")
+
+
+class ByName(Described):
+    """A model whose terms, frames and points are called by name. Their functions are made when they are first asked
+    for."""
+
+    _engine: BatchEngine
+
+    def _choosing(self, evaluate: Evaluate) -> Evaluate:
+        """`evaluate`, but for the functions that are made when they are first asked for."""
+
+        def chosen(function: str, *arguments: Any) -> Any:
+            own = self._terms(function).evaluate_many if function in _TERMS else evaluate
+            return own(function, *arguments)
+
+        return chosen
+
+    @property
+    def frames(self) -> list[str]:
+        """Names of all frames, for `frame`."""
+        return frame_names(self._compilation.flat)
+
+    @property
+    def points(self) -> list[str]:
+        """Names of all points, for `point`."""
+        return point_names(self._compilation.flat)
+
+    def frame(self, name: str) -> FrameKinematics:
+        """The motion of a frame: `.position .rotation .velocity .jacobian .bias_acceleration` of t, q, qd.
+
+        `name` is one of `frames`. Raises UnknownName.
+        """
+        return frame_of(self._kinematics_of("frame", name, self.frames), (name,), name)
+
+    def point(self, name: str) -> PointKinematics:
+        """The motion of a point: `.position .velocity .jacobian .bias_acceleration` of t, q, qd.
+
+        `name` is one of `points`. Raises UnknownName.
+        """
+        return point_of(self._kinematics_of("point", name, self.points), (), (name,), name)
+
+    @property
+    def inertial_parameter_names(self) -> list[str]:
+        """Names of the entries of `inertial_parameters`: `arm.m`, its first moments `arm.hx`, `arm.hy`, `arm.hz` and
+        its inertia about the origin of its frame, `arm.Ixx` to `arm.Iyz` (tensor elements, in its axes)."""
+        return [slot.name for slot in self._terms("regressor").layout.inertial]
+
+    @cached_property
+    def base_parameters(self) -> BaseParameters:
+        """The combinations of inertial parameters that the equations of motion can tell apart."""
+        from lagdsl.analysis.base_parameters import base_parameters
+
+        sizes = len(self.coordinates)
+        return base_parameters(partial(self.regressor, 0.0), sizes, self.inertial_parameter_names)
+
+    def _kinematics_of(self, what: str, name: str, names: list[str]) -> Kinematics:
+        if name not in names:
+            raise unknown_among(what, name, names)
+        engine = self._kinematic_engine(what, name)
+
+        def at_state(t: Any, q: Any, qd: Any, z: Any = None, u: Any = None, w: Any = None, p: Any = None) -> Any:
+            return engine.evaluate_many("kinematics", *self._state(t, q, qd, z, u, w, p))
+
+        return at_state
+
+    @cached_property
+    def _kinematic_engine(self) -> Callable[[str, str], BatchEngine]:
+        from lagdsl.mechanics.by_name import with_kinematics
+
+        equations, program = self._compilation.equations, self._compilation.program
+
+        @cache
+        def made(what: str, name: str) -> BatchEngine:
+            frames, points = ((name,), ()) if what == "frame" else ((), (name,))
+            return self._engine_of(with_kinematics(equations, program, frames, points))
+
+        return made
+
+    @cached_property
+    def _terms(self) -> Callable[[str], BatchEngine]:
+        from lagdsl.mechanics.by_name import with_equation_terms, with_regressor
+
+        equations, program = self._compilation.equations, self._compilation.program
+
+        @cache
+        def made(function: str) -> BatchEngine:
+            extended = with_equation_terms if function == "equation_terms" else with_regressor
+            return self._engine_of(extended(equations, program))
+
+        return made
+
+    def _engine_of(self, program: Program) -> BatchEngine:
+        from lagdsl.runtime.engines.selection import engine_of
+
+        return engine_of(program, self._engine.name)

@@ -1,0 +1,95 @@
+"""The derivation of a model: the document of `lag derive`, and the terms of the equations with their sources."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+
+if TYPE_CHECKING:
+    from lagdsl.textbook.provenance import Source
+    from lagdsl.textbook.recipe import Recipe
+
+Form: TypeAlias = Literal["text", "markdown", "latex", "html", "json"]
+ENDINGS: dict[str, Form] = {
+    ".txt": "text",
+    ".md": "markdown",
+    ".tex": "latex",
+    ".html": "html",
+    ".htm": "html",
+    ".json": "json",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class DerivedTerm:
+    """A term of the equation of `coordinate`, with its sign, on the `left` or `right` side; `value` is SymPy's.
+
+    `sources` are the statements that it comes from: `.kind`, `.name`, `.spans`.
+    """
+
+    coordinate: str
+    side: Literal["left", "right"]
+    value: Any
+    sources: tuple[Source, ...]
+
+
+class Derivation:
+    """The result of `model.derive()`; `str` gives the text."""
+
+    def __init__(self, recipe: Recipe) -> None:
+        self._recipe = recipe
+
+    def to(self, form: Form) -> str:
+        """The document in the form `text`, `markdown`, `latex`, `html` or `json`."""
+        if form == "json":
+            from lagdsl.report.listing import listing
+
+            return listing(self._recipe)
+        from lagdsl.report.derivation import FORMATS, render
+
+        if form not in FORMATS:
+            raise ValueError(f"form must be one of {', '.join([*FORMATS, 'json'])}, not {form!r}")
+        return render(self._recipe, form)
+
+    def write(self, path: Path | str) -> None:
+        """Write the document to a .txt, .md, .tex, .html or .json file. Raises ValueError for another ending."""
+        target = Path(path)
+        if target.suffix not in ENDINGS:
+            raise ValueError(f"the name must end with one of {', '.join(ENDINGS)}, not {target.suffix!r}")
+        target.write_text(self.to(ENDINGS[target.suffix]), encoding="utf-8")
+
+    @property
+    def sources(self) -> Sequence[Source]:
+        """The statements that the equations come from: masses, bodies, gravity, energies, loads, constraints."""
+        from lagdsl.textbook.provenance import sources
+
+        return sources(self._recipe.flat)
+
+    @cached_property
+    def terms(self) -> Sequence[DerivedTerm]:
+        """The terms of the printed equations in their order; none where the model is too large to be written out."""
+        found = self._recipe.derivation
+        if found is None:
+            return ()
+        names = [coordinate.name for coordinate in self._recipe.flat.coordinates]
+        return tuple(
+            DerivedTerm(names[t.equation], t.side, t.value, tuple(found.sources[i] for i in t.sources))
+            for t in found.terms
+        )
+
+    def terms_of(self, line: int) -> Sequence[DerivedTerm]:
+        """The terms that a line of the model text, from 1, contributes to."""
+        return tuple(
+            term
+            for term in self.terms
+            if any(span.first.line <= line <= span.last.line for source in term.sources for span in source.spans[-1:])
+        )
+
+    def __str__(self) -> str:
+        return self.to("text")
+
+    def _repr_markdown_(self) -> str:
+        return self.to("markdown")

@@ -1,0 +1,134 @@
+"""Small motions of a model: linearization, modes, equilibria."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from numpy.typing import ArrayLike
+
+from lagdsl.api.names import Given, entries
+from lagdsl.api.shown import Shown
+from lagdsl.diagnostics import Sink
+
+if TYPE_CHECKING:
+    from lagdsl.analysis.linearization import Linearization
+    from lagdsl.analysis.point import System
+    from lagdsl.analysis.trim import Equilibrium
+    from lagdsl.analysis.variation import Variation
+    from lagdsl.analysis.where import Where
+    from lagdsl.api.modes import Modes
+
+
+class SmallMotions(Shown):
+    """A model near one of its states."""
+
+    def linearize(
+        self,
+        *,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+        sink: Sink | None = None,
+    ) -> Linearization:
+        """`.A .B .C .D` on the minimal state, exact, in SI units, with `.states .inputs .outputs`.
+
+        Vectors in the order of the model's names, or mappings of some of them; what is left out is that of the initial
+        state. The point is the consistent state nearest to it, `.point`. Raises CompilationFailed where there is no
+        linearization.
+        """
+        from lagdsl.analysis.where import linearize
+
+        return linearize(self._system, self._where(t, q, qd, z, u, p), Sink() if sink is None else sink)
+
+    def modes(
+        self,
+        *,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+        trim: bool = False,
+        sink: Sink | None = None,
+    ) -> Modes:
+        """`.eigenvalues .frequencies [Hz] .damping .shapes .stability` of the linearized motion.
+
+        The point is as for `linearize`; with `trim` it is the equilibrium next to it. Warnings go to `sink`. Raises
+        CompilationFailed.
+        """
+        from lagdsl.api.modes import modes_of
+
+        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
+        return modes_of(self._system, where, Sink() if sink is None else sink, self._source)
+
+    def vary(
+        self,
+        name: str,
+        values: ArrayLike | str,
+        *,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+        trim: bool = False,
+    ) -> Variation:
+        """Eigenvalues for `values` of the parameter, input or start value `name`, and `.thresholds` between them.
+
+        `values` are numbers in SI units or a text, `0:0.1:3 N` (first:step:last), `linspace(0, 3, 31) N`. With `trim`
+        each value has the equilibrium next to the given state, else the state itself. Raises CompilationFailed.
+        """
+        from lagdsl.analysis.where import vary
+        from lagdsl.api.texts import grid_of
+
+        where = replace(self._where(t, q, qd, z, u, p), trim=trim)
+        return vary(self._system, where, name, grid_of(self._compilation.flat, name, values), Sink())
+
+    def trim(
+        self,
+        *,
+        free: Sequence[str] = (),
+        hold: Sequence[str] = (),
+        steady: bool = False,
+        t: float | None = None,
+        q: Given = None,
+        qd: Given = None,
+        z: Given = None,
+        u: Given = None,
+        p: Given = None,
+    ) -> Equilibrium:
+        """The equilibrium nearest to a state: `.point` with `.q .qd .z .u`.
+
+        Unknown are coordinates and states that are not fixed, without those in `hold` and with those in `free`, which
+        may be inputs and rates, too. Rates that are not given are zero, or with `steady` those of the start. Raises
+        CompilationFailed with what is left over where there is none.
+        """
+        from lagdsl.analysis.where import trim
+
+        chosen = self._where(t, q, qd, z, u, p)
+        where = replace(chosen, trim=True, free=tuple(free), hold=tuple(hold), steady=steady)
+        return trim(self._system, where, Sink())
+
+    @property
+    def _system(self) -> System:
+        from lagdsl.analysis.point import System
+
+        return System(self._compilation.flat, self._compilation.program, self._engine)
+
+    def _where(self, t: float | None, q: Given, qd: Given, z: Given, u: Given, p: Given) -> Where:
+        from lagdsl.analysis.where import Where
+
+        starts = self._named("start")
+        coordinates, states = ({name: starts[name] for name in names} for names in (self.coordinates, self.states))
+        rates = entries("qd", qd, coordinates).items()
+        start = {**entries("q", q, coordinates), **{f"der({name})": value for name, value in rates}}
+        inputs = entries("u", u, self._named("input"))
+        start |= entries("z", z, states)
+        return Where(p=self._parameter_vector(p), t=t, start=start, inputs=inputs)

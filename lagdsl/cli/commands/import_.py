@@ -1,0 +1,60 @@
+"""`lag import FILE`: the model of a robot, from its URDF or MJCF file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+import click
+
+from lagdsl.cli.command import Command
+from lagdsl.cli.model_file import Format, leave_with_errors, takes_format, tell
+from lagdsl.cli.options import PATH
+from lagdsl.cli.output import require_ending, require_writable, write_text
+from lagdsl.diagnostics import Sink
+
+
+@click.command("import", cls=Command)
+@click.argument("file", type=PATH)
+@click.option("-o", "--output", type=PATH, help="Write to this file; default: standard output.")
+@click.option(
+    "--limits",
+    type=click.Choice(["range", "contact", "none"]),
+    default="range",
+    show_default=True,
+    help="Limits of joints: min and max of the coordinate, contacts, nothing.",
+)
+@click.option(
+    "--actuators",
+    type=click.Choice(["file", "all", "none"]),
+    default="file",
+    show_default=True,
+    help="Inputs: those of the file (of every joint where it tells none), of all joints, none.",
+)
+@click.option("--floating", is_flag=True, help="Let the base move freely; default: it is fixed to the world.")
+@click.option("--lenient", is_flag=True, help="Leave out what the language has no place for, with warnings.")
+@takes_format
+def command(
+    file: Path,
+    output: Path | None,
+    limits: Literal["range", "contact", "none"],
+    actuators: Literal["file", "all", "none"],
+    floating: bool,
+    lenient: bool,
+    style: Format,
+) -> None:
+    """Write the model of the robot in FILE, a URDF or an MJCF file.
+
+    Nothing is written where a line of FILE has no meaning in the language; the message names the line.
+    """
+    from lagdsl.robots.plan import Style
+    from lagdsl.robots.read import robot_text
+
+    require_ending(output, "models are", ".lag")
+    require_writable(output)
+    sink = Sink()
+    text = robot_text(file, Style(limits=limits, actuators=actuators, floating=floating), sink, lenient)
+    if text is None:
+        leave_with_errors(sink.diagnostics, style)
+    tell(sink.diagnostics, style)
+    write_text(text, output)

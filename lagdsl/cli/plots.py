@@ -1,0 +1,85 @@
+"""`--plot`, `--show`, `--xy`: figures of columns as people choose them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from functools import wraps
+from pathlib import Path
+from typing import Any
+
+import click
+
+from lagdsl.cli.options import PATH, Command, combined
+from lagdsl.cli.output import draft_of, require_figure, require_writable
+from lagdsl.flat.model import FlatModel
+from lagdsl.plot.names import ENERGY, UnknownColumn, panels_of, paths_of
+from lagdsl.record import record
+from lagdsl.signals.trajectory import Trajectory
+from lagdsl.simulate.table import heads_of
+
+
+@record(kw_only=True)
+class Plot:
+    """The path of a figure, the panels over time, and the pairs of columns against each other."""
+
+    path: Path | None
+    show: tuple[str, ...]
+    xy: tuple[tuple[str, str], ...]
+
+
+def takes_plot(command: Command) -> Command:
+    """Add `--plot`, `--show` and `--xy`; the command gets them as `plot`."""
+
+    @wraps(command)
+    def called(*, picture: Path | None, show: tuple[str, ...], xy: tuple[tuple[str, str], ...], **given: Any) -> None:
+        command(plot=Plot(path=picture, show=show, xy=xy), **given)
+
+    return combined(
+        click.option("--plot", "picture", type=PATH, help="Write a figure of the motion: .png, .svg, .pdf."),
+        click.option(
+            "--show",
+            multiple=True,
+            metavar="NAMES",
+            help="Columns of the figure: 'theta, der(theta)'; two units have two axes. Once for each panel.",
+        ),
+        click.option(
+            "--xy",
+            multiple=True,
+            nargs=2,
+            metavar="NAMES NAMES",
+            help="Columns against each other: --xy theta 'der(theta)'. Once for each panel.",
+        ),
+    )(called)
+
+
+def require_sound(plot: Plot) -> None:
+    """Leave with status 2, before the work is done, where no figure can come of it."""
+    require_writable(plot.path)
+    if plot.path is not None:
+        require_figure(plot.path)
+    elif plot.show or plot.xy:
+        raise click.UsageError("--show and --xy choose what --plot draws: give --plot FILE, too")
+
+
+def require_names(plot: Plot, models: Iterable[FlatModel]) -> None:
+    """Leave with status 2, before the work is done, where no model has a column of such a name."""
+    names = [head[0] for flat in models for head in heads_of(flat)]
+    chosen(plot, dict.fromkeys([*names, ENERGY]))
+
+
+def chosen(plot: Plot, known: Collection[str]) -> tuple[list[list[str]], list[list[tuple[str, str]]]]:
+    """Columns of the panels, and pairs of columns; leaves with status 2 for names that are not known."""
+    try:
+        return panels_of(plot.show, known), paths_of(plot.xy, known)
+    except (UnknownColumn, ValueError) as error:
+        raise click.UsageError(str(error)) from error
+
+
+def draw_plot(plot: Plot, motion: Trajectory, kept: Trajectory) -> None:
+    """Write the figure, if one is asked for: chosen columns of `motion`, or all that are `kept`."""
+    if plot.path is None:
+        return
+    from lagdsl.plot.chosen import plot_of
+
+    with draft_of(plot.path) as draft:
+        plot_of(motion if plot.show or plot.xy else kept, draft, show=plot.show, xy=plot.xy)

@@ -1,0 +1,46 @@
+"""Positions, velocities, Jacobians and bias accelerations of chosen frames and points, in world components.
+
+The velocity of a frame is that of its origin, then its angular velocity. Jacobians are the derivatives of velocities
+by qd, so that velocity = J qd + what the time alone moves, and acceleration = J qdd + bias.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from lagdsl.flat.expression import FrameOrigin, PointReference
+from lagdsl.graph.differentiate import jacobian
+from lagdsl.mechanics.equations import Equations
+from lagdsl.program.program import Block
+
+
+def frame_kinematics(equations: Equations, frames: Sequence[str], points: Sequence[str]) -> tuple[Block, ...]:
+    """Results of the function `kinematics`, frames first."""
+    graph, lowering, symbols = equations.graph, equations.lowering, equations.symbols
+    positions: list[int] = []
+    rotations: list[int] = []
+    velocities: list[int] = []
+    for name in frames:
+        origin = lowering.vector(FrameOrigin(name))
+        poses = lowering.poses(name)
+        axes = poses[name].axes
+        positions += origin
+        rotations += [axes[column][row] for row in range(3) for column in range(3)]
+        velocities += [*lowering.velocity(origin), *poses.world_velocity(name)]
+    for name in points:
+        position = lowering.vector(PointReference(name))
+        positions += position
+        velocities += lowering.velocity(position)
+    partial = jacobian(graph, velocities, symbols.qd)
+    bias = [lowering.bias_rate.of(velocity) for velocity in velocities]
+    return (
+        _vector("r", positions),
+        _vector("R", rotations),
+        _vector("v", velocities),
+        Block(name="J", shape=(len(velocities), len(symbols.qd)), elements=tuple(x for row in partial for x in row)),
+        _vector("a", bias),
+    )
+
+
+def _vector(name: str, nodes: Sequence[int]) -> Block:
+    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))

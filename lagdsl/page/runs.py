@@ -1,0 +1,111 @@
+"""Pages with several motions: the runs of a sweep, rows from a file, modes as moving shapes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import field, replace
+
+from lagdsl.backends.start import start_of
+from lagdsl.backends.tape.emit import tape
+from lagdsl.diagnostics import CompilationFailed, Sink
+from lagdsl.flat.model import FlatModel
+from lagdsl.page.head import Json
+from lagdsl.page.page import head_of_recording, html_of, starts_of
+from lagdsl.plot.picture.recording import Recording, Wishes, prepare, recorded
+from lagdsl.record import record
+from lagdsl.signals.trajectory import Trajectory
+from lagdsl.source import SourceFile
+
+# Numbers of all recorded motions together: about a megabyte in the page.
+_MOST_NUMBERS = 400_000
+_LEAST_ROWS, _MOST_ROWS = 61, 301
+MOST_RUNS = 200
+
+
+@record(kw_only=True)
+class Run:
+    """One of several motions: `label` tells it from the others, `said` what there is to say of it.
+
+    `p` are its parameters, where the page may integrate it anew; `pace` is how many seconds of it pass in a second.
+    """
+
+    label: str
+    motion: Trajectory
+    span: tuple[float, float]
+    said: str = ""
+    p: Sequence[float] | None = None
+    pace: float = 1.0
+
+
+@record(kw_only=True)
+class Setting:
+    """Values of one run of a sweep, by name in SI units."""
+
+    label: str
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    start: Mapping[str, float] = field(default_factory=dict)
+
+
+def sweep_page(
+    flat: FlatModel,
+    settings: Sequence[Setting],
+    wishes: Wishes,
+    *,
+    source: SourceFile | None = None,
+    sink: Sink | None = None,
+) -> str:
+    """The page of a sweep, with a slider over its runs; `wishes` is what all of them share.
+
+    Runs without a motion are shown as far as there is one; errors go to `sink`. Raises CompilationFailed where no run
+    has a motion, ValueError for more runs than a page holds.
+    """
+    if len(settings) > MOST_RUNS:
+        raise ValueError(f"a page holds at most {MOST_RUNS} runs, the sweep has {len(settings)}: give fewer values")
+    starts = {name for setting in settings for name in setting.start} | set(wishes.start)
+    prepared = prepare(flat, starts)
+    width = len(prepared.compilation.flat.outputs) + 2 * len(flat.coordinates) + len(flat.states) + 4
+    rows = min(max(_MOST_NUMBERS // (width * max(len(settings), 1)), _LEAST_ROWS), _MOST_ROWS)
+    found: list[Recording] = []
+    runs: list[Run] = []
+    failures: list[CompilationFailed] = []
+    for setting in settings:
+        own = replace(
+            wishes,
+            parameters={**wishes.parameters, **setting.parameters},
+            start={**wishes.start, **setting.start},
+        )
+        try:
+            made = recorded(prepared, own, rows, Sink())
+        except CompilationFailed as failure:
+            failures.append(failure)
+            continue
+        found.append(made)
+        runs.append(Run(label=setting.label, motion=made.motion, span=made.span, said=made.ended, p=made.p.tolist()))
+    if not found:
+        raise failures[0]
+    if failures and sink is not None:
+        for diagnostic in failures[0].diagnostics:
+            sink.add(diagnostic)
+    first = found[0]
+    head = head_of_recording(first, wishes, source)
+    compiled = prepared.compilation
+    made_tape = tape(compiled.program, start_of(compiled.flat, first.span[0], starts_of(first)))
+    return page_of_runs(flat, head, runs, made_tape)
+
+
+def page_of_runs(flat: FlatModel, head: dict[str, Json], runs: Sequence[Run], model_tape: bytes = b"") -> str:
+    """`head` is that of the first run; without a tape nothing is integrated anew."""
+    told: list[Json] = [
+        {
+            "label": run.label,
+            "rows": len(run.motion),
+            "start": run.span[0],
+            "stop": run.span[1],
+            "pace": run.pace,
+            "said": run.said,
+            "parameters": None if run.p is None else list(run.p),
+            "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in run.motion.events],
+        }
+        for run in runs
+    ]
+    return html_of(flat, {**head, "live": bool(model_tape), "runs": told}, [run.motion for run in runs], model_tape)

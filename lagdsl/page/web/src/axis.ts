@@ -1,0 +1,11 @@
+// Axes and inks of all charts.
+import type uPlot from "uplot";
+
+export const INKS = ["#2563eb", "#dc2626", "#16a34a", "#d97706", "#7c3aed", "#0891b2", "#db2777", "#65a30d"];
+
+export function axis(label: string): uPlot.Axis {
+  const style = getComputedStyle(document.documentElement);
+  const ink = style.getPropertyValue("--ink-soft").trim();
+  const grid = { stroke: style.getPropertyValue("--line").trim(), width: 1 };
+  return { label, stroke: ink, grid, ticks: grid, labelSize: 18, font: "11px system-ui", labelFont: "11px system-ui" };
+}

@@ -1,0 +1,121 @@
+// Arrows that one switches on: their numbers come from a motion of their own, integrated when somebody looks at them.
+import type { Group } from "three";
+import type { Head, Shape } from "./head.ts";
+import type { Motion } from "./motion.ts";
+import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
+
+export type Vectors = NonNullable<Head["vectors"]>;
+
+/** Kinds with the words of their switches, in the order of these. */
+export const SWITCHES: [kind: string, words: string, title: string][] = [
+  ["velocity", "v", "Velocities of masses"],
+  ["acceleration", "a", "Accelerations of masses"],
+  ["admissible", "∂r/∂q", "Admissible motions of masses: each coordinate alone"],
+  ["reaction", "reactions", "Forces and torques of joints, rods and wires"],
+  ["constraint", "constraints", "Forces of constraints on masses"],
+];
+const UNITS: Record<string, string> = {
+  velocity: "m/s", acceleration: "m/s²", reaction: "N", "reaction torque": "N·m", constraint: "N", force: "N", torque: "N·m",
+};
+const PALETTE = ["#db2777", "#7c3aed", "#0891b2", "#65a30d", "#ca8a04", "#dc2626", "#2563eb", "#0d9488"];
+const LONGEST = 0.3; // of the machine
+const ROUNDING = 1e-10;
+
+export class Overlay {
+  readonly drawn: Drawn[] = [];
+  readonly shown = new Set<string>();
+  readonly coordinates: string[];
+  coordinate = ""; // whose admissible motions are shown; all of them where it is empty
+  private readonly scales = new Map<string, Sizes>();
+  private motion: Motion | null = null;
+  private numbers = new Float64Array(0);
+
+  constructor(
+    private readonly vectors: Vectors,
+    private readonly sizes: Sizes,
+    place: Group,
+  ) {
+    const moving = vectors.shapes.flatMap((shape) => shape.texts.coordinate ?? []);
+    this.coordinates = [...new Set(moving)];
+    for (const shape of vectors.shapes) {
+      const index = this.coordinates.indexOf(shape.texts.coordinate ?? "");
+      if (index >= 0) shape.texts.color = PALETTE[index % PALETTE.length];
+      const own = this.scales.get(scaleOf(shape)) ?? { ...sizes, first: vectors.first };
+      this.scales.set(scaleOf(shape), own);
+      const drawn = MAKERS.force(shape, own);
+      drawn.object.traverse((object) => (object.userData.shape = shape));
+      drawn.object.visible = false;
+      this.drawn.push(drawn);
+      place.add(drawn.object);
+    }
+  }
+
+  has(kind: string): boolean {
+    return this.vectors.shapes.some((shape) => switchOf(shape) === kind);
+  }
+
+  /** The longest arrow of each kind is a part of the machine, along the whole motion. */
+  take(motion: Motion): void {
+    this.motion = motion;
+    this.numbers = new Float64Array(motion.width);
+    const most = new Map<string, number>();
+    for (const shape of this.vectors.shapes) {
+      const at = this.vectors.first + shape.numbers.vector;
+      for (let row = 0; row < motion.count; ++row) {
+        const size = Math.hypot(motion.at(row, at), motion.at(row, at + 1), motion.at(row, at + 2));
+        if (Number.isFinite(size)) most.set(scaleOf(shape), Math.max(most.get(scaleOf(shape)) ?? 0, size));
+      }
+    }
+    for (const [kind, own] of this.scales) {
+      const largest = most.get(kind) ?? 0;
+      // A torque that is the rounding of forces at the size of the machine is none.
+      const arm = kind.startsWith("reaction torque") ? this.sizes.length * (most.get("reaction N") ?? 0) : 0;
+      own.force = largest > ROUNDING * arm ? (LONGEST * this.sizes.length) / largest : 0;
+    }
+  }
+
+  pose(t: number): void {
+    if (this.motion !== null && this.motion.count > 0) this.motion.state(Math.min(t, this.motion.last), this.numbers);
+    const frame = { numbers: this.numbers, first: this.vectors.first };
+    for (const drawn of this.drawn) {
+      const chosen = this.coordinate === "" || (drawn.shape.texts.coordinate ?? this.coordinate) === this.coordinate;
+      const visible = this.shown.has(switchOf(drawn.shape)) && chosen && this.motion !== null;
+      if (visible) drawn.update(frame);
+      else drawn.object.visible = false;
+      drawn.object.updateMatrixWorld(true);
+    }
+  }
+
+  /** The value behind an arrow, with its unit. */
+  value(shape: Shape): string {
+    const at = vector(shape, "vector", { numbers: this.numbers, first: this.vectors.first });
+    return `${sizeText(at.length())} ${unitOf(shape)}`;
+  }
+
+  /** The value that the longest arrow of each switched kind stands for. */
+  legend(): string[] {
+    const lines: string[] = [];
+    for (const [kind, own] of this.scales) {
+      const shape = this.vectors.shapes.find((each) => scaleOf(each) === kind);
+      if (shape === undefined || !this.shown.has(switchOf(shape)) || own.force === 0) continue;
+      lines.push(`${shape.kind}: longest ${sizeText((LONGEST * this.sizes.length) / own.force)} ${unitOf(shape)}`);
+    }
+    return lines;
+  }
+}
+
+export function unitOf(shape: Shape): string {
+  return shape.texts.unit ?? UNITS[shape.kind] ?? "";
+}
+
+export function sizeText(value: number): string {
+  return Number(value.toPrecision(3)).toString();
+}
+
+function switchOf(shape: Shape): string {
+  return shape.kind === "reaction torque" ? "reaction" : shape.kind;
+}
+
+function scaleOf(shape: Shape): string {
+  return `${shape.kind} ${unitOf(shape)}`;
+}

@@ -1,0 +1,136 @@
+"""The motion of a model with its scene: what pages and pictures show."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import field
+
+import numpy as np
+
+from lagdsl.diagnostics import Sink
+from lagdsl.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.flat.model import FlatModel
+from lagdsl.numerics.rank import Floats
+from lagdsl.pipeline import Compilation, compile_flat
+from lagdsl.program.program import Layout
+from lagdsl.record import record
+from lagdsl.runtime.engines.engine import Engine
+from lagdsl.runtime.engines.selection import engine_of
+from lagdsl.scene.living import START, Living, living
+from lagdsl.scene.shapes import Scene
+from lagdsl.signals.inputs import Signal
+from lagdsl.signals.trajectory import Trajectory
+from lagdsl.simulate.failure import SimulationFailed
+from lagdsl.simulate.simulate import simulate
+
+
+@record(kw_only=True)
+class Wishes:
+    """Values that a motion begins with, by name in SI units. The experiment of the model says the others."""
+
+    stop: float | None = None
+    tolerance: float | None = None
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    start: Mapping[str, float] = field(default_factory=dict)
+    inputs: Mapping[str, Signal] = field(default_factory=dict)
+
+
+@record(kw_only=True)
+class Prepared:
+    """A model with its scene among its outputs, compiled."""
+
+    own: FlatModel
+    living: Living
+    compilation: Compilation
+    engine: Engine
+
+    @property
+    def scene(self) -> Scene:
+        return self.living.scene
+
+
+@record(kw_only=True)
+class Recording:
+    """A motion whose last columns are the scalars of the scene; `p` (np,) are its parameters, `span` its time [s] as it
+    was asked for, `ended` why it ended early, if it did."""
+
+    prepared: Prepared
+    p: Floats
+    span: tuple[float, float]
+    tolerance: float
+    motion: Trajectory
+    ended: str
+
+    @property
+    def scene(self) -> Scene:
+        return self.prepared.scene
+
+
+def prepare(flat: FlatModel, starts: Collection[str] = ()) -> Prepared:
+    """Start values that depend on parameters stay so, but for those named in `starts`."""
+    shown = living(flat, starts)
+    made = compile_flat(shown.flat, Sink())
+    assert made is not None, "a model that compiles does so with further outputs"
+    return Prepared(own=flat, living=shown, compilation=made, engine=engine_of(made.program))
+
+
+def record_motion(flat: FlatModel, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:
+    """`recorded` of a model that is compiled for it."""
+    return recorded(prepare(flat, wishes.start), wishes, rows, sink)
+
+
+def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:
+    """The motion with `rows` rows of equal distance, and two at the time of an event.
+
+    Notes of the run go to `sink`, and so do the errors of a run that ends early: the motion so far is the result.
+    Raises CompilationFailed where there is no motion at all, ValueError for options that make no sense.
+    """
+    experiment = prepared.own.experiment
+    p = parameters_of(prepared.engine.layout, wishes)
+    t = experiment.start_time
+    end = experiment.stop_time if wishes.stop is None else wishes.stop
+    tolerance = experiment.tolerance if wishes.tolerance is None else wishes.tolerance
+    ended = ""
+    try:
+        motion = simulate(
+            prepared.engine,
+            prepared.compilation.flat,
+            stop=end,
+            interval=(end - t) / (rows - 1),
+            tolerance=tolerance,
+            p=p,
+            inputs=wishes.inputs,
+            sink=sink,
+        )
+    except SimulationFailed as failure:
+        told = Sink() if sink is None else sink
+        for diagnostic in failure.diagnostics:
+            told.add(diagnostic)
+        motion, ended = failure.trajectory, failure.diagnostics[0].message
+    return Recording(prepared=prepared, p=p, span=(t, end), tolerance=tolerance, motion=motion, ended=ended)
+
+
+def parameters_of(layout: Layout, wishes: Wishes) -> Floats:
+    """The independent parameters (np,) of a living model, start values among them."""
+    names = [slot.name for slot in layout.parameters]
+    p = np.array(layout.defaults, dtype=np.float64)
+    starts = {name + START: value for name, value in wishes.start.items()}
+    for name, value in {**wishes.parameters, **starts}.items():
+        p[names.index(name)] = value
+    return p
+
+
+def up_of(model: FlatModel, scene: Scene) -> list[float]:
+    """Against gravity at the start; y in planar pictures, z without gravity."""
+    if scene.planar:
+        return [0.0, 1.0, 0.0]
+    if model.gravity is not None:
+        try:
+            g = Evaluator(model, Values()).vector(model.gravity)
+        except NotEvaluable:
+            return [0.0, 0.0, 1.0]
+        size = math.sqrt(float(g @ g))
+        if math.isfinite(size) and size > 0.0:
+            return [float(-x / size) for x in g]
+    return [0.0, 0.0, 1.0]

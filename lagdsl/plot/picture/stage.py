@@ -1,0 +1,106 @@
+"""The place of the machine: its extent, sizes chosen from it, and where it is seen from. As on the living page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import field
+
+import numpy as np
+
+from lagdsl.numerics.rank import Floats
+from lagdsl.record import record
+from lagdsl.scene.shapes import Scene
+
+_ROWS_LOOKED_AT = 200
+_GAUGES = ("slider", "dial")
+
+
+@record(kw_only=True)
+class Stage:
+    """`rows` (rows, columns of the scene); `points` (n, 3) [m] of everything along the motion, their box from `low` to
+    `high`.
+
+    `length` [m] is the size of the machine, `mass` [kg] the largest, `force` and `torque` the length of an arrow for a
+    unit of its load [m/N, 1/N]. `right`, `up` and `back` (towards the viewer) are unit directions.
+    """
+
+    scene: Scene
+    rows: Floats
+    points: Floats
+    low: Floats
+    high: Floats
+    length: float
+    scales: dict[str, float] = field(default_factory=dict)
+    axes: tuple[Floats, Floats, Floats]
+
+    @property
+    def center(self) -> Floats:
+        return np.asarray((self.low + self.high) / 2.0)
+
+
+def stage_of(scene: Scene, rows: Floats, up: Sequence[float]) -> Stage:
+    """`rows` are those of the scene's columns along the motion; `up` (3,) is a unit direction."""
+    points = _places(scene, rows)
+    low, high = points.min(axis=0), points.max(axis=0)
+    length = max(float(np.linalg.norm(high - low)) / math.sqrt(2.0), 1e-9)
+
+    def largest(kind: str, role: str, width: int) -> float:
+        sizes = [
+            float(np.linalg.norm(rows[:, column : column + width], axis=1).max(initial=0.0, where=_finite(rows)))
+            for shape in scene.shapes
+            for name, column in shape.numbers
+            if shape.kind == kind and name == role
+        ]
+        return max(sizes, default=0.0)
+
+    def scaled(most: float) -> float:
+        return 0.3 * length / most if most > 0.0 else 0.0
+
+    scales = {
+        "mass": largest("mass", "mass", 1),
+        "force": scaled(largest("force", "vector", 3)),
+        "torque": scaled(largest("torque", "vector", 3)),
+    }
+    axes = _facing(scene, np.array(up, dtype=np.float64))
+    return Stage(scene=scene, rows=rows, points=points, low=low, high=high, length=length, scales=scales, axes=axes)
+
+
+def _finite(rows: Floats) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    return np.asarray(np.all(np.isfinite(rows), axis=1))
+
+
+def _places(scene: Scene, rows: Floats) -> Floats:
+    """All places of the scene along the motion."""
+    seen = rows[:: max(1, len(rows) // _ROWS_LOOKED_AT)]
+    points: list[Floats] = []
+    for shape in scene.shapes:
+        if shape.kind == "frame":
+            continue
+        numbers = dict(shape.numbers)
+        radius = float(rows[0, numbers["radius"]]) if "radius" in numbers else 0.0
+        for role in ("at", "to"):
+            if role in numbers:
+                at = seen[:, numbers[role] : numbers[role] + 3]
+                at = at[np.all(np.isfinite(at), axis=1)]
+                points += [at - radius, at + radius]
+    every = np.concatenate(points) if points else np.zeros((0, 3))
+    if not len(every):
+        every = np.zeros((1, 3))
+    return every if np.any(np.ptp(every, axis=0) > 0.0) else np.concatenate([every - 0.5, every + 0.5])
+
+
+def _facing(scene: Scene, up: Floats) -> tuple[Floats, Floats, Floats]:
+    """The directions right, up and towards the viewer, as one first sees the machine."""
+    if scene.planar:
+        right, above, back = np.eye(3)
+        return right, above, back
+    back = np.array([0.75, -1.0, 0.0]) if abs(up[2]) > 0.7 else np.array([0.6, 0.0, 1.0])
+    back -= (back @ up) * up
+    back /= np.linalg.norm(back)
+    return np.cross(up, back), up, back
+
+
+def gauges_of(scene: Scene) -> list[int]:
+    """Numbers of the shapes that are gauges."""
+    return [k for k, shape in enumerate(scene.shapes) if shape.kind in _GAUGES]

@@ -1,0 +1,96 @@
+"""Numbers, vectors and names in attributes: what is missing or no number is reported at its place."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+
+from lagdsl.robots.description import ZERO, Pose, Vector
+from lagdsl.robots.findings import Findings
+from lagdsl.robots.xml_tree import Element
+from lagdsl.source import Span
+
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_LONGEST = 60  # characters of a text that a message repeats
+
+
+class Attributes:
+    """Reads the values of elements; counts the elements that nobody reads."""
+
+    def __init__(self, findings: Findings) -> None:
+        self.findings = findings
+        self.left_out: Counter[str] = Counter()
+        self.first_left_out: dict[str, Span] = {}
+
+    def text(self, element: Element, name: str) -> str | None:
+        """The value of an attribute that must be there and not be empty; None after E1005."""
+        value = element.attributes.get(name, "").strip()
+        if not value:
+            self.findings.error("E1005", element.head, element=element.tag, what=f"attribute `{name}`")
+            return None
+        return value
+
+    def number(self, element: Element, name: str, default: float | None = None) -> float | None:
+        """A finite number; None after an error, or where `default` is None and there is no such attribute."""
+        if name not in element.attributes:
+            return default
+        found = self._numbers(element, name, 1)
+        return None if found is None else found[0]
+
+    def required(self, element: Element | None, name: str, owner: Element, tag: str) -> float:
+        """The number of the element `tag` of `owner`; 0 after E1005 or E1006."""
+        if element is None:
+            self.findings.error("E1005", owner.head, element=owner.tag, what=f"element `<{tag}>`")
+            return 0.0
+        if name not in element.attributes:
+            self.findings.error("E1005", element.head, element=element.tag, what=f"attribute `{name}`")
+            return 0.0
+        return self.number(element, name) or 0.0
+
+    def vector(self, element: Element | None, name: str, default: Vector = ZERO) -> Vector:
+        """Three finite numbers; `default` where there are none, and after an error."""
+        if element is None or name not in element.attributes:
+            return default
+        found = self._numbers(element, name, 3)
+        return default if found is None else (found[0], found[1], found[2])
+
+    def pose(self, owner: Element) -> Pose:
+        """The `<origin>` of an element."""
+        origin = self.only(owner, "origin")
+        return Pose(xyz=self.vector(origin, "xyz"), rpy=self.vector(origin, "rpy"))
+
+    def only(self, owner: Element, tag: str) -> Element | None:
+        """The one child of this tag; reports a second one, E1007."""
+        found = owner.all(tag)
+        if len(found) > 1:
+            name = owner.attributes.get("name", owner.tag)
+            self.findings.error("E1007", found[1].head, what=f"`<{tag}>` of", name=name)
+        return found[0] if found else None
+
+    def leave_out(self, element: Element) -> None:
+        """Count an element that has no counterpart in the text."""
+        self.left_out[element.tag] += 1
+        self.first_left_out.setdefault(element.tag, element.head)
+
+    def leave_out_others(self, owner: Element, known: frozenset[str]) -> None:
+        """Count the children with other tags than these."""
+        for child in owner.children:
+            if child.tag not in known:
+                self.leave_out(child)
+
+    def tell_left_out(self) -> None:
+        """One note, N1019, for every tag that was counted."""
+        for tag, count in self.left_out.items():
+            times = "once" if count == 1 else f"{count} times"
+            self.findings.note("N1019", self.first_left_out[tag], tag=tag, times=times)
+
+    def _numbers(self, element: Element, name: str, count: int) -> list[float] | None:
+        words = element.attributes[name].split()
+        values = [float(word) for word in words if _NUMBER.fullmatch(word)]
+        if len(values) == len(words) == count and all(map(math.isfinite, values)):
+            return values
+        expected = "a finite number" if count == 1 else f"{count} finite numbers"
+        shown = element.attributes[name][:_LONGEST]
+        self.findings.error("E1006", element.place(name), name=name, text=shown, expected=expected)
+        return None

@@ -1,0 +1,174 @@
+"""A robot as its files describe it: links, joints and what hangs on them. Product of the readers, input of the writer.
+
+SI units. Every part has the place in the file that it comes from.
+"""
+
+from __future__ import annotations
+
+from dataclasses import field
+from typing import Literal, TypeAlias
+
+from lagdsl.record import record
+from lagdsl.source import Span
+
+Vector: TypeAlias = tuple[float, float, float]
+ZERO: Vector = (0.0, 0.0, 0.0)
+JointKind: TypeAlias = Literal["revolute", "prismatic", "spherical", "floating", "planar", "fixed"]
+"""`revolute` turns about its axis, with or without limits; `spherical` and `floating` are quaternions."""
+
+
+@record(kw_only=True)
+class Part:
+    """One statement of a file, at its place."""
+
+    span: Span = field(compare=False, repr=False)
+
+
+@record(kw_only=True)
+class Pose:
+    """A place [m] and a turn against another frame: fixed-axis angles roll, pitch, yaw [rad] about x, y, z in this
+    order, which is the intrinsic sequence zyx of yaw, pitch, roll."""
+
+    xyz: Vector = ZERO
+    rpy: Vector = ZERO
+
+    @property
+    def is_identity(self) -> bool:
+        return self.xyz == ZERO and self.rpy == ZERO
+
+
+@record(kw_only=True)
+class Inertial(Part):
+    """Mass [kg], mass center [m] and inertia [kg.m2] about it: xx, yy, zz, xy, xz, yz in the axes of the link."""
+
+    mass: float
+    com: Vector
+    inertia: tuple[float, float, float, float, float, float]
+    is_possible: bool = True
+
+
+@record(kw_only=True)
+class Box(Part):
+    pose: Pose
+    size: Vector
+
+
+@record(kw_only=True)
+class Cylinder(Part):
+    """About the z axis of its pose, its middle there."""
+
+    pose: Pose
+    radius: float
+    length: float
+
+
+@record(kw_only=True)
+class Sphere(Part):
+    pose: Pose
+    radius: float
+
+
+@record(kw_only=True)
+class Capsule(Part):
+    """A cylinder with a half of a ball at both ends; `length` is that of the cylinder."""
+
+    pose: Pose
+    radius: float
+    length: float
+
+
+@record(kw_only=True)
+class Mesh(Part):
+    """A shape in a file of its own, which the text names only."""
+
+    file: str
+
+
+Visual: TypeAlias = Box | Cylinder | Sphere | Capsule | Mesh
+
+
+@record(kw_only=True)
+class Link(Part):
+    """`is_between`: no link of the file, but the place between two joints that follow each other."""
+
+    name: str
+    inertial: Inertial | None
+    visuals: tuple[Visual, ...]
+    is_between: bool = False
+
+
+@record(kw_only=True)
+class Limits:
+    """`lower`, `upper` [rad or m], `effort` [N.m or N] and `velocity` [rad/s or m/s]; None: no limit."""
+
+    lower: float | None = None
+    upper: float | None = None
+    effort: float | None = None
+    velocity: float | None = None
+
+
+@record(kw_only=True)
+class Mimic(Part):
+    """This coordinate is `multiplier` times that of `joint`, plus `offset`."""
+
+    joint: str
+    multiplier: float
+    offset: float
+
+
+@record(kw_only=True)
+class Passive:
+    """Acts in a joint by itself: `damping` [N.m.s/rad or N.s/m], dry `friction` and `stiffness` about `rest`, and
+    `armature`, the inertia of the rotor seen from the joint [kg.m2 or kg]."""
+
+    damping: float = 0.0
+    friction: float = 0.0
+    stiffness: float = 0.0
+    rest: float = 0.0
+    armature: float = 0.0
+
+
+@record(kw_only=True)
+class Joint(Part):
+    """From the frame of `parent`, displaced by `before`, to that of `child`, displaced by `after` behind the joint.
+
+    `start` is the coordinate at the beginning, `place` the position [m] and the quaternion of a floating joint.
+    """
+
+    name: str
+    kind: JointKind
+    parent: str
+    child: str
+    before: Pose
+    after: Pose = Pose()
+    axis: Vector = (1.0, 0.0, 0.0)
+    start: float | None = None
+    place: tuple[float, ...] = ()
+    limits: Limits = Limits()
+    passive: Passive = Passive()
+    mimic: Mimic | None = None
+
+
+@record(kw_only=True)
+class Actuator(Part):
+    """An input that drives `joint`. Without `gear` it is the effort itself [N.m or N]; else the effort is `gear` times
+    a number called `name`. `low` and `high` bound the input."""
+
+    name: str
+    joint: str
+    gear: float | None = None
+    low: float | None = None
+    high: float | None = None
+
+
+@record(kw_only=True)
+class Robot(Part):
+    """`root` carries all other links. `actuators` and `gravity` [m/s2] are None where the file does not tell them."""
+
+    name: str
+    origin: str
+    root: str
+    links: tuple[Link, ...]
+    joints: tuple[Joint, ...]
+    actuators: tuple[Actuator, ...] | None
+    gravity: Vector | None = None

@@ -1,0 +1,32 @@
+"""Diagnostics of the readers of robots: errors, which a lenient import turns into warnings."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from lagdsl.diagnostics import Label, Sink
+from lagdsl.diagnostics.diagnostic import Severity
+from lagdsl.source import Span
+
+
+class Findings:
+    """Reports errors; where a lenient import has a way to go on, they are warnings that tell the way."""
+
+    def __init__(self, sink: Sink, lenient: bool) -> None:
+        self.sink = sink
+        self.lenient = lenient
+
+    def error(self, code: str, span: Span | None, *labels: Label, instead: str | None = None, **arguments: Any) -> None:
+        """Report `code`. `instead` is what a lenient import writes; without it there is no way to go on."""
+        if not self.lenient or instead is None:
+            self.sink.report(code, span, *labels, **arguments)
+            return
+        own = Sink()
+        own.report(code, span, *labels, **arguments)
+        for diagnostic in own.diagnostics:
+            self.sink.add(replace(diagnostic, severity=Severity.WARNING, notes=(instead,), help=None))
+
+    def note(self, code: str, span: Span | None, **arguments: Any) -> None:
+        """Report a note."""
+        self.sink.report(code, span, **arguments)

@@ -1,0 +1,116 @@
+"""Style of the text, and the names that the text has for the parts of a robot."""
+
+from __future__ import annotations
+
+from typing import Literal, TypeAlias
+
+from lagdsl.record import record
+from lagdsl.robots.actuators import effort_of
+from lagdsl.robots.description import Actuator, Joint, JointKind, Link, Robot
+from lagdsl.robots.findings import Findings
+from lagdsl.robots.names import Names, model_name
+
+LimitStyle: TypeAlias = Literal["range", "contact", "none"]
+Drives: TypeAlias = Literal["file", "all", "none"]
+COORDINATES: dict[JointKind, str] = {"revolute": "q", "prismatic": "s"}
+"""The coordinate of a joint that moves along one."""
+
+
+@record(kw_only=True)
+class Style:
+    """Choices of whoever imports: form of limits, joints with inputs, a root that moves freely."""
+
+    limits: LimitStyle = "range"
+    actuators: Drives = "file"
+    floating: bool = False
+
+
+@record(kw_only=True)
+class Plan:
+    """Names in the text by the original ones. `resting` are the links that no joint moves; `base` is the joint of a
+    root that moves freely, `drives` the actuators with the names of their inputs."""
+
+    robot: Robot
+    style: Style
+    model: str
+    links: dict[str, str]
+    joints: dict[str, str]
+    base: str | None
+    drives: tuple[tuple[str, Actuator], ...]
+    resting: frozenset[str]
+
+
+def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
+    """Names that are free, for everything that the text names."""
+    names = Names(findings)
+    model = names.of(model_name(robot.name), "robot")
+    links = {link.name: _link_name(link, robot, style, names) for link in robot.links if not link.is_between}
+    joints = {joint.name: names.of(joint.name, "joint", joint.span) for joint in robot.joints}
+    kinds = {joint.name: joint.kind for joint in robot.joints}
+    drives = [
+        (names.of(_input_name(actuator, kinds[actuator.joint]), "input"), actuator)
+        for actuator in _actuators(robot, style)
+    ]
+    return Plan(
+        robot=robot,
+        style=style,
+        model=model,
+        links=links,
+        joints=joints,
+        base=names.of("floating_base", "joint") if style.floating else None,
+        drives=tuple(drives),
+        resting=frozenset() if style.floating else _resting(robot),
+    )
+
+
+def is_body(plan: Plan, link: Link) -> bool:
+    """True if a link is written as a body: it has mass, and something moves it."""
+    return link.inertial is not None and link.name not in plan.resting
+
+
+def frame_of(plan: Plan, link: Link) -> str:
+    """The frame of a link, as an expression."""
+    return f"{plan.links[link.name]}.frame_a" if is_body(plan, link) else plan.links[link.name]
+
+
+def coordinate_of(plan: Plan, joint: Joint) -> str:
+    """The coordinate of a joint, as an expression."""
+    return f"{plan.joints[joint.name]}.{COORDINATES[joint.kind]}"
+
+
+def _link_name(link: Link, robot: Robot, style: Style, names: Names) -> str:
+    """A root of the name `world` that is nothing but a place is the world of the language."""
+    if link.name == "world" == robot.root and link.inertial is None and not style.floating:
+        return "world"
+    return names.of(link.name, "link", link.span)
+
+
+def _input_name(actuator: Actuator, kind: JointKind) -> str:
+    """`tau_elbow` and `f_slide` for efforts."""
+    if actuator.gear is not None:
+        return actuator.name
+    return f"{'tau' if kind == 'revolute' else 'f'}_{actuator.name}"
+
+
+def _actuators(robot: Robot, style: Style) -> tuple[Actuator, ...]:
+    """The actuators of the file; of every joint if that is wanted, or if the file says nothing of actuators."""
+    match style.actuators:
+        case "none":
+            return ()
+        case "file" if robot.actuators is not None:
+            return robot.actuators
+        case "file" | "all":
+            moved = [joint for joint in robot.joints if joint.kind in COORDINATES and joint.mimic is None]
+            return tuple(effort_of(joint, joint.span) for joint in moved)
+
+
+def _resting(robot: Robot) -> frozenset[str]:
+    """The links that rigid joints alone connect with the world."""
+    rigid: dict[str, list[str]] = {}
+    for joint in robot.joints:
+        if joint.kind == "fixed":
+            rigid.setdefault(joint.parent, []).append(joint.child)
+    found = [robot.root]
+    for name in found:
+        found += rigid.get(name, ())
+    return frozenset(found)

@@ -1,0 +1,116 @@
+"""Statements about coordinates: what joints imitate, their springs, dampers, rotors and friction, stops."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from lagdsl.robots.description import Joint, Link, Mimic
+from lagdsl.robots.numbers import number, quantity
+from lagdsl.robots.plan import COORDINATES, Plan, coordinate_of, frame_of, is_body
+
+_AXES = "xyz"
+
+
+def energies(plan: Plan) -> list[str]:
+    """Rotors, springs, dampers, and bodies whose moments no body has."""
+    found = [line for link in plan.robot.links if is_body(plan, link) for line in _moments(plan, link)]
+    for joint in _moved(plan):
+        found += _energies(joint, coordinate_of(plan, joint))
+    return found
+
+
+def acting(plan: Plan) -> list[str]:
+    """Joints that imitate others, dry friction, stops."""
+    of = {joint.name: joint for joint in plan.robot.joints}
+    found = []
+    for joint in _moved(plan):
+        name, coordinate = plan.joints[joint.name], coordinate_of(plan, joint)
+        if joint.mimic is not None:
+            value = _imitated(plan, joint, of[joint.mimic.joint], joint.mimic)
+            found.append(f"constraint {name}_gear: {coordinate} = {value};")
+        if joint.passive.friction:
+            found += _friction(joint, name, coordinate)
+        if plan.style.limits == "contact":
+            found += _stops(joint, name, coordinate)
+    return found
+
+
+def _moved(plan: Plan) -> Iterator[Joint]:
+    return (joint for joint in plan.robot.joints if joint.kind in COORDINATES)
+
+
+def _moments(plan: Plan, link: Link) -> Iterator[str]:
+    """The kinetic energy of moments that a `body` cannot have: w I w/2, in the axes of the link."""
+    inertial = link.inertial
+    if inertial is None or inertial.is_possible:
+        return
+    frame = frame_of(plan, link)
+    rates = [f"(omega({frame})*{frame}.{axis})" for axis in _AXES]
+    pairs = [(0, 0, 0.5), (1, 1, 0.5), (2, 2, 0.5), (0, 1, 1.0), (0, 2, 1.0), (1, 2, 1.0)]
+    terms = [
+        f"{quantity(factor * entry, 'kg.m2')}*{rates[i]}" + ("^2" if i == j else f"*{rates[j]}")
+        for (i, j, factor), entry in zip(pairs, inertial.inertia, strict=True)
+        if entry
+    ]
+    yield f"kinetic {_sum(terms)};"
+
+
+def _energies(joint: Joint, coordinate: str) -> Iterator[str]:
+    turns, passive = joint.kind == "revolute", joint.passive
+    if passive.armature:
+        yield f"kinetic 1/2*{quantity(passive.armature, 'kg.m2' if turns else 'kg')}*der({coordinate})^2;"
+    if passive.stiffness:
+        way = _difference(coordinate, quantity(passive.rest, "rad" if turns else "m"))
+        yield f"potential 1/2*{quantity(passive.stiffness, 'N.m/rad' if turns else 'N/m')}*{way}^2;"
+    if passive.damping:
+        yield f"dissipation 1/2*{quantity(passive.damping, 'N.m.s/rad' if turns else 'N.s/m')}*der({coordinate})^2;"
+
+
+def _imitated(plan: Plan, joint: Joint, leader: Joint, mimic: Mimic) -> str:
+    """`2*elbow.q + 0.1 rad`; a factor between an angle and a length has a unit."""
+    units = {"revolute": "rad", "prismatic": "m"}
+    own, other = units[joint.kind], units[leader.kind]
+    name = coordinate_of(plan, leader)
+    if own != other:
+        term = f"{quantity(mimic.multiplier, f'{own}/{other}')}*{name}"
+    else:
+        term = {1.0: name, -1.0: f"-{name}"}.get(mimic.multiplier, f"{number(mimic.multiplier)}*{name}")
+    terms = [] if mimic.multiplier == 0.0 else [term]
+    if mimic.offset or not terms:
+        terms.append(quantity(mimic.offset, own))
+    return _sum(terms)
+
+
+def _friction(joint: Joint, name: str, coordinate: str) -> list[str]:
+    """The library's dry friction, which begins to slide smoothly."""
+    library, symbol, port = (
+        ("Rotational", "tau_c", "phi") if joint.kind == "revolute" else ("Translational", "f_c", "s")
+    )
+    value = number(joint.passive.friction)
+    return [
+        f"Lag.{library}.CoulombFriction {name}_friction({symbol} = {value});",
+        f"connect({coordinate}, {name}_friction.{port});",
+    ]
+
+
+def _stops(joint: Joint, name: str, coordinate: str) -> Iterator[str]:
+    """Contacts without bounce at the limits."""
+    unit = "rad" if joint.kind == "revolute" else "m"
+    if joint.limits.lower is not None:
+        gap = _difference(coordinate, quantity(joint.limits.lower, unit)).strip("()")
+        yield f"contact {name}_lower: {gap} >= 0 with restitution = 0;"
+    if joint.limits.upper is not None:
+        gap = _sum([quantity(joint.limits.upper, unit), f"-{coordinate}"]) if joint.limits.upper else f"-{coordinate}"
+        yield f"contact {name}_upper: {gap} >= 0 with restitution = 0;"
+
+
+def _difference(left: str, right: str) -> str:
+    """`(left - right)`, or `left` alone."""
+    return left if right == "0" else f"({_sum([left, right[1:] if right.startswith('-') else f'-{right}'])})"
+
+
+def _sum(terms: list[str]) -> str:
+    text = terms[0]
+    for term in terms[1:]:
+        text += f" - {term[1:]}" if term.startswith("-") else f" + {term}"
+    return text

@@ -1,0 +1,188 @@
+"""A robot as a model text: links, joints, what joins them, what acts in them, what is seen."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import assert_never
+
+from lagdsl.robots.description import ZERO, Joint, Link, Pose
+from lagdsl.robots.drawings import drawings
+from lagdsl.robots.numbers import angle, array, number, quantity, vector
+from lagdsl.robots.plan import Plan, is_body
+from lagdsl.robots.relations import acting, energies
+from lagdsl.syntax.print_expressions import quoted
+
+_DEFAULT_AXES = {"revolute": (0.0, 0.0, 1.0), "prismatic": (1.0, 0.0, 0.0), "planar": (0.0, 0.0, 1.0)}
+
+
+def model_text(plan: Plan) -> str:
+    """The text of the model, a statement a line; the printer of the language breaks and indents the lines."""
+    gravity = plan.robot.gravity
+    parts = [
+        ["import Lag.Spatial.*;"],
+        ["// Links: mass, mass center, inertia about it", *_links(plan)],
+        ["// Joints, and what places them in the axes of the link before", *_joints(plan)] if plan.joints else [],
+        [_input(plan, name) for name, _ in plan.drives],
+        _connections(plan),
+        energies(plan),
+        acting(plan),
+        [f"gravity = {'-g_n*world.z' if gravity is None else _acceleration(gravity)};"],
+        list(drawings(plan)),
+        ["annotation(experiment(StopTime = 1, Tolerance = 1e-8));"],
+    ]
+    blocks = "\n\n".join("\n".join(part) for part in parts if part)
+    return f"model {plan.model} {quoted(f'Imported from {plan.robot.origin}')}\n{blocks}\nend {plan.model};\n"
+
+
+def _acceleration(gravity: tuple[float, float, float]) -> str:
+    return array(quantity(value, "m/s2") for value in gravity) if gravity != ZERO else "0"
+
+
+# ---- links -----------------------------------------------------------------------------------------------------------
+
+
+def _links(plan: Plan) -> Iterator[str]:
+    for link in plan.robot.links:
+        if link.is_between:
+            continue
+        name = plan.links[link.name]
+        if is_body(plan, link):
+            yield _body(name, link)
+        elif link.inertial is not None:
+            yield f'frame {name} "at rest, {number(link.inertial.mass)} kg";'
+        elif name != "world":
+            yield f"frame {name};"
+
+
+def _body(name: str, link: Link) -> str:
+    assert link.inertial is not None
+    entries = link.inertial.inertia
+    parts = [f"m = {number(link.inertial.mass)}"]
+    if any(link.inertial.com):
+        parts.append(f"com = {vector(link.inertial.com)}")
+    if any(entries) and link.inertial.is_possible:
+        parts.append(f"I = {vector(entries if any(entries[3:]) else entries[:3])}")
+    return f"Body {name}({', '.join(parts)});"
+
+
+# ---- joints ----------------------------------------------------------------------------------------------------------
+
+
+def _joints(plan: Plan) -> Iterator[str]:
+    if plan.base is not None:
+        yield f"FreeQuaternion {plan.base};"
+    for joint in plan.robot.joints:
+        if joint.kind == "fixed":
+            yield _weld(plan.joints[joint.name], joint.before)
+            continue
+        for name, pose in _mounts(plan, joint):
+            yield _weld(name, pose) if any(pose.rpy) else f"FixedTranslation {name}(r = {vector(pose.xyz)});"
+        yield _joint(plan, joint)
+
+
+def _mounts(plan: Plan, joint: Joint) -> Iterator[tuple[str, Pose]]:
+    """The displacements before and behind a joint, with their names."""
+    name = plan.joints[joint.name]
+    for end, pose in (("origin", joint.before), ("end", joint.after)):
+        if not pose.is_identity:
+            yield f"{name}_{end}", pose
+
+
+def _weld(name: str, pose: Pose) -> str:
+    """One turn is one of the angles x, y, z in any sequence; fixed-axis turns are the sequence zyx, last one first."""
+    parts = [f"r = {vector(pose.xyz)}"] if any(pose.xyz) else []
+    if sum(map(bool, pose.rpy)) > 1:
+        parts += ['sequence = "zyx"', f"angles = {array(map(angle, reversed(pose.rpy)))}"]
+    elif any(pose.rpy):
+        parts.append(f"angles = {array(map(angle, pose.rpy))}")
+    return f"Weld {name}({', '.join(parts)});" if parts else f"Weld {name};"
+
+
+def _joint(plan: Plan, joint: Joint) -> str:
+    parts = []
+    if joint.kind in _DEFAULT_AXES and joint.axis != _DEFAULT_AXES[joint.kind]:
+        parts.append(f"axis = {vector(joint.axis)}")
+    attributes = _attributes(plan, joint)
+    match joint.kind:
+        case "revolute":
+            component, coordinate, effort, unit = "Revolute", "q", "tau", "rad/s"
+        case "prismatic":
+            component, coordinate, effort, unit = "Prismatic", "s", "f", "m/s"
+        case "spherical" | "floating" | "planar" | "fixed":
+            components = {"spherical": "Spherical", "floating": "FreeQuaternion", "planar": "Planar", "fixed": "Weld"}
+            return f"{components[joint.kind]} {plan.joints[joint.name]}{_modifiers(parts + _place(joint))};"
+        case _:
+            assert_never(joint.kind)
+    parts += [f"{coordinate}{_modifiers(attributes)}"] if attributes else []
+    drives = [_effort(joint, name, actuator.gear) for name, actuator in plan.drives if actuator.joint == joint.name]
+    parts += [f"{effort} = {' + '.join(drives)}"] if drives else []
+    velocity = joint.limits.velocity
+    doc = f' "at most {number(velocity)} {unit}"' if velocity is not None else ""
+    return f"{component} {plan.joints[joint.name]}{_modifiers(parts)}{doc};"
+
+
+def _place(joint: Joint) -> list[str]:
+    """Start of a floating joint; the quaternion is that of no turn by itself."""
+    position, turn = joint.place[:3], joint.place[3:]
+    found = [f"r(start = {vector(position)})"] if any(position) else []
+    return found + ([f"e(start = {vector(turn)})"] if turn and turn != (1.0, 0.0, 0.0, 0.0) else [])
+
+
+def _modifiers(parts: Iterable[str]) -> str:
+    text = ", ".join(parts)
+    return f"({text})" if text else ""
+
+
+def _attributes(plan: Plan, joint: Joint) -> list[str]:
+    """Start and limits of the coordinate. A start that the file does not give lies between the limits."""
+    write = angle if joint.kind == "revolute" else number
+    lower, upper = joint.limits.lower, joint.limits.upper
+    start = joint.start or 0.0
+    if joint.start is None and lower is not None and upper is not None:
+        start = min(max(start, lower), upper)
+    found = [f"start = {write(start)}"] if start else []
+    if plan.style.limits == "range":
+        found += [f"min = {write(lower)}"] if lower is not None else []
+        found += [f"max = {write(upper)}"] if upper is not None else []
+    return found
+
+
+def _effort(joint: Joint, name: str, gear: float | None) -> str:
+    return name if gear is None else f"{quantity(gear, 'N.m' if joint.kind == 'revolute' else 'N')}*{name}"
+
+
+# ---- inputs and connections ------------------------------------------------------------------------------------------
+
+
+def _input(plan: Plan, name: str) -> str:
+    actuator = dict(plan.drives)[name]
+    joint = next(joint for joint in plan.robot.joints if joint.name == actuator.joint)
+    kind = "Real" if actuator.gear is not None else "Torque" if joint.kind == "revolute" else "Force"
+    parts = [f"min = {number(actuator.low)}"] if actuator.low is not None else []
+    parts += [f"max = {number(actuator.high)}"] if actuator.high is not None else []
+    return f"input {kind} {name}{_modifiers(parts)};"
+
+
+def _connections(plan: Plan) -> list[str]:
+    """One line for each joint, from the link before it to the link that it carries."""
+    root = plan.links[plan.robot.root]
+    found = []
+    if plan.base is not None:
+        found.append(f"connect(world, {plan.base}, {root});")
+    elif root != "world":
+        found.append(f"connect(world, {root});")
+    between = {link.name for link in plan.robot.links if link.is_between}
+    chain: list[str] = []
+    for joint in plan.robot.joints:
+        chain += [*([] if chain else [plan.links[joint.parent]]), *_through(plan, joint)]
+        if joint.child not in between:  # else the next joint goes on from here
+            found.append(f"connect({', '.join([*chain, plan.links[joint.child]])});")
+            chain = []
+    return found
+
+
+def _through(plan: Plan, joint: Joint) -> list[str]:
+    """A joint with what stands before and behind it."""
+    name = plan.joints[joint.name]
+    ends = [] if joint.kind == "fixed" else [mount for mount, _ in _mounts(plan, joint)]
+    return [*(end for end in ends if end == f"{name}_origin"), name, *(end for end in ends if end == f"{name}_end")]

@@ -1,0 +1,116 @@
+"""Visible shapes of links: primitives, and files of meshes, which must exist in the folder of the robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from urllib.parse import unquote
+
+from lagdsl.robots.attributes import Attributes
+from lagdsl.robots.description import Box, Cylinder, Mesh, Pose, Sphere, Visual
+from lagdsl.robots.findings import Findings
+from lagdsl.robots.xml_tree import Element
+
+_KNOWN = frozenset({"origin", "geometry", "material"})
+
+
+def read_visuals(link: Element, path: Path, read: Attributes, findings: Findings) -> tuple[Visual, ...]:
+    """The shapes of all `<visual>` of a link."""
+    found = []
+    for visual in link.all("visual"):
+        read.leave_out_others(visual, _KNOWN)
+        geometry = read.only(visual, "geometry")
+        if geometry is None or not geometry.children:
+            findings.error(
+                "E1005", visual.head, element="visual", what="element `<geometry>`", instead="it is left out"
+            )
+            continue
+        shape = _shape(geometry.children[0], read.pose(visual), path, read, findings)
+        if shape is not None:
+            found.append(shape)
+    return tuple(found)
+
+
+def _shape(element: Element, pose: Pose, path: Path, read: Attributes, findings: Findings) -> Visual | None:
+    match element.tag:
+        case "box":
+            return Box(pose=pose, size=read.vector(element, "size"), span=element.head)
+        case "cylinder":
+            radius, length = (read.required(element, name, element, "cylinder") for name in ("radius", "length"))
+            return Cylinder(pose=pose, radius=radius, length=length, span=element.head)
+        case "sphere":
+            return Sphere(pose=pose, radius=read.required(element, "radius", element, "sphere"), span=element.head)
+        case "mesh":
+            return _mesh(element, path, read, findings)
+        case _:
+            read.leave_out(element)
+            return None
+
+
+def _mesh(element: Element, path: Path, read: Attributes, findings: Findings) -> Mesh | None:
+    name = read.text(element, "filename")
+    if name is None:
+        return None
+    reason = mesh_fault(name, path)
+    if reason is not None:
+        place = element.place("filename")
+        findings.error("E1013", place, file=name, reason=reason, instead="the shape is left out")
+        return None
+    return Mesh(file=name, span=element.head)
+
+
+def mesh_fault(name: str, path: Path) -> str | None:
+    """The reason for which the file of a mesh cannot be taken, or None.
+
+    `package://NAME/rest` is `rest` in the folder of the package NAME, which is looked for around the robot's file;
+    other names count from that file. A mesh lies in the package of the robot: a name never leads out of it.
+    """
+    folder = path.resolve().parent
+    scheme, separator, rest = name.partition("://")
+    if separator and scheme == "package":
+        package, _, inner = unquote(rest).partition("/")
+        home = _package(package, folder)
+        if home is None:
+            return f"there is no folder `{package}` around the robot's file"
+        return _in_folder(home / inner, home)
+    if separator and scheme != "file":
+        return f"`{scheme}` is no folder of this machine"
+    place = Path(unquote(rest)) if separator else folder / name
+    return _in_folder(place, _root(folder))
+
+
+def leads_out(name: str, path: Path, folders: Sequence[str]) -> bool:
+    """True if a name, behind one of the folders that a file gives, leads out of the folder of the robot."""
+    home = path.resolve().parent
+    root = _root(home)
+    try:
+        return any(not (home / folder / name).resolve().is_relative_to(root) for folder in folders)
+    except (OSError, ValueError, RuntimeError):
+        return True
+
+
+def _in_folder(file: Path, home: Path) -> str | None:
+    try:
+        file = file.resolve()
+        if not file.is_relative_to(home):
+            return f"it lies outside of the folder `{home.name}`"
+        return None if file.is_file() else f"the folder `{home.name}` has no such file"
+    except (OSError, ValueError, RuntimeError):  # a name that no file can have, a circle of links
+        return "no file has such a name"
+
+
+def _package(name: str, folder: Path) -> Path | None:
+    """The folder of a package: one of those around `folder`, or one beside them."""
+    if name in ("", ".", ".."):
+        return None
+    for around in (folder, *folder.parents):
+        if around.name == name:
+            return around
+        if (around / name).is_dir():
+            return (around / name).resolve()
+    return None
+
+
+def _root(folder: Path) -> Path:
+    """The package of a robot: the nearest folder around its file that has a package.xml, else that of the file."""
+    return next((each for each in (folder, *folder.parents) if (each / "package.xml").is_file()), folder)

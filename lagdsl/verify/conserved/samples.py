@@ -1,0 +1,154 @@
+"""Values and changes of candidates at random states: their rates along the motion, and their jumps at impacts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lagdsl.flat.event_flow import branches
+from lagdsl.flat.events import Impact
+from lagdsl.flat.model import FlatModel
+from lagdsl.graph.differentiate import jacobian
+from lagdsl.graph.evaluate import evaluate
+from lagdsl.graph.operation import Group
+from lagdsl.mechanics.equations import Equations
+from lagdsl.numerics.rank import Floats
+from lagdsl.pipeline import Compilation
+from lagdsl.program.program import Program
+from lagdsl.record import record
+from lagdsl.verify.conserved.candidates import Candidate
+from lagdsl.verify.conserved.noise import with_size
+from lagdsl.verify.states import (
+    Arrays,
+    drawn_parameters,
+    drawn_states,
+    independent_rows,
+    is_regular,
+    saddle_point,
+    values,
+)
+
+_SEED = 21
+_ROUNDS = 12
+
+
+@record()
+class Samples:
+    """`values` (states, candidates) at `states`, of natural sizes `natural`. `changes` are rates [1/s] and jumps, one
+    row each, of natural sizes `sizes`; `of` is the state that a row belongs to."""
+
+    states: Arrays
+    values: Floats
+    natural: Floats
+    changes: Floats
+    sizes: Floats
+    of: NDArray[np.intp]
+
+    @property
+    def p(self) -> Floats:
+        """Parameters of each state (states, np)."""
+        return np.asarray(self.states[Group.P])
+
+
+def samples(
+    compilation: Compilation, found: Sequence[Candidate], count: int, *, p: Floats | None = None
+) -> Samples | None:
+    """Of `count` states, with parameters at random or all with `p` (np,); None where so many are not found."""
+    equations, program = compilation.equations, compilation.program
+    states = _states(compilation, count, p)
+    if states is None:
+        return None
+    solved = states | _solution(program, states)
+    graph, nodes = equations.graph, [each.value for each in found]
+    at, natural = with_size(graph, nodes, states)
+    changes, sizes = with_size(graph, [each.rate for each in found], solved)
+    of = [np.arange(count)]
+    for after, which in _after_impacts(equations, program, states):
+        now = at[which]
+        then = _evaluated(equations, nodes, after)
+        changes = np.concatenate([changes, then - now])
+        sizes = np.concatenate([sizes, np.abs(then) + np.abs(now)])
+        of.append(which)
+    return Samples(states, at, natural, changes, sizes, np.concatenate(of))
+
+
+def _states(compilation: Compilation, count: int, p: Floats | None) -> Arrays | None:
+    flat, program = compilation.flat, compilation.program
+    random = np.random.default_rng(_SEED)
+    parts: list[Arrays] = []
+    missing = count
+    for _ in range(_ROUNDS):
+        if p is None:
+            parameters = drawn_parameters(flat, program, random, missing)
+        else:
+            parameters = np.broadcast_to(p, (missing, len(p)))
+        drawn = drawn_states(flat, program, random, parameters, widely=True)
+        sound = is_regular(program, drawn)
+        parts.append({group: rows[sound] for group, rows in drawn.items()})
+        missing -= int(np.count_nonzero(sound))
+        if missing == 0:
+            return {group: np.concatenate([part[group] for part in parts]) for group in parts[0]}
+    return None
+
+
+def _solution(program: Program, states: Arrays) -> Arrays:
+    """Accelerations and multipliers of each state."""
+    mass, force, rows, gamma = values(program, "dynamics", states)
+    qdd, lam = np.zeros(force.shape), np.zeros(gamma.shape)
+    for i in range(len(force)):
+        kept = independent_rows(program, rows[i])
+        solution = np.linalg.solve(saddle_point(mass[i], rows[i][kept]), np.concatenate([force[i], gamma[i][kept]]))
+        qdd[i] = solution[: len(force[i])]
+        lam[i, kept] = solution[len(force[i]) :]
+    return {Group.QDD: qdd, Group.LAMBDA: lam}
+
+
+def _after_impacts(equations: Equations, program: Program, states: Arrays) -> list[tuple[Arrays, NDArray[np.intp]]]:
+    """States after an impulse along each gap that can collide and each constraint that can appear: J' of the row,
+    balanced over the mechanism so that what stays closed moves on its constraints."""
+    gaps, appearing = _gaps(equations), _rows_of_some_times(equations.flat)
+    if not gaps and not appearing:
+        return []
+    mass, _, rows, _ = values(program, "dynamics", states)
+    count, n = len(mass), len(equations.symbols.q)
+    slopes = rows[:, appearing]
+    if gaps:
+        elements = [x for row in jacobian(equations.graph, gaps, equations.symbols.q) for x in row]
+        slopes = np.concatenate([slopes, _evaluated(equations, elements, states).reshape(count, len(gaps), n)], axis=1)
+    after = []
+    for slope in np.moveaxis(slopes, 1, 0):
+        qd = np.array(states[Group.QD])
+        for i in range(count):
+            kept = [k for k in independent_rows(program, rows[i]) if _is_independent(rows[i][k], slope[i])]
+            system = saddle_point(mass[i], rows[i][kept])
+            qd[i] += np.linalg.solve(system, np.concatenate([slope[i], np.zeros(len(kept))]))[:n]
+        after.append((states | {Group.QD: qd}, np.arange(count)))
+    return after
+
+
+def _is_independent(row: Floats, slope: Floats) -> bool:
+    """Does a row hold something else than the gap itself, which opens again?"""
+    along = abs(float(row @ slope))
+    return along < (1.0 - 1e-12) * float(np.linalg.norm(row) * np.linalg.norm(slope))
+
+
+def _rows_of_some_times(flat: FlatModel) -> list[int]:
+    """Rows that are there at some times only."""
+    flags = [constraint.switched for constraint in flat.constraints for _ in constraint.rows]
+    return [index for index, flag in enumerate(flags) if flag]
+
+
+def _gaps(equations: Equations) -> list[int]:
+    flat, lowering = equations.flat, equations.lowering
+    acts = (action for branch in branches(flat) for action in branch.actions)
+    gaps = [contact.gap for contact in flat.events.contacts]
+    gaps += [action.gap for action in acts if isinstance(action, Impact)]
+    return [lowering.scalar(gap) for gap in gaps]
+
+
+def _evaluated(equations: Equations, nodes: list[int], states: Arrays) -> Floats:
+    found = evaluate(equations.graph, nodes, states)
+    count = len(states[Group.TIME])
+    return np.stack([np.broadcast_to(np.real(each), (count,)) for each in found], axis=1)
