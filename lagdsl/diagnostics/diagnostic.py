@@ -22,12 +22,20 @@ class Label:
     text: str = ""
 
 
+@record()
+class Edit:
+    """`text` in place of what stands at `span`; an empty span is a place between two characters."""
+
+    span: Span
+    text: str
+
+
 @record(kw_only=True)
 class Diagnostic:
     """One fact about a model text.
 
     The words come from the row of `code` in the catalog; `labels[0]` is the primary place (caret `^`), the others
-    explain it.
+    explain it. `edit` is the change that `help` proposes, where it proposes one change only.
     """
 
     code: str
@@ -36,3 +44,4 @@ class Diagnostic:
     labels: tuple[Label, ...] = ()
     notes: tuple[str, ...] = ()
     help: str | None = None
+    edit: Edit | None = None

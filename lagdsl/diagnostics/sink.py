@@ -1,7 +1,10 @@
 """Collects diagnostics while a stage goes on."""
 
+import re
+
 from lagdsl.diagnostics.catalog import ROWS
-from lagdsl.diagnostics.diagnostic import Diagnostic, Label, Severity
+from lagdsl.diagnostics.diagnostic import Diagnostic, Edit, Label, Severity
+from lagdsl.diagnostics.suggest import Proposal
 from lagdsl.source import Span
 
 
@@ -26,17 +29,22 @@ class Sink:
         *labels: Label,
         notes: tuple[str, ...] = (),
         help: str | None = None,
+        edit: Edit | None = None,
         **arguments: object,
     ) -> None:
         """Add the diagnostic `code`, its catalog templates filled with `arguments`.
 
         `help` and `notes` given here win over the row's own, and so do texts of labels. The same fact at the same place
-        is kept once.
+        is kept once. `edit` is what `help` proposes, unless the row or a proposed name tells it.
         """
         row = ROWS[code]
         first = Label(primary) if isinstance(primary, Span) else primary
         places = [] if first is None else [_worded(first, row.label, arguments)]
         places += [_worded(label, row.secondary, arguments) for label in labels]
+        if edit is None and first is not None:
+            edit = _proposed(first.span, help)
+        if edit is None and first is not None and help is None and row.fix is not None:
+            edit = Edit(first.span, row.fix.format(**arguments))
         template = row.help.format(**arguments) if help is None and row.help is not None else help
         diagnostic = Diagnostic(
             code=code,
@@ -45,6 +53,7 @@ class Sink:
             labels=tuple(places),
             notes=notes,
             help=template,
+            edit=edit,
         )
         self.add(diagnostic)
 
@@ -56,6 +65,13 @@ class Sink:
         """Raise `CompilationFailed` with all that was collected if any of it is an error."""
         if self.has_errors:
             raise failed(self.diagnostics)
+
+
+def _proposed(span: Span, help: str | None) -> Edit | None:
+    """The name that `help` proposes, in place of the one with which the text at `span` begins."""
+    if not isinstance(help, Proposal) or not re.match(rf"{re.escape(help.asked)}(?!\w)", span.text):
+        return None
+    return Edit(Span(span.file, span.start, span.start + len(help.asked)), help.meant)
 
 
 def _worded(label: Label, template: str | None, arguments: dict[str, object]) -> Label:

@@ -4,6 +4,8 @@ Distance: Damerau-Levenshtein in its restricted form (optimal string alignment),
 F. J. Damerau, Communications of the ACM 7 (1964) 171.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 
 _LONGEST = 64  # names beyond it are compared for equality only: hostile input must not cost quadratic time
@@ -41,10 +43,27 @@ def nearest(name: str, candidates: Iterable[str]) -> str | None:
     return min(likely)[2] if likely else None
 
 
+class Proposal(str):
+    """The help that proposes the name `meant` where `asked` is written."""
+
+    asked: str
+    meant: str
+
+    def __new__(cls, text: str, asked: str, meant: str) -> Proposal:
+        made = super().__new__(cls, text)
+        made.asked, made.meant = asked, meant
+        return made
+
+
 def did_you_mean(name: str, candidates: Iterable[str], otherwise: str | None = None, *, mark: str = "") -> str | None:
     """The question for the nearest candidate, which is written after `mark`; `otherwise` where none is likely meant."""
     meant = nearest(name, candidates)
-    return otherwise if meant is None else f"did you mean `{mark}{meant}`?"
+    return otherwise if meant is None else proposal(name, meant, mark)
+
+
+def proposal(name: str, meant: str, mark: str = "") -> Proposal:
+    """The question for `meant`, which is written after `mark`."""
+    return Proposal(f"did you mean `{mark}{meant}`?", name, meant)
 
 
 def _comparable(name: str, candidate: str) -> bool:

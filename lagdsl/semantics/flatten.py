@@ -44,19 +44,26 @@ _DEEPEST = 100_000  # definitions may stand in the reverse of their order
 
 
 def flatten(
-    unit: nodes.Unit, sink: Sink, model: str | None = None, structural: Mapping[str, float] | None = None
+    unit: nodes.Unit,
+    sink: Sink,
+    model: str | None = None,
+    structural: Mapping[str, float] | None = None,
+    *,
+    incomplete: bool = False,
 ) -> FlatModel | None:
     """The flat model of the class `model` (default: the last complete one that nothing else in the file uses).
 
     `structural` gives structural parameters other values, in SI units. None after errors, which are in `sink`.
+    `incomplete`: `unit` lacks statements of the text, so that nothing is said of names that nothing declares.
     """
     current = Current()
     found = InstanceSink(current)
     ctx = Context(found, Definitions(), elaborate, Conventions(unit.span.file, structural or {}), current)
+    ctx.reports.incomplete = incomplete
     flat = None
     with deep_recursion(_DEEPEST):
         try:
-            flat = _flatten(ctx, unit, model)
+            flat = _flatten(ctx, unit, model, incomplete)
         except RecursionError:
             found.report("E0326", unit.items[0].span, what="a chain of definitions", most="some thousand links")
     for diagnostic in sorted(found.diagnostics, key=lambda diagnostic: _position(diagnostic, unit.span.file)):
@@ -72,7 +79,7 @@ def _position(diagnostic: Diagnostic, file: SourceFile) -> tuple[bool, str, int]
     return span.file is not file, span.file.name if span.file is not file else "", span.start
 
 
-def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | None:
+def _flatten(ctx: Context, unit: nodes.Unit, name: str | None, incomplete: bool) -> FlatModel | None:
     outer = file_scope(ctx, unit)
     chosen = select(ctx, unit, outer, name)
     expanded = expand_short(ctx, chosen, "a model by itself") if chosen is not None else None
@@ -97,7 +104,7 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None) -> FlatModel | No
     flat = replace(_model(ctx, node, contents, assembly), name=chosen.node.name, doc=chosen.node.doc or node.doc)
     for function in (*contents.functions, *functions_of(outer)):
         check_function(ctx, function)
-    if ctx.reports.withheld is not None and not ctx.sink.has_errors:
+    if ctx.reports.withheld is not None and not incomplete and not ctx.sink.has_errors:
         ctx.sink.report("E0201", ctx.reports.withheld, name=ctx.reports.withheld.text, scope=root.scope.title)
     if ctx.sink.has_errors:
         return None

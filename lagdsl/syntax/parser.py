@@ -27,11 +27,34 @@ def parse_expression(file: SourceFile, sink: Sink) -> nodes.Expression | None:
     return expression
 
 
+def parse_recovered(file: SourceFile, sink: Sink) -> nodes.Unit | None:
+    """The tree of all statements of a text that were understood, those of unfinished classes included; errors are in
+    `sink`. None for a text that is not read: one that is too large, or turns its direction."""
+    found = Sink()
+    session = _session(file, sink, found, "start")
+    if session is None:
+        return None
+    if session.tree is None:
+        session.close_all()
+    _tell(found, sink)
+    assert session.tree is None or isinstance(session.tree, nodes.Unit)
+    return session.tree
+
+
 def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
+    found = Sink()
+    session = _session(file, sink, found, start)
+    if session is None:
+        return None
+    _tell(found, sink)
+    return session.tree if not found.has_errors else None
+
+
+def _session(file: SourceFile, sink: Sink, found: Sink, start: str) -> Session | None:
+    """The text, read; its errors are in `found`. None, with the reason in `sink`, for a text that is not read."""
     if len(file.text) > limits.MAX_CHARACTERS:
         sink.report("E0130", None, name=file.name, limit=limits.MAX_CHARACTERS)
         return None
-    found = Sink()
     if turned_text(file, sink):
         return None
     session = Session(file, found, start)
@@ -42,11 +65,14 @@ def _run(file: SourceFile, sink: Sink, start: str) -> object | None:
             found.report("E0138", fault.span, limit=limits.MAX_BRACKETS)
         else:
             found.report("E0109", fault.span, limit=limits.MAX_DEPTH)
+    return session
+
+
+def _tell(found: Sink, sink: Sink) -> None:
     if len(found.diagnostics) >= limits.MAX_ERRORS:
         found.report("N0199", None, count=limits.MAX_ERRORS)
     for diagnostic in found.diagnostics:
         sink.add(diagnostic)
-    return session.tree if not found.has_errors else None
 
 
 def _read(session: Session) -> None:

@@ -247,6 +247,20 @@ class Session:
         """No more can be learned from this text."""
         self.finished = True
 
+    def close_all(self) -> None:
+        """Forget the statement that is unfinished and end all that is open, so that there is a tree of the rest."""
+        end = len(self.file.text)
+        self.previous = token_at(END_OF_TEXT, "", end, end)
+        while True:
+            self.stack.settle()
+            self.stack.cut(self.stack.boundary())
+            block = self.open_block()
+            if block is None:
+                self.shift(self._end_of_text())
+                return
+            if not self.insert("end", *(() if block.type == "CLASS_KIND" else (block.value,)), ";"):
+                return
+
     def panic(self, token: Token) -> None:
         """Forget the statement and read on behind its `;`, or before the next `end` or statement keyword."""
         height = self.stack.boundary()

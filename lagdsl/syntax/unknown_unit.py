@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagdsl.diagnostics import Sink
+from lagdsl.diagnostics import Edit, Sink
 from lagdsl.diagnostics.catalog.syntax import unit_help
 from lagdsl.source import Span
 
@@ -13,7 +13,8 @@ def report_unknown_unit(sink: Sink, span: Span, number: str, unit: str, *, calle
     With `called` a bracket follows: a function was meant.
     """
     suggestion = None if called else _suggestion(unit)
-    sink.report("E0105", span, help=unit_help(suggestion, number, unit), unit=unit)
+    edit = None if suggestion is None else Edit(span, suggestion)
+    sink.report("E0105", span, help=unit_help(suggestion, number, unit), edit=edit, unit=unit)
 
 
 def _suggestion(unit: str) -> str | None:

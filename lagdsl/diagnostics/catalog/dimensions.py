@@ -24,7 +24,10 @@ ROWS: dict[str, Row] = {
     "E0403": error("a {keyword} on {target} must be {expected}, this is {found}", label="this is {found}"),
     "E0404": error("`{keyword}` must be {expected}, this is {found}", label="this is {found}"),
     "E0405": error(
-        "bare `{number}` {preposition} {words}", label="a number without a unit", help="write `{number} {unit}`"
+        "bare `{number}` {preposition} {words}",
+        label="a number without a unit",
+        help="write `{number} {unit}`",
+        fix="{number} {unit}",
     ),
     "E0406": error(
         "`{unit}` is not a coherent SI unit; values are kept in SI",

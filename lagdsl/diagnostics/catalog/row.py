@@ -9,7 +9,8 @@ class Row:
     """Words of one diagnostic; `{name}` fields are filled with typed arguments by `Sink.report`.
 
     `message` is one sentence in the user's vocabulary, `label` stands at the caret, `secondary` at other places that
-    come without words of their own, `help` is a way out.
+    come without words of their own, `help` is a way out. `fix` is the text that `help` proposes in place of what stands
+    at the caret.
     """
 
     severity: Severity
@@ -17,10 +18,17 @@ class Row:
     label: str | None = None
     help: str | None = None
     secondary: str | None = None
+    fix: str | None = None
 
 
-def error(message: str, label: str | None = None, help: str | None = None, secondary: str | None = None) -> Row:
-    return Row(Severity.ERROR, message, label, help, secondary)
+def error(
+    message: str,
+    label: str | None = None,
+    help: str | None = None,
+    secondary: str | None = None,
+    fix: str | None = None,
+) -> Row:
+    return Row(Severity.ERROR, message, label, help, secondary, fix)
 
 
 def warning(message: str, label: str | None = None, help: str | None = None, secondary: str | None = None) -> Row:

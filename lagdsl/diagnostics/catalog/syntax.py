@@ -4,9 +4,12 @@ from lagdsl.diagnostics.catalog.row import Row, error, note
 
 ROWS: dict[str, Row] = {
     "E0100": error("{found} does not fit here", label="expected {expected}"),
-    "E0101": error("expected `;` after this {what}", label="`;` is missing here", help="insert `;`"),
+    "E0101": error("expected `;` after this {what}", label="`;` is missing here", help="insert `;`", fix=";"),
     "E0102": error(
-        "unknown statement `{word}`", label="no statement begins with this word", help="did you mean `{meant}`?"
+        "unknown statement `{word}`",
+        label="no statement begins with this word",
+        help="did you mean `{meant}`?",
+        fix="{meant}",
     ),
     "E0103": error(
         "a bare equation must be in an `equation` section",
@@ -33,10 +36,18 @@ ROWS: dict[str, Row] = {
         "`{mark}` closes nothing", label="no open bracket before this", help="remove it, or open the bracket"
     ),
     "E0111": error("`{mark}` is never closed", label="opened here", help="insert `{closing}`"),
-    "E0112": error("`{mark}` is closed by `{found}`", label="`{closing}` is expected here", help="write `{closing}`"),
+    "E0112": error(
+        "`{mark}` is closed by `{found}`",
+        label="`{closing}` is expected here",
+        help="write `{closing}`",
+        fix="{closing}",
+    ),
     "E0113": error("`{block}` has no `end`", label="begins here", help="insert `end {ending};`"),
     "E0114": error(
-        "`{kind} {name}` ends with the name `{end_name}`", label="expected `{name}`", help="write `end {name};`"
+        "`{kind} {name}` ends with the name `{end_name}`",
+        label="expected `{name}`",
+        help="write `end {name};`",
+        fix="{name}",
     ),
     "E0115": error(
         "`{word}` is a reserved word", label="cannot be used as a name", help="choose another name, such as `{word}_`"
@@ -68,7 +79,7 @@ ROWS: dict[str, Row] = {
     "E0122": error(
         "the size of an array follows the name", label="after the type", help="write `{type_name} {name}{size}`"
     ),
-    "E0123": error("expected `{word}`", label="`{word}` is missing here", help="insert `{word}`"),
+    "E0123": error("expected `{word}`", label="`{word}` is missing here", help="insert `{word}`", fix=" {word}"),
     "E0124": error("this {what} is longer than {limit} characters", label="too long", help="shorten it"),
     "E0125": error("relations do not chain", label="second relation", help="write `a < b and b < c`"),
     "E0126": error("text in quotes is not closed", label="opened here", help='close it with `"` on the same line'),

@@ -128,7 +128,10 @@ ROWS: dict[str, Row] = {
     ),
     "E0334": error("{what} must be {expected}, found {found}", label="this is {found}", help="write {expected} here"),
     "E0335": error(
-        "one value for a whole array needs `each`", label="one value, several elements", help="write `each {text}`"
+        "one value for a whole array needs `each`",
+        label="one value, several elements",
+        help="write `each {text}`",
+        fix="each {text}",
     ),
     "E0336": error(
         "the size of `{name}` comes from its binding, and it has none",

@@ -165,5 +165,5 @@ def _identity(program: str) -> str:
 def failure(code: str, notes: tuple[str, ...] = (), **arguments: str) -> CompilationFailed:
     """The exception that carries one diagnostic without a place in a text."""
     sink = Sink()
-    sink.report(code, None, notes=notes, help=None, **arguments)
+    sink.report(code, None, notes=notes, help=None, edit=None, **arguments)
     return CompilationFailed(sink.diagnostics)

@@ -10,6 +10,7 @@ from lagdsl.diagnostics import Label
 from lagdsl.diagnostics.suggest import did_you_mean
 from lagdsl.record import mutable_record
 from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import without_each
 from lagdsl.semantics.scope.scope import Binding, ClassSymbol, Entry, Instance, InstanceArray, Scope, Symbol
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -115,7 +116,7 @@ def modify(ctx: Context, symbol: Symbol, given: Iterable[Given]) -> None:
             ctx.sink.report("E0224", modifier.span, label, name=symbol.short)
             continue
         if "each" in modifier.prefixes and not _is_array(symbol):
-            ctx.sink.report("E0344", modifier.span, what=f"`{symbol.short}`")
+            ctx.sink.report("E0344", modifier.span, edit=without_each(modifier.span), what=f"`{symbol.short}`")
         if modifier.modifiers:
             symbol.given.overrides.append((modifier.modifiers, outer))
         if modifier.value is not None:

@@ -10,6 +10,7 @@ from lagdsl.semantics.classes.array_modifiers import Said
 from lagdsl.semantics.classes.inheritance import Part, body_of, class_at, names_in, steps_to
 from lagdsl.semantics.classes.modification import Given, target
 from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import without_each
 from lagdsl.semantics.scope.scope import ClassSymbol, Scope
 from lagdsl.source import Span
 from lagdsl.syntax import nodes
@@ -36,7 +37,8 @@ def replaced(
                 if modifier.value is not None:
                     ctx.sink.report("E0227", modifier.value.span, label, name=declarator.name)
                 if "each" in modifier.prefixes and not many:
-                    ctx.sink.report("E0344", modifier.span, label, what=f"component `{declarator.name}`")
+                    edit = without_each(modifier.span)
+                    ctx.sink.report("E0344", modifier.span, label, edit=edit, what=f"component `{declarator.name}`")
                 nested = _for_each(modifier) if many else modifier.modifiers
                 given += [(modifier.subscripts, inner, scope) for inner in nested]
                 sealed = modifier.span if "final" in modifier.prefixes else None

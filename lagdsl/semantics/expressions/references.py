@@ -6,7 +6,7 @@ import re
 from typing import assert_never
 
 from lagdsl.diagnostics import Label
-from lagdsl.diagnostics.suggest import did_you_mean, nearest
+from lagdsl.diagnostics.suggest import did_you_mean, nearest, proposal
 from lagdsl.flat import expression as flat
 from lagdsl.flat.quantity import Variability
 from lagdsl.semantics.expressions import slices
@@ -129,7 +129,7 @@ def report_unknown(ctx: Context, scope: Scope, node: nodes.Reference) -> None:
     if isinstance(entry, Symbol):
         entry.made.used = True
         labels = (Label(entry.span, f"{an(entry.word)} with a similar name is declared here"),)
-    hint = f"did you mean `{meant}`?" if meant is not None else import_hint(scope, node.name)
+    hint = proposal(node.name, meant) if meant is not None else import_hint(scope, node.name)
     if hint is None and _after_unit(node):
         hint = f"if the unit `{node.name}` is meant: units are joined by `.`, as in `5 kg.m2`"
     if hint is None and node.name in prelude.TYPES:

@@ -145,7 +145,7 @@ def structural_number(ctx: Context, value: Value, node: nodes.Node, code: str, *
     if not is_structural(value):
         kind = "is a parameter" if value.variability == Variability.PARAMETER else "varies in time"
         words.setdefault("kind", kind)
-        ctx.sink.report(code, node.span, help=None, notes=(), **words)
+        ctx.sink.report(code, node.span, help=None, edit=None, notes=(), **words)
         return None
     try:
         return evaluate(value.expression)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+
+from lagdsl.diagnostics import Edit
 from lagdsl.semantics.scope.values import (
     NUMERIC,
     AnyDimension,
@@ -68,6 +71,12 @@ def element_name(name: str, indices: tuple[int, ...]) -> str:
 def name_span(argument: nodes.Named) -> Span:
     """The name in `name = value`."""
     return Span(argument.span.file, argument.span.start, argument.span.start + len(argument.name))
+
+
+def without_each(span: Span) -> Edit | None:
+    """The change that takes the word `each` from the beginning of a modifier."""
+    word = re.match(r"each\s+", span.text)
+    return None if word is None else Edit(Span(span.file, span.start, span.start + word.end()), "")
 
 
 def arguments_text(count: int | str) -> str:

@@ -150,5 +150,5 @@ def require(
     else:
         notes = hidden_variables(scope, node)
         texts = {"expected": quantity(wanted), "found": quantity(found), **words}
-        ctx.sink.report(code, node.span, notes=notes, help=help, **texts)
+        ctx.sink.report(code, node.span, notes=notes, help=help, edit=None, **texts)
     return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
-from lagdsl.diagnostics.suggest import did_you_mean, nearest
+from lagdsl.diagnostics.suggest import did_you_mean, nearest, proposal
 from lagdsl.semantics.scope import prelude
 from lagdsl.semantics.scope.context import Context
 from lagdsl.semantics.scope.imports import import_hint
@@ -187,8 +187,9 @@ def report_unknown_type(ctx: Context, name: nodes.Name, scope: Scope) -> None:
         return
     types = [found for found, entry in visible(scope) if isinstance(entry, TypeSymbol | ClassSymbol)]
     meant = nearest(text, [*types, *reachable(scope), *prelude.TYPES, *STATEMENTS])
-    what = "the statement " if meant in STATEMENTS else ""
-    hint = f"did you mean {what}`{meant}`?" if meant else import_hint(scope, name.parts[0])
+    hint = proposal(text, meant) if meant else import_hint(scope, name.parts[0])
+    if meant in STATEMENTS:
+        hint = f"did you mean the statement `{meant}`?"
     ctx.sink.report("E0208", name.span, name=text, help=hint)
 
 

@@ -12,6 +12,7 @@ from lagdsl.flat.quantity import Variability
 from lagdsl.record import record
 from lagdsl.semantics.scope.constants import NoValue, evaluate
 from lagdsl.semantics.scope.context import Context
+from lagdsl.semantics.scope.naming import without_each
 from lagdsl.semantics.scope.prelude import BaseType
 from lagdsl.semantics.scope.scope import Scope, Symbol
 from lagdsl.semantics.scope.values import AnyDimension, Scalar, Text, is_structural, rank
@@ -207,7 +208,7 @@ def flags(ctx: Context, attribute: Attribute | None, what: str, shape: tuple[int
 
 def _check_each(ctx: Context, attribute: Attribute, what: str, shape: tuple[int, ...]) -> None:
     if attribute.each and not shape:
-        ctx.sink.report("E0344", attribute.node.span, what=what)
+        ctx.sink.report("E0344", attribute.node.span, edit=without_each(attribute.node.span), what=what)
 
 
 def text(ctx: Context, attribute: Attribute | None) -> str | None:

@@ -6,7 +6,7 @@ from itertools import islice
 
 from lark import Token
 
-from lagdsl.diagnostics import Label
+from lagdsl.diagnostics import Edit, Label
 from lagdsl.source import Span
 from lagdsl.syntax.expected import expected, found
 from lagdsl.syntax.session import BLOCKS, LONGEST_LOOK, Session
@@ -136,7 +136,8 @@ def _report_open(session: Session, block: Token, end: Token | None) -> None:
     else:
         spelled, ending, span = block.value, block.value, session.span(block)
     labels = () if end is None else (Label(session.span(end), f"`end {ending};` is expected before this"),)
+    edit = None if end is None else Edit(Span(session.file, start_of(end), start_of(end)), f"end {ending};\n")
     if end is None and text.strip():
-        place = len(text.rstrip())
-        labels = (Label(Span(session.file, place, place), "the file ends here"),)
-    session.sink.report("E0113", span, *labels, block=spelled, ending=ending)
+        place = Span(session.file, len(text.rstrip()), len(text.rstrip()))
+        labels, edit = (Label(place, "the file ends here"),), Edit(place, f"\nend {ending};")
+    session.sink.report("E0113", span, *labels, edit=edit, block=spelled, ending=ending)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lark import Token
 
-from lagdsl.diagnostics import Label
+from lagdsl.diagnostics import Edit, Label
 from lagdsl.syntax.session import CLOSING, Session
 from lagdsl.syntax.stack import statement_words
 from lagdsl.syntax.tokens import END_OF_TEXT, end_of, start_of
@@ -64,7 +64,8 @@ def _report_unclosed(session: Session, opened: Token, token: Token) -> None:
     label = Label(
         session.span(token) if token.value else session.after_previous(), f"`{closing}` is expected before this"
     )
-    session.sink.report("E0111", session.span(opened), label, mark=opened.value, closing=closing)
+    edit = Edit(session.after_previous(), closing)
+    session.sink.report("E0111", session.span(opened), label, edit=edit, mark=opened.value, closing=closing)
 
 
 def _closes_ahead(session: Session, token: Token) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from lark import Token
 
-from lagdsl.diagnostics import Label
+from lagdsl.diagnostics import Edit, Label
 from lagdsl.diagnostics.catalog.syntax import unexpected_help
 from lagdsl.diagnostics.suggest import nearest
 from lagdsl.source import Span
@@ -106,7 +106,9 @@ def array_size_after_type(session: Session, token: Token) -> bool:
         return False
     size = Span(session.file, start_of(token), end_of(ahead[closing]))
     name = ahead[closing + 1].value
-    session.sink.report("E0122", size, type_name=statement[-1].value, name=name, size=size.text)
+    whole = Span(session.file, size.start, end_of(ahead[closing + 1]))
+    edit = Edit(whole, f" {name}{size.text}")
+    session.sink.report("E0122", size, edit=edit, type_name=statement[-1].value, name=name, size=size.text)
     session.rewind(end_of(ahead[closing]))
     return True
 
